@@ -2,7 +2,6 @@
 
 #include "mjforge/placing/body_shapes.h"
 
-#include <algorithm>
 #include <optional>
 
 namespace mjforge::placing {
@@ -21,19 +20,21 @@ model::Pose StartPose(const model::Body& body) {
   return X_PB;
 }
 
-// Calls visit(index, X_AB) for a body A and for all bodies below it. Parents come before their
-// children.
+// Returns X_AB if B is the body A or below it. A body may come before its parent, because bodies
+// are placed one after the other.
+std::optional<model::Pose> PoseBelow(const model::Object& object, int a, int b) {
+  if (b == a) return model::Pose();
+  if (b < 0) return std::nullopt;
+  std::optional<model::Pose> X_AB = PoseBelow(object, a, BodyAt(object, b).parent);
+  if (X_AB) X_AB = *X_AB * StartPose(BodyAt(object, b));
+  return X_AB;
+}
+
+// Calls visit(index, X_AB) for a body A and for all bodies below it.
 template <typename Visit>
 void VisitBelow(const model::Object& object, int body, const Visit& visit) {
-  std::vector<std::optional<model::Pose>> X_AB(object.bodies.size());
-  X_AB[static_cast<std::size_t>(body)] = model::Pose();
-  visit(body, model::Pose());
-  for (int i = body + 1; i < static_cast<int>(object.bodies.size()); ++i) {
-    const int parent = BodyAt(object, i).parent;
-    if (parent < body || !X_AB[static_cast<std::size_t>(parent)]) continue;
-    model::Pose& X = X_AB[static_cast<std::size_t>(i)].emplace(
-        *X_AB[static_cast<std::size_t>(parent)] * StartPose(BodyAt(object, i)));
-    visit(i, X);
+  for (int i = 0; i < static_cast<int>(object.bodies.size()); ++i) {
+    if (const std::optional<model::Pose> X_AB = PoseBelow(object, body, i)) visit(i, *X_AB);
   }
 }
 

@@ -132,7 +132,8 @@ class ExpectationChecker {
     if (max) most = *max + kRounding;
     // The depth of an overlap takes most of the time, and matters only if there is a lower limit,
     // or an upper limit below zero.
-    auto* const distance_of = least > -kInfinity || most < 0 ? SignedDistance : Distance;
+    auto* const distance_of =
+        least > -kInfinity || most < 0 ? distance::SignedDistance : distance::Distance;
     double gap = kInfinity;
     PartPair nearest;
     for (PairQueue pairs = PairsOf(first, second); !pairs.empty(); pairs.pop()) {

@@ -119,9 +119,13 @@ TEST_CASE("footprints of random shapes contain all low points and are not larger
       double low = 0;
       double high = 1.5707;
       while (high - low > 1e-9) {
-        const double third = (high - low) / 3;
-        (farthest_at(low + third) > farthest_at(high - third) ? low : high) =
-            farthest_at(low + third) > farthest_at(high - third) ? low + third : high - third;
+        const double a = low + (high - low) / 3;
+        const double b = high - (high - low) / 3;
+        if (farthest_at(a) > farthest_at(b)) {
+          low = a;
+        } else {
+          high = b;
+        }
       }
       const double farthest = farthest_at(low);
       CAPTURE(model::GeomTypeName(placed.shape.type), farthest);
