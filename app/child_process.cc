@@ -76,6 +76,7 @@ void LimitTime(Seconds time) {
       progress.status = Worse(progress.status, take(progress.step));
     }
   } catch (const std::bad_alloc&) {
+    static_assert(batch::kNoMemoryStatus == static_cast<int>(ExitStatus::kInputOutput));
     std::_Exit(batch::kNoMemoryStatus);
   } catch (const std::exception& error) {
     progress.status = Worse(progress.status, ExplainException(error));

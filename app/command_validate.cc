@@ -54,6 +54,10 @@ std::string Behaviour(const physics::Result& result) {
   if (result.holds)
     text += fmt::format("; holds {} of {}", result.holds->held,
                         Counted(result.holds->balls, "ball", "balls"));
+  if (result.settled)
+    text +=
+        fmt::format("; {} of {} where they start", result.settled->bodies - result.settled->moved,
+                    Counted(result.settled->bodies, "body stays", "bodies stay"));
   if (result.fits)
     text += fmt::format("; {} of {} into place", result.fits->fit,
                         Counted(result.fits->tried, "thing goes", "things go"));

@@ -77,8 +77,8 @@ void WriteRegions(JsonOutput& json, const model::Body& body) {
   });
 }
 
-void WriteBox(JsonOutput& json, const model::Box3& aabb) {
-  json.Object("aabb", [&] {
+void WriteBox(JsonOutput& json, const model::Box3& aabb, std::string_view key = "aabb") {
+  json.Object(key, [&] {
     json.Member("min", aabb.min);
     json.Member("max", aabb.max);
   });
@@ -166,6 +166,7 @@ std::string InspectJson(const forge::Recipe& recipe, const forge::Variant& varia
     });
     WriteSections(json, object);
     WriteBox(json, object.bounds.aabb);
+    WriteBox(json, object.bounds.swept, "swept_aabb");
     WriteMass(json, object.mass_properties);
     json.Member("top_offset", object.bounds.top_offset);
     json.Member("bottom_offset", object.bounds.bottom_offset);

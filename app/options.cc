@@ -23,6 +23,7 @@ constexpr std::uint64_t kMaxJobs = 1024;
 constexpr std::array<std::string_view, 2> kFindings = {"text", "json"};
 constexpr std::array<std::string_view, 3> kColors = {"auto", "always", "never"};
 constexpr std::array<std::string_view, 2> kRoots = {"free", "none"};
+constexpr std::array<std::string_view, 2> kStarts = {"zero", "keyframe"};
 constexpr std::array<std::string_view, 2> kProfiles = {"none", "simready"};
 
 std::string CheckSetting(const std::string& text) {
@@ -83,6 +84,12 @@ void AddSpecOptions(CLI::App& command, SpecOptions& options) {
   };
   command.add_option_function<std::string>("--root", set_root, "Joint of the root: free, none")
       ->check(IsOneOf(kRoots))
+      ->option_text("WORD");
+  const auto set_start = [&options](const std::string& word) {
+    options.settings.push_back("root.start=" + word);
+  };
+  command.add_option_function<std::string>("--start", set_start, "Start state: zero, keyframe")
+      ->check(IsOneOf(kStarts))
       ->option_text("WORD");
   command.add_option("--params", options.parameter_files, "Set parameters from a YAML mapping")
       ->option_text("FILE")

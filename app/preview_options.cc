@@ -91,7 +91,7 @@ std::string FindConflict(const PreviewOptions& options) {
   if (options.count > 1 || options.first > 0)
     return fmt::format("'{}' is one object: -n and --first take a spec", options.what);
   if (!options.spec.settings.empty() || !options.spec.parameter_files.empty())
-    return fmt::format("'{}' has no parameters: --set, --root and --params take a spec",
+    return fmt::format("'{}' has no parameters: --set, --root, --start and --params take a spec",
                        options.what);
   return {};
 }

@@ -218,7 +218,7 @@ int MjforgeMake(MjforgeMaker* maker, std::uint64_t index, MjforgeVariant* varian
   try {
     return Make(*maker, index, *variant);
   } catch (const std::bad_alloc&) {
-    maker->failure.assign("too little memory");
+    maker->failure.assign("not enough memory");
   } catch (const std::exception& error) {
     maker->failure = error.what();
   }

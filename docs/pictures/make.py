@@ -29,6 +29,8 @@ JOINTS = {
     "articulated/hinged_box": {"box_hinge": "80deg"},
     "articulated/jar_with_lid": {"lift": "2mm"},
     "articulated/scissors": {"pivot": "40deg"},
+    "furniture/cupboard": {"hinge_1": "70deg"},
+    "furniture/desk": {"slide_0": "12cm"},
     "electronics/keyboard": {"press_56": "-2.5mm"},
 }
 

@@ -64,6 +64,7 @@ TEST_CASE_METHOD(CompletionTest, "values of options are completed where a list o
   CHECK(Words({"generate", "--validate", ""}) == "none\nload\nphysics\n");
   CHECK(Words({"generate", "--sampler", ""}) == "random\nsobol\nlatin\ngrid\n");
   CHECK(Words({"check", "--root", ""}) == "free\nnone\n");
+  CHECK(Words({"check", "--start", ""}) == "zero\nkeyframe\n");
   CHECK(Words({"check", "--profile", "s"}) == "simready\n");
   CHECK(Words({"preview", "--background", "s"}) == "studio\n");
   CHECK(Words({"preview", "--layer", "col"}) == "collision\n");
@@ -76,7 +77,8 @@ TEST_CASE_METHOD(CompletionTest, "values of options are completed where a list o
 }
 
 TEST_CASE_METHOD(CompletionTest, "every word that is offered is accepted") {
-  for (const char* option : {"--target", "--validate", "--sampler", "--on-invalid", "--root"}) {
+  for (const char* option :
+       {"--target", "--validate", "--sampler", "--on-invalid", "--root", "--start"}) {
     const std::string words = Words({"generate", "crate.yaml", option, ""});
     CHECK_FALSE(words.empty());
     for (std::size_t at = 0; at < words.size(); at = words.find('\n', at) + 1) {

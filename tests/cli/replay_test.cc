@@ -46,6 +46,16 @@ TEST_CASE_METHOD(ReplayTest,
   CHECK(Run({"replay", "free/faucet_000000.xml"}).status == 0);
 }
 
+TEST_CASE_METHOD(ReplayTest, "the option --start moves the start, and replay follows") {
+  REQUIRE(Run({"generate", "laptop", "-q", "--start", "keyframe", "-o", "key"}).status == 0);
+  CHECK(folder().Read("key/laptop_000000.xml").find(" ref=") == std::string::npos);
+  CHECK(Run({"replay", "key/manifest.jsonl:0"}).status == 0);
+  CHECK(Run({"replay", "key/laptop_000000.xml"}).status == 0);
+  REQUIRE(Run({"generate", "laptop", "-q", "--start", "zero", "-o", "zero"}).status == 0);
+  CHECK(folder().Read("zero/laptop_000000.xml").find(" ref=") != std::string::npos);
+  CHECK(Run({"replay", "zero/manifest.jsonl:0"}).status == 0);
+}
+
 TEST_CASE_METHOD(ReplayTest, "a record leads back to its spec, wherever it stands") {
   folder().Write("specs/box.yaml", kText);
   folder().Write("deep/er/box.yaml", kText);

@@ -39,10 +39,16 @@ class SpecAuthor {
     text += "  k: {friction: [" + Number() + "]}\n";
     text += "parts:\n  - {name: first, type: sphere, size: 0.05}\n";
     for (int i = 0; i < 4; ++i) text += Part("p" + std::to_string(i), "  ");
-    if (OneIn(2)) text += Bodies();
+    const bool has_bodies = OneIn(2);
+    if (has_bodies) text += Bodies();
     if (OneIn(6)) {
       text += "expect:\n  - bounds.x > y\n  - mass > c * x\n";
       text += "  - {gap: [first, p0], max: 10 * x}\n  - {apart: [p1, p2]}\n";
+    }
+    if (has_bodies && OneIn(2)) {
+      text += "pose: {j: 0.005, k: {uniform: [0.2, 0.4]}}\n";
+      text +=
+          Pick({"", "start: zero\n", "start: keyframe\n", "start: {choice: [zero, keyframe]}\n"});
     }
     return text;
   }
@@ -217,14 +223,15 @@ TEST_CASE("variants and batches of random specs are pure") {
     ++compared;
     stopped += batch::CompareBatches(loaded, options, variants, seed % 2 == 1) ? 1 : 0;
     for (const char* word :
-         {"type: box", "type: sphere", "type: cylinder", "type: capsule", "type: ellipsoid",
-          "type: prism", "type: lathe", "type: tube", "type: hull", "type: mesh", "role: visual",
-          "role: collision", "inner.yaml", "joints: free",
-          "if: ", "for: ", "holes: ", "round: ", "closed: "}) {
+         {"type: box",    "type: sphere",    "type: cylinder",  "type: capsule", "type: ellipsoid",
+          "type: prism",  "type: lathe",     "type: tube",      "type: hull",    "type: mesh",
+          "role: visual", "role: collision", "inner.yaml",      "joints: free",  "if: ",
+          "for: ",        "start: zero",     "start: keyframe", "start: {",      "holes: ",
+          "round: ",      "closed: "}) {
       if (text.find(word) != std::string::npos) covered.insert(word);
     }
   }
-  if (count >= 200) CHECK(covered.size() == 19);
+  if (count >= 200) CHECK(covered.size() == 22);
   CHECK(compared > count / 2);
   CHECK(stopped > compared / 2);
 }

@@ -95,15 +95,23 @@ class Comparison:
         if self.differences:
             return self.differences
         data = self.mujoco.MjData(self.model)
+        key = self._start_key()
+        if key is not None:
+            number = self.mujoco.mj_name2id(self.model, self.mujoco.mjtObj.mjOBJ_KEY, key.name)
+            self.mujoco.mj_resetDataKeyframe(self.model, data, number)
         self.mujoco.mj_kinematics(self.model, data)
         # Positions are rounded in proportion to the largest of them.
-        reach = self.np.abs(self._in_root(data, data.geom_xpos[self.model.geom_bodyid > 0]))
+        reach = self.np.abs(self._in_object(data.geom_xpos[self.model.geom_bodyid > 0]))
         self.size = max(self.size, float(reach.max(initial=0)))
         self._masses(data)
         if not self.record.get("declared_bounds"):
             self._bounds(data)
         self._start(data)
         return self.differences
+
+    def _start_key(self) -> Optional[Element]:
+        """The keyframe that mjforge writes."""
+        return next((e for e in self.elements if e.kind == "key" and e.name.endswith(START)), None)
 
     def _root(self) -> Optional[Element]:
         return next((e for e in self.elements if e.kind == "body"), None)
@@ -127,8 +135,10 @@ class Comparison:
                 self.differences.append(
                     Difference(f"there is no {element.kind} {element.name!r}", element))
 
-    def _in_root(self, data: Any, points: Any) -> Any:
-        return (points - data.xpos[1]) @ data.xmat[1].reshape(3, 3)
+    def _in_object(self, points: Any) -> Any:
+        """Points of the world in the object's frame; in a scene the object rests on the floor."""
+        is_scene = self.record.get("target") == "scene"
+        return points + [0, 0, self.record["aabb"]["min"][2] if is_scene else 0]
 
     def _masses(self, data: Any) -> None:
         np, record, masses = self.np, self.record, self.model.body_mass[1:]
@@ -137,10 +147,10 @@ class Comparison:
         self._compare("mass", mass, record["mass"], record["mass"], 1e-15 * self.model.nbody)
         if not record["mass"] > 0:
             return
-        positions = self._in_root(data, data.xipos[1:])
+        positions = self._in_object(data.xipos[1:])
         com = masses @ positions / mass
         self._compare("center of mass", com, record["com"], self.size)
-        axes = data.xmat[1].reshape(3, 3).T @ data.ximat[1:].reshape(-1, 3, 3)
+        axes = data.ximat[1:].reshape(-1, 3, 3)
         arms = positions - com
         tensors = np.einsum("bik,bk,bjk->bij", axes, self.model.body_inertia[1:], axes)
         tensors += masses[:, None, None] * (
@@ -152,11 +162,11 @@ class Comparison:
                       mass * self.size**2, 2e-12)
 
     def _boxes(self, data: Any) -> Iterator[tuple[int, Any, Any]]:
-        """Id, center and half sizes of the bounding box of each geom of the object, in the root's
+        """Id, center and half sizes of the bounding box of each geom of the object, in the object's
         frame."""
         np, model, types = self.np, self.model, self.mujoco.mjtGeom
-        centers = self._in_root(data, data.geom_xpos)
-        axes = data.xmat[1].reshape(3, 3).T @ data.geom_xmat.reshape(-1, 3, 3)
+        centers = self._in_object(data.geom_xpos)
+        axes = data.geom_xmat.reshape(-1, 3, 3)
         for geom in np.flatnonzero(model.geom_bodyid):
             kind, size, turn = model.geom_type[geom], model.geom_size[geom], axes[geom]
             z = turn[:, 2]
@@ -204,11 +214,11 @@ class Comparison:
     def _start(self, data: Any) -> None:
         """The start state: of the keyframe that mjforge writes, otherwise all joints at zero."""
         mujoco, model, np = self.mujoco, self.model, self.np
-        keys = [e for e in self.elements if e.kind == "key" and e.name.endswith(START)]
-        element = keys[0] if keys else self._root()
-        if keys:
-            key = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_KEY, keys[0].name)
-            meant = [float(number) for number in keys[0].attributes.get("qpos", "").split()]
+        start = self._start_key()
+        element = start or self._root()
+        if start is not None:
+            key = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_KEY, start.name)
+            meant = [float(number) for number in start.attributes.get("qpos", "").split()]
             if meant:
                 self._compare("qpos of the start state", model.key_qpos[key], meant, 1, 0, element)
             mujoco.mj_resetDataKeyframe(model, data, key)

@@ -91,7 +91,7 @@ class _Maker:
         texts = self.texts
         if status == 2:
             failure = bytes_of(library.MjforgeFailure(self.handle)).decode()
-            raise MemoryError if failure == "too little memory" else RuntimeError(failure)
+            raise MemoryError if failure == "not enough memory" else RuntimeError(failure)
         read = ctypes.string_at
         size = texts.findings_size
         findings = _found(read(texts.findings, size)) if size else ()
@@ -114,7 +114,7 @@ class Spec:
 
     `spec`: a name in the catalogue, a path, YAML (a text with a line break) or the same as a
     mapping. `set`: parameters, each as a number, a list or any text a spec allows
-    ("20cm .. 30cm"); "root.joints" and "checks.profile" are names, too. `parameters`: YAML files of
+    ("20cm .. 30cm"); "root.joints", "root.start" and "checks.profile" are names, too. `parameters`: YAML files of
     parameters. Raises SpecError with everything that is wrong.
     """
 

@@ -97,8 +97,14 @@ class Variant:
 
     @property
     def bounds(self) -> "np.ndarray":
-        """Corners of the axis-aligned box around it, (2, 3): min and max; m."""
+        """Corners of the axis-aligned box around it at the start, (2, 3): min and max; m."""
         box = self.record["aabb"]
+        return _numpy().array([box["min"], box["max"]])
+
+    @property
+    def swept_bounds(self) -> "np.ndarray":
+        """Corners of a box around it at all positions of its joints, (2, 3): min and max; m."""
+        box = self.record["swept_aabb"]
         return _numpy().array([box["min"], box["max"]])
 
     @property

@@ -168,18 +168,29 @@ class ShardMerger {
     for (; outcome == Outcome::kRecord; outcome = reader->Next(record)) {
       if (!Check(record, shard, reader->number())) return false;
     }
-    return outcome == Outcome::kEnd && part.AppendFrom(shard, BytesOfRecords(shard), findings_);
+    if (outcome != Outcome::kEnd) return false;
+    std::string why_not;
+    const std::optional<std::uint64_t> count = BytesOfRecords(shard, why_not);
+    if (count) return part.AppendFrom(shard, *count, findings_);
+    findings_.Add(diag::Code::kYamlCannotRead, {},
+                  fmt::format("cannot read '{}': {}", shard.string(), why_not));
+    return false;
   }
 
   bool IsCompressed() const { return destination_.format == output::ArchiveFormat::kTarZstd; }
 
   // Returns the size of a manifest without its seek table.
-  std::uint64_t BytesOfRecords(const std::filesystem::path& manifest) const {
-    std::error_code ignored;
-    if (!IsCompressed()) return std::filesystem::file_size(manifest, ignored);
-    std::string why_not;
+  std::optional<std::uint64_t> BytesOfRecords(const std::filesystem::path& manifest,
+                                              std::string& why_not) const {
+    if (!IsCompressed()) {
+      std::error_code error;
+      const std::uint64_t size = std::filesystem::file_size(manifest, error);
+      why_not = error.message();
+      return error ? std::nullopt : std::optional(size);
+    }
     const auto frames = bytes::FramesOf(manifest, why_not);
-    return !frames || frames->empty() ? 0 : frames->back().end();
+    if (!frames) return std::nullopt;
+    return frames->empty() ? 0 : frames->back().end();
   }
 
   bool Check(const manifest::Record& record, const std::filesystem::path& shard,

@@ -3,17 +3,41 @@
 #include <fmt/format.h>
 
 #include <cstring>
+#include <system_error>
 #include <utility>
 
 #include "mjforge/bytes/bytes.h"
 #include "mjforge/bytes/text_stream.h"
+#include "mjforge/bytes/zstd_frames.h"
 
 namespace mjforge::bytes {
 namespace {
 
 constexpr std::size_t kLineBufferBytes = 256 * 1024;
+// Distance of the cuts of a file that is not compressed.
+constexpr std::uint64_t kCutBytes = std::uint64_t{256} << 10;
 
 }  // namespace
+
+std::optional<std::vector<std::uint64_t>> CutsOf(const std::filesystem::path& file,
+                                                 std::string& why_not) {
+  std::optional<File> opened = File::Open(file, why_not);
+  const std::optional<bool> is_compressed = opened ? IsCompressed(*opened, why_not) : std::nullopt;
+  if (!is_compressed) return std::nullopt;
+  std::vector<std::uint64_t> cuts = {0};
+  if (*is_compressed) {
+    const std::optional<std::vector<Frame>> frames = FramesOf(file, why_not);
+    if (!frames) return std::nullopt;
+    for (const Frame& frame : *frames) {
+      if (frame.begin > 0) cuts.push_back(frame.begin);
+    }
+    return cuts;
+  }
+  std::error_code ignored;
+  const std::uint64_t size = std::filesystem::file_size(file, ignored);
+  for (std::uint64_t cut = kCutBytes; cut < size; cut += kCutBytes) cuts.push_back(cut);
+  return cuts;
+}
 
 LineReader::LineReader(std::unique_ptr<TextStream> stream, bool skips_first)
     : stream_(std::move(stream)), skips_first_(skips_first), buffer_(kLineBufferBytes, '\0') {}

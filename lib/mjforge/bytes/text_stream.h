@@ -15,10 +15,6 @@
 
 namespace mjforge::bytes {
 
-/// Returns true if the file begins with a frame of Zstandard; nothing, and sets `why_not`, if it
-/// cannot be read.
-std::optional<bool> IsCompressed(File& file, std::string& why_not);
-
 /// The text of a file from the start of a section to the end of the file.
 class TextStream {
  public:

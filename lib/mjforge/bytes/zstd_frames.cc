@@ -11,7 +11,6 @@
 #include <system_error>
 
 #include "mjforge/bytes/bytes.h"
-#include "mjforge/bytes/text_stream.h"
 
 namespace mjforge::bytes {
 namespace {
@@ -20,8 +19,6 @@ namespace {
 // slower and gain nothing.
 constexpr int kLevel = 1;
 
-// Distance of the cuts of a file that is not compressed.
-constexpr std::uint64_t kCutBytes = std::uint64_t{256} << 10;
 // The frames of a file without a seek table are found in pieces of this size.
 constexpr std::uint64_t kPieceBytes = std::uint64_t{4} << 20;
 
@@ -159,26 +156,6 @@ std::string SeekTableOf(std::span<const Frame> frames) {
   table += '\0';
   AppendNumber(table, kSeekableMagic);
   return table;
-}
-
-std::optional<std::vector<std::uint64_t>> CutsOf(const std::filesystem::path& file,
-                                                 std::string& why_not) {
-  std::optional<File> opened = File::Open(file, why_not);
-  const std::optional<bool> is_compressed = opened ? IsCompressed(*opened, why_not) : std::nullopt;
-  if (!is_compressed) return std::nullopt;
-  std::vector<std::uint64_t> cuts = {0};
-  if (*is_compressed) {
-    const std::optional<std::vector<Frame>> frames = FramesOf(file, why_not);
-    if (!frames) return std::nullopt;
-    for (const Frame& frame : *frames) {
-      if (frame.begin > 0) cuts.push_back(frame.begin);
-    }
-    return cuts;
-  }
-  std::error_code ignored;
-  const std::uint64_t size = std::filesystem::file_size(file, ignored);
-  for (std::uint64_t cut = kCutBytes; cut < size; cut += kCutBytes) cuts.push_back(cut);
-  return cuts;
 }
 
 }  // namespace mjforge::bytes

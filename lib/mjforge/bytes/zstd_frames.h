@@ -17,6 +17,8 @@ struct ZSTD_CCtx_s;
 
 namespace mjforge::bytes {
 
+class File;
+
 /// Compresses texts, each into one frame with a checksum. A frame depends only on its text.
 class FrameCompressor {
  public:
@@ -41,6 +43,10 @@ struct Frame {
 
   std::uint64_t end() const { return begin + bytes; }
 };
+
+/// Returns true if the file begins with a frame of Zstandard; nothing, and sets `why_not`, if it
+/// cannot be read.
+std::optional<bool> IsCompressed(File& file, std::string& why_not);
 
 /// Returns the frames of a compressed file from its seek table or, if it has none, by reading the
 /// whole file. Leaves out skippable frames, and all frames after one that is damaged, incomplete or

@@ -83,6 +83,9 @@ std::optional<JointRange> RangeOf(const mjModel& m, int joint);
 /// `_start`, which mjforge writes; without such a keyframe, qpos0.
 std::span<const mjtNum> StartOf(const mjModel& m);
 
+/// Copies positions, velocities, activations and controls at the start to `d`.
+void CopyStart(const mjModel& m, mjData& d);
+
 /// Returns the qpos of a ball joint that is rotated from its zero by an angle about an axis.
 std::array<mjtNum, 4> BallAt(const mjModel& m, int joint, const Eigen::Vector3d& axis,
                              double angle);

@@ -1,4 +1,5 @@
 // Joints of compiled models: ranges and start positions.
+#include <algorithm>
 #include <numbers>
 #include <string>
 
@@ -22,11 +23,29 @@ std::optional<JointRange> RangeOf(const mjModel& m, int joint) {
   return JointRange{false, zero - kTurn, zero + kTurn};
 }
 
-std::span<const mjtNum> StartOf(const mjModel& m) {
+namespace {
+
+// Returns the id of the keyframe that mjforge writes; -1 if there is none.
+int StartKey(const mjModel& m) {
   const std::string name = std::string(m.names) + "_start";  // `names` begins with the model's name
-  const int key = mj_name2id(&m, mjOBJ_KEY, name.c_str());
+  return mj_name2id(&m, mjOBJ_KEY, name.c_str());
+}
+
+}  // namespace
+
+std::span<const mjtNum> StartOf(const mjModel& m) {
+  const int key = StartKey(m);
   const auto count = static_cast<std::size_t>(m.nq);
   return key < 0 ? std::span(m.qpos0, count) : std::span(m.key_qpos + key * m.nq, count);
+}
+
+void CopyStart(const mjModel& m, mjData& d) {
+  const int key = StartKey(m);
+  std::ranges::copy(StartOf(m), d.qpos);
+  if (key < 0) return;
+  std::copy_n(m.key_qvel + key * m.nv, m.nv, d.qvel);
+  std::copy_n(m.key_act + key * m.na, m.na, d.act);
+  std::copy_n(m.key_ctrl + key * m.nu, m.nu, d.ctrl);
 }
 
 std::array<mjtNum, 4> BallAt(const mjModel& m, int joint, const Eigen::Vector3d& axis,

@@ -36,8 +36,9 @@ bytes::Section SectionOf(const Path& file, std::uint64_t index,
                            : bytes::Section{.begin = *(end - 1), .end = *end};
 }
 
+// Sets `is_read` if no line of the section was left unread.
 std::optional<Record> FindIn(const bytes::Section& section, const Path& file, std::uint64_t index,
-                             diag::Sources& sources, diag::Findings& findings) {
+                             diag::Sources& sources, diag::Findings& findings, bool& is_read) {
   auto reader = RecordReader::Open(file, sources, findings, section);
   Record record;
   Outcome outcome = Outcome::kBadLine;
@@ -45,6 +46,7 @@ std::optional<Record> FindIn(const bytes::Section& section, const Path& file, st
     outcome = reader->Next(record);
     if (outcome == Outcome::kRecord && record.index == index) return record;
   }
+  is_read = outcome == Outcome::kEnd;
   return std::nullopt;
 }
 
@@ -65,11 +67,12 @@ std::optional<Record> FindRecord(const Path& file, std::uint64_t index, diag::So
   // Line numbers in a section are not those of the file, so its findings are not shown.
   diag::Sources section_sources;
   diag::Findings found;
-  auto record = FindIn(SectionOf(file, index, *cuts), file, index, section_sources, found);
+  bool is_read = false;
+  auto record = FindIn(SectionOf(file, index, *cuts), file, index, section_sources, found, is_read);
   if (record) return record;
-  const std::size_t before = findings.size();
-  if (!found.empty() || !HasSeal(file)) record = FindIn({}, file, index, sources, findings);
-  if (!record && findings.size() == before) {
+  if (!found.empty() || !HasSeal(file))
+    record = FindIn({}, file, index, sources, findings, is_read);
+  if (!record && is_read) {
     findings.Add(diag::Code::kOutputBadManifest, {},
                  fmt::format("'{}' has no record with index {}", file.string(), index));
   }

@@ -142,11 +142,12 @@ class RecordReader {
 
   enum class Outcome { kRecord, kBadLine, kEnd, kUnreadable };
   /// Replaces `record` with the record on the next line. After a bad line, the next call continues
-  /// with the following line. The first kMaxBadLines bad lines become findings; further ones are
-  /// only counted. An error of the file system is a finding, too.
+  /// with the following line. The first kMaxBadLines bad lines become findings. An error of the
+  /// file system is a finding, too, and so are more than kMaxSkippedLines bad lines.
   Outcome Next(Record& record);
   static constexpr std::uint64_t kMaxBadLines = 50;
-  std::uint64_t bad_lines() const { return bad_lines_; }
+  /// Limit for bad lines, because a small compressed file can contain thousands of millions.
+  static constexpr std::uint64_t kMaxSkippedLines = 1'000'000;
 
   /// Number of the last line read, counted from 1.
   std::uint32_t number() const { return number_; }

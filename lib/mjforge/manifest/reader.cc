@@ -62,7 +62,11 @@ RecordReader::Outcome RecordReader::Next(Record& record) {
     findings_->Add(diag::Code::kOutputBadManifest, Mark(),
                    fmt::format("this line is not a record: {}", why_not));
   }
-  return Outcome::kBadLine;
+  if (bad_lines_ <= kMaxSkippedLines) return Outcome::kBadLine;
+  findings_->Add(
+      diag::Code::kYamlCannotRead, Mark(),
+      fmt::format("the rest is not read: more than {} lines are not records", kMaxSkippedLines));
+  return Outcome::kUnreadable;
 }
 
 diag::SourceMark RecordReader::Mark() const {

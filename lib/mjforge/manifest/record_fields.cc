@@ -48,6 +48,11 @@ constexpr JsonMember<Result::Holding> kHolding[] = {{"balls", &Result::Holding::
                                                     {"held", &Result::Holding::held},
                                                     {"emptied", &Result::Holding::emptied}};
 
+constexpr JsonMember<Result::Settling> kSettling[] = {{"bodies", &Result::Settling::bodies},
+                                                      {"moved", &Result::Settling::moved},
+                                                      {"distance", &Result::Settling::distance},
+                                                      {"angle", &Result::Settling::angle}};
+
 constexpr JsonMember<Result::Fitting> kFitting[] = {{"tried", &Result::Fitting::tried},
                                                     {"fit", &Result::Fitting::fit}};
 
@@ -74,6 +79,7 @@ void ForEachPart(AnyResult& result, const Use& use) {
   use("joints", result.joints, kJoint);
   use("stability", result.stability, kStability);
   use("holds", result.holds, kHolding);
+  use("settled", result.settled, kSettling);
   use("fits", result.fits, kFitting);
   use("grasps", result.grasps, kGrasp);
   use("simready", result.simready, kSimReady);
@@ -208,6 +214,22 @@ RecordField DeclaredBoundsField() {
           [](const Record& record) { return !record.bounds.declared; }};
 }
 
+constexpr const char* kBox =
+    R"("type": ["object", "null"], "required": ["min", "max"], "properties": )"
+    R"({"min": {"type": "array", "items": {"type": "number"}}, )"
+    R"("max": {"type": "array", "items": {"type": "number"}}})";
+
+RecordField SweptBoundsField() {
+  return {
+      "swept_aabb",
+      kBox,
+      "Box around the collision parts at all positions of the joints; left out if no object was "
+      "made.",
+      [](Json& json, const Record& record) { Put(json, record.bounds.swept); },
+      [](const Value& value, Record& record) { return Get(value, record.bounds.swept); },
+      [](const Record& record) { return record.bounds.swept.empty(); }};
+}
+
 RecordField PhysicsField() {
   return {
       "physics",
@@ -313,19 +335,17 @@ const std::array kFields = {
         "com",
         R"("type": ["array", "null"], "items": {"type": "number"}, "minItems": 3, )"
         R"("maxItems": 3)",
-        "Centre of mass in the root body's frame, m."),
+        "Centre of mass at the start state in the object's frame, m."),
     ObjectField<&Record::mass_properties, &MassProperties::I_Cm_F>(
         "inertia",
         R"("type": ["array", "null"], "items": {"type": "number"}, "minItems": 6, )"
         R"("maxItems": 6)",
-        "Inertia about the centre of mass, along the root body's axes, kg m^2: "
-        "xx yy zz xy xz yz."),
+        "Inertia about the centre of mass at the start state, along the axes of the object's "
+        "frame, "
+        "kg m^2: xx yy zz xy xz yz."),
     ObjectField<&Record::bounds, &Bounds::aabb>(
-        "aabb",
-        R"("type": ["object", "null"], "required": ["min", "max"], "properties": )"
-        R"({"min": {"type": "array", "items": {"type": "number"}}, )"
-        R"("max": {"type": "array", "items": {"type": "number"}}})",
-        "Bounds of the collision parts in the root body's frame, m."),
+        "aabb", kBox, "Bounds of the collision parts at the start state in the object's frame, m."),
+    SweptBoundsField(),
     ObjectField<&Record::bounds, &Bounds::top_offset>(
         "top_offset", kNumber, "z of the highest point of a collision part, m."),
     ObjectField<&Record::bounds, &Bounds::bottom_offset>(

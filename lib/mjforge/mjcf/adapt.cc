@@ -21,8 +21,11 @@ std::string JoinNames(std::span<const std::string_view> names) {
 
 void Adapt(model::Object& object, Target target, diag::Findings& findings) {
   const TargetRules& rules = RulesOf(target);
-  if (!rules.adapts() || object.bodies.empty()) return;
+  if (object.bodies.empty()) return;
+  // First, because dropped elements are no obstacles to a start at zero.
   AdaptSections(object, rules, findings);
+  AdaptStart(object, rules, findings);
+  if (!rules.adapts()) return;
   AdaptShapes(object, rules, findings);
   AdaptGeoms(object, rules, findings);
   CheckNames(object, rules, findings);

@@ -23,6 +23,11 @@ void CheckNames(const model::Object& object, const TargetRules& rules, diag::Fin
 /// Adapts groups, colors, densities and margins of parts.
 void AdaptGeoms(model::Object& object, const TargetRules& rules, diag::Findings& findings);
 
+// adapt_start.cc
+/// Makes the zero configuration the start of the object, if the spec or the target wants it.
+/// Otherwise drops start positions if the host reads no keyframes.
+void AdaptStart(model::Object& object, const TargetRules& rules, diag::Findings& findings);
+
 // adapt_bodies.cc
 /// Adds bodies, sites and geoms that the host requires; drops joints that the host adds itself.
 void AdaptBodies(model::Object& object, const TargetRules& rules, diag::Findings& findings);

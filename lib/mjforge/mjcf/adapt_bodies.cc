@@ -136,23 +136,9 @@ bool CheckSingleRoot(const model::Object& object, const TargetRules& rules,
   return false;
 }
 
-void DropStartPositions(model::Object& object, const TargetRules& rules, diag::Findings& findings) {
-  for (model::Body& body : object.bodies) {
-    for (model::Joint& joint : body.joints) {
-      if (joint.start.empty()) continue;
-      findings.Warn(Code::kTargetDropped, joint.mark,
-                    fmt::format("{} has no keyframes in objects: the pose of joint '{}' is dropped",
-                                rules.name, joint.name),
-                    "set it where the object is put into a task");
-      joint.start.clear();
-    }
-  }
-}
-
 }  // namespace
 
 void AdaptBodies(model::Object& object, const TargetRules& rules, diag::Findings& findings) {
-  if (!rules.supports_sections) DropStartPositions(object, rules, findings);
   if (!rules.root.empty() && !CheckSingleRoot(object, rules, findings)) return;
   if (!rules.has_free_joint) DropFreeJoint(object.bodies.front(), rules, findings);
   if (!rules.root.empty()) DropElementsTargetingRoot(object, rules, findings);

@@ -1,4 +1,4 @@
-// Start positions of the joints (qpos), and the keyframe with them.
+// The start state of an object in the order of MuJoCo, and the keyframe with it.
 
 #include <algorithm>
 
@@ -16,49 +16,85 @@ void AddPose(const model::Pose& pose, double lift, std::vector<double>& out) {
   out.insert(out.end(), quat.begin(), quat.end());
 }
 
-// Appends the position in which a joint has its default value: `ref`, or the identity of a ball
-// joint.
-void AddZero(const model::Joint& joint, std::vector<double>& out) {
-  if (joint.type == "ball") {
-    for (const double number : {1.0, 0.0, 0.0, 0.0}) out.emplace_back(number);
-    return;
+std::size_t VelocityCount(const model::Joint& joint) {
+  if (joint.type == "free") return 6;
+  return joint.type == "ball" ? 3 : 1;
+}
+
+bool HasStart(const model::Joint& joint) { return !joint.start.empty(); }
+bool HasVelocity(const model::Joint& joint) { return !joint.start_velocity.empty(); }
+
+// Returns true if any joint of the object has the property.
+bool AnyJoint(const model::Object& object, bool (*has)(const model::Joint&)) {
+  return std::ranges::any_of(object.bodies, [&](const model::Body& body) {
+    return std::ranges::any_of(body.joints, has);
+  });
+}
+
+void AddPositions(const model::Body& body, double lift, std::vector<double>& qpos) {
+  for (const model::Joint& joint : body.joints) {
+    if (joint.type == "free") {
+      AddPose(body.X_PB, lift, qpos);
+      continue;
+    }
+    const sample::Numbers position = HasStart(joint) ? joint.start : model::ZeroPosition(joint);
+    qpos.insert(qpos.end(), position.begin(), position.end());
   }
-  const auto* ref = model::FindAttribute(joint.attributes, "ref");
-  out.push_back(ref == nullptr ? 0.0 : ref->numbers.front());
+}
+
+void AddVelocities(const model::Body& body, std::vector<double>& qvel) {
+  for (const model::Joint& joint : body.joints) {
+    const std::size_t end = qvel.size() + VelocityCount(joint);
+    qvel.insert(qvel.end(), joint.start_velocity.begin(), joint.start_velocity.end());
+    qvel.resize(end);
+  }
+}
+
+// Adds controls and activations of the actuators that the target has not dropped.
+void AddSetpoints(const model::Object& object, StartState& start) {
+  if (object.setpoints.empty()) return;
+  bool acts = false;
+  for (const model::Element& actuator : model::ElementsOf(object, "actuator")) {
+    const auto setpoint =
+        std::ranges::find(object.setpoints, actuator.name, &model::Setpoint::actuator);
+    start.ctrl.push_back(setpoint->ctrl.value_or(0));
+    if (setpoint->act) start.act.push_back(*setpoint->act);
+    acts |= setpoint->act.value_or(0) != 0;
+  }
+  if (!acts) start.act.clear();
+  if (std::ranges::count(start.ctrl, 0.0) == std::ssize(start.ctrl)) start.ctrl.clear();
 }
 
 }  // namespace
 
-std::vector<double> StartPositions(const model::Object& object, double lift) {
-  std::vector<double> positions;
-  const auto has_start = [](const model::Joint& joint) { return !joint.start.empty(); };
-  const auto is_posed = [&](const model::Body& body) {
-    return std::ranges::any_of(body.joints, has_start);
-  };
-  if (std::ranges::none_of(object.bodies, is_posed)) return positions;
+StartState StartStateOf(const model::Object& object, double lift) {
+  StartState start;
+  AddSetpoints(object, start);
+  const bool moves = AnyJoint(object, HasVelocity);
+  if (!moves && !AnyJoint(object, HasStart) && start.act.empty() && start.ctrl.empty())
+    return start;
   for (const int i : DepthFirstOrder(object)) {
     const model::Body& body = object.bodies[static_cast<std::size_t>(i)];
-    for (const model::Joint& joint : body.joints) {
-      if (joint.type == "free") {
-        AddPose(body.X_PB, lift, positions);
-      } else if (has_start(joint)) {
-        positions.insert(positions.end(), joint.start.begin(), joint.start.end());
-      } else {
-        AddZero(joint, positions);
-      }
-    }
+    AddPositions(body, lift, start.qpos);
+    if (moves) AddVelocities(body, start.qvel);
   }
-  return positions;
+  return start;
 }
 
 void WriteKeyframe(const model::Object& object, double lift, ElementWriter& writer) {
-  const std::vector<double> positions = StartPositions(object, lift);
-  if (positions.empty()) return;
+  const StartState start = StartStateOf(object, lift);
+  if (start.qpos.empty() && start.act.empty() && start.ctrl.empty()) return;
   writer.OpenElement("keyframe");
   writer.BeginContent();
   writer.OpenElement("key");
   writer.WriteText("name", object.name, kStartSuffix);
-  writer.WriteNumbers("qpos", positions, ElementWriter::NumberFormat::kFlushed);
+  const auto write = [&](std::string_view name, const std::vector<double>& numbers) {
+    if (!numbers.empty()) writer.WriteNumbers(name, numbers, ElementWriter::NumberFormat::kFlushed);
+  };
+  write("qpos", start.qpos);
+  write("qvel", start.qvel);
+  write("act", start.act);
+  write("ctrl", start.ctrl);
   writer.CloseEmpty();
   writer.EndElement("keyframe");
 }

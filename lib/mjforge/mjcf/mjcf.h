@@ -89,15 +89,23 @@ struct MjcfDocument {
 
 /// The name of the keyframe is the object's name with this suffix.
 inline constexpr std::string_view kStartSuffix = "_start";
-/// Returns qpos at the start, in MuJoCo's order; empty if no joint has a start position. `lift`, m,
-/// is added to the height of free bodies.
-std::vector<double> StartPositions(const model::Object& object, double lift);
+/// The start state in MuJoCo's order. A vector is empty if it has MuJoCo's default everywhere; qpos
+/// is empty only if all are.
+struct StartState {
+  std::vector<double> qpos;
+  std::vector<double> qvel;
+  std::vector<double> act;
+  std::vector<double> ctrl;
+};
+/// Returns the start state of an object. `lift`, m, is added to the height of free bodies.
+StartState StartStateOf(const model::Object& object, double lift);
 
 /// Returns the indices of Object::bodies in depth-first order, which the text and MuJoCo use.
 std::vector<int> DepthFirstOrder(const model::Object& object);
 
 /// Adapts the object to the program that will load it (TargetRules). Drops elements that this
-/// program ignores, with a warning, and reports elements that it cannot load as errors. Not a part
+/// program ignores, with a warning, and reports elements that it cannot load as errors. Makes the
+/// zero configuration of the object its start if the spec or the program wants it. Not a part
 /// of WriteMjcf, because the adapted object is compared with the compiled model.
 void Adapt(model::Object& object, Target target, diag::Findings& findings);
 

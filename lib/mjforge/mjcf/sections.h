@@ -27,7 +27,7 @@ void WriteSettings(const model::Object& object, ElementWriter& writer);
 /// keyframe.
 void WriteSections(const model::Object& object, double lift, ElementWriter& writer);
 
-/// Writes a keyframe with the start positions of the joints if any joint has one.
+/// Writes a keyframe with the start state if it is not MuJoCo's default.
 void WriteKeyframe(const model::Object& object, double lift, ElementWriter& writer);
 
 /// Returns the height added to the object so that it rests on the floor at z = 0, m.

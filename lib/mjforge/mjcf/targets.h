@@ -62,6 +62,8 @@ struct TargetRules {
   std::string_view region_prefix = {};       // prefix of geoms that are regions
   std::span<const HostName> host_names = {};
 
+  bool repeats_start = false;  // a start at zero is written as a keyframe, too
+
   // Support for elements, which are otherwise dropped with a warning.
   bool supports_sections = true;       // contact, sensor, ...
   bool supports_texture_sides = true;  // textures composed of several files

@@ -48,7 +48,7 @@ std::optional<Object> Assembly::Run(sample::Evaluator& values, const Assembler::
   }
   AddSpec(scope);
   if (left_out_.size() > left_out) return std::nullopt;  // the object is assembled again
-  AddRootJoints(scope);
+  ReadStartForm(scope);
   ReadChecks(scope);
   if (!findings_.HasErrors(before)) Finish(scope);
   if (findings_.HasErrors(before) || values.failed()) return std::nullopt;
@@ -79,6 +79,7 @@ void Assembly::AddSpec(Scope& scope) {
   const spec::ObjectSpec& spec = scope.values.spec();
   const std::size_t first_part = body().parts.size();
   const std::size_t first_body = object_.bodies.size();
+  const std::size_t first_start = starts_.size();
   const std::size_t first_search = face_searches_.size();
   ReadTotalSize(scope);
   AddParts(scope, spec.parts, Pose());
@@ -88,7 +89,9 @@ void Assembly::AddSpec(Scope& scope) {
   if (!spec.bodies.empty()) AddBodies(scope);
   if (!spec.sections.empty()) sections_.Add(scope, &spec == spec_);
   if (spec.mass) ScaleObject(scope, first_part, first_body);
-  if (!spec.pose.empty()) ReadPositions(scope);
+  if (&spec == spec_) AddRootJoints(scope);
+  ReadStarts(scope);
+  ApplyStarts(scope, first_start, first_body);
   for (std::size_t i = first_search; i < face_searches_.size(); ++i) {
     FaceSearch& search = face_searches_[i];
     if (search.last_body > 0) continue;  // of a nested spec
@@ -110,6 +113,15 @@ void Assembly::ReadTotalSize(Scope& scope) {
   if (!spec.total_size) return;
   FieldReader reader(scope.values, findings_, "object", spec.name, scope.values.root());
   scope.total_size = reader.Vector<3>(*spec.total_size);
+}
+
+void Assembly::ReadStartForm(Scope& scope) {
+  const spec::ObjectSpec& spec = scope.values.spec();
+  if (!spec.start) return;
+  FieldReader reader(scope.values, findings_, "object", spec.name, scope.values.root());
+  const std::optional<std::string> word = reader.Word(*spec.start);
+  if (!word) return;
+  object_.start_form = *word == "zero" ? StartForm::kZero : StartForm::kKeyframe;
 }
 
 void Assembly::AddParts(Scope& scope, const std::vector<spec::Entry>& entries, const Pose& X_SF) {

@@ -62,6 +62,7 @@ class Assembly {
   /// that there are too many; `what` is their plural.
   bool HasRoomFor(std::string_view what, std::size_t count, diag::SourceMark mark);
   void ReadTotalSize(Scope& scope);
+  void ReadStartForm(Scope& scope);
   void ScaleObject(Scope& scope, std::size_t first_part, std::size_t first_body);
 
   // nested_specs.cc
@@ -106,14 +107,35 @@ class Assembly {
     sample::Numbers numbers;
     diag::SourceMark mark;
   };
-  /// Reads `pose:` of a spec; SetPositions applies the positions once all joints exist.
-  void ReadPositions(Scope& scope);
-  void SetPositions();
   /// Returns the position as in qpos; nothing, and a finding, if the joint cannot have it. `what`
   /// names the key in messages.
   std::optional<sample::Numbers> ToQpos(std::string_view what, const RequestedPosition& position,
                                         const Joint& joint);
   void ReportUnknownJoint(std::string_view what, const RequestedPosition& position);
+
+  // starts.cc
+  /// A start state in `pose:`, or `start:` of a joint.
+  struct RequestedStart {
+    std::string_view key = "pose";
+    RequestedPosition position;           // its joint may be the name of an actuator
+    std::optional<Eigen::Vector3d> p;     // of a free body
+    std::optional<Eigen::Quaterniond> q;  // of a free body
+    sample::Numbers velocity = {};
+    bool is_actuator = false;
+    std::optional<double> ctrl = {};
+    std::optional<double> act = {};
+  };
+  /// Reads `pose:` of a spec into starts_.
+  void ReadStarts(Scope& scope);
+  void ReadStart(Scope& scope, const spec::Entry& entry, sample::StreamId pose);
+  /// Applies the elements of starts_ from `first` on, which belong to the spec of the scope, to the
+  /// current body and the bodies from `first_body` on. Starts of outer specs are applied later and
+  /// so override those of inner specs.
+  void ApplyStarts(const Scope& scope, std::size_t first, std::size_t first_body);
+  void ApplyStart(const Scope& scope, const RequestedStart& start, Body& of, Joint& joint);
+  void ApplySetpoint(RequestedStart& start);
+  /// Reports starts whose joint or actuator did not exist when its spec was complete.
+  void ReportLostStarts();
 
   // expectations.cc
   /// Evaluates the conditions of `expect:`, and reads its other entries.
@@ -175,7 +197,8 @@ class Assembly {
   std::size_t spec_count_ = 0;                   // welded specs
   bool is_full_ = false;                         // kMaxParts was exceeded and reported
   std::unordered_map<std::string, int> bodies_;  // indices by full name
-  std::vector<RequestedPosition> positions_;     // inner specs first
+  std::vector<RequestedStart> starts_;           // of specs that are not complete
+  std::vector<RequestedStart> lost_starts_;      // without a joint or actuator
   std::vector<FaceSearch> face_searches_;
 };
 

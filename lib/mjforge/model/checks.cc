@@ -52,6 +52,12 @@ constexpr KeyedMember<GraspingCheck, double> kGraspingNumbers[] = {{"width", &Gr
                                                                    {"force", &GraspingCheck::force},
                                                                    {"pull", &GraspingCheck::pull}};
 
+constexpr KeyedMember<SettlingCheck, double> kSettlingNumbers[] = {
+    {"time", &SettlingCheck::time},
+    {"moved", &SettlingCheck::moved},
+    {"turned", &SettlingCheck::turned},
+};
+
 constexpr KeyedMember<JointCheck, std::optional<double>> kJointNumbers[] = {
     {"overshoot", &JointCheck::overshoot},
     {"reach", &JointCheck::reach},
@@ -187,6 +193,13 @@ void Assembly::ReadChecks(Scope& scope) {
     HoldingCheck& holds = object_.checks.holds.emplace();
     holds.mark = checks.holds->mark;
     for (const spec::Field& field : checks.holds->fields) ReadHolding(field, in_holds, holds);
+  }
+  if (checks.settled) {
+    FieldReader in_settled(scope.values, findings_, "settled", object_.name, scope.values.root());
+    SettlingCheck& settled = object_.checks.settled.emplace();
+    settled.mark = checks.settled->mark;
+    for (const spec::Field& field : checks.settled->fields)
+      SetMember(kSettlingNumbers, &FieldReader::Number, in_settled, field, settled);
   }
   if (checks.grasps) ReadGrasps(scope, *checks.grasps);
   const sample::StreamId list = sample::Child(scope.values.root(), "checks");

@@ -17,7 +17,9 @@
 
 namespace mjforge::model {
 
-using spec::ExpectationKind;  // for rooms that may not name `spec`
+// For rooms that may not name `spec`.
+using spec::ExpectationKind;
+using spec::StartForm;
 
 /// Containment: balls dropped into the object must stay inside.
 struct HoldingCheck {
@@ -30,6 +32,16 @@ struct HoldingCheck {
   diag::SourceMark mark;
 
   bool operator==(const HoldingCheck&) const = default;
+};
+
+/// Free bodies must stay where they start.
+struct SettlingCheck {
+  double time = 2;                     // s, simulated
+  double moved = 0.002;                // m, of the centre of mass
+  double turned = 0.0349065850398866;  // rad
+  diag::SourceMark mark;
+
+  bool operator==(const SettlingCheck&) const = default;
 };
 
 /// Peg in hole: a peg or a free body must go into a hole.
@@ -104,6 +116,7 @@ struct Checks {
   double sink = 0.001;                                           // m, at rest
   double energy_gain = 0.02;                                     // share of mass * g * size
   std::optional<HoldingCheck> holds;
+  std::optional<SettlingCheck> settled;
   std::vector<FittingCheck> fits;
   std::optional<GraspingCheck> grasps;
   // Driven joints.

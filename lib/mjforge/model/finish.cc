@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <iterator>
 
 #include <fmt/format.h>
 
@@ -10,6 +9,8 @@
 #include "mjforge/model/free_bodies.h"
 #include "mjforge/model/mass_and_bounds.h"
 #include "mjforge/model/names.h"
+#include "mjforge/model/start_state.h"
+#include "mjforge/model/swept_bounds.h"
 #include "mjforge/model/views.h"
 
 namespace mjforge::model {
@@ -19,14 +20,6 @@ using diag::Code;
 
 // MuJoCo's mjMINVAL, the smallest mass of a body that moves.
 constexpr double kSmallestMass = 1e-15;
-
-// Returns true for actuators with an activation state (MuJoCo's `act`).
-bool HasState(const Element& actuator) {
-  constexpr std::string_view kStateful[] = {"intvelocity", "cylinder", "muscle"};
-  if (std::ranges::find(kStateful, actuator.tag) != std::end(kStateful)) return true;
-  const Attribute* dyntype = FindAttribute(actuator.attributes, "dyntype");
-  return dyntype != nullptr && dyntype->text != "none";
-}
 
 // Reports bodies with joints that have no mass even after ShareMass.
 void CheckMass(const Object& object, diag::Findings& findings) {
@@ -59,12 +52,12 @@ void Assembly::Finish(Scope& scope) {
     return;
   }
   assets_.CheckPixels();
-  SetPositions();
   for (const FaceSearch& search : face_searches_) AddFoundRegions(search, object_);
   CheckLevelRegions(object_, spec_->mark, findings_);
   CheckUniqueNames(object_, findings_);
   references_.Check();
   CheckViews(object_, findings_);
+  ReportLostStarts();
   SumMass(object_.bodies.front(), assets_);
   object_.mass_properties = SubtreeMass(object_.bodies, 0);
   ShareMass(object_.bodies);
@@ -72,14 +65,17 @@ void Assembly::Finish(Scope& scope) {
   object_.bounds =
       scope.total_size ? DeclaredBounds(*scope.total_size) : SubtreeBounds(object_.bodies, 0);
   ReleaseFreeBodies(object_.bodies, findings_);
+  object_.bounds.swept = SweptBounds(object_);
   AddExpectations(scope);
   std::ranges::sort(object_.sections, {}, [](const Section& section) { return section.info; });
   for (Section& section : object_.sections) {
     // MuJoCo 2.2 requires actuators with a state to come last.
     if (section.info->name == "actuator")
       std::stable_partition(section.elements.begin(), section.elements.end(),
-                            std::not_fn(HasState));
+                            std::not_fn(HasActivation));
   }
+  CompleteSetpoints(object_, findings_);
+  CheckEqualities(object_, findings_);
 }
 
 }  // namespace mjforge::model

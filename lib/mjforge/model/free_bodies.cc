@@ -60,6 +60,10 @@ void ReleaseFreeBodies(std::vector<Body>& bodies, diag::Findings& findings) {
   const std::vector<Pose> X_WB = SubtreePoses(bodies, 0);
   for (const std::size_t i : released) {
     bodies[i].parent = -1;
+    if (sample::Numbers& velocity = bodies[i].joints[0].start_velocity; !velocity.empty()) {
+      Eigen::Map<Eigen::Vector3d> linear(velocity.data());
+      linear = X_WB[i].q * (bodies[i].X_PB.q.conjugate() * linear);
+    }
     bodies[i].X_PB = X_WB[i];
   }
 }

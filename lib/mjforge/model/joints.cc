@@ -123,7 +123,16 @@ void Assembly::AddJoint(Scope& scope, const spec::Entry& entry, sample::StreamId
   }
   good &= ReadRange(reader, entry, joint);
   good &= ReadAttributes(reader, entry, joint.attributes);
-  if (good) body().joints.push_back(std::move(joint));
+  if (!good) return;
+  if (const spec::Field* field = entry.Find(Key::kStart)) {
+    RequestedStart& start = starts_.emplace_back();
+    start.key = "start";
+    start.position = {.joint = joint.name, .shown = *name, .numbers = {}, .mark = field->mark};
+    scope.values.Vector(field->value,
+                        sample::Child(sample::Child(joints, std::string_view(*name)), "start"),
+                        start.position.numbers);
+  }
+  body().joints.push_back(std::move(joint));
 }
 
 }  // namespace mjforge::model

@@ -17,6 +17,7 @@
 #include "mjforge/diag/diag.h"
 #include "mjforge/model/attributes.h"
 #include "mjforge/model/checks.h"
+#include "mjforge/model/pile.h"
 #include "mjforge/model/poses.h"
 #include "mjforge/model/region.h"
 #include "mjforge/model/shapes.h"
@@ -105,6 +106,9 @@ struct Joint {
   std::optional<Eigen::Vector2d> range;  // none: not limited
   /// Start position as in qpos: m or rad, for a ball joint w, x, y, z. Empty: the joint's zero.
   sample::Numbers start;
+  /// Velocity at the start as in qvel, m/s or rad/s; the linear velocity of a free joint is in the
+  /// frame of its body's X_PB. Empty: at rest.
+  sample::Numbers start_velocity;
   std::vector<Attribute> attributes;
   diag::SourceMark mark;
 };
@@ -152,7 +156,16 @@ struct Bounds {
   double bottom_offset = 0;      // aabb.min.z, m
   double horizontal_radius = 0;  // largest distance from the z axis of W, m
   bool declared = false;         // given by `total_size`, not computed
+  Box3 swept;                    // over the ranges of the joints; see SweptBounds()
   Eigen::Vector3d half_size() const { return (aabb.max - aabb.min) / 2; }
+};
+
+/// State of an actuator at the start: control, and activation if the actuator has one.
+struct Setpoint {
+  std::string actuator;
+  std::optional<double> ctrl;
+  std::optional<double> act;
+  diag::SourceMark mark;
 };
 
 struct Object {
@@ -162,10 +175,14 @@ struct Object {
   std::vector<Texture> textures;
   std::vector<std::unique_ptr<MeshAsset>> meshes;  // equal ones are shared
   std::vector<Section> sections;                   // in the order of spec::Sections()
+  /// Empty if all actuators start at 0; otherwise one for each actuator, in the order of actuators.
+  std::vector<Setpoint> setpoints;
   Bounds bounds;
   MassProperties mass_properties;  // in W, at the start state
+  std::optional<StartForm> start_form;  // empty: depends on the target
   Checks checks;
   std::vector<Expectation> expectations;
+  std::vector<Pile> piles;
   std::vector<std::string> left_out;  // full names of bodies that found no room, for `fewer: true`
   std::vector<diag::Finding> unmet;  // a finding for each condition of `expect:` that does not hold
 };

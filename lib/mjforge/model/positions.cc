@@ -1,8 +1,7 @@
-// Positions of joints: `pose:`, the start positions, and `at:` of expectations.
+// Positions of joints in `pose:` and `at:`: conversion to qpos, with checks.
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -30,43 +29,6 @@ bool IsTurnedWithin(const Eigen::Vector2d& range, const Eigen::Vector4d& q) {
 
 }  // namespace
 
-void Assembly::ReadPositions(Scope& scope) {
-  const sample::StreamId pose = sample::Child(scope.values.root(), "pose");
-  for (const spec::JointPosition& entry : scope.values.spec().pose) {
-    RequestedPosition& position = positions_.emplace_back();
-    position.shown = scope.values.Text(entry.joint, pose).value_or("");
-    position.joint = scope.prefix + position.shown;
-    position.mark = entry.mark;
-    scope.values.Vector(entry.value, sample::Child(pose, std::string_view(position.shown)),
-                        position.numbers);
-  }
-}
-
-// Positions of outer specs are later in the list and override those of inner specs.
-void Assembly::SetPositions() {
-  if (positions_.empty()) return;
-  std::map<std::string_view, Joint*> joints;
-  for (Body& body : object_.bodies) {
-    for (Joint& joint : body.joints) joints.emplace(joint.name, &joint);
-  }
-  for (const RequestedPosition& position : positions_) {
-    const auto found = joints.find(position.joint);
-    if (found != joints.end()) {
-      auto qpos = ToQpos("pose", position, *found->second);
-      if (!qpos) return;
-      found->second->start = *std::move(qpos);
-    } else if (references_.IsRemoved(position.joint)) {
-      findings_
-          .Add(Code::kAttachNotCarried, position.mark,
-               fmt::format("pose of joint {} is left out: attaching its spec removed the joint",
-                           Quoted(position.shown)))
-          .severity = diag::Severity::kWarning;
-    } else {
-      ReportUnknownJoint("pose", position);
-    }
-  }
-}
-
 void Assembly::ReportUnknownJoint(std::string_view what, const RequestedPosition& position) {
   const std::size_t prefix = position.joint.size() - position.shown.size();
   std::vector<std::string_view> names;
@@ -93,7 +55,10 @@ std::optional<sample::Numbers> Assembly::ToQpos(std::string_view what,
   };
   if (joint.type == "free")
     return bad("cannot be set: it is free",
-               "where a free body is follows from its `pos`, which a parameter may decide");
+               what == "pose"
+                   ? "in a list: `{joint: NAME, pos: [0, 0, 1m]}`"
+                   : "where a free body is follows from its `pos`, which a parameter may "
+                     "decide");
   const std::size_t wanted = joint.type == "ball" ? 4 : 1;
   if (numbers.size() != wanted) {
     return bad(fmt::format("has {} numbers, but a {} takes {}", numbers.size(), joint.type, wanted),

@@ -147,8 +147,11 @@ bool PartFile::AppendFrom(const std::filesystem::path& file, std::uint64_t count
     if (!Append(std::string_view(buffer).substr(0, *got), findings)) return false;
     count -= *got;
   }
-  if (count > 0) AddCannotWrite(file_, EIO, findings);
-  return count == 0;
+  if (count == 0) return true;
+  findings.Add(diag::Code::kYamlCannotRead, {},
+               fmt::format("cannot read '{}': {}", file.string(),
+                           why_not.empty() ? "it is shorter than before" : why_not));
+  return false;
 }
 
 bool PartFile::AppendSeekTable(diag::Findings& findings) {

@@ -19,30 +19,6 @@ using compiled::VectorAt;
 // its turning points, and a falling body soon gets faster.
 constexpr double kRestTime = 0.1;          // s
 constexpr double kMeasureInterval = 0.01;  // s
-constexpr double kLevel = 1e-9;            // tolerance of the normal of a level plane
-
-/// Fixed geoms on which objects can lie.
-struct Ground {
-  int planes = 0;
-  int others = 0;
-  double height = 0;  // height of the last level plane, m
-};
-
-Ground GroundOf(const mjModel& m, const mjData& d) {
-  Ground ground;
-  for (int i = 0; i < m.ngeom; ++i) {
-    if (m.body_weldid[m.geom_bodyid[i]] != 0) continue;
-    if (!compiled::Collides(m, i)) continue;
-    const bool level = d.geom_xmat[9 * i + 8] > 1 - kLevel;
-    if (m.geom_type[i] == mjGEOM_PLANE && level) {
-      ++ground.planes;
-      ground.height = d.geom_xpos[3 * i + 2];
-    } else {
-      ++ground.others;
-    }
-  }
-  return ground;
-}
 
 class DropSimulation {
  public:
@@ -53,12 +29,15 @@ class DropSimulation {
   }
 
   DropOutcome Run() {
-    std::ranges::copy(compiled::StartOf(m_), d_.qpos);
+    compiled::CopyStart(m_, d_);
     mj_kinematics(&m_, &d_);
     Lean();
     const Ground ground = GroundOf(m_, d_);
     result_.dropped = !roots_.empty() && ground.planes + ground.others > 0;
-    if (result_.dropped && ground.planes == 1 && ground.others == 0) Lift(ground.height);
+    // A nudged body gets no energy from a fall.
+    const double above = IsNudged() ? LargestMargin(m_) : DropHeight(m_);
+    if (result_.dropped && ground.is_level_floor())
+      result_.dropped = LiftFreeBodies(m_, d_, ground.height + above);
     mj_forward(&m_, &d_);
     Begin();
     const int most = static_cast<int>(std::ceil(checks_.settle_time / m_.opt.timestep));
@@ -124,21 +103,6 @@ class DropSimulation {
       Eigen::Map<Eigen::Vector3d>(d_.qvel + m_.jnt_dofadr[joint]) = nudge_.speed * way;
     }
     mj_kinematics(&m_, &d_);
-  }
-
-  /// Lifts all free bodies by the same height, so that they keep their relative positions.
-  void Lift(double floor) {
-    const model::Box3 box = CollidingBox(m_, d_, FreeBodies(m_));
-    if (box.empty()) {
-      result_.dropped = false;  // without colliding geoms it would fall for ever
-      return;
-    }
-    for (const Root& root : roots_) {
-      const int joint = m_.body_jntadr[root.body];
-      // A nudged body gets no energy from a fall.
-      const double above = IsNudged() ? LargestMargin(m_) : DropHeight(m_);
-      d_.qpos[m_.jnt_qposadr[joint] + 2] += floor + above - box.min.z();
-    }
   }
 
   Eigen::Quaterniond TurnOf(int body) const { return compiled::QuaternionAt(d_.xquat, body); }
@@ -225,7 +189,7 @@ DropOutcome SimulateDrop(mjModel& m, mjData& d, const model::Checks& checks, con
 std::optional<int> FreeStandingBody(const mjModel& m, mjData& d) {
   mj_kinematics(&m, &d);
   const Ground ground = GroundOf(m, d);
-  if (ground.planes != 1 || ground.others > 0) return std::nullopt;
+  if (!ground.is_level_floor()) return std::nullopt;
   const std::vector<int> bodies = FreeBodies(m);
   return bodies.size() == 1 ? std::optional(bodies.front()) : std::nullopt;
 }

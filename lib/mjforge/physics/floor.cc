@@ -1,4 +1,4 @@
-// Floor on which objects are dropped.
+// Floor on which objects are dropped, and other fixed geoms on which they can lie.
 #include "mjforge/physics/floor.h"
 
 #include <algorithm>
@@ -6,9 +6,12 @@
 
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/engine/engine.h"
+#include "mjforge/physics/simulation.h"
 
 namespace mjforge::physics {
 namespace {
+
+constexpr double kLevel = 1e-9;  // tolerance of the normal of a level plane
 
 /// Returns the height of the lowest point of all colliding geoms, except planes.
 double LowestPoint(const mjModel& m) {
@@ -27,6 +30,31 @@ double LargestMargin(const mjModel& m) {
 }
 
 double DropHeight(const mjModel& m) { return 0.002 + LargestMargin(m); }
+
+Ground GroundOf(const mjModel& m, const mjData& d) {
+  Ground ground;
+  for (int i = 0; i < m.ngeom; ++i) {
+    if (m.body_weldid[m.geom_bodyid[i]] != 0) continue;
+    if (!compiled::Collides(m, i)) continue;
+    const bool level = d.geom_xmat[9 * i + 8] > 1 - kLevel;
+    if (m.geom_type[i] == mjGEOM_PLANE && level) {
+      ++ground.planes;
+      ground.height = d.geom_xpos[3 * i + 2];
+    } else {
+      ++ground.others;
+    }
+  }
+  return ground;
+}
+
+bool LiftFreeBodies(const mjModel& m, mjData& d, double height) {
+  const std::vector<int> bodies = FreeBodies(m);
+  const model::Box3 box = CollidingBox(m, d, bodies);
+  if (box.empty()) return false;
+  for (const int body : bodies)
+    d.qpos[m.jnt_qposadr[m.body_jntadr[body]] + 2] += height - box.min.z();
+  return true;
+}
 
 void LevelFloor(mjModel& m, int geom) {
   for (const compiled::ArrayField& field : compiled::ArrayFields(mjOBJ_GEOM)) {

@@ -1,4 +1,4 @@
-// Floor on which objects are dropped.
+// Floor on which objects are dropped, and other fixed geoms on which they can lie.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -10,6 +10,22 @@ double LargestMargin(const mjModel& m);
 
 /// Height from which objects are dropped, m: 2 mm plus the largest margin.
 double DropHeight(const mjModel& m);
+
+/// Fixed geoms on which objects can lie.
+struct Ground {
+  int planes = 0;  // level ones
+  int others = 0;
+  double height = 0;  // height of the last level plane, m
+
+  bool is_level_floor() const { return planes == 1 && others == 0; }
+};
+/// Needs the poses of mj_kinematics.
+Ground GroundOf(const mjModel& m, const mjData& d);
+
+/// Lifts all free bodies by the same distance, so that the lowest point of their colliding geoms is
+/// at `height`, m. Needs the poses of mj_kinematics. Returns false if they have no such geoms, so
+/// that they would fall for ever.
+bool LiftFreeBodies(const mjModel& m, mjData& d, double height);
 
 /// Makes a plane of the world level, with MuJoCo's default contact parameters whatever the file's
 /// defaults are, and places it DropHeight() below all colliding geoms.

@@ -22,6 +22,7 @@
 #include "mjforge/physics/grasp_trial.h"
 #include "mjforge/physics/gripper.h"
 #include "mjforge/physics/peg_in_hole.h"
+#include "mjforge/physics/settling.h"
 #include "mjforge/physics/simulation.h"
 #include "mjforge/static_checks/static_checks.h"
 #include "mjforge/xml/xml.h"
@@ -68,6 +69,7 @@ void Round(Result& result) {
   const auto round = [](auto&... numbers) { ((numbers = Rounded(numbers)), ...); };
   round(result.time, result.drift, result.tilt, result.speed, result.penetration, result.sink,
         result.energy_gain, result.overlap);
+  if (result.settled) round(result.settled->distance, result.settled->angle);
   if (result.stability) round(result.stability->angle, result.stability->energy);
   for (Result::Grasp& grasp : result.grasps) {
     for (double& number : grasp.pos) round(number);
@@ -142,6 +144,7 @@ std::optional<Result> Laboratory::Impl::Examine(mjModel& m, const model::Object&
       if (!loaded.model) throw std::runtime_error(engine::ParseRefusal(loaded.error).reason);
       check({*loaded.model, workspace, start, object.name, reporter, result});
     };
+    if (checks.settled) CheckSettled(m, workspace, object.name, reporter, result);
     if (checks.holds) test(WithBalls(text, *checks.holds), CheckContainment);
     if (!checks.fits.empty()) test(WithPegs(text, checks), CheckPegInHole);
     if (checks.grasps) test(WithGripper(text, *checks.grasps), CheckGrasps);

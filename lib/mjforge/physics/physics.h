@@ -1,5 +1,5 @@
-// Simulated tests of an object or an MJCF file: drops, driven joints, containment, peg in hole,
-// grasps, and the SimReady benchmark.
+// Simulated tests of an object or an MJCF file: drops, driven joints, containment, bodies that stay
+// where they start, peg in hole, grasps, and the SimReady benchmark.
 #pragma once
 
 #include <filesystem>
@@ -39,6 +39,14 @@ struct Result {
     int held = 0;     // balls that stayed for 3 s
     int emptied = 0;  // held balls that then left through the mouth; 0 if not turned over
     bool operator==(const Holding&) const = default;
+  };
+  /// Free bodies, simulated from the start of the object for checks.settled->time.
+  struct Settling {
+    int bodies = 0;
+    int moved = 0;        // bodies beyond the limits
+    double distance = 0;  // m, largest displacement of a centre of mass
+    double angle = 0;     // rad, largest rotation
+    bool operator==(const Settling&) const = default;
   };
   /// Peg-in-hole test: numbers of pegs and bodies.
   struct Fitting {
@@ -84,6 +92,7 @@ struct Result {
   std::optional<Stability> stability;  // only of an object that rests alone on a level floor
   // Results of tests that the checks ask for.
   std::optional<Holding> holds;
+  std::optional<Settling> settled;
   std::optional<Fitting> fits;
   std::vector<Grasp> grasps;  // all that were tried
   std::optional<SimReady> simready;

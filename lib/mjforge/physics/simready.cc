@@ -61,7 +61,7 @@ class Fall {
  public:
   Fall(mjModel& m, mjData& d, int floor, const model::Checks& checks)
       : m_(m), d_(d), roots_(FreeBodies(m)), checks_(checks), stepper_(m, d) {
-    std::ranges::copy(compiled::StartOf(m), d.qpos);
+    compiled::CopyStart(m, d);
     mj_kinematics(&m, &d);
     mj_comPos(&m, &d);
     const mjtNum* mat = d.geom_xmat + 9 * floor;

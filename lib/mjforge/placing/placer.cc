@@ -84,7 +84,7 @@ struct Stance {
   std::optional<Vector2d> at;  // none: the footprint does not fit into the region
 };
 
-// One try at a place in a region.
+// A try at a place in a region.
 class RegionTry {
  public:
   RegionTry(const model::Object& object, const Orientation& of, const PlaceTry& where)

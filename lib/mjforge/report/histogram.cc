@@ -136,7 +136,7 @@ double Histogram::MiddleOf(std::size_t cell) const {
 void Histogram::Coarsen(int exponent) {
   const int shift = std::min(exponent - exponent_, 63);
   const std::int64_t first = first_ >> shift;
-  std::vector<std::uint32_t> cells;
+  std::vector<std::uint64_t> cells;
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     const std::int64_t cell = (first_ + static_cast<std::int64_t>(i)) >> shift;
     cells.resize(static_cast<std::size_t>(cell - first + 1));

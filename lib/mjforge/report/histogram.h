@@ -56,7 +56,7 @@ class Histogram {
   Statistics numbers_;
   int exponent_ = 0;                          // a cell is 2^exponent_ wide
   std::int64_t first_ = 0;                    // cells_[0] starts at first_ * 2^exponent_
-  mutable std::vector<std::uint32_t> cells_;  // from the cell of min() to the cell of max()
+  mutable std::vector<std::uint64_t> cells_;  // from the cell of min() to the cell of max()
   // Numbers that are not in cells_ yet. Counting many at once is faster, because the cells of all
   // histograms of a batch do not fit into the processor's cache.
   mutable std::vector<double> pending_;

@@ -143,6 +143,8 @@ std::string WordsOf(const Trial& trial) {
       return "SimReady benchmark";
     case Trial::Kind::kHolds:
       return "The balls that are dropped into it stay inside.";
+    case Trial::Kind::kSettled:
+      return "All free bodies stay where they start.";
     case Trial::Kind::kFits:
       return "All that has to fit into holes goes in.";
     case Trial::Kind::kGrasps:

@@ -66,10 +66,10 @@ std::optional<std::vector<bytes::Section>> SectionsOf(const Path& manifest,
 // Joins the summaries of consecutive sections.
 class Joiner {
  public:
-  Joiner(std::size_t shown, diag::Sources& sources, diag::Findings& findings)
-      : batch_(shown), sources_(sources), findings_(findings) {}
+  Joiner(const Path& file, std::size_t shown, diag::Sources& sources, diag::Findings& findings)
+      : file_(file), batch_(shown), sources_(sources), findings_(findings) {}
 
-  // Returns false if the section could not be read.
+  // Returns false if the section could not be read, or the file has too many bad lines.
   bool Append(const SectionSummary& section) {
     const std::uint64_t all = section.is_unreadable ? section.findings.size() : section.bad_lines;
     const std::uint64_t room = manifest::RecordReader::kMaxBadLines - findings_count_;
@@ -80,7 +80,12 @@ class Joiner {
     batch_.Append(section.records);
     lines_ += section.lines;
     bad_lines_ += section.bad_lines;
-    return !section.is_unreadable;
+    if (section.is_unreadable) return false;
+    if (bad_lines_ <= manifest::RecordReader::kMaxSkippedLines) return true;
+    findings_.Add(diag::Code::kYamlCannotRead, {},
+                  fmt::format("cannot read '{}': more than {} lines are not records",
+                              file_.string(), manifest::RecordReader::kMaxSkippedLines));
+    return false;
   }
 
   const ManifestSummary& batch() const { return batch_; }
@@ -99,6 +104,7 @@ class Joiner {
     ++findings_count_;
   }
 
+  const Path& file_;
   ManifestSummary batch_;
   std::uint32_t lines_ = 0;
   std::uint64_t bad_lines_ = 0;
@@ -116,7 +122,7 @@ std::optional<ManifestSummary> Summarize(const Path& manifest, std::size_t shown
   if (!sections) return std::nullopt;
   // More sections than cores are read at a time, so that no core waits while summaries are joined.
   const std::size_t jobs = std::max(1U, std::thread::hardware_concurrency()) + 1;
-  Joiner joiner(shown, sources, findings);
+  Joiner joiner(manifest, shown, sources, findings);
   std::deque<std::future<SectionSummary>> running;
   for (auto next = sections->begin(); next != sections->end() || !running.empty();) {
     if (next != sections->end() && running.size() < jobs) {

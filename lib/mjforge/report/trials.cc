@@ -21,6 +21,7 @@ void Trials::Add(const physics::Result& result) {
     }
   }
   if (result.holds) Count(Trial::Kind::kHolds, "holds", result.holds->held == result.holds->balls);
+  if (result.settled) Count(Trial::Kind::kSettled, "settled", result.settled->moved == 0);
   if (result.fits) Count(Trial::Kind::kFits, "fits", result.fits->fit == result.fits->tried);
   AddGrasps(result.grasps);
 }

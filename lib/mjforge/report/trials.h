@@ -13,7 +13,7 @@ namespace mjforge::report {
 
 /// A test, and its results over the batch.
 struct Trial {
-  enum class Kind { kSimReady, kHolds, kFits, kGrasps };
+  enum class Kind { kSimReady, kHolds, kSettled, kFits, kGrasps };
   Kind kind = Kind::kSimReady;
   std::string name;          // name of the test, or of the grasped site; empty without a site
   std::uint64_t passed = 0;  // variants
@@ -22,8 +22,8 @@ struct Trial {
   std::uint64_t held = 0;    // successful grasps
 };
 
-/// Tests of a batch: the SimReady benchmark, containment, pegs in holes, and grasps. A variant
-/// counts neither as passed nor as failed if a test does not apply.
+/// Tests of a batch: the SimReady benchmark, containment, bodies that stay, pegs in holes, and
+/// grasps. A variant counts neither as passed nor as failed if a test does not apply.
 class Trials {
  public:
   /// Maximum number of tests; further sites are left out.

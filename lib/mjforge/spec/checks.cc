@@ -70,6 +70,12 @@ void ReadHolding(const YamlNode& holds, Context& context) {
   RequireKey("ball", "it is the balls' diameter: {ball: 8mm}", holds, context);
 }
 
+void ReadSettling(const YamlNode& settled, Context& context) {
+  if (!IsMap(settled, "how far bodies may move", context)) return;
+  context.spec.checks.settled =
+      Checks::Settling{ReadThresholds(kSettlingElement, settled, context), settled.mark};
+}
+
 // Reads a text or a list of texts.
 std::vector<Value> ReadNames(const YamlNode* names, Context& context) {
   std::vector<Value> texts;
@@ -164,6 +170,7 @@ void ReadChecks(const YamlNode* checks, std::span<const NamedNode> settings, Con
   context.spec.checks.fields = ReadThresholds(kChecksElement, map, context);
   if (const YamlNode* silence = map.Find("silence")) ReadSilence(*silence, context);
   if (const YamlNode* holds = map.Find("holds")) ReadHolding(*holds, context);
+  if (const YamlNode* settled = map.Find("settled")) ReadSettling(*settled, context);
   if (const YamlNode* grasps = map.Find("grasps")) ReadGrasping(*grasps, context);
   EntryReader entries(context);
   const auto read = [&](std::string_view key, const ElementInfo& element, std::string_view what,

@@ -13,7 +13,7 @@
 
 namespace mjforge::spec {
 
-/// A joint's position in `pose:` or `at:`, as in MuJoCo's qpos.
+/// A joint's position in `at:`, as in MuJoCo's qpos.
 struct JointPosition {
   Value joint;  // text
   diag::SourceMark mark;
@@ -45,6 +45,11 @@ struct Checks {
     diag::SourceMark mark;
   };
   std::optional<Holding> holds;
+  struct Settling {
+    std::vector<Field> fields;
+    diag::SourceMark mark;
+  };
+  std::optional<Settling> settled;
   struct JointCheck {
     Entry entry;                // if, for, let; thresholds as fields
     std::vector<Value> joints;  // texts: names of joints

@@ -103,8 +103,10 @@ void ReadJoints(const YamlNode& joints, Context& context);
 /// Returns true for `joints: free` and false for `joints: none`. Returns nothing, and adds a
 /// finding, for other words.
 std::optional<bool> IsFreeWord(const YamlNode& joints, Context& context);
-/// Reads positions of joints: `pose:` of an object, or `at:` of an entry of `expect:` or `checks:`.
+/// Reads positions of joints: `at:` of an entry of `expect:` or `checks:`.
 std::vector<JointPosition> ReadPositions(const YamlNode& positions, Context& context);
+/// Reads `pose:` of an object, a mapping or a list.
+std::vector<Entry> ReadStarts(const YamlNode& pose, Context& context);
 /// Reads `expect:` of an object.
 void ReadExpectations(const YamlNode& list, Context& context);
 
@@ -120,6 +122,8 @@ void ReadSections(const YamlNode& sections, Context& context);
 
 /// The name of the setting that replaces the object's `joints:`.
 inline constexpr std::string_view kRootJoints = "root.joints";
+/// The name of the setting that replaces the object's `start:`.
+inline constexpr std::string_view kRootStart = "root.start";
 /// Prefix of the settings that replace values of `checks:`.
 inline constexpr std::string_view kChecksPrefix = "checks.";
 /// Reads `checks:`, with settings in place of its own values. `checks` may be null.

@@ -63,15 +63,15 @@ std::vector<Entry> EntryReader::ReadList(const ElementInfo& element, const YamlN
 }
 
 Entry EntryReader::Begin(const ElementInfo& element, const YamlNode& map, const YamlNode& named,
-                         Naming naming) {
+                         Naming naming, std::string_view key) {
   Entry entry;
   entry.element = &element;
   entry.mark = map.mark;
   if (const YamlNode* loops = map.Find("for")) entry.loops = context_.values.ReadLoops(*loops);
   // Read the name first, because draws are keyed by it.
-  ReadName(named, naming == Naming::kRequired, entry);
+  ReadName(named, key, naming == Naming::kRequired, entry);
   if (const YamlNode* locals = map.Find("let")) {
-    ReadLocals(*locals, named.Find("name") != nullptr, entry);
+    ReadLocals(*locals, named.Find(key) != nullptr, entry);
   }
   if (const YamlNode* condition = map.Find("if")) {
     entry.condition = context_.values.ReadCondition(*condition);
@@ -127,15 +127,15 @@ void EntryReader::ReadLocals(const YamlNode& locals, bool has_name, Entry& entry
   }
 }
 
-void EntryReader::ReadName(const YamlNode& map, bool required, Entry& entry) {
+void EntryReader::ReadName(const YamlNode& map, std::string_view key, bool required, Entry& entry) {
   entry.name.type = expr::Type::kText;
   entry.name.mark = map.mark;
   entry.name.form = Text{};
-  const YamlNode* name = map.Find("name");
+  const YamlNode* name = map.Find(key);
   if (name == nullptr) {
     if (required) {
       context_.findings.Add(Code::kSpecMissingKey, map.mark,
-                            fmt::format("{} without a 'name'", entry.element->name));
+                            fmt::format("{} without a '{}'", entry.element->name, key));
     }
     return;
   }

@@ -19,9 +19,10 @@ class EntryReader {
 
   enum class Naming { kOptional, kRequired };
   /// Reads the loops, the name, the local values and the condition of an entry, in this order. Loop
-  /// variables and local values stay declared until End(). `named` is the mapping with the name.
+  /// variables and local values stay declared until End(). `named` is the mapping with the name,
+  /// which has the key `key`.
   Entry Begin(const ElementInfo& element, const YamlNode& map, const YamlNode& named,
-              Naming naming = Naming::kOptional);
+              Naming naming = Naming::kOptional, std::string_view key = "name");
   void End(const Entry& entry);
 
   /// Reads `spec:` with its `params:` and `materials:`.
@@ -33,7 +34,7 @@ class EntryReader {
  private:
   Entry ReadEntry(const ElementInfo& element, const YamlNode& map);
   /// Reads the entry's name, or reports that a required name is missing.
-  void ReadName(const YamlNode& map, bool required, Entry& entry);
+  void ReadName(const YamlNode& map, std::string_view key, bool required, Entry& entry);
   void ReadLocals(const YamlNode& locals, bool has_name, Entry& entry);
   void ReadPlain(const ElementInfo& element, const YamlNode& map, Entry& entry);
   void ReadFrame(const YamlNode& map, const YamlNode& frame, Entry& entry);

@@ -22,6 +22,7 @@ constexpr std::array kFieldKinds = {
     FieldKindInfo{FieldKind::kOutlines, "list of lists of points",
                   R"("type": "array", "items": )"
                   R"({"anyOf": [{"@is points"}, {"@is outline_loop"}]})"},
+    FieldKindInfo{FieldKind::kPosition, "number or 4 numbers", R"("@is position")"},
     FieldKindInfo{FieldKind::kPlainText, "fixed text"},
     FieldKindInfo{FieldKind::kFormat, "1", R"("const": 1)"},
     FieldKindInfo{FieldKind::kParameters, "name: parameter", R"("@map parameter")"},
@@ -62,9 +63,9 @@ constexpr std::array kFieldKinds = {
     FieldKindInfo{FieldKind::kFacing, "name, or 2 or 3 numbers",
                   R"("anyOf": [{"@is text"}, {"@list number", "minItems": 2, "maxItems": 3}, )"
                   R"({"@is vector_draw"}])"},
-    FieldKindInfo{FieldKind::kPositions, "joint: position",
-                  R"("type": "object", "additionalProperties": {"anyOf": [{"@is number"}, )"
-                  R"({"@list number", "minItems": 4, "maxItems": 4}, {"@is vector_draw"}]})"},
+    FieldKindInfo{FieldKind::kPositions, "joint: position", R"("@is positions")"},
+    FieldKindInfo{FieldKind::kStarts, "joint: position, or list of starts",
+                  R"("anyOf": [{"@is positions"}, {"@list start"}])"},
     FieldKindInfo{FieldKind::kContact, "contact", R"("@is contacts")"},
     FieldKindInfo{FieldKind::kExcludes, "list of pairs",
                   R"("type": "array", "items": {"anyOf": [{"@pair"}, {"@is exclude"}]})"},
@@ -75,6 +76,7 @@ constexpr std::array kFieldKinds = {
     FieldKindInfo{FieldKind::kSections, "section: elements"},
     FieldKindInfo{FieldKind::kChecks, "checks", R"("@is checks")"},
     FieldKindInfo{FieldKind::kHolding, "balls", R"("@is holds")"},
+    FieldKindInfo{FieldKind::kSettling, "limits", R"("@is settled")"},
     FieldKindInfo{FieldKind::kJointChecks, "list of drives", R"("@list drive")"},
     FieldKindInfo{FieldKind::kFittings, "list of fits", R"("@list fit")"},
     FieldKindInfo{FieldKind::kGrasping, "jaws", R"("@is grasps")"},

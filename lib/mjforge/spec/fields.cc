@@ -67,6 +67,11 @@ constexpr FieldInfo Numbers(KeyName name, CountRange counts, std::string_view un
   row.max_count = counts.max;
   return row;
 }
+constexpr FieldInfo Position(KeyName name, std::string_view default_text, std::string_view doc) {
+  FieldInfo row = Numbers(name, {1, 4}, "rad or m", kAnyNumber, default_text, doc);
+  row.kind = FieldKind::kPosition;
+  return row;
+}
 constexpr FieldInfo Points(KeyName name, CountRange counts, std::string_view doc,
                            FieldKind kind = FieldKind::kPoints) {
   FieldInfo row = Numbers(name, counts, "m", kAnyNumber, "", doc);
@@ -128,8 +133,12 @@ constexpr FieldInfo kObjectFields[] = {
          FieldKind::kJoints),
     Row("bodies", FieldKind::kBodies,
         "Further bodies: parts, other specs and MJCF files, each with its joints."),
-    Row("pose", FieldKind::kPositions,
-        "Where joints stand at the start, a keyframe: m or rad, of a ball joint w, x, y, z."),
+    Row("pose", FieldKind::kStarts,
+        "The start state: positions of joints by their names (m or rad, of a ball joint w, x, y, "
+        "z), or a list with an entry for each joint or actuator."),
+    Word({"start", Key::kStart}, "zero keyframe", "depends on the object and the target",
+         "Where the file says how the object starts: in MuJoCo's zero configuration (qpos0), or in "
+         "a keyframe."),
     Row("contact", FieldKind::kContact, "Pairs of bodies that do not collide with each other."),
     Row({"mjcf", Key::kMjcf}, FieldKind::kSections,
         "Any other MJCF section (sensor, actuator, tendon, equality, ...), element by element."),
@@ -468,6 +477,8 @@ constexpr FieldInfo kJointFields[] = {
     Number("armature", "kg m^2 or kg", AtLeast(0), "0", "Added inertia."),
     Number("ref", "rad or m", kAnyNumber, "0",
            "Value of the joint in the pose that the spec gives."),
+    Position({"start", Key::kStart}, "`ref`",
+             "Position at the start, as in `pose`; of a ball joint w, x, y, z."),
     Number("springref", "rad or m", kAnyNumber, "0", "Position at which the spring is at rest."),
     Number("margin", "rad or m", AtLeast(0), "0",
            "Distance from a limit at which the limit begins to act."),
@@ -480,6 +491,32 @@ constexpr FieldInfo kJointFields[] = {
     Numbers("solimpfriction", {1, 5}, "1, 1, rad/s or m/s, 1, 1", kAnyNumber,
             "0.9 0.95 0.001 0.5 2", "Solver parameters of the dry friction."),
     kUser,
+};
+
+constexpr FieldInfo kStartFields[] = {
+    Row({"joint", Key::kName}, FieldKind::kText,
+        "Name of the joint; of one in the body BODY of another spec or file, BODY_JOINT."),
+    Row({"actuator", Key::kName}, FieldKind::kText, "In place of a joint: name of the actuator."),
+    kIf,
+    kFor,
+    kLet,
+    Position({"value", Key::kValue}, "", "Position of a hinge, slide or ball joint, as in qpos."),
+    Numbers({"pos", Key::kPos}, {3, 3}, "m", kAnyNumber, "that of the body",
+            "Position of a free body, in place of `pos` of the body."),
+    kQuat,
+    kEuler,
+    kAxisAngle,
+    kXyAxes,
+    kZAxis,
+    Numbers({"velocity", Key::kVelocity}, {1, 6}, "rad/s or m/s", kAnyNumber, "0",
+            "Velocity of the joint, as in qvel: of a free joint the velocity x y z in the frame of "
+            "`pos`, then the angular velocity x y z in the frame of the body."),
+    AnyUnit(Number({"ctrl", Key::kCtrl}, "", kAnyNumber,
+                   "0; of a position servo the position of its joint",
+                   "Control of the actuator at the start.")),
+    AnyUnit(Number({"act", Key::kAct}, "", kAnyNumber,
+                   "0; of a position servo the position of its joint",
+                   "Activation at the start, of an actuator that has one.")),
 };
 
 constexpr FieldInfo kBodyFields[] = {
@@ -620,6 +657,13 @@ constexpr FieldInfo kHoldingFields[] = {
         "Whether they must come out as the object is turned over about its x axis."),
 };
 
+constexpr FieldInfo kSettlingFields[] = {
+    Number("time", "s", Above(0), "2", "How long the object is simulated."),
+    Number("moved", "m", AtLeast(0), "2mm",
+           "How far the centre of mass of a free body may be from its start."),
+    Number("turned", "rad", AtLeast(0), "2deg", "How far a free body may have turned."),
+};
+
 constexpr FieldInfo kFittingFields[] = {
     kIf,
     kFor,
@@ -703,6 +747,8 @@ constexpr FieldInfo kChecksFields[] = {
            "How much energy the object may gain, as a share of mass * gravity * size."),
     Row("holds", FieldKind::kHolding,
         "Balls of glass that are dropped into the object: they must stay inside for 3 s."),
+    Row("settled", FieldKind::kSettling,
+        "Free bodies must stay where they start: on a table, in a box, on each other."),
     Row("fits", FieldKind::kFittings, "",
         "Pegs, and bodies of the object, that must go into holes: the site's z axis is turned "
         "downwards, all else is held, and they drop in."),
@@ -774,6 +820,8 @@ const ElementInfo kCameraElement = {"camera", "A camera that moves with the body
 const ElementInfo kLightElement = {"light", "A light that moves with the body.", kLightFields};
 const ElementInfo kJointElement = {
     "joint", "A degree of freedom of the body relative to its parent.", kJointFields};
+const ElementInfo kStartElement = {
+    "start", "The start state of one joint or actuator: an entry of `pose:`.", kStartFields};
 const ElementInfo kBodyElement = {
     "body", "One of several bodies of an object: parts, another spec, or an MJCF file.",
     kBodyFields};
@@ -798,6 +846,9 @@ const ElementInfo kHoldingElement = {
     "holds",
     "Balls dropped into the object, which is held meanwhile, with its joints where they start.",
     kHoldingFields};
+const ElementInfo kSettlingElement = {
+    "settled", "Limits for the motion of free bodies, simulated from the start of the object.",
+    kSettlingFields};
 const ElementInfo kFittingElement = {
     "fit", "Something that must go into a hole: a peg, or a free body of the object.",
     kFittingFields};
@@ -825,12 +876,13 @@ const FieldInfo* ElementInfo::Find(Key id) const {
 
 std::span<const ElementInfo* const> AllElements() {
   static constexpr const ElementInfo* kElements[] = {
-      &kObjectElement,      &kParameterElement, &kMaterialElement,  &kTextureElement,
-      &kPartElement,        &kFrameElement,     &kSiteElement,      &kCameraElement,
-      &kRegionElement,      &kLightElement,     &kJointElement,     &kBodyElement,
-      &kPlaceElement,       &kBesideElement,    &kContactElement,   &kExcludeElement,
-      &kExpectationElement, &kDefaultsElement,  &kChecksElement,    &kHoldingElement,
-      &kFittingElement,     &kGraspingElement,  &kPartCheckElement, &kJointCheckElement};
+      &kObjectElement,     &kParameterElement,   &kMaterialElement, &kTextureElement,
+      &kPartElement,       &kFrameElement,       &kSiteElement,     &kRegionElement,
+      &kCameraElement,     &kLightElement,       &kJointElement,    &kStartElement,
+      &kBodyElement,       &kPlaceElement,       &kBesideElement,   &kContactElement,
+      &kExcludeElement,    &kExpectationElement, &kDefaultsElement, &kHoldingElement,
+      &kSettlingElement,   &kFittingElement,     &kGraspingElement, &kPartCheckElement,
+      &kJointCheckElement, &kChecksElement};
   return kElements;
 }
 

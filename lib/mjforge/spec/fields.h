@@ -22,6 +22,7 @@ enum class FieldKind {
   kNumbers,    // a list of min_count to max_count numbers; a single number needs no brackets
   kPoints,     // a list of points, each a list of min_count to max_count numbers
   kOutlines,   // a list of lists of points
+  kPosition,   // a position of a joint: a number, or the four of a quaternion
   kPlainText,  // text without ${...}
   kFormat,     // the number 1
   // Structure.
@@ -50,6 +51,7 @@ enum class FieldKind {
   kBeside,
   kFacing,
   kPositions,
+  kStarts,
   kContact,
   kExcludes,
   kBodyPair,
@@ -57,6 +59,7 @@ enum class FieldKind {
   kSections,
   kChecks,
   kHolding,
+  kSettling,
   kJointChecks,
   kFittings,
   kGrasping,
@@ -66,7 +69,7 @@ enum class FieldKind {
   kAnything,
 };
 /// Returns true for kinds that are a value, which may be drawn or computed.
-constexpr bool HoldsValue(FieldKind kind) { return kind <= FieldKind::kOutlines; }
+constexpr bool HoldsValue(FieldKind kind) { return kind <= FieldKind::kPosition; }
 
 /// The geoms of a part that an attribute is written to.
 enum class Applies { kBoth, kCollision, kVisual };
@@ -119,6 +122,7 @@ extern const ElementInfo kRegionElement;
 extern const ElementInfo kCameraElement;
 extern const ElementInfo kLightElement;
 extern const ElementInfo kJointElement;
+extern const ElementInfo kStartElement;  // an entry of `pose:`
 extern const ElementInfo kBodyElement;
 extern const ElementInfo kPlaceElement;
 extern const ElementInfo kBesideElement;  // the mapping under `beside:`
@@ -128,6 +132,7 @@ extern const ElementInfo kExpectationElement;
 extern const ElementInfo kDefaultsElement;
 extern const ElementInfo kChecksElement;
 extern const ElementInfo kHoldingElement;
+extern const ElementInfo kSettlingElement;
 extern const ElementInfo kJointCheckElement;
 extern const ElementInfo kFittingElement;
 extern const ElementInfo kGraspingElement;

@@ -1,14 +1,16 @@
-// Reader of joint positions: `pose:`, and `at:` of expectations and checks.
+// Reader of joint positions: `pose:` with its starts, and `at:` of expectations and checks.
 
 #include <fmt/format.h>
 
-#include "mjforge/spec/context.h"
+#include "mjforge/spec/entry_reader.h"
 
 namespace mjforge::spec {
+namespace {
 
 using diag::Code;
 
-namespace {
+constexpr FieldInfo kPosition = {
+    .key = "a position", .kind = FieldKind::kPosition, .max_count = 4, .unit = "rad or m"};
 
 // Returns true if only a ball joint can have a position of this form.
 bool IsTurn(const YamlNode& position) {
@@ -16,31 +18,92 @@ bool IsTurn(const YamlNode& position) {
          position.text == "random";
 }
 
+class StartReader {
+ public:
+  explicit StartReader(Context& context) : context_(context), entries_(context) {}
+
+  Entry Read(const YamlNode& map) {
+    CheckKeys(kStartElement, map, context_);
+    const YamlNode::Pair* actuator = map.FindPair("actuator");
+    if (actuator != nullptr && map.Find("joint") != nullptr) {
+      context_.findings.Add(Code::kSpecConflict, actuator->mark,
+                            "'actuator' together with 'joint': an entry has only one of the two");
+    }
+    const std::string_view kind = actuator == nullptr ? "joint" : "actuator";
+    Entry entry = entries_.Begin(kStartElement, map, map, EntryReader::Naming::kRequired, kind);
+    entry.fields = ReadFields(kStartElement, map, context_);
+    if (actuator != nullptr) {
+      entries_.RejectKeys(map, {"actuator", "joint", "for", "if", "let", "ctrl", "act"},
+                          kStartElement, "an actuator");
+    } else {
+      entries_.RejectKeys(map,
+                          {"joint", "for", "if", "let", "value", "pos", "quat", "euler",
+                           "axisangle", "xyaxes", "zaxis", "velocity"},
+                          kStartElement, "a joint");
+    }
+    if (entry.fields.empty()) {
+      context_.findings.Add(Code::kSpecMissingKey, map.mark,
+                            actuator == nullptr ? "start of a joint without a 'value'"
+                                                : "start of an actuator without 'ctrl' or 'act'");
+    }
+    entries_.End(entry);
+    return entry;
+  }
+
+ private:
+  Context& context_;
+  EntryReader entries_;
+};
+
 }  // namespace
 
+Value ValueReader::ReadPosition(const FieldInfo& field, const YamlNode& node, Motion motion) {
+  FieldInfo form = field;
+  form.kind = FieldKind::kNumbers;
+  if (IsTurn(node)) {
+    form.key = "quat";
+    form.min_count = 4;
+    form.unit = {};
+  }
+  Value value = Read(form, node, motion);
+  if (value.components == 2 || value.components == 3) {
+    findings_.Add(
+        Code::kSpecWrongType, value.mark,
+        fmt::format("a position is a number or the four of a quaternion, not {}", KindText(value)));
+    value.components = 0;
+  }
+  return value;
+}
+
 std::vector<JointPosition> ReadPositions(const YamlNode& positions, Context& context) {
-  static constexpr FieldInfo kOne = {
-      .key = "a position", .kind = FieldKind::kNumbers, .max_count = 4, .unit = "rad or m"};
-  static constexpr FieldInfo kTurn = {
-      .key = "quat", .kind = FieldKind::kNumbers, .min_count = 4, .max_count = 4};
   std::vector<JointPosition> all;
   if (!IsMap(positions, "names and positions of joints", context)) return all;
   for (const YamlNode::Pair& pair : positions.pairs) {
-    const FieldInfo& field = IsTurn(pair.value) ? kTurn : kOne;
     JointPosition position = {context.values.ReadText(YamlNode::Scalar(pair.key, pair.mark)),
-                              pair.mark, context.values.Read(field, pair.value)};
-    const Value& value = position.value;
-    if (value.components == 0) continue;  // already reported
-    if (value.components == 2 || value.components == 3) {
-      context.findings.Add(Code::kSpecWrongType, value.mark,
-                           fmt::format("the position of joint '{}' is {}, not a number or the four "
-                                       "of a quaternion",
-                                       pair.key, KindText(value)));
-      continue;
-    }
-    all.push_back(std::move(position));
+                              pair.mark, context.values.Read(kPosition, pair.value)};
+    if (position.value.components != 0) all.push_back(std::move(position));  // else reported
   }
   return all;
+}
+
+std::vector<Entry> ReadStarts(const YamlNode& pose, Context& context) {
+  std::vector<Entry> starts;
+  if (pose.kind != YamlNode::Kind::kList) {
+    for (JointPosition& position : ReadPositions(pose, context)) {
+      Entry& start = starts.emplace_back();
+      start.element = &kStartElement;
+      start.mark = position.mark;
+      start.name = std::move(position.joint);
+      start.fields.push_back(
+          {kStartElement.Find(Key::kValue), std::move(position.value), position.mark});
+    }
+    return starts;
+  }
+  StartReader reader(context);
+  for (const YamlNode& item : pose.items) {
+    if (IsMap(item, "a start's keys", context)) starts.push_back(reader.Read(item));
+  }
+  return starts;
 }
 
 }  // namespace mjforge::spec

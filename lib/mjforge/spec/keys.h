@@ -15,6 +15,7 @@ enum class Key {
   kParts,
   kMjcf,
   kPlacement,
+  kStart,
   kTotalSize,
   // Parameters.
   kDoc,
@@ -66,6 +67,11 @@ enum class Key {
   kAxis,
   kRange,
   kLimited,
+  // Start states.
+  kValue,
+  kVelocity,
+  kCtrl,
+  kAct,
   // Regions.
   kArea,
   kMargin,

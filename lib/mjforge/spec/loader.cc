@@ -102,7 +102,7 @@ class SpecLoader : public NestedLoader {
     if (const YamlNode* contact = root.Find("contact")) ReadContact(*contact, context);
     if (const YamlNode* mjcf = root.Find("mjcf")) ReadSections(*mjcf, context);
     ReadChecks(root.Find("checks"), settings, context);
-    ReadWhole(root, context);
+    ReadWhole(root, settings, context);
     DropUnusedProperties(context);
     // Do not check nested specs, because another spec may use only some of their materials.
     if (state_.files.depth() == 1) ReportUnused(root.Find("materials"), context);
@@ -119,7 +119,7 @@ class SpecLoader : public NestedLoader {
     }
     if (joints != nullptr) ReadJoints(*joints, context);
     if (const YamlNode* bodies = root.Find("bodies")) ReadBodies(*bodies, context);
-    if (const YamlNode* pose = root.Find("pose")) spec.pose = ReadPositions(*pose, context);
+    if (const YamlNode* pose = root.Find("pose")) spec.pose = ReadStarts(*pose, context);
     if (const YamlNode* expect = root.Find("expect")) ReadExpectations(*expect, context);
     if (joints != root.Find("joints")) ForgetJoints(root.Find("joints"), spec);
   }
@@ -130,11 +130,12 @@ class SpecLoader : public NestedLoader {
     for (const YamlNode& joint : joints->items) {
       const YamlNode* name = joint.Find("name");
       if (name == nullptr) continue;
-      const auto is_it = [&](const JointPosition& position) {
-        return LiteralText(position.joint) == name->text;
-      };
-      std::erase_if(spec.pose, is_it);
-      for (Expectation& expectation : spec.expectations) std::erase_if(expectation.at, is_it);
+      const auto is_it = [&](const Value& joint) { return LiteralText(joint) == name->text; };
+      std::erase_if(spec.pose, [&](const Entry& start) { return is_it(start.name); });
+      for (Expectation& expectation : spec.expectations) {
+        std::erase_if(expectation.at,
+                      [&](const JointPosition& position) { return is_it(position.joint); });
+      }
     }
   }
 
@@ -168,19 +169,26 @@ class SpecLoader : public NestedLoader {
     }
   }
 
-  // Reads `mass`, `placement` and `total_size`.
-  void ReadWhole(const YamlNode& root, Context& context) {
+  // Reads `mass`, `placement`, `total_size` and `start`.
+  void ReadWhole(const YamlNode& root, std::span<const NamedNode> settings, Context& context) {
     ObjectSpec& spec = context.spec;
     for (Field& field : ReadFields(kObjectElement, root, context)) {
       if (field.info->id == Key::kMass)
         spec.mass = std::move(field);
       else if (field.info->id == Key::kTotalSize)
         spec.total_size = std::move(field);
+      else if (field.info->id == Key::kStart)
+        spec.start = std::move(field);
       else if (field.info->id == Key::kFront)
         spec.front = std::move(field);
       else if (field.info->id == Key::kPlacement) {
         if (LiteralText(field.value) == "corner") spec.placement = Placement::kCorner;
       }
+    }
+    for (const NamedNode& setting : settings) {
+      if (setting.name != kRootStart) continue;
+      const FieldInfo& info = *kObjectElement.Find("start");
+      spec.start = Field{&info, context.values.Read(info, setting.value), setting.value.mark};
     }
     if (spec.placement == Placement::kCorner && !spec.total_size) {
       context.findings.Add(Code::kSpecMissingKey, root.mark,

@@ -205,7 +205,10 @@ std::vector<bool> ApplySettings(std::span<const NamedNode> settings,
                                 std::vector<ParameterNode>& declared, Context& context) {
   std::vector<bool> is_set(declared.size());
   for (const NamedNode& setting : settings) {
-    if (setting.name.starts_with(kChecksPrefix) || setting.name == kRootJoints) continue;
+    if (setting.name.starts_with(kChecksPrefix) || setting.name == kRootJoints ||
+        setting.name == kRootStart) {
+      continue;
+    }
     const Parameter* found = context.spec.FindParameter(setting.name);
     if (found == nullptr) {
       context.findings.Add(

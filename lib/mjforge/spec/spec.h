@@ -52,6 +52,8 @@ struct Material {
 
 enum class RootJoints { kFree, kNone, kList };
 enum class Placement { kCenter, kCorner };
+/// Place of the start state in the file.
+enum class StartForm { kZero, kKeyframe };
 
 /// Values for the missing fields of parts, sites and joints.
 struct Defaults {
@@ -88,7 +90,8 @@ struct ObjectSpec {
   RootJoints root_joints = RootJoints::kFree;
   std::vector<Entry> joints;
   std::vector<BodyEntry> bodies;
-  std::vector<JointPosition> pose;
+  std::vector<Entry> pose;     // named by joint or actuator
+  std::optional<Field> start;  // a word of StartForm
   std::vector<Section> sections;
   std::optional<Field> mass;   // kg, of the whole object
   std::optional<Field> front;  // direction x, y

@@ -108,6 +108,7 @@ Value ValueReader::Harmless(const YamlNode& node) {
 }
 
 Value ValueReader::Read(const FieldInfo& field, const YamlNode& node, Motion motion) {
+  if (field.kind == FieldKind::kPosition) return ReadPosition(field, node, motion);
   Value value = Read(
       ExpectedForm{field.kind, field.min_count, field.max_count, field.words, field.key}, node);
   CheckBounds(field, value, 0);

@@ -64,6 +64,8 @@ class ValueReader {
   /// finding.
   bool CheckLocalName(std::string_view what, const YamlNode::Pair& pair);
 
+  /// Reads a field of kind kPosition. `motion` is as in Read().
+  Value ReadPosition(const FieldInfo& field, const YamlNode& node, Motion motion);
   Value ReadNumber(const YamlNode& node);
   Value ReadText(const YamlNode& node);
   /// Reads a boolean expression. Returns nothing, and adds a finding, if it is wrong.

@@ -99,17 +99,43 @@ void Comparison::Run(double lift) {
 }
 
 void Comparison::CompareStart(double lift) {
-  const auto meant = mjcf::StartPositions(object_, lift);
-  if (meant.empty()) return;
+  const mjcf::StartState meant = mjcf::StartStateOf(object_, lift);
+  if (meant.qpos.empty() && meant.ctrl.empty() && meant.act.empty()) return;
   const ComparedElement subject{"keyframe", object_.name, mjcf::kStartSuffix,
                                 object_.bodies.front().mark};
   if (!SameCount("keyframes", m_.nkey, 1, subject.mark, findings_) ||
       !SameName(m_.names + m_.name_keyadr[0], subject, findings_)) {
     return;
   }
-  for (std::size_t i = 0; i < meant.size(); ++i) {
-    Number(subject, "qpos", static_cast<int>(i), m_.key_qpos[i], meant[i],
-           kRelative * std::max(1.0, std::abs(meant[i])) + length_tolerance_);
+  const auto compare = [&](std::string_view what, const mjtNum* compiled,
+                           const std::vector<double>& numbers) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      Number(subject, what, static_cast<int>(i), compiled[i], numbers[i],
+             kRelative * std::max(1.0, std::abs(numbers[i])) + length_tolerance_);
+    }
+  };
+  compare("qpos", m_.key_qpos, meant.qpos);
+  compare("qvel", m_.key_qvel, meant.qvel);
+  compare("act", m_.key_act, meant.act);
+  compare("ctrl", m_.key_ctrl, meant.ctrl);
+  CompareStartPoses(lift);
+}
+
+// Record and bounds describe the poses that the object computes for the start state.
+void Comparison::CompareStartPoses(double lift) {
+  const compiled::Data d = compiled::MakeData(m_);
+  std::copy_n(m_.key_qpos, m_.nq, d->qpos);
+  mj_kinematics(&m_, d.get());
+  const std::vector<model::Pose> X_WB = model::BodyPoses(object_);
+  // Rounding errors add up along a chain of bodies.
+  const double chain = static_cast<double>(X_WB.size());
+  int id = 0;
+  for (const int i : mjcf::DepthFirstOrder(object_)) {
+    const model::Body& body = object_.bodies[static_cast<std::size_t>(i)];
+    Eigen::Vector3d p = X_WB[static_cast<std::size_t>(i)].p;
+    p.z() += lift;
+    Vector({"body", body.name, {}, body.mark}, "position at the start", d->xpos + 3 * ++id, p,
+           chain * (length_tolerance_ + kRelative * p.norm()));
   }
 }
 

@@ -51,6 +51,7 @@ class Comparison {
  private:
   bool SameCounts();
   void CompareStart(double lift);
+  void CompareStartPoses(double lift);
   void CompareBody(int id, const model::Body& body, double lift);
   void CompareMass(int id, const model::Body& body);
   void CompareInertia(int id, const model::Body& body);

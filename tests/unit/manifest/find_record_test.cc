@@ -89,8 +89,9 @@ TEST_CASE_METHOD(FindTest, "a line that is not a record hides no other record") 
   CHECK(Has(file, 0));
   CHECK(Has(file, 2));
   CHECK_FALSE(Find(file, 1));
-  REQUIRE(findings.size() == 1);
+  REQUIRE(findings.size() == 2);
   CHECK(findings[0].mark.line == 2);
+  CHECK(findings[1].message == "'" + file.string() + "' has no record with index 1");
 }
 
 }  // namespace

@@ -33,8 +33,8 @@ struct ReaderTest {
       read.first.push_back(reader->Next(record));
       if (read.first.back() == Outcome::kRecord) read.second.push_back(record.index);
       torn = torn || (read.first.back() == Outcome::kBadLine && reader->torn());
-    } while (read.first.back() != Outcome::kEnd);
-    bad_lines = reader->bad_lines();
+    } while (read.first.back() == Outcome::kRecord || read.first.back() == Outcome::kBadLine);
+    bad_lines = std::ranges::count(read.first, Outcome::kBadLine);
     return read;
   }
 
@@ -43,7 +43,7 @@ struct ReaderTest {
   diag::Findings findings;
   Record record;
   bool torn = false;
-  std::uint64_t bad_lines = 0;
+  std::ptrdiff_t bad_lines = 0;
 };
 
 TEST_CASE_METHOD(ReaderTest, "records come in the order of their lines, with their bounds") {
@@ -93,6 +93,16 @@ TEST_CASE_METHOD(ReaderTest, "of very many bad lines the first have findings") {
   ReadAll(text);
   CHECK(bad_lines == 1000);
   CHECK(findings.size() == RecordReader::kMaxBadLines);
+}
+
+TEST_CASE_METHOD(ReaderTest, "reading ends after a million bad lines") {
+  const auto [outcomes, indices] = ReadAll(std::string(3'000'000, '\n') + LineOf(0));
+  CHECK(outcomes.back() == Outcome::kUnreadable);
+  CHECK(bad_lines == RecordReader::kMaxSkippedLines);
+  CHECK(indices.empty());
+  REQUIRE(findings.size() == RecordReader::kMaxBadLines + 1);
+  CHECK(findings[findings.size() - 1].message ==
+        "the rest is not read: more than 1000000 lines are not records");
 }
 
 TEST_CASE_METHOD(ReaderTest, "what cannot be read is a finding") {

@@ -282,23 +282,29 @@ TEST_CASE("a model that later releases reject is read with a warning") {
   const std::string square = "vertex=\"0 0 0 1 0 0 1 1 0 0 1 0\" face=\"0 1 2 0 2 3\"";
   const std::string seen =
       "<worldbody><geom type=\"mesh\" mesh=\"m\" contype=\"0\" conaffinity=\"0\"/></worldbody>";
-  const std::pair<std::string, std::string> cases[] = {
-      {"<asset><mesh name=\"m\" " + square + "/></asset>" + seen,
+  struct Case {
+    std::string inner;
+    int refused_since;
+    std::string warning;
+  };
+  const Case cases[] = {
+      {"<asset><mesh name=\"m\" " + square + "/></asset>" + seen, 330,
        "1:1: mujoco/later-refuses: mesh 'm' has a volume of 0 m^3; MuJoCo 3.3.0 and later reject a "
        "mesh of less than 1e-15 m^3, even if it is only seen"},
-      {"<worldbody><camera name=\"c\" fovy=\"180\"/></worldbody>",
+      {"<worldbody><camera name=\"c\" fovy=\"180\"/></worldbody>", 300,
        "1:1: mujoco/later-refuses: camera 'c' has a 'fovy' of 180 degrees; MuJoCo 3.0.0 and later "
        "require less than 180"},
       {"<worldbody><body><joint name=\"j\" type=\"ball\"/><geom size=\"1\"/></body></worldbody>"
        "<tendon><fixed name=\"t\"><joint joint=\"j\" coef=\"1\"/></fixed></tendon>",
+       4000000,
        "1:1: mujoco/later-refuses: tendon 't' has a ball or free joint; MuJoCo 4.0.0 and later "
        "require hinges and slides"},
-      {"<option><flag passive=\"disable\"/></option>",
+      {"<option><flag passive=\"disable\"/></option>", 336,
        "2:15: mujoco/later-refuses: the flag on line 2 has 'passive', which MuJoCo 3.3.6 and later "
        "reject"}};
-  for (const auto& [inner, warning] : cases) {
+  for (const auto& [inner, refused_since, warning] : cases) {
     const Result result = LoadText(folder, "<mujoco>\n" + inner + "</mujoco>");
-    CHECK(result.model.has_value() == (mjVERSION_HEADER < 4000000));
+    CHECK(result.model.has_value() == (mjVERSION_HEADER < refused_since));
     if (mjVERSION_HEADER < 230) CHECK(Only(result) == warning);
   }
   // A tilted square has a volume by rounding, and a mesh of 20 um is large enough.

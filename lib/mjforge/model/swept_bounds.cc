@@ -1,0 +1,145 @@
+// Bounds over the ranges of joints, by support functions on arcs of directions.
+
+#include "mjforge/model/swept_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "mjforge/model/forward_kinematics.h"
+
+namespace mjforge::model {
+namespace {
+
+using Eigen::Vector3d;
+
+// Shapes in a common frame.
+struct PlacedShape {
+  Shape shape;
+  Pose X;
+};
+using Shapes = std::vector<PlacedShape>;
+
+double SupportOf(const Shapes& shapes, const Vector3d& direction) {
+  double largest = -std::numeric_limits<double>::infinity();
+  for (const auto& [shape, X] : shapes)
+    largest = std::max(largest, direction.dot(X.p) + Support(shape, X.q.conjugate() * direction));
+  return largest;
+}
+
+// Returns an upper bound of the distance of any point from `p`.
+double RadiusAbout(const Vector3d& p, const Shapes& shapes) {
+  double largest = 0;
+  for (const auto& [shape, X] : shapes) {
+    const Box3 box = BoundsOf(shape, Pose());
+    const Vector3d q = X.Inverse() * p;
+    largest = std::max(largest, (q - box.min).cwiseAbs().cwiseMax((q - box.max).cwiseAbs()).norm());
+  }
+  return largest;
+}
+
+// Returns an upper bound of the support function in `direction` while the shapes turn about an axis
+// through their origin.
+//
+// Shapes that turn by an angle have the support of fixed shapes in the direction turned back, which
+// moves on a cone. A direction d on an arc of angle w is a d1 + b d2 - (a + b - 1) c, where d1 and
+// d2 are its ends, c is the part of d along the axis, and 1 <= a + b <= 1 / cos(w / 2). The support
+// function h is convex and homogeneous, so that h(d) <= a h(d1) + b h(d2) + (a + b - 1) h(-c).
+double SweptSupport(const Shapes& shapes, const Vector3d& axis, const Eigen::Vector2d& angles,
+                    const Vector3d& direction) {
+  constexpr double kWidestArc = std::numbers::pi / 18;
+  const Vector3d along = axis * axis.dot(direction);
+  if ((direction - along).norm() < 1e-12) return SupportOf(shapes, direction);
+  const double range = angles[1] - angles[0];
+  const int arcs = std::max(3, static_cast<int>(std::ceil(range / kWidestArc)));
+  double largest = -std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= arcs; ++i) {
+    const double angle = angles[0] + range * i / arcs;
+    largest = std::max(largest, SupportOf(shapes, FromAxisAngle(axis, -angle) * direction));
+  }
+  const double excess = 1 / std::cos(range / arcs / 2) - 1;
+  return largest + excess * (std::max(largest, 0.0) + std::max(SupportOf(shapes, -along), 0.0));
+}
+
+// Returns the range of a hinge or slide as displacements from its zero.
+Eigen::Vector2d DisplacementsOf(const Joint& joint) {
+  constexpr double kHalfTurn = std::numbers::pi;
+  const double zero = ZeroPosition(joint)[0];
+  const bool is_hinge = joint.type == "hinge";
+  if (is_hinge && (!joint.range || (*joint.range)[1] - (*joint.range)[0] >= 2 * kHalfTurn))
+    return {-kHalfTurn, kHalfTurn};
+  if (joint.range) return *joint.range - Eigen::Vector2d::Constant(zero);
+  return Eigen::Vector2d::Constant(joint.start.empty() ? 0 : joint.start[0] - zero);
+}
+
+// Returns the lower and upper support of the shapes along a unit vector while one joint moves. The
+// origin of the shapes' frame is the anchor of the joint.
+Eigen::Vector2d SweptInterval(const Shapes& shapes, const Joint& joint, const Vector3d& unit) {
+  const Eigen::Vector2d still(-SupportOf(shapes, -unit), SupportOf(shapes, unit));
+  if (joint.type == "ball") {
+    const double radius = RadiusAbout(Vector3d::Zero(), shapes);
+    const double angle =
+        joint.range ? std::min((*joint.range)[1], std::numbers::pi) : std::numbers::pi;
+    const double way = 2 * radius * std::sin(angle / 2);
+    return {std::max(still[0] - way, -radius), std::min(still[1] + way, radius)};
+  }
+  const Vector3d axis = joint.axis.stableNormalized();
+  const Eigen::Vector2d range = DisplacementsOf(joint);
+  if (joint.type == "hinge") {
+    return {-SweptSupport(shapes, axis, range, -unit), SweptSupport(shapes, axis, range, unit)};
+  }
+  const Eigen::Vector2d ways = range * axis.dot(unit);
+  return {still[0] + ways.minCoeff(), still[1] + ways.maxCoeff()};
+}
+
+// Replaces the shapes by a box around all their positions while the joint moves.
+void SweepJoint(const Joint& joint, Shapes& shapes) {
+  for (PlacedShape& placed : shapes) placed.X.p -= joint.pos;
+  Box3 box;
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Vector2d interval = SweptInterval(shapes, joint, Vector3d::Unit(i));
+    box.min[i] = interval[0] + joint.pos[i];
+    box.max[i] = interval[1] + joint.pos[i];
+  }
+  const Shape hull = {GeomType::kBox, (box.max - box.min) / 2, nullptr};
+  shapes.assign(1, {hull, Pose{.p = (box.max + box.min) / 2}});
+}
+
+bool Moves(const Joint& joint) { return joint.type != "free"; }
+
+}  // namespace
+
+Box3 SweptBounds(const Object& object) {
+  const std::vector<Body>& bodies = object.bodies;
+  Box3 swept = object.bounds.aabb;
+  if (std::ranges::none_of(
+          bodies, [](const Body& body) { return std::ranges::any_of(body.joints, Moves); }))
+    return swept;
+  const auto collides = [](const Part& part) { return part.role != Role::kVisual; };
+  const bool some_collide = std::ranges::any_of(
+      bodies, [&](const Body& body) { return std::ranges::any_of(body.parts, collides); });
+  std::vector<Shapes> shapes(bodies.size());  // of each body and its children, in its frame
+  for (std::size_t i = bodies.size(); i-- > 0;) {
+    const Body& body = bodies[i];
+    for (const Part& part : body.parts) {
+      if (!some_collide || collides(part)) shapes[i].push_back({part.shape, part.X_BG});
+    }
+    if (shapes[i].empty()) continue;
+    for (std::size_t j = body.joints.size(); j-- > 0;) {
+      if (Moves(body.joints[j])) SweepJoint(body.joints[j], shapes[i]);
+    }
+    for (auto& [shape, X] : shapes[i]) {
+      X = body.X_PB * X;
+      if (body.parent < 0) swept.Add(BoundsOf(shape, X));
+    }
+    if (body.parent >= 0) {
+      Shapes& parent = shapes[static_cast<std::size_t>(body.parent)];
+      parent.insert(parent.end(), shapes[i].begin(), shapes[i].end());
+    }
+    shapes[i] = {};
+  }
+  return swept;
+}
+
+}  // namespace mjforge::model

@@ -1,0 +1,31 @@
+// Simulation of piles: bodies that are released above a region and come to rest on each other.
+#pragma once
+
+#include <memory>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/model/model.h"
+
+namespace mjforge::physics {
+
+/// Settles piles. Reuses MuJoCo's memory for the next object; make one per process.
+class PileSettler {
+ public:
+  PileSettler();
+  ~PileSettler();
+  PileSettler(const PileSettler&) = delete;
+  PileSettler& operator=(const PileSettler&) = delete;
+
+  /// Simulates object.piles with the options of the object. Bodies are released one after the other
+  /// from rest, each from a pose that touches nothing; all other bodies are held at their start.
+  /// Replaces the start of the bodies, and of the joints below them, by the rest. Adds a finding
+  /// for each body that left its region, moves after Pile::time, or is too deep in another. Returns
+  /// false after an error.
+  bool Settle(model::Object& object, diag::Findings& findings);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace mjforge::physics

@@ -1,0 +1,139 @@
+// Configurations of an object before its zero configuration changes, and its elements by name.
+#include "mjforge/start/configurations.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace mjforge::start {
+
+using model::Pose;
+
+namespace {
+
+// Returns the name of the part that a geom belongs to.
+std::string_view PartOf(std::string_view geom) {
+  if (geom.ends_with(model::kVisualSuffix)) geom.remove_suffix(model::kVisualSuffix.size());
+  return geom;
+}
+
+}  // namespace
+
+std::string_view TextOf(const model::Element& element, std::string_view name) {
+  const auto* attribute = model::FindAttribute(element.attributes, name);
+  return attribute == nullptr ? std::string_view() : attribute->text;
+}
+
+bool IsTurned(const Eigen::Quaterniond& q) { return q.vec().norm() > kRounding; }
+
+Pose MotionOfLaterJoints(const model::Body& body, std::size_t joint) {
+  Pose motion;
+  for (std::size_t i = joint + 1; i < body.joints.size(); ++i)
+    motion = motion * model::JointMotion(body.joints[i], {}, body.joints[i].start);
+  return motion;
+}
+
+Configurations::Configurations(const model::Object& object) : object_(object) {
+  std::vector<std::pair<std::string, sample::Numbers>> zero;
+  for (std::size_t i = 0; i < object.bodies.size(); ++i) {
+    const model::Body& body = object.bodies[i];
+    bodies_.emplace(body.name, i);
+    for (const model::Joint& joint : body.joints) {
+      joints_.emplace(joint.name, &joint);
+      if (joint.start.empty()) continue;
+      zero.emplace_back(joint.name, model::ZeroPosition(joint));
+      is_moved_ = is_moved_ || zero.back().second != joint.start;
+    }
+    for (const model::Site& site : body.sites) sites_.emplace(site.name, Site{i, site.X_BS.p});
+    for (const model::Part& part : body.parts) geoms_.emplace(part.name, i);
+  }
+  zero_ = model::SubtreePoses(object.bodies, 0, zero);
+  start_ = model::SubtreePoses(object.bodies, 0);
+}
+
+Poses Configurations::Springs(bool balls_start) const {
+  std::vector<std::pair<std::string, sample::Numbers>> positions;
+  for (const auto& [name, joint] : joints_) {
+    if (IsScalar(*joint)) {
+      sample::Numbers rest = NumbersOf(joint->attributes, "springref");
+      positions.emplace_back(name, rest.empty() ? sample::Numbers{0.0} : std::move(rest));
+    } else if (!joint->start.empty() && !balls_start) {
+      positions.emplace_back(name, model::ZeroPosition(*joint));
+    }
+  }
+  return model::SubtreePoses(object_.bodies, 0, positions);
+}
+
+Pose Configurations::PoseOf(std::string_view body, const Poses& X_WB) const {
+  const auto found = bodies_.find(body);
+  return found == bodies_.end() ? Pose() : X_WB[found->second];
+}
+
+double Configurations::Displacement(std::string_view joint) const {
+  const auto found = joints_.find(joint);
+  if (found == joints_.end() || found->second->start.size() != 1) return 0;
+  return found->second->start[0] - model::ZeroPosition(*found->second)[0];
+}
+
+const model::Element* Configurations::FindTendon(std::string_view name) const {
+  const std::span<const model::Element> tendons = model::ElementsOf(object_, "tendon");
+  const auto found = std::ranges::find(tendons, name, &model::Element::name);
+  return found == tendons.end() ? nullptr : &*found;
+}
+
+bool Configurations::Wraps(const model::Element& tendon) {
+  return std::ranges::count(tendon.children, "geom", &model::Element::tag) > 0;
+}
+
+bool Configurations::ChangesPath(const model::Element& tendon, const Poses& from,
+                                 const Poses& to) const {
+  std::optional<std::size_t> first;
+  for (const model::Element& child : tendon.children) {
+    const auto site = sites_.find(TextOf(child, "site"));
+    const auto geom = geoms_.find(PartOf(TextOf(child, "geom")));
+    if (site == sites_.end() && geom == geoms_.end()) continue;
+    const std::size_t body = site != sites_.end() ? site->second.body : geom->second;
+    if (!first) first = body;
+    const Pose X_1B = from[*first].Inverse() * from[body];
+    const Pose change = X_1B.Inverse() * (to[*first].Inverse() * to[body]);
+    if (change.p.norm() > kRounding || IsTurned(change.q)) return true;
+  }
+  return false;
+}
+
+// Source: mj_tendon of MuJoCo 2.2 (src/engine/engine_core_smooth.c). A pulley begins a new branch,
+// whose length is divided by its divisor.
+double Configurations::Length(const model::Element& tendon, const Poses& X_WB) const {
+  double length = 0;
+  double divisor = 1;
+  const Site* last = nullptr;
+  for (const model::Element& child : tendon.children) {
+    if (child.tag == "pulley") {
+      const sample::Numbers number = NumbersOf(child.attributes, "divisor");
+      if (!number.empty()) divisor = number[0];
+      last = nullptr;
+      continue;
+    }
+    const auto site = sites_.find(TextOf(child, "site"));
+    if (site == sites_.end()) continue;
+    if (last != nullptr) {
+      const Eigen::Vector3d from = X_WB[last->body] * last->p_BS;
+      length += (X_WB[site->second.body] * site->second.p_BS - from).norm() / divisor;
+    }
+    last = &site->second;
+  }
+  return length;
+}
+
+double Configurations::LengthChange(const model::Element& tendon) const {
+  if (tendon.tag != "fixed") return Length(tendon, start_) - Length(tendon, zero_);
+  double change = 0;
+  for (const model::Element& child : tendon.children) {
+    const sample::Numbers coefficient = NumbersOf(child.attributes, "coef");
+    change += (coefficient.empty() ? 0 : coefficient[0]) * Displacement(TextOf(child, "joint"));
+  }
+  return change;
+}
+
+}  // namespace mjforge::start

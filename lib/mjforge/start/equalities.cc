@@ -1,0 +1,137 @@
+// Equalities that MuJoCo measures from the zero configuration.
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "mjforge/start/rewriting.h"
+
+namespace mjforge::start {
+namespace {
+
+using model::Element;
+using model::Pose;
+
+constexpr std::size_t kCoefficients = 5;
+
+// Shifts the polynomial y = c(x) of an equality: x and y are measured from a zero that has moved by
+// `dx` and `dy`. Without a second joint or tendon only the constant counts.
+sample::Numbers Shifted(const sample::Numbers& c, bool has_x, double dx, double dy) {
+  sample::Numbers shifted = c;
+  for (std::size_t k = 0; has_x && k < kCoefficients; ++k) {
+    shifted[k] = 0;
+    double binomial = 1;  // i over k
+    double power = 1;     // dx^(i - k)
+    for (std::size_t i = k; i < kCoefficients; ++i) {
+      shifted[k] += binomial * c[i] * power;
+      binomial *= static_cast<double>(i + 1) / static_cast<double>(i + 1 - k);
+      power *= dx;
+    }
+  }
+  shifted[0] -= dy;
+  return shifted;
+}
+
+void ShiftPolynomial(bool has_x, double dx, double dy, Element& equality) {
+  if (dx == 0 && dy == 0) return;
+  sample::Numbers c = NumbersOf(equality.attributes, "polycoef");
+  constexpr std::array<double, kCoefficients> kUsual = {0, 1, 0, 0, 0};
+  for (std::size_t i = c.size(); i < kCoefficients; ++i) c.push_back(kUsual[i]);
+  SetNumbers(equality.attributes, "polycoef", Shifted(c, has_x, dx, dy));
+}
+
+Eigen::Vector3d VectorOf(const Element& element, std::string_view name) {
+  const sample::Numbers numbers = NumbersOf(element.attributes, name);
+  return numbers.size() < 3 ? Eigen::Vector3d::Zero() : Eigen::Vector3d(numbers.data());
+}
+
+void SetRelativePose(const Eigen::Vector3d& p, const Eigen::Quaterniond& q, Element& weld) {
+  SetNumbers(weld.attributes, "relpose", {p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()});
+}
+
+bool IsSame(const Pose& a, const Pose& b) {
+  const Pose X_AB = a.Inverse() * b;
+  return X_AB.p.norm() <= kRounding && !IsTurned(X_AB.q);
+}
+
+class EqualityRewriter {
+ public:
+  explicit EqualityRewriter(const Configurations& configurations)
+      : configurations_(configurations) {}
+
+  void Rewrite(Element& equality) const {
+    if (equality.tag == "joint") RewriteJoints(equality);
+    if (equality.tag == "tendon") RewriteTendons(equality);
+    if (equality.tag == "weld") RewriteWeld(equality);
+    if (equality.tag == "connect") RewriteConnect(equality);
+  }
+
+ private:
+  void RewriteJoints(Element& equality) const {
+    const std::string_view second = TextOf(equality, "joint2");
+    ShiftPolynomial(!second.empty(), configurations_.Displacement(second),
+                    configurations_.Displacement(TextOf(equality, "joint1")), equality);
+  }
+
+  void RewriteTendons(Element& equality) const {
+    const std::string_view second = TextOf(equality, "tendon2");
+    ShiftPolynomial(!second.empty(), LengthChange(second),
+                    LengthChange(TextOf(equality, "tendon1")), equality);
+  }
+
+  double LengthChange(std::string_view name) const {
+    const Element* tendon = configurations_.FindTendon(name);
+    if (tendon == nullptr) return 0;
+    const bool changes =
+        tendon->tag == "fixed" ||
+        configurations_.ChangesPath(*tendon, configurations_.zero(), configurations_.start());
+    return changes ? configurations_.LengthChange(*tendon) : 0;
+  }
+
+  // Returns X_12 of the two bodies of an equality.
+  Pose RelativePose(const Element& equality, const Poses& X_WB) const {
+    return configurations_.PoseOf(TextOf(equality, "body1"), X_WB).Inverse() *
+           configurations_.PoseOf(TextOf(equality, "body2"), X_WB);
+  }
+
+  // Without `relpose` (whose rotation is then zero) a weld keeps the bodies as they are at zero.
+  // The position in `relpose` is that of the anchor, which is given in body 2.
+  void RewriteWeld(Element& weld) const {
+    const sample::Numbers given = NumbersOf(weld.attributes, "relpose");
+    if (given.size() == 7 &&
+        std::any_of(given.begin() + 3, given.end(), [](double number) { return number != 0; })) {
+      return;
+    }
+    const Pose X_12 = RelativePose(weld, configurations_.zero());
+    if (IsSame(X_12, RelativePose(weld, configurations_.start()))) return;
+    SetRelativePose(X_12 * VectorOf(weld, "anchor"), X_12.q, weld);
+  }
+
+  // MuJoCo computes the anchor of body 2 from the zero configuration. An equality that is open at
+  // the start becomes a weld that does not constrain rotations, because both anchors of a weld are
+  // given.
+  void RewriteConnect(Element& connect) const {
+    const Eigen::Vector3d p_1A = VectorOf(connect, "anchor");
+    const Pose X_12 = RelativePose(connect, configurations_.zero());
+    const Eigen::Vector3d p_2A = X_12.Inverse() * p_1A;
+    const Eigen::Vector3d gap = RelativePose(connect, configurations_.start()) * p_2A - p_1A;
+    if (gap.norm() <= kRounding) return;
+    connect.tag = "weld";
+    SetNumbers(connect.attributes, "anchor", {p_2A.x(), p_2A.y(), p_2A.z()});
+    SetRelativePose(p_1A, X_12.q, connect);
+    SetNumbers(connect.attributes, "torquescale", {0.0});
+  }
+
+  const Configurations& configurations_;
+};
+
+}  // namespace
+
+void RewriteEqualities(const Configurations& configurations, model::Object& object) {
+  const EqualityRewriter rewriter(configurations);
+  for (model::Section& section : object.sections) {
+    if (section.info->name != "equality") continue;
+    for (Element& equality : section.elements) rewriter.Rewrite(equality);
+  }
+}
+
+}  // namespace mjforge::start

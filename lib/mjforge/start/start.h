@@ -1,0 +1,30 @@
+// The start state of an object as MuJoCo's zero configuration (qpos0), at which mj_resetData,
+// attached copies and most hosts begin.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/model/model.h"
+
+namespace mjforge::start {
+
+/// An element that would mean something else if the object's zero configuration were its start: it
+/// depends on qpos0 in a way that MJCF cannot state, or by numbers that only MuJoCo computes.
+struct Obstacle {
+  diag::SourceMark mark;
+  std::string reason;
+  std::string remedy;  // besides a keyframe; empty if there is none
+};
+
+/// Returns the obstacles of an object; none if MoveZeroToStart() keeps the meaning of all elements.
+std::vector<Obstacle> FindObstacles(const model::Object& object);
+
+/// Rewrites an object without obstacles so that its zero configuration is its start: poses of
+/// bodies, axes, anchors and `ref` of joints, and everything that MuJoCo measures from qpos0.
+/// Positions of hinges and slides keep their meaning. Ball joints lose their start position,
+/// because it is now their zero.
+void MoveZeroToStart(model::Object& object);
+
+}  // namespace mjforge::start

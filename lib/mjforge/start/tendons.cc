@@ -1,0 +1,28 @@
+// Springs of tendons, whose rest length MuJoCo may take from the zero configuration.
+#include "mjforge/start/rewriting.h"
+
+namespace mjforge::start {
+
+// MuJoCo takes the rest length from its qpos_spring, in which only ball and free joints depend on
+// the zero configuration.
+bool ChangesSpring(const Configurations& configurations, const model::Element& tendon) {
+  const sample::Numbers stiffness = NumbersOf(tendon.attributes, "stiffness");
+  const sample::Numbers rest = NumbersOf(tendon.attributes, "springlength");
+  if (stiffness.empty() || stiffness[0] == 0 || (!rest.empty() && rest[0] >= 0)) return false;
+  return tendon.tag == "spatial" &&
+         configurations.ChangesPath(tendon, configurations.Springs(/*balls_start=*/false),
+                                    configurations.Springs(/*balls_start=*/true));
+}
+
+void RewriteTendons(const Configurations& configurations, model::Object& object) {
+  for (model::Section& section : object.sections) {
+    if (section.info->name != "tendon") continue;
+    for (model::Element& tendon : section.elements) {
+      if (!ChangesSpring(configurations, tendon)) continue;
+      const double rest = configurations.Length(tendon, configurations.Springs(false));
+      SetNumbers(tendon.attributes, "springlength", {rest});
+    }
+  }
+}
+
+}  // namespace mjforge::start

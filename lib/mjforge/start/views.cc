@@ -1,0 +1,75 @@
+// Cameras and lights that follow their body without turning with it.
+#include <cstddef>
+
+#include "mjforge/start/rewriting.h"
+
+namespace mjforge::start {
+namespace {
+
+using model::Element;
+using model::Pose;
+
+Eigen::Vector3d VectorOf(const Element& view, std::string_view name,
+                         const Eigen::Vector3d& otherwise) {
+  const sample::Numbers numbers = NumbersOf(view.attributes, name);
+  return numbers.size() < 3 ? otherwise : Eigen::Vector3d(numbers.data());
+}
+
+// Returns the centre of mass of each body and everything below it, in W.
+std::vector<Eigen::Vector3d> CentresOfMass(const std::vector<model::Body>& bodies,
+                                           const Poses& X_WB) {
+  std::vector<double> masses(bodies.size());
+  std::vector<Eigen::Vector3d> moments(bodies.size(), Eigen::Vector3d::Zero());
+  for (std::size_t i = bodies.size(); i-- > 0;) {
+    const model::MassProperties& own = bodies[i].mass_properties;
+    masses[i] += own.mass;
+    moments[i] += own.mass * (X_WB[i] * own.p_FCm);
+    if (bodies[i].parent < 0) continue;
+    masses[static_cast<std::size_t>(bodies[i].parent)] += masses[i];
+    moments[static_cast<std::size_t>(bodies[i].parent)] += moments[i];
+  }
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    moments[i] = masses[i] > 0 ? Eigen::Vector3d(moments[i] / masses[i]) : X_WB[i].p;
+  }
+  return moments;
+}
+
+// Moves a view so that its pose relative to the point that it follows is the same, along the axes
+// of W, with the body at `after` as it was with the body at `before`.
+void Move(const Pose& before, const Eigen::Vector3d& followed_before, const Pose& after,
+          const Eigen::Vector3d& followed_after, Element& view) {
+  const Eigen::Quaterniond turn = (after.q.conjugate() * before.q).normalized();
+  const Eigen::Vector3d offset =
+      before * VectorOf(view, "pos", Eigen::Vector3d::Zero()) - followed_before;
+  const Eigen::Vector3d p = after.Inverse() * Eigen::Vector3d(offset + followed_after);
+  SetNumbers(view.attributes, "pos", {p.x(), p.y(), p.z()});
+  if (view.tag == "light") {
+    const Eigen::Vector3d dir = turn * VectorOf(view, "dir", -Eigen::Vector3d::UnitZ());
+    SetNumbers(view.attributes, "dir", {dir.x(), dir.y(), dir.z()});
+    return;
+  }
+  const sample::Numbers wxyz = NumbersOf(view.attributes, "quat");
+  const Eigen::Quaterniond own = wxyz.size() < 4
+                                     ? Eigen::Quaterniond::Identity()
+                                     : Eigen::Quaterniond(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
+  const Eigen::Quaterniond q = (turn * own).normalized();
+  SetNumbers(view.attributes, "quat", {q.w(), q.x(), q.y(), q.z()});
+}
+
+}  // namespace
+
+void RewriteViews(const Configurations& configurations, model::Object& object) {
+  const std::vector<Eigen::Vector3d> zero = CentresOfMass(object.bodies, configurations.zero());
+  const std::vector<Eigen::Vector3d> start = CentresOfMass(object.bodies, configurations.start());
+  for (std::size_t i = 0; i < object.bodies.size(); ++i) {
+    const Pose& before = configurations.zero()[i];
+    const Pose& after = configurations.start()[i];
+    for (Element& view : object.bodies[i].elements) {
+      const std::string_view mode = TextOf(view, "mode");
+      if (mode == "track") Move(before, before.p, after, after.p, view);
+      if (mode == "trackcom") Move(before, zero[i], after, start[i], view);
+    }
+  }
+}
+
+}  // namespace mjforge::start
