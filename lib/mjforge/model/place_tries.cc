@@ -19,6 +19,9 @@ namespace {
 using diag::Code;
 using spec::Key;
 
+// The default of `lying`.
+const std::string kUpright = "upright";
+
 bool IsDrawn(const std::vector<spec::Field>& fields) {
   return std::ranges::any_of(fields,
                              [](const spec::Field& field) { return spec::HasDraw(field.value); });
@@ -40,6 +43,15 @@ const spec::Field* WithoutMeaningAtSites(const spec::PlaceEntry& place) {
     return std::ranges::find(kOfSites, field.info->id) == std::end(kOfSites);
   });
   return found == place.fields.end() ? nullptr : &*found;
+}
+
+// Returns one of the poses, by their probabilities; u is in (0, 1).
+const StablePose& DrawPose(const std::vector<StablePose>& poses, double u) {
+  for (const StablePose& pose : poses) {
+    u -= pose.probability;
+    if (u < 0) return pose;
+  }
+  return poses.back();
 }
 
 std::string OwnerOf(std::string_view name) { return fmt::format("body {}", Quoted(name)); }
@@ -203,20 +215,19 @@ bool Placements::ReadFacing(const Request& request, FieldReader& reader, PlaceTr
 bool Placements::ReadLying(const Request& request, FieldReader& reader, sample::StreamId path,
                            Trial& trial) {
   const spec::Field* field = request.entry.place->Find(Key::kLying);
-  if (field == nullptr) return true;
-  const std::optional<std::string> name = reader.Text(*field);
+  const std::optional<std::string> name = field != nullptr ? reader.Text(*field) : kUpright;
   if (!name) return false;
-  if (*name == "upright") return true;
-  const std::vector<StablePose> poses =
-      context_.placer.StablePoses(request.body, trial.where.front);
+  const std::vector<StablePose>& poses = StablePosesOf(request);
+  if (*name == kUpright) {
+    // The stable pose that is nearest to the modelled one, which is stable for most bodies.
+    const auto nearest = std::ranges::max_element(
+        poses, {}, [](const StablePose& pose) { return std::abs(pose.rotation.w()); });
+    if (nearest != poses.end()) trial.where.lying = nearest->rotation;
+    return true;
+  }
   if (*name == "any" && !poses.empty()) {
-    double left = 0;
-    for (const StablePose& pose : poses) left += pose.probability;
-    left *= scope_.values.Uniforms(sample::Child(path, "lying"))[0];
-    auto drawn = poses.begin();
-    while (std::next(drawn) != poses.end() && left > drawn->probability)
-      left -= (drawn++)->probability;
-    trial.where.lying = drawn->rotation;
+    const double u = scope_.values.Uniforms(sample::Child(path, "lying"))[0];
+    trial.where.lying = DrawPose(poses, u).rotation;
     trial.is_drawn = true;
     return true;
   }
@@ -232,6 +243,13 @@ bool Placements::ReadLying(const Request& request, FieldReader& reader, sample::
                 fmt::format("is {}, in which the body is not stable", Quoted(*name)),
                 hint.empty() ? fmt::format("it is stable {}", fmt::join(names, ", ")) : hint);
   return false;
+}
+
+const std::vector<StablePose>& Placements::StablePosesOf(const Request& request) {
+  if (posed_body_ != request.body)
+    stable_poses_ = context_.placer.StablePoses(request.body, BodyAt(request.body).front);
+  posed_body_ = request.body;
+  return stable_poses_;
 }
 
 std::optional<int> Placements::ReadBody(const Request& request, FieldReader& reader,

@@ -68,6 +68,8 @@ class Placements {
   bool ReadBeside(const Request& request, sample::StreamId path, Trial& trial);
   bool ReadFacing(const Request& request, FieldReader& reader, PlaceTry& where);
   bool ReadLying(const Request& request, FieldReader& reader, sample::StreamId path, Trial& trial);
+  /// Returns the stable poses of the body, which are computed at its first try.
+  const std::vector<StablePose>& StablePosesOf(const Request& request);
   /// Returns the index of a body named in a field, which must stand.
   std::optional<int> ReadBody(const Request& request, FieldReader& reader,
                               const spec::Field& field);
@@ -85,7 +87,9 @@ class Placements {
   Scope& scope_;
   PlacementContext context_;
   PlaceNames names_;
-  std::vector<Pose> X_WB_;     // poses of all bodies at present
+  std::vector<Pose> X_WB_;  // poses of all bodies at present
+  int posed_body_ = -1;     // the body of `stable_poses_`
+  std::vector<StablePose> stable_poses_;
   std::size_t instances_ = 0;  // of the current entry; 0 if it has a condition
   std::size_t standing_ = 0;   // of the current entry
 };

@@ -584,8 +584,9 @@ constexpr FieldInfo kPlaceFields[] = {
         "What its front is turned to: an earlier body, a point x, y of the root frame, or a "
         "direction x, y, 0."),
     Row({"lying", Key::kLying}, FieldKind::kText, "upright",
-        "How it stands: `upright`, as its spec has it; by the name of another way in which it is "
-        "stable (`on_left`, `upside_down`); `any`: drawn from all of these."),
+        "How it stands: `upright`, as its spec has it or, if it is not stable so, in the nearest "
+        "stable way; by the name of another such way (`on_left`, `upside_down`); `any`: drawn from "
+        "all of them."),
     Number({"clear", Key::kClear}, "m", AtLeast(0), "0",
            "Least distance to everything else; the region may ask for more."),
     Number({"overhang", Key::kOverhang}, "", Between(0, 1), "0",

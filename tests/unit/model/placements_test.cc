@@ -111,6 +111,7 @@ TEST_CASE("a placed body is fixed to the body with the region") {
   CHECK(a.parent == 1);
   CHECK(a.stands_at == "table.surface");
   CHECK(a.X_PB.p.isApprox(Eigen::Vector3d(0.35, -0.25, 0.7)));
+  CHECK(scene.placer.tries[0].lying->w() == 1);
   CHECK(scene.placer.tries.size() == 1);
 }
 
