@@ -233,8 +233,8 @@ std::string InspectTables(const forge::Recipe& recipe, const forge::Variant& var
   text += fmt::format("radius   {} m about the z axis\n", Number(object.bounds.horizontal_radius));
   if (const auto& [box, swept] = std::pair(object.bounds.aabb, object.bounds.swept);
       box.min != swept.min || box.max != swept.max) {
-    text += fmt::format("reach    {} to {} m with all positions of joints\n", NumbersText(swept.min),
-                        NumbersText(swept.max));
+    text += fmt::format("reach    {} to {} m with all positions of joints\n",
+                        NumbersText(swept.min), NumbersText(swept.max));
   }
   text += SizeOfText(variant.document);
   return text + SweepText(sweep);

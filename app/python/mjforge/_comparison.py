@@ -72,7 +72,8 @@ class Comparison:
     """Compares a model with a record and with the names in its file.
 
     `tolerance` is relative to the mass, the size and their products. Masses, bounds and inertia are
-    those of the whole object with all joints at zero, in the frame of its root body.
+    those of the whole object at the start state, in the frame of its root before the root's own joints
+    move it.
     """
 
     def __init__(self, mujoco: Any, model: Any, record: Mapping[str, Any], file: bytes,

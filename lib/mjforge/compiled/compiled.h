@@ -103,8 +103,8 @@ std::optional<model::Part> PartOf(const mjModel& m, int id);
 /// Names of elements without a name: "", or those of NameOf().
 enum class Nameless { kEmpty, kNumbered };
 /// Reads the bodies with joints and parts as the functions above do, and also the `group` of parts.
-/// Mass and bounds of the whole are in the world frame, with joints at zero. The bounds have only
-/// the box around all colliding parts. All elements have the place `mark`.
+/// Mass and bounds of the whole are in the world frame, at StartOf(). The bounds have only the box
+/// around all colliding parts. All elements have the place `mark`.
 model::Object ObjectOf(const mjModel& m, diag::SourceMark mark, Nameless nameless);
 
 }  // namespace mjforge::compiled

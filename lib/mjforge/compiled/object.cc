@@ -19,6 +19,23 @@ void AddMass(const model::MassProperties& mass_W, model::MassProperties& sum) {
   sum = sum.mass > 0 ? model::Combine(sum, mass_W) : mass_W;
 }
 
+// Sets the start position of the last joint of the body, if the model has a start state, and the
+// zero that the start is relative to.
+void SetStart(const mjModel& m, int id, model::Body& body) {
+  const mjtNum* start = StartOf(m).data();
+  if (start == m.qpos0) return;
+  model::Joint& joint = body.joints.back();
+  const int at = m.jnt_qposadr[id];
+  if (joint.type == "free") {
+    body.X_PB = PoseAt(start + at, start + at + 3, 0);
+  } else if (joint.type == "ball") {
+    joint.start.assign(start + at, start + at + 4);
+  } else {
+    joint.start = {start[at]};
+    joint.attributes.push_back({.name = "ref", .numbers = {m.qpos0[at]}, .text = {}});
+  }
+}
+
 }  // namespace
 
 Data MakeData(const mjModel& m) {
@@ -84,16 +101,13 @@ model::Object ObjectOf(const mjModel& m, diag::SourceMark mark, Nameless nameles
     element.mark = mark;
     if (nameless == Nameless::kNumbered) element.name = NameOf(m, kind, id);
   };
-  std::vector<model::Pose> X_WB(static_cast<std::size_t>(m.nbody));
   for (int id = 1; id < m.nbody; ++id) {
     model::Body& body = object.bodies.emplace_back(BodyOf(m, id));
     set_name(body, mjOBJ_BODY, id);
-    model::Pose& X = X_WB[static_cast<std::size_t>(id)];
-    X = X_WB[static_cast<std::size_t>(m.body_parentid[id])] * body.X_PB;
-    AddMass(model::InFrame(X, body.mass_properties), object.mass_properties);
     const int first_joint = m.body_jntadr[id];
     for (int i = first_joint; i < first_joint + m.body_jntnum[id]; ++i) {
       set_name(body.joints.emplace_back(JointOf(m, i)), mjOBJ_JOINT, i);
+      SetStart(m, i, body);
     }
     const int first_geom = m.body_geomadr[id];
     for (int i = first_geom; i < first_geom + m.body_geomnum[id]; ++i) {
@@ -104,10 +118,16 @@ model::Object ObjectOf(const mjModel& m, diag::SourceMark mark, Nameless nameles
       if (part->mesh >= 0) {
         part->shape.mesh = &object.meshes[static_cast<std::size_t>(part->mesh)]->mesh;
       }
-      if (part->role != model::Role::kVisual) {
-        object.bounds.aabb.Add(model::BoundsOf(part->shape, X * part->X_BG));
-      }
       body.parts.push_back(*std::move(part));
+    }
+  }
+  const std::vector<model::Pose> X_WB = model::BodyPoses(object);
+  for (std::size_t i = 0; i < object.bodies.size(); ++i) {
+    const model::Body& body = object.bodies[i];
+    AddMass(model::InFrame(X_WB[i], body.mass_properties), object.mass_properties);
+    for (const model::Part& part : body.parts) {
+      if (part.role == model::Role::kVisual) continue;
+      object.bounds.aabb.Add(model::BoundsOf(part.shape, X_WB[i] * part.X_BG));
     }
   }
   return object;

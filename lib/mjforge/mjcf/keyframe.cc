@@ -16,11 +16,6 @@ void AddPose(const model::Pose& pose, double lift, std::vector<double>& out) {
   out.insert(out.end(), quat.begin(), quat.end());
 }
 
-std::size_t VelocityCount(const model::Joint& joint) {
-  if (joint.type == "free") return 6;
-  return joint.type == "ball" ? 3 : 1;
-}
-
 bool HasStart(const model::Joint& joint) { return !joint.start.empty(); }
 bool HasVelocity(const model::Joint& joint) { return !joint.start_velocity.empty(); }
 
@@ -44,7 +39,7 @@ void AddPositions(const model::Body& body, double lift, std::vector<double>& qpo
 
 void AddVelocities(const model::Body& body, std::vector<double>& qvel) {
   for (const model::Joint& joint : body.joints) {
-    const std::size_t end = qvel.size() + VelocityCount(joint);
+    const std::size_t end = qvel.size() + model::VelocityCount(joint);
     qvel.insert(qvel.end(), joint.start_velocity.begin(), joint.start_velocity.end());
     qvel.resize(end);
   }

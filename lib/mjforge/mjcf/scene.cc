@@ -44,7 +44,7 @@ SceneView ViewOf(const Eigen::Vector3d& min, const Eigen::Vector3d& max) {
 double LiftOntoFloor(const model::Object& object) {
   if (object.bodies.empty()) return 0;
   const double lowest = object.bounds.aabb.min.z();
-  return std::isfinite(lowest) ? -lowest - object.bodies.front().X_PB.p.z() : 0;
+  return std::isfinite(lowest) ? -lowest : 0;
 }
 
 void WriteSceneAssets(ElementWriter& writer) {

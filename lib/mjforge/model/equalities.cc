@@ -33,15 +33,13 @@ Eigen::Vector3d PointOf(const Element& element, std::string_view name) {
 class EqualityChecker {
  public:
   EqualityChecker(const Object& object, diag::Findings& findings)
-      : object_(object), findings_(findings), started_(SubtreePoses(object.bodies, 0)) {
-    std::vector<std::pair<std::string, sample::Numbers>> zeros;
+      : object_(object),
+        findings_(findings),
+        started_(SubtreePoses(object.bodies, 0)),
+        zero_(ZeroPoses(object.bodies)) {
     for (const Body& body : object.bodies) {
-      for (const Joint& joint : body.joints) {
-        joints_.emplace(joint.name, &joint);
-        zeros.emplace_back(joint.name, ZeroPosition(joint));
-      }
+      for (const Joint& joint : body.joints) joints_.emplace(joint.name, &joint);
     }
-    zero_ = SubtreePoses(object.bodies, 0, zeros);
   }
 
   void Check(const Element& equality) {
@@ -117,8 +115,9 @@ class EqualityChecker {
     if (Distance(X_12, zero, anchor) + X_12.q.angularDistance(zero.q) < 1e-9) return;  // not moved
     const Attribute* torque = Given(equality, "torquescale");
     const bool keeps_turn = equality.tag == "weld" && (torque == nullptr || torque->numbers[0] > 0);
-    Report(equality, Distance(X_12, wanted, anchor), true, "move both bodies");
-    if (keeps_turn) Report(equality, X_12.q.angularDistance(wanted.q), false, "move both bodies");
+    const std::string hint = "give the joints of both bodies their starts";
+    Report(equality, Distance(X_12, wanted, anchor), true, hint);
+    if (keeps_turn) Report(equality, X_12.q.angularDistance(wanted.q), false, hint);
   }
 
   static double Distance(const Pose& a, const Pose& b, const Eigen::Vector3d& point) {

@@ -19,6 +19,11 @@ sample::Numbers ZeroPosition(const Joint& joint) {
   return {ref == nullptr ? 0.0 : ref->numbers.front()};
 }
 
+std::size_t VelocityCount(const Joint& joint) {
+  if (joint.type == "free") return 6;
+  return joint.type == "ball" ? 3 : 1;
+}
+
 // Source: mj_kinematics of MuJoCo 2.2 (src/engine/engine_core_smooth.c).
 Pose JointMotion(const Joint& joint, const sample::Numbers& from, const sample::Numbers& to) {
   if (from.empty()) return to.empty() ? Pose() : JointMotion(joint, ZeroPosition(joint), to);
@@ -48,6 +53,14 @@ std::vector<Pose> SubtreePoses(const std::vector<Body>& bodies, std::size_t firs
         body.parent < 0 ? X_PB : X_FB[static_cast<std::size_t>(body.parent) - first] * X_PB;
   }
   return X_FB;
+}
+
+std::vector<Pose> ZeroPoses(const std::vector<Body>& bodies) {
+  std::vector<Pose> X_WB;
+  for (const Body& body : bodies)
+    X_WB.push_back(body.parent < 0 ? body.X_PB
+                                   : X_WB[static_cast<std::size_t>(body.parent)] * body.X_PB);
+  return X_WB;
 }
 
 std::vector<Pose> BodyPoses(const Object& object) { return SubtreePoses(object.bodies, 0); }

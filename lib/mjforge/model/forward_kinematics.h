@@ -16,6 +16,9 @@ namespace mjforge::model {
 /// a hinge or slide, the identity of a ball joint); empty for a free joint.
 sample::Numbers ZeroPosition(const Joint& joint);
 
+/// Returns the count of numbers that a joint has in qvel.
+std::size_t VelocityCount(const Joint& joint);
+
 /// Returns the motion of the body of a hinge, slide or ball joint when the joint moves from one
 /// position to another: X_B0B1, the pose of the body after the motion in its frame before the
 /// motion. Positions are as in qpos; an empty one is ZeroPosition().
@@ -30,5 +33,8 @@ using JointPositions = std::span<const std::pair<std::string, sample::Numbers>>;
 /// children of the world. Equalities between joints are ignored.
 std::vector<Pose> SubtreePoses(const std::vector<Body>& bodies, std::size_t first,
                                JointPositions positions = {});
+
+/// Returns X_WB of every body of an object with all joints at zero.
+std::vector<Pose> ZeroPoses(const std::vector<Body>& bodies);
 
 }  // namespace mjforge::model

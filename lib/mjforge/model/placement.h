@@ -25,13 +25,14 @@ struct Beside {
   double gap = 0;    // distance of the two bounding boxes along the side's direction, m
 };
 
-/// One try at a place, as drawn from `place:`. Points and directions are in the frame of the
+/// A try at a place, as drawn from `place:`. Points and directions are in the frame of the
 /// object.
 struct PlaceTry {
   int support = -1;                // index of the body that has the region or the site
   const Region* region = nullptr;  // null: the body is placed by a site of the support
   /// Pose of the support's site, in the support, and of the body's own site, in the body: both
-  /// frames will coincide. Used only if `region` is null.
+  /// frames will coincide, except for the yaw. Used only if `region` is null; the support may then
+  /// overlap.
   Pose X_SupportSite;
   Pose X_BodySite;
   /// Position within the free play of the footprint, each from -1 to 1; in a disc, within the unit
@@ -46,7 +47,9 @@ struct PlaceTry {
   std::optional<Eigen::Vector2d> facing;     // a point, m
   std::optional<Eigen::Vector2d> direction;  // horizontal, of any length but 0
   double front = 0;                          // angle of the body's front, from its -y axis, rad
-  std::optional<Eigen::Quaterniond> lying;   // rotation of the body before the yaw; none: upright
+  /// Rotation of the body before the yaw; none: as modelled or, if it would tip over, as in the
+  /// stable pose with the least rotation.
+  std::optional<Eigen::Quaterniond> lying;
   /// Least distance to all other bodies, m; the support must only not overlap, nor bodies whose
   /// parts are all below the region.
   double clear = 0;

@@ -19,12 +19,6 @@ using spec::Key;
 constexpr Key kOrientations[] = {Key::kQuat, Key::kEuler, Key::kAxisAngle, Key::kXyAxes,
                                  Key::kZAxis};
 
-// Returns the count of numbers that a joint has in qvel.
-std::size_t VelocityCount(const Joint& joint) {
-  if (joint.type == "free") return 6;
-  return joint.type == "ball" ? 3 : 1;
-}
-
 }  // namespace
 
 void Assembly::ReadStarts(Scope& scope) {
@@ -98,8 +92,8 @@ void Assembly::ApplyStart(const Scope& scope, const RequestedStart& start, Body&
                   std::move(hint));
   };
   if (!start.velocity.empty() && start.velocity.size() != VelocityCount(joint)) {
-    report(fmt::format("has a velocity of {} numbers, but a {} joint takes {}",
-                       start.velocity.size(), joint.type, VelocityCount(joint)),
+    report(fmt::format("has {} instead of {} numbers of velocity", start.velocity.size(),
+                       VelocityCount(joint)),
            joint.type == "free" ? "the velocity x y z, then the angular velocity x y z" : "");
   } else if (!start.velocity.empty()) {
     joint.start_velocity = start.velocity;

@@ -14,7 +14,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Shapes in a common frame.
+// Shapes in the object's frame, with all joints at zero. All boxes are along its axes, because a
+// box along other axes would need a larger box around it.
 struct PlacedShape {
   Shape shape;
   Pose X;
@@ -73,9 +74,10 @@ Eigen::Vector2d DisplacementsOf(const Joint& joint) {
   return Eigen::Vector2d::Constant(joint.start.empty() ? 0 : joint.start[0] - zero);
 }
 
-// Returns the lower and upper support of the shapes along a unit vector while one joint moves. The
-// origin of the shapes' frame is the anchor of the joint.
-Eigen::Vector2d SweptInterval(const Shapes& shapes, const Joint& joint, const Vector3d& unit) {
+// Returns the lower and upper support of the shapes along a unit vector while one joint moves. Its
+// anchor is the origin.
+Eigen::Vector2d SweptInterval(const Shapes& shapes, const Joint& joint, const Vector3d& axis,
+                              const Vector3d& unit) {
   const Eigen::Vector2d still(-SupportOf(shapes, -unit), SupportOf(shapes, unit));
   if (joint.type == "ball") {
     const double radius = RadiusAbout(Vector3d::Zero(), shapes);
@@ -84,7 +86,6 @@ Eigen::Vector2d SweptInterval(const Shapes& shapes, const Joint& joint, const Ve
     const double way = 2 * radius * std::sin(angle / 2);
     return {std::max(still[0] - way, -radius), std::min(still[1] + way, radius)};
   }
-  const Vector3d axis = joint.axis.stableNormalized();
   const Eigen::Vector2d range = DisplacementsOf(joint);
   if (joint.type == "hinge") {
     return {-SweptSupport(shapes, axis, range, -unit), SweptSupport(shapes, axis, range, unit)};
@@ -93,14 +94,16 @@ Eigen::Vector2d SweptInterval(const Shapes& shapes, const Joint& joint, const Ve
   return {still[0] + ways.minCoeff(), still[1] + ways.maxCoeff()};
 }
 
-// Replaces the shapes by a box around all their positions while the joint moves.
-void SweepJoint(const Joint& joint, Shapes& shapes) {
-  for (PlacedShape& placed : shapes) placed.X.p -= joint.pos;
+// Replaces the shapes by a box around all their positions while the joint of a body moves.
+void SweepJoint(const Joint& joint, const Pose& X_WB, Shapes& shapes) {
+  const Vector3d anchor = X_WB * joint.pos;
+  const Vector3d axis = X_WB.q * joint.axis.stableNormalized();
+  for (PlacedShape& placed : shapes) placed.X.p -= anchor;
   Box3 box;
   for (int i = 0; i < 3; ++i) {
-    const Eigen::Vector2d interval = SweptInterval(shapes, joint, Vector3d::Unit(i));
-    box.min[i] = interval[0] + joint.pos[i];
-    box.max[i] = interval[1] + joint.pos[i];
+    const Eigen::Vector2d interval = SweptInterval(shapes, joint, axis, Vector3d::Unit(i));
+    box.min[i] = interval[0] + anchor[i];
+    box.max[i] = interval[1] + anchor[i];
   }
   const Shape hull = {GeomType::kBox, (box.max - box.min) / 2, nullptr};
   shapes.assign(1, {hull, Pose{.p = (box.max + box.min) / 2}});
@@ -119,21 +122,20 @@ Box3 SweptBounds(const Object& object) {
   const auto collides = [](const Part& part) { return part.role != Role::kVisual; };
   const bool some_collide = std::ranges::any_of(
       bodies, [&](const Body& body) { return std::ranges::any_of(body.parts, collides); });
-  std::vector<Shapes> shapes(bodies.size());  // of each body and its children, in its frame
+  const std::vector<Pose> X_WB = ZeroPoses(bodies);
+  std::vector<Shapes> shapes(bodies.size());  // of each body and its children
   for (std::size_t i = bodies.size(); i-- > 0;) {
     const Body& body = bodies[i];
     for (const Part& part : body.parts) {
-      if (!some_collide || collides(part)) shapes[i].push_back({part.shape, part.X_BG});
+      if (!some_collide || collides(part)) shapes[i].push_back({part.shape, X_WB[i] * part.X_BG});
     }
     if (shapes[i].empty()) continue;
     for (std::size_t j = body.joints.size(); j-- > 0;) {
-      if (Moves(body.joints[j])) SweepJoint(body.joints[j], shapes[i]);
+      if (Moves(body.joints[j])) SweepJoint(body.joints[j], X_WB[i], shapes[i]);
     }
-    for (auto& [shape, X] : shapes[i]) {
-      X = body.X_PB * X;
-      if (body.parent < 0) swept.Add(BoundsOf(shape, X));
-    }
-    if (body.parent >= 0) {
+    if (body.parent < 0) {
+      for (const auto& [shape, X] : shapes[i]) swept.Add(BoundsOf(shape, X));
+    } else {
       Shapes& parent = shapes[static_cast<std::size_t>(body.parent)];
       parent.insert(parent.end(), shapes[i].begin(), shapes[i].end());
     }

@@ -74,6 +74,7 @@ std::optional<Blocker> Obstacles::FindBlocker(std::span<const PlacedShape> shape
     const double asked = std::max(clear, group.clear);
     if (group.box_W.exteriorDistance(box_W) > asked) continue;
     for (const auto& [body, obstacle] : group.obstacles) {
+      if (support.is_ignored && body == support.body) continue;
       if (obstacle.box_W.exteriorDistance(box_W) > asked) continue;
       const bool may_touch = asked > 0 && (body == support.body || IsBelow(obstacle, support));
       const double wanted = may_touch ? 0 : asked;

@@ -23,8 +23,9 @@ PlacedShapes ShapesAt(std::span<const BodyShape> shapes, const model::Pose& X_WA
 /// A plane on which an object is put, and the body that has it.
 struct Support {
   int body = -1;
-  Eigen::Vector3d p_W;   // a point of the plane
-  Eigen::Vector3d up_W;  // its normal
+  Eigen::Vector3d p_W;      // a point of the plane
+  Eigen::Vector3d up_W;     // its normal
+  bool is_ignored = false;  // the body may overlap
 };
 
 /// An obstacle that is too near.

@@ -38,6 +38,7 @@ Vector2d DirectionAt(double angle) { return {std::sin(angle), -std::cos(angle)};
 // body, and its z axis points up.
 struct Orientation {
   int body;
+  std::optional<Eigen::Quaterniond> asked;  // none: upright
   Eigen::Quaterniond q_LB;
   std::vector<BodyShape> shapes;  // in B
   Footprint footprint;            // in L
@@ -45,17 +46,42 @@ struct Orientation {
   double height = 0;              // m
 };
 
-Orientation OrientationOf(const model::Object& object, int body, const Eigen::Quaterniond& q_LB) {
+Orientation Oriented(const model::Object& object, int body, const Eigen::Quaterniond& q_LB) {
   std::vector<BodyShape> shapes = ShapesBelow(object, body);
-  Pose X_LB;
-  X_LB.q = q_LB;
-  const PlacedShapes placed = ShapesAt(shapes, X_LB);
-  Orientation orientation{body, q_LB, std::move(shapes), FootprintOf(placed)};
+  const PlacedShapes placed = ShapesAt(shapes, {Vector3d::Zero(), q_LB});
+  Orientation orientation{body, q_LB, q_LB, std::move(shapes), FootprintOf(placed)};
   Eigen::AlignedBox3d box;
   for (const distance::PlacedShape& shape : placed) box.extend(shape.box_W);
   if (placed.empty()) return orientation;
   orientation.bottom = box.min().z();
   orientation.height = box.sizes().z();
+  return orientation;
+}
+
+// Returns true if a body as it is modelled has its centre of mass above its footprint.
+bool IsStable(const model::Object& object, const Orientation& upright) {
+  const Vector2d center = MassBelow(object, upright.body).p_FCm.head<2>();
+  const Polygon outline = upright.footprint.Outline();
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vector2d edge = outline[(i + 1) % outline.size()] - outline[i];
+    const Vector2d to_center = center - outline[i];
+    if (edge.x() * to_center.y() < edge.y() * to_center.x()) return false;
+  }
+  return outline.size() > 2;
+}
+
+// Returns the orientation that is asked for or, if none is, the modelled one. If the body would tip
+// over in that, returns the stable pose with the least rotation from it.
+Orientation OrientationOf(const model::Object& object, int body,
+                          const std::optional<Eigen::Quaterniond>& asked) {
+  Orientation orientation = Oriented(object, body, asked.value_or(Eigen::Quaterniond::Identity()));
+  if (!asked && !IsStable(object, orientation)) {
+    const std::vector<model::StablePose> poses = StablePosesOf(object, body, 0);
+    const auto least = std::ranges::max_element(
+        poses, {}, [](const model::StablePose& pose) { return pose.rotation.w(); });
+    if (least != poses.end()) orientation = Oriented(object, body, least->rotation);
+  }
+  orientation.asked = asked;
   return orientation;
 }
 
@@ -128,8 +154,17 @@ class RegionTry {
     }
   }
 
+  // Returns the angle of the body's front in L; if its front is up or down, as if it were upright.
+  double FrontAngle() const {
+    constexpr double kSteep = 0.1;
+    const Vector2d front = DirectionAt(where_.front);
+    const Vector2d ahead = (of_.q_LB * Vector3d(front.x(), front.y(), 0)).head<2>();
+    return ahead.norm() > kSteep ? AngleOf(ahead) : where_.front;
+  }
+
   double YawAt(const Vector2d& at) const {
-    Vector2d ahead = DirectionAt(where_.front);
+    const double front = FrontAngle();
+    Vector2d ahead = DirectionAt(front);
     if (where_.facing) {
       const Vector3d p_W(where_.facing->x(), where_.facing->y(), X_WR_.p.z());
       ahead = (X_WR_.Inverse() * p_W).head<2>() - at;
@@ -139,7 +174,7 @@ class RegionTry {
     } else if (where_.beside) {
       ahead = NeighbourFront();
     }
-    return AngleOf(ahead) - where_.front + where_.yaw;
+    return AngleOf(ahead) - front + where_.yaw;
   }
 
   Pose NeighbourPose() const { return X_WR_.Inverse() * PoseInWorld(object_, where_.beside->body); }
@@ -221,10 +256,9 @@ class ExactPlacer : public model::Placer {
   }
 
   PlaceResult Try(int body, const PlaceTry& where) override {
-    const Eigen::Quaterniond q_LB = where.lying.value_or(Eigen::Quaterniond::Identity());
-    if (!orientation_ || orientation_->body != body || orientation_->q_LB != q_LB)
-      orientation_ = OrientationOf(*object_, body, q_LB);
-    if (where.region == nullptr) return TryAtSite(where);
+    if (where.region == nullptr) return TryAtSite(body, where);
+    if (!orientation_ || orientation_->body != body || orientation_->asked != where.lying)
+      orientation_ = OrientationOf(*object_, body, where.lying);
     return RegionTry(*object_, *orientation_, where).Run(obstacles_);
   }
 
@@ -233,15 +267,20 @@ class ExactPlacer : public model::Placer {
   }
 
  private:
-  // Matches the frames of two sites, except for the yaw about their z axis.
-  PlaceResult TryAtSite(const PlaceTry& where) const {
+  // Matches the frames of two sites, except for the yaw about their z axis. Bodies touch at their
+  // sites, so that the support is no obstacle.
+  PlaceResult TryAtSite(int body, const PlaceTry& where) const {
     Pose X_SiteSite;
     X_SiteSite.q = AboutZ(where.yaw);
     PlaceResult result;
     result.X_SupportBody = where.X_SupportSite * X_SiteSite * where.X_BodySite.Inverse();
     const Pose X_WSupport = PoseInWorld(*object_, where.support);
-    const Support support{where.support, X_WSupport * where.X_SupportSite.p, Vector3d::UnitZ()};
-    const PlacedShapes shapes = ShapesAt(orientation_->shapes, X_WSupport * result.X_SupportBody);
+    const Support support{.body = where.support,
+                          .p_W = X_WSupport * where.X_SupportSite.p,
+                          .up_W = Vector3d::UnitZ(),
+                          .is_ignored = true};
+    const PlacedShapes shapes =
+        ShapesAt(ShapesBelow(*object_, body), X_WSupport * result.X_SupportBody);
     if (const auto blocker = obstacles_.FindBlocker(shapes, where.clear, support)) {
       result.verdict = PlaceVerdict::kBlocked;
       result.blocker = blocker->body;

@@ -60,18 +60,20 @@ class StartReader {
 Value ValueReader::ReadPosition(const FieldInfo& field, const YamlNode& node, Motion motion) {
   FieldInfo form = field;
   form.kind = FieldKind::kNumbers;
-  if (IsTurn(node)) {
+  const bool is_turn = IsTurn(node);
+  if (is_turn) {
     form.key = "quat";
     form.min_count = 4;
     form.unit = {};
   }
   Value value = Read(form, node, motion);
-  if (value.components == 2 || value.components == 3) {
+  if (value.components != 2 && value.components != 3) return value;
+  if (!is_turn) {  // otherwise reported as a quaternion
     findings_.Add(
         Code::kSpecWrongType, value.mark,
         fmt::format("a position is a number or the four of a quaternion, not {}", KindText(value)));
-    value.components = 0;
   }
+  value.components = 0;
   return value;
 }
 

@@ -250,8 +250,36 @@ TEST_CASE("the sites of a body and its support coincide") {
   where.X_BodySite = At(0, 0, 0.09);
   const PlaceResult result = placer->Try(tool, where);
   CheckAt(result, {0.1, -0.04, 0.11});
+  // The support may overlap, for bodies touch at their sites; others may not.
   where.X_SupportSite.p.y() = -0.02;
-  CHECK(placer->Try(tool, where).verdict == PlaceVerdict::kBlocked);
+  CHECK(placer->Try(tool, where).verdict == PlaceVerdict::kStands);
+  scene.body(tool).X_PB = At(0, 0, 1, 0.3) * result.X_SupportBody;
+  placer->Stand(tool);
+  const int second = scene.Add(ShapeOf(GeomType::kBox, 0.02, 0.02, 0.1));
+  CHECK(placer->Try(second, where).verdict == PlaceVerdict::kBlocked);
+  CHECK(placer->Try(second, where).blocker == tool);
+}
+
+TEST_CASE("a body that tips over as modelled stands in the nearest stable pose") {
+  Table table;
+  // A spoon: a bowl, and a handle that is higher.
+  const int spoon = table.scene.Add(ShapeOf(GeomType::kSphere, 0.02));
+  table.scene.AddPart(ShapeOf(GeomType::kBox, 0.1, 0.005, 0.001), At(0.12, 0, 0.015));
+  const PlaceResult result = table.Place(spoon, table.Where());
+  REQUIRE(result.verdict == PlaceVerdict::kStands);
+  // Its lowest points are those of bowl and handle: the handle's end went down.
+  const Pose& X = result.X_SupportBody;
+  CHECK((X * Vector3d(0.22, 0, 0.014)).z() == Approx(kContactGap).margin(2e-4));
+  CHECK(X.p.z() == Approx(0.02 + kContactGap).margin(2e-4));
+  CHECK(result.footprint.x() > 0.2);
+  // Facing and front are meant for the spoon as it lies.
+  PlaceTry where = table.Where();
+  where.front = M_PI / 2;
+  where.direction = Vector2d(0, 1);
+  table.placer->Begin(table.scene.object);
+  const Vector3d handle = table.placer->Try(spoon, where).X_SupportBody.q * Vector3d::UnitX();
+  CHECK(std::abs(handle.x()) < 1e-9);
+  CHECK(handle.y() > 0.9);
 }
 
 TEST_CASE("the distance that a standing body asks for holds for later ones") {
