@@ -143,7 +143,12 @@ class StartComparison {
     Compare("xpos", a.xpos, b.xpos, 3 * k_.nbody);
     Compare("xmat", a.xmat, b.xmat, 9 * k_.nbody);
     Compare("xipos", a.xipos, b.xipos, 3 * k_.nbody);
-    Compare("xanchor", a.xanchor, b.xanchor, 3 * k_.njnt);
+    for (int j = 0; j < k_.njnt; ++j) {
+      // MuJoCo computes the anchor of a slide before the motion of the slide.
+      if (k_.jnt_type[j] != mjJNT_SLIDE)
+        Compare("xanchor", a.xanchor + 3 * j, b.xanchor + 3 * j, 3);
+      if (compiled::HasOneNumber(k_, j)) Compare("xaxis", a.xaxis + 3 * j, b.xaxis + 3 * j, 3);
+    }
     Compare("geom_xpos", a.geom_xpos, b.geom_xpos, 3 * k_.ngeom);
     Compare("site_xmat", a.site_xmat, b.site_xmat, 9 * k_.nsite);
     Compare("cam_xpos", a.cam_xpos, b.cam_xpos, 3 * k_.ncam);
@@ -180,18 +185,16 @@ class StartComparison {
     return residuals;
   }
 
-  // A connection that is open at the start is a weld with three more residuals, which are zero.
+  // A connection that is open at the start is a weld with three more residuals, which have no
+  // effect.
   void CompareResiduals() {
     const Residuals meant = ResidualsOf(*in_k_);
     Residuals made = ResidualsOf(*in_z_);
     CHECK(meant.size() == made.size());
     for (const auto& [constraint, numbers] : meant) {
       INFO("constraint of type " << constraint.first << ", id " << constraint.second);
-      Numbers expected = numbers;
-      expected.resize(std::max(numbers.size(), made[constraint].size()));
-      REQUIRE(made[constraint].size() == expected.size());
-      Compare("efc_pos", expected.data(), made[constraint].data(),
-              static_cast<int>(expected.size()));
+      REQUIRE(made[constraint].size() >= numbers.size());
+      Compare("efc_pos", numbers.data(), made[constraint].data(), static_cast<int>(numbers.size()));
     }
   }
 
@@ -225,6 +228,7 @@ StartForm::StartForm(const std::filesystem::path& file, const std::string& start
   load.search_path = {harness::SourceFolder() / "specs"};
   load.settings = {{"root.start", start}};
   const std::optional<Recipe> recipe = LoadRecipe(file, load, sources, findings);
+  INFO((findings.empty() ? "" : findings[0].message));
   REQUIRE(recipe);
   Options options;
   options.seed = 7;
@@ -241,6 +245,8 @@ StartForm::StartForm(const std::filesystem::path& file, const std::string& start
   INFO(loaded.error);
   REQUIRE(loaded.model);
   model = std::move(loaded.model);
+  // A spec cannot have active equalities that its start violates.
+  for (int i = 0; i < model->neq; ++i) (model.get()->*engine::kEqualityActive)[i] = 1;
 }
 
 int CompareStartForms(const mjModel& keyframe, const mjModel& zero) {

@@ -42,18 +42,20 @@ class MechanismAuthor {
   std::string Spec() {
     text_ = "mjforge: 1\nname: any\n";
     if (random_.Integer(2) == 0) text_ += "joints: none\n";
-    text_ += "parts: [{name: base, type: box, size: 2cm, mass: 1, role: visual}]\nbodies:\n";
+    text_ += "parts: [{name: base, type: sphere, size: 2cm, mass: 1, role: visual}]\nbodies:\n";
     const int bodies = 2 + random_.Integer(4);
     for (int i = 0; i < bodies; ++i) AddBody(i);
     text_ += (pose_.empty() ? "pose: {" : pose_) + "}\nmjcf:\n  equality:\n";
     for (int i = 0; i + 1 < scalars_; ++i) {
-      text_ += "    - {joint: {name: e" + std::to_string(i) + ", joint1: s" + std::to_string(i) +
-               ", joint2: s" + std::to_string(i + 1) + ", polycoef: [" + Number(1) + ", " +
-               Number(1) + ", " + Number(1) + ", " + Number(1) + ", " + Number(1) + "]}}\n";
+      text_ += "    - {joint: {active: false, name: e" + std::to_string(i) + ", joint1: s" +
+               std::to_string(i) + ", joint2: s" + std::to_string(i + 1) + ", polycoef: [" +
+               Number(1) + ", " + Number(1) + ", " + Number(1) + ", " + Number(1) + ", " +
+               Number(1) + "]}}\n";
     }
     for (const char* tag : {"weld", "connect"}) {
-      text_ += "    - {" + std::string(tag) + ": {name: " + tag + ", body1: b0, body2: b" +
-               std::to_string(bodies - 1) + ", anchor: " + Vector(0.1) + "}}\n";
+      text_ += "    - {" + std::string(tag) + ": {active: false, name: " + tag +
+               ", body1: b0, body2: b" + std::to_string(bodies - 1) + ", anchor: " + Vector(0.1) +
+               "}}\n";
     }
     text_ += "  tendon:\n    - {spatial: {name: rope, stiffness: 3, children: [";
     for (int i = 0; i < bodies; ++i)
@@ -76,9 +78,9 @@ class MechanismAuthor {
     const int joints = 1 + random_.Integer(3);
     for (int k = 0; k < joints; ++k) AddScalar();
     if (random_.Integer(3) == 0) AddBall(id);
-    text_ += "    parts: [{name: p" + id + ", type: box, size: 3cm, pos: " + Vector(0.1) +
-             ", mass: 0.3, role: visual}]\n    sites: [{name: t" + id + ", pos: " + Vector(0.2) +
-             "}]\n";
+    text_ +=
+        "    parts: [{name: p" + id + ", type: box, size: [3cm, 2cm, 1cm], pos: " + Vector(0.1) +
+        ", mass: 0.3, role: visual}]\n    sites: [{name: t" + id + ", pos: " + Vector(0.2) + "}]\n";
   }
 
   void AddScalar() {

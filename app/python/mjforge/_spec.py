@@ -114,8 +114,8 @@ class Spec:
 
     `spec`: a name in the catalogue, a path, YAML (a text with a line break) or the same as a
     mapping. `set`: parameters, each as a number, a list or any text a spec allows
-    ("20cm .. 30cm"); "root.joints", "root.start" and "checks.profile" are names, too. `parameters`: YAML files of
-    parameters. Raises SpecError with everything that is wrong.
+    ("20cm .. 30cm"); "root.joints", "root.start" and "checks.profile" are names, too. `parameters`:
+    YAML files of parameters. Raises SpecError with everything that is wrong.
     """
 
     name: str

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "mjforge/mjcf/adapt.h"
+#include "mjforge/mjcf/mjcf.h"
 #include "mjforge/start/start.h"
 
 namespace mjforge::mjcf {
@@ -40,34 +41,82 @@ void ReportObstacles(std::vector<start::Obstacle> obstacles, bool is_asked,
   }
 }
 
+bool HasVelocity(const model::Joint& joint) { return !joint.start_velocity.empty(); }
+
+// Returns true if the start state has more than positions.
+bool HasMotion(const model::Object& object) {
+  return !object.setpoints.empty() ||
+         std::ranges::any_of(object.bodies, [](const model::Body& body) {
+           return std::ranges::any_of(body.joints, HasVelocity);
+         });
+}
+
+// Reports velocities and setpoints, which the zero configuration does not have.
+void WarnOfMotion(const model::Object& object, diag::Findings& findings) {
+  const auto warn = [&](diag::SourceMark mark, std::string message) {
+    findings.Warn(Code::kStartNotZero, mark, std::move(message),
+                  fmt::format("begin with the keyframe '{}{}', or write `start: keyframe`",
+                              object.name, kStartSuffix));
+  };
+  for (const model::Body& body : object.bodies) {
+    for (const model::Joint& joint : body.joints) {
+      if (!HasVelocity(joint)) continue;
+      warn(joint.mark ? joint.mark : body.mark,
+           fmt::format("joint '{}' has no velocity in the zero configuration", joint.name));
+    }
+  }
+  for (const model::Element& actuator : model::ElementsOf(object, "actuator")) {
+    const auto setpoint =
+        std::ranges::find(object.setpoints, actuator.name, &model::Setpoint::actuator);
+    if (setpoint == object.setpoints.end() ||
+        (setpoint->ctrl.value_or(0) == 0 && setpoint->act.value_or(0) == 0)) {
+      continue;
+    }
+    warn(setpoint->mark ? setpoint->mark : actuator.mark,
+         fmt::format("a reset sets actuator '{}' to 0, not to its setpoint", actuator.name));
+  }
+}
+
 // Returns true if the zero configuration is the start now.
 bool MoveZero(model::Object& object, const TargetRules& rules, diag::Findings& findings) {
   if (!WantsStartAtZero(object, rules)) return false;
   std::vector<start::Obstacle> obstacles = start::FindObstacles(object);
-  if (obstacles.empty()) {
-    start::MoveZeroToStart(object);
-    return true;
+  if (!obstacles.empty()) {
+    ReportObstacles(std::move(obstacles), object.start_form.has_value(), findings);
+    return false;
   }
-  ReportObstacles(std::move(obstacles), object.start_form.has_value(), findings);
-  return false;
+  const bool is_moved = start::MoveZeroToStart(object);
+  if (rules.supports_sections && (is_moved || object.start_form)) WarnOfMotion(object, findings);
+  return true;
+}
+
+// Drops start positions and velocities. Reports those that the file then does not have.
+void DropStart(bool is_zero, model::Object& object, const TargetRules& rules,
+               diag::Findings& findings) {
+  for (model::Body& body : object.bodies) {
+    for (model::Joint& joint : body.joints) {
+      const bool loses_pose = !is_zero && !joint.start.empty();
+      const bool loses_velocity = HasVelocity(joint);
+      joint.start.clear();
+      joint.start_velocity.clear();
+      if (!loses_pose && !loses_velocity) continue;
+      findings.Warn(Code::kTargetDropped, joint.mark,
+                    fmt::format("{} has no keyframes in objects: the {} of joint '{}' is dropped",
+                                rules.name, loses_pose ? "pose" : "velocity", joint.name),
+                    loses_pose
+                        ? "write `start: zero`, or set it where the object is put into a task"
+                        : "set it where the object is put into a task");
+    }
+  }
 }
 
 }  // namespace
 
 void AdaptStart(model::Object& object, const TargetRules& rules, diag::Findings& findings) {
   const bool is_zero = MoveZero(object, rules, findings);
-  if (is_zero ? rules.repeats_start : rules.supports_sections) return;
-  for (model::Body& body : object.bodies) {
-    for (model::Joint& joint : body.joints) {
-      if (joint.start.empty()) continue;
-      joint.start.clear();
-      if (is_zero) continue;
-      findings.Warn(Code::kTargetDropped, joint.mark,
-                    fmt::format("{} has no keyframes in objects: the pose of joint '{}' is dropped",
-                                rules.name, joint.name),
-                    "write `start: zero`, or set it where the object is put into a task");
-    }
-  }
+  const bool keeps_keyframe =
+      rules.supports_sections && (!is_zero || rules.repeats_start || HasMotion(object));
+  if (!keeps_keyframe) DropStart(is_zero, object, rules, findings);
 }
 
 }  // namespace mjforge::mjcf

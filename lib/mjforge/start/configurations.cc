@@ -25,6 +25,14 @@ std::string_view TextOf(const model::Element& element, std::string_view name) {
   return attribute == nullptr ? std::string_view() : attribute->text;
 }
 
+bool IsMoved(const model::Object& object) {
+  return std::ranges::any_of(object.bodies, [](const model::Body& body) {
+    return std::ranges::any_of(body.joints, [](const model::Joint& joint) {
+      return !joint.start.empty() && joint.start != model::ZeroPosition(joint);
+    });
+  });
+}
+
 bool IsTurned(const Eigen::Quaterniond& q) { return q.vec().norm() > kRounding; }
 
 Pose MotionOfLaterJoints(const model::Body& body, std::size_t joint) {
@@ -41,9 +49,7 @@ Configurations::Configurations(const model::Object& object) : object_(object) {
     bodies_.emplace(body.name, i);
     for (const model::Joint& joint : body.joints) {
       joints_.emplace(joint.name, &joint);
-      if (joint.start.empty()) continue;
-      zero.emplace_back(joint.name, model::ZeroPosition(joint));
-      is_moved_ = is_moved_ || zero.back().second != joint.start;
+      if (!joint.start.empty()) zero.emplace_back(joint.name, model::ZeroPosition(joint));
     }
     for (const model::Site& site : body.sites) sites_.emplace(site.name, Site{i, site.X_BS.p});
     for (const model::Part& part : body.parts) geoms_.emplace(part.name, i);

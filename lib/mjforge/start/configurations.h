@@ -32,6 +32,8 @@ void SetNumbers(Attributes& attributes, std::string_view name, sample::Numbers n
   attribute->numbers = std::move(numbers);
 }
 
+/// Returns true if any joint of the object starts elsewhere than at zero.
+bool IsMoved(const model::Object& object);
 /// Returns true if the rotation is not the identity.
 bool IsTurned(const Eigen::Quaterniond& q);
 inline bool IsScalar(const model::Joint& joint) {
@@ -43,7 +45,7 @@ model::Pose MotionOfLaterJoints(const model::Body& body, std::size_t joint);
 
 class Configurations {
  public:
-  /// The object must outlive the configurations and must not change meanwhile.
+  /// The object must outlive the configurations; its names and joints must not change meanwhile.
   explicit Configurations(const model::Object& object);
 
   const model::Object& object() const { return object_; }
@@ -52,8 +54,6 @@ class Configurations {
   /// Poses at which springs of tendons are at rest (MuJoCo's qpos_spring): hinges and slides at
   /// `springref`, and ball joints at zero or, if `balls_start`, at their start.
   Poses Springs(bool balls_start) const;
-  /// Returns true if any joint starts elsewhere than at zero.
-  bool IsMoved() const { return is_moved_; }
 
   /// Returns the pose of a body; the identity for the world.
   model::Pose PoseOf(std::string_view body, const Poses& X_WB) const;
@@ -86,7 +86,6 @@ class Configurations {
   std::map<std::string_view, std::size_t> geoms_;  // body of each part
   Poses zero_;
   Poses start_;
-  bool is_moved_ = false;
 };
 
 }  // namespace mjforge::start

@@ -140,8 +140,8 @@ class ObstacleFinder {
 }  // namespace
 
 std::vector<Obstacle> FindObstacles(const model::Object& object) {
+  if (!IsMoved(object)) return {};
   const Configurations configurations(object);
-  if (!configurations.IsMoved()) return {};
   return ObstacleFinder(configurations).Find();
 }
 

@@ -78,6 +78,11 @@ void MoveZero(Body& body) {
     const Pose X_BLater = X_LaterB.Inverse();
     joint.pos = X_BLater * joint.pos;
     joint.axis = X_BLater.q * joint.axis;
+    if (joint.type == "ball" && joint.start_velocity.size() == 3) {
+      const Eigen::Vector3d velocity(joint.start_velocity.data());
+      const Eigen::Vector3d turned = X_BLater.q * velocity;
+      joint.start_velocity.assign(turned.begin(), turned.end());
+    }
     X_LaterB = motion * X_LaterB;
     if (joint.start.empty()) continue;
     if (IsScalar(joint)) {
@@ -91,9 +96,9 @@ void MoveZero(Body& body) {
 
 }  // namespace
 
-void MoveZeroToStart(model::Object& object) {
+bool MoveZeroToStart(model::Object& object) {
+  if (!IsMoved(object)) return false;
   const Configurations configurations(object);
-  if (!configurations.IsMoved()) return;
   RewriteEqualities(configurations, object);
   RewriteTendons(configurations, object);
   RewriteViews(configurations, object);
@@ -103,6 +108,7 @@ void MoveZeroToStart(model::Object& object) {
         std::ranges::any_of(body.joints, [](const Joint& joint) { return !joint.start.empty(); });
     if (is_moved) MoveZero(body);
   }
+  return true;
 }
 
 }  // namespace mjforge::start

@@ -24,7 +24,7 @@ std::vector<Obstacle> FindObstacles(const model::Object& object);
 /// Rewrites an object without obstacles so that its zero configuration is its start: poses of
 /// bodies, axes, anchors and `ref` of joints, and everything that MuJoCo measures from qpos0.
 /// Positions of hinges and slides keep their meaning. Ball joints lose their start position,
-/// because it is now their zero.
-void MoveZeroToStart(model::Object& object);
+/// because it is now their zero. Returns false if no joint starts elsewhere than at zero.
+bool MoveZeroToStart(model::Object& object);
 
 }  // namespace mjforge::start

@@ -63,6 +63,25 @@ TEST_CASE("hosts without keyframes get the start at zero, unless the spec wants 
   }
 }
 
+TEST_CASE("velocities and setpoints are in a keyframe even if the start is at zero") {
+  for (const char* target : {"mujoco", "scene"}) {
+    model::Object object = OpenChest({});
+    object.bodies[1].joints[0].start_velocity = {2};
+    Add(object, "actuator", {Made("actuator", "position", "servo", 9, {Text("joint", "hinge")})});
+    object.setpoints.push_back({.actuator = "servo", .ctrl = 0.5, .act = {}, .mark = {}});
+    CHECK(Adapted(object, target) ==
+          Said{"6: joint 'hinge' has no velocity in the zero configuration",
+               "9: a reset sets actuator 'servo' to 0, not to its setpoint"});
+    const pugi::xml_document file = Written(object, target);
+    CHECK(HasStartAtZero(file));
+    CHECK(file.select_node("//key[@qvel='0 0 0 0 0 0 2'][@ctrl='0.5']"));
+  }
+  model::Object object = OpenChest({});
+  object.bodies[1].joints[0].start_velocity = {2};
+  CHECK(Adapted(object, "robosuite") ==
+        Said{"6: robosuite has no keyframes in objects: the velocity of joint 'hinge' is dropped"});
+}
+
 TEST_CASE("an obstacle is an error if the spec wants the start at zero, otherwise a warning") {
   const auto with_obstacle = [](std::optional<model::StartForm> form) {
     model::Object object = OpenChest(form);

@@ -76,6 +76,19 @@ TEST_CASE("the setting root.joints takes the place of the joints of the root") {
               "mean 'free'?)"});
 }
 
+TEST_CASE("the setting root.start takes the place of the start") {
+  const std::string yaml =
+      "mjforge: 1\nname: t\nstart: zero\nparts: [{name: box, type: sphere, size: 1}]\n";
+  const Loaded loaded = Load(yaml, {{"root.start", "keyframe"}});
+  CHECK(loaded.Report().empty());
+  REQUIRE(loaded.spec);
+  REQUIRE(loaded.spec->start);
+  CHECK(mjforge::spec::LiteralText(loaded.spec->start->value) == "keyframe");
+  CHECK(loaded.spec->settings.size() == 1);
+  CHECK(Load(yaml, {{"root.start", "zer"}}).Report() ==
+        Strings{"1:13 spec/bad-value: 'zer' is not one of zero, keyframe (did you mean 'zero'?)"});
+}
+
 TEST_CASE("settings named checks.KEY take the place of a threshold", "[checks]") {
   const std::string yaml =
       "mjforge: 1\nname: t\nchecks: {sink: 2mm}\n"

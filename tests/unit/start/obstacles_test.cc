@@ -61,12 +61,12 @@ TEST_CASE("numbers that only MuJoCo computes at zero are obstacles") {
               "length of a tendon around a geom",
               "13: the spring of tendon 'rope' is at rest at zero, and only MuJoCo computes the "
               "length of a tendon around a geom (give its `springlength`)",
-              "16: the force of muscle 'weak' depends on the inertia at zero (give its `force`)",
-              "16: MuJoCo computes the range of lengths of muscle 'weak' from zero (give its "
-              "`lengthrange`)",
               "18: the force of muscle 'own' depends on the inertia at zero (give the force in its "
               "parameters)",
               "18: MuJoCo computes the range of lengths of muscle 'own' from zero (give its "
+              "`lengthrange`)",
+              "16: the force of muscle 'weak' depends on the inertia at zero (give its `force`)",
+              "16: MuJoCo computes the range of lengths of muscle 'weak' from zero (give its "
               "`lengthrange`)"});
   CHECK(Obstacles(Mechanism("", "[1, 0, 0, 0]") + sections).empty());
 }

@@ -109,8 +109,9 @@ TEST_CASE("polynomials of equalities are shifted by the start") {
       "  equality:\n";
   const model::Object object = Started(
       kDoor + second +
-      "    - {joint: {name: curve, joint1: turn, joint2: hinge, polycoef: [1, 2, 3, 0, 0]}}\n"
-      "    - {joint: {name: alone, joint1: hinge, polycoef: [1, 2, 0, 0, 0]}}\n"
+      "    - {joint: {active: false, name: curve, joint1: turn, joint2: hinge, polycoef: [1, 2, 3, "
+      "0, 0]}}\n"
+      "    - {joint: {active: false, name: alone, joint1: hinge, polycoef: [1, 2, 0, 0, 0]}}\n"
       "    - {tendon: {name: string, tendon1: sum}}\n");
   CheckValues(NumbersIn(object, "equality", "thing_curve", "polycoef"), {2.5, 5, 3, 0, 0});
   CheckValues(NumbersIn(object, "equality", "thing_alone", "polycoef"), {0.5, 2, 0, 0, 0});
@@ -118,15 +119,15 @@ TEST_CASE("polynomials of equalities are shifted by the start") {
 }
 
 TEST_CASE("welds and connections keep what they held at the old zero") {
-  const model::Object object =
-      Started(kDoor +
-              "pose: {hinge: 0.5 + pi / 2}\n"
-              "mjcf:\n"
-              "  equality:\n"
-              "    - {weld: {name: grown, body1: door, anchor: [0, 1, 0]}}\n"
-              "    - {weld: {name: posed, body1: door, relpose: [1, 2, 3, 1, 0, 0, 0]}}\n"
-              "    - {connect: {name: closed, body1: door, anchor: [0, 2, 0]}}\n"
-              "    - {connect: {name: open, body1: door, anchor: [0, 1, 0]}}\n");
+  const model::Object object = Started(
+      kDoor +
+      "pose: {hinge: 0.5 + pi / 2}\n"
+      "mjcf:\n"
+      "  equality:\n"
+      "    - {weld: {name: grown, body1: door, anchor: [0, 1, 0]}}\n"
+      "    - {weld: {active: false, name: posed, body1: door, relpose: [1, 2, 3, 1, 0, 0, 0]}}\n"
+      "    - {connect: {name: closed, body1: door, anchor: [0, 2, 0]}}\n"
+      "    - {connect: {active: false, name: open, body1: door, anchor: [0, 1, 0]}}\n");
   CheckValues(NumbersIn(object, "equality", "thing_grown", "relpose"), {-1, 1, 0, 1, 0, 0, 0});
   CheckValues(NumbersIn(object, "equality", "thing_posed", "relpose"), {1, 2, 3, 1, 0, 0, 0});
   const auto equalities = model::ElementsOf(object, "equality");
