@@ -28,6 +28,7 @@
 #include "mjforge/model/model.h"
 #include "mjforge/output/output.h"
 #include "mjforge/physics/physics.h"
+#include "mjforge/physics/pile.h"
 #include "mjforge/sample/sample.h"
 #include "mjforge/spec/spec.h"
 #include "mjforge/validate/validate.h"
@@ -139,6 +140,8 @@ class Generator {
   enum class Outcome { kOk, kFailed, kHopeless };  // hopeless: further attempts would fail, too
   void Reset(std::uint64_t index, std::uint64_t attempt, Variant& variant);
   Outcome Attempt(std::uint64_t index, std::uint64_t attempt, Variant& variant);
+  /// Brings the piles of an object to rest; returns false after an error.
+  bool SettlePiles(model::Object& object, Variant& variant);
   /// Assembles the object of these parameters and writes its MJCF; returns false after an error.
   bool Build(sample::Evaluator& values, Variant& variant);
   void Validate(Variant& variant);
@@ -157,6 +160,7 @@ class Generator {
   files::Maker files_;
   attach::MjcfReader attachments_;
   std::unique_ptr<model::Placer> placer_;
+  std::unique_ptr<physics::PileSettler> pile_settler_;  // null before the first pile
   model::Assembler assembler_;
   std::map<std::string, std::string> hashes_;  // hashes of assets, by file
 };

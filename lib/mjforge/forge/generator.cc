@@ -155,6 +155,16 @@ Generator::Outcome Generator::Attempt(std::uint64_t index, std::uint64_t attempt
   return !variant.findings.HasErrors() && HashAssets(variant) ? Outcome::kOk : Outcome::kFailed;
 }
 
+// Validation is not needed: the simulation of a pile determines the bytes of the file.
+bool Generator::SettlePiles(model::Object& object, Variant& variant) {
+  if (object.piles.empty()) return true;
+  if (!pile_settler_) pile_settler_ = std::make_unique<physics::PileSettler>();
+  variant.record.pile_mujoco = validate::MujocoVersion();
+  if (!pile_settler_->Settle(object, variant.findings)) return false;
+  model::MeasureAtStart(object);
+  return true;
+}
+
 bool Generator::Build(sample::Evaluator& values, Variant& variant) {
   const manifest::Record& record = variant.record;
   const mjcf::TargetRules& rules = mjcf::RulesOf(options_.target);
@@ -164,7 +174,7 @@ bool Generator::Build(sample::Evaluator& values, Variant& variant) {
                                                              .root = std::string(rules.root),
                                                              .place_seed = options_.place_seed},
                                                             variant.findings);
-  if (!object) return false;
+  if (!object || !SettlePiles(*object, variant)) return false;
   mjcf::Adapt(*object, options_.target, variant.findings);
   variant.object = std::make_shared<const model::Object>(*std::move(object));
   if (variant.findings.HasErrors()) return false;

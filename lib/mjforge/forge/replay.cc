@@ -143,6 +143,15 @@ bool ReplayFailure(const Original& original, const Variant& variant, diag::Findi
   return false;
 }
 
+// The simulation of a pile has other results in other releases of MuJoCo.
+void WarnOfOtherMujoco(const manifest::Record& record, diag::Findings& findings) {
+  if (record.pile_mujoco.empty() || record.pile_mujoco == validate::MujocoVersion()) return;
+  findings.Warn(diag::Code::kMujocoOlder, {},
+                fmt::format("the piles of variant {} were settled by MuJoCo {}, and this is {}",
+                            record.index, record.pile_mujoco, validate::MujocoVersion()),
+                "replay it with the same release");
+}
+
 bool Regenerate(const Original& original, const Recipe& recipe, Options options,
                 diag::Sources& sources, diag::Findings& findings) {
   Variant variant;
@@ -150,6 +159,7 @@ bool Regenerate(const Original& original, const Recipe& recipe, Options options,
   // Skip validation: the recorded variant passed it or was not validated, and its result does not
   // affect the bytes.
   if (!failed) options.validation = Validation::kNone;
+  WarnOfOtherMujoco(original.record, findings);
   Generator generator(recipe, sources, options);
   generator.Make(original.record.index, variant);
   if (failed) return ReplayFailure(original, variant, findings);

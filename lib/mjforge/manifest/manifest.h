@@ -98,6 +98,7 @@ struct Record : mjcf::Provenance {
     std::vector<double> quat;                       // w x y z
   };
   std::vector<Place> places;
+  std::string pile_mujoco;  // release of MuJoCo that settled the piles; empty: there are none
   std::vector<std::string> left_out;  // bodies of entries with `fewer: true` that found no room
   Validation validate = Validation::kLoad;
   std::string mujoco;  // release of MuJoCo that checked the variant; empty: none did

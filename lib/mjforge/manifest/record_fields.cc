@@ -358,6 +358,8 @@ const std::array kFields = {
     ObjectField<&Record::njnt>("njnt", kCount, "Joints in the file, free ones included."),
     ObjectField<&Record::ngeom>("ngeom", kCount, "Geoms in the file."),
     PlacesField(),
+    OptionalField<&Record::pile_mujoco>("pile_mujoco", kText,
+                                        "The release of MuJoCo that settled the piles."),
     OptionalField<&Record::left_out>(
         "left_out", R"("type": "array", "items": {"type": "string"})",
         "The bodies that found no room and that the spec allows to leave out (`fewer: true`)."),

@@ -41,13 +41,13 @@ void ReportObstacles(std::vector<start::Obstacle> obstacles, bool is_asked,
   }
 }
 
-bool HasVelocity(const model::Joint& joint) { return !joint.start_velocity.empty(); }
+bool StartsMoving(const model::Joint& joint) { return !joint.start_velocity.empty(); }
 
 // Returns true if the start state has more than positions.
 bool HasMotion(const model::Object& object) {
   return !object.setpoints.empty() ||
          std::ranges::any_of(object.bodies, [](const model::Body& body) {
-           return std::ranges::any_of(body.joints, HasVelocity);
+           return std::ranges::any_of(body.joints, StartsMoving);
          });
 }
 
@@ -60,7 +60,7 @@ void WarnOfMotion(const model::Object& object, diag::Findings& findings) {
   };
   for (const model::Body& body : object.bodies) {
     for (const model::Joint& joint : body.joints) {
-      if (!HasVelocity(joint)) continue;
+      if (!StartsMoving(joint)) continue;
       warn(joint.mark ? joint.mark : body.mark,
            fmt::format("joint '{}' has no velocity in the zero configuration", joint.name));
     }
@@ -96,7 +96,7 @@ void DropStart(bool is_zero, model::Object& object, const TargetRules& rules,
   for (model::Body& body : object.bodies) {
     for (model::Joint& joint : body.joints) {
       const bool loses_pose = !is_zero && !joint.start.empty();
-      const bool loses_velocity = HasVelocity(joint);
+      const bool loses_velocity = StartsMoving(joint);
       joint.start.clear();
       joint.start_velocity.clear();
       if (!loses_pose && !loses_velocity) continue;

@@ -39,6 +39,12 @@ void CheckMass(const Object& object, diag::Findings& findings) {
 
 }  // namespace
 
+void MeasureAtStart(Object& object) {
+  object.mass_properties = SubtreeMass(object.bodies, 0);
+  if (!object.bounds.declared) object.bounds = SubtreeBounds(object.bodies, 0);
+  object.bounds.swept = SweptBounds(object);
+}
+
 void Assembly::Finish(Scope& scope) {
   const spec::ObjectSpec& spec = scope.values.spec();
   if (part_count_ == 0) {

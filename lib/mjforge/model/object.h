@@ -178,7 +178,7 @@ struct Object {
   /// Empty if all actuators start at 0; otherwise one for each actuator, in the order of actuators.
   std::vector<Setpoint> setpoints;
   Bounds bounds;
-  MassProperties mass_properties;  // in W, at the start state
+  MassProperties mass_properties;       // in W, at the start state
   std::optional<StartForm> start_form;  // empty: depends on the target
   Checks checks;
   std::vector<Expectation> expectations;
@@ -190,6 +190,9 @@ struct Object {
 /// Returns X_WB of every body at the start state. W is the object's frame, in which X_PB of the
 /// root and of free bodies is given; for most objects it is that of the root.
 std::vector<Pose> BodyPoses(const Object& object);
+
+/// Computes mass properties and bounds of the object again, after bodies or their start were moved.
+void MeasureAtStart(Object& object);
 
 /// Returns the number of geoms in MJCF; a part that is both collision and visual has two.
 std::size_t GeomCount(const Body& body);

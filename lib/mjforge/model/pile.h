@@ -14,6 +14,9 @@ namespace mjforge::model {
 
 /// Bodies that a simulation of MuJoCo brings to rest in a region. Their rest is their start.
 struct Pile {
+  /// Greatest depth of contacts at rest, m: MuJoCo's contacts are soft.
+  static constexpr double kMostDepth = 0.002;
+
   struct Item {
     int body = -1;  // index in Object::bodies; a free body
     /// Orientation at its release, in the object's frame.

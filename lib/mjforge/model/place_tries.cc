@@ -61,31 +61,35 @@ std::string OwnerOf(std::string_view name) { return fmt::format("body {}", Quote
 std::optional<Placements::Trial> Placements::Draw(const Request& request, sample::StreamId path) {
   const spec::PlaceEntry& place = *request.entry.place;
   FieldReader reader(scope_.values, context_.findings, "body", request.name, path);
-  const spec::Field& at = *place.Find(Key::kAt);
-  const std::optional<std::string> name = reader.Text(at);
-  if (!name) return std::nullopt;
   Trial trial;
-  trial.at = *name;
+  if (!ReadTarget(request, reader, trial)) return std::nullopt;
   trial.is_drawn = IsDrawn(place.fields) || IsDrawn(place.beside);
-  const std::optional<PlaceTarget> target = names_.Find(*name);
-  if (!target) {
-    names_.ReportTarget(OwnerOf(request.name), *name, at.value.mark, context_.findings);
-    return std::nullopt;
-  }
-  trial.target = *target;
-  trial.where.support = target->body;
-  trial.where.front = BodyAt(request.body).front;
-  if (!MustStand(request, target->body, at.value.mark)) return std::nullopt;
   if (const spec::Field* clear = place.Find(Key::kClear)) {
     const std::optional<double> distance = reader.Number(*clear);
     if (!distance) return std::nullopt;
     trial.where.clear = *distance;
   }
-  const bool by_sites = target->region == nullptr || place.Find(Key::kBy) != nullptr;
+  const bool by_sites = trial.target.region == nullptr || place.Find(Key::kBy) != nullptr;
   const bool good = by_sites ? ReadSites(request, reader, trial)
-                             : MustBeLevel(request, trial, at.value.mark) &&
+                             : MustBeLevel(request, trial, place.Find(Key::kAt)->value.mark) &&
                                    ReadArea(request, reader, path, trial);
   return good ? std::optional(std::move(trial)) : std::nullopt;
+}
+
+bool Placements::ReadTarget(const Request& request, FieldReader& reader, Trial& trial) {
+  const spec::Field& at = *request.entry.place->Find(Key::kAt);
+  const std::optional<std::string> name = reader.Text(at);
+  if (!name) return false;
+  trial.at = *name;
+  const std::optional<PlaceTarget> target = names_.Find(*name);
+  if (!target) {
+    names_.ReportTarget(OwnerOf(request.name), *name, at.value.mark, context_.findings);
+    return false;
+  }
+  trial.target = *target;
+  trial.where.support = target->body;
+  trial.where.front = BodyAt(request.body).front;
+  return MustStand(request, target->body, at.value.mark);
 }
 
 bool Placements::ReadSites(const Request& request, FieldReader& reader, Trial& trial) {
@@ -262,6 +266,7 @@ std::optional<int> Placements::ReadBody(const Request& request, FieldReader& rea
 }
 
 bool Placements::MustStand(const Request& request, int body, diag::SourceMark mark) {
+  if (IsPiled(request, body, mark)) return false;
   // The body of this spec that `body` is on, or the root.
   int top = body;
   while (top != scope_.body && BodyAt(top).parent >= 0 && BodyAt(top).parent != scope_.body)

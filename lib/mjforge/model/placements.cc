@@ -85,6 +85,7 @@ void Placements::Place(const spec::BodyEntry& entry, sample::StreamId bodies) {
   const Request request = {entry, *name, found->second};
   sample::StreamId places = sample::Child(sample::Child(bodies, std::string_view(*name)), "place");
   if (context_.seed) places = sample::Child(places, std::size_t{*context_.seed});
+  if (entry.place->pile) return PileUp(request, places);
   Misses misses;
   std::optional<Trial> trial;
   do {

@@ -51,6 +51,13 @@ class Placements {
   };
 
   void Place(const spec::BodyEntry& entry, sample::StreamId bodies);
+  // place_piles.cc
+  /// Adds the body to the pile in its region, from which a simulation takes it.
+  void PileUp(const Request& request, sample::StreamId places);
+  /// Reads `order` and `time` of a pile.
+  void ReadPile(const Request& request, sample::StreamId path, Pile& pile);
+  /// Returns true if the body is in a pile, so that nothing can be placed by it; adds a finding.
+  bool IsPiled(const Request& request, int body, diag::SourceMark mark);
   void Settle(const Request& request, const Trial& trial, const PlaceResult& result);
   void GiveUp(const Request& request, const Trial& trial, const Misses& misses);
   /// Notes that the object must be assembled without the body; returns false if that is not
@@ -60,6 +67,8 @@ class Placements {
   // place_tries.cc
   /// Draws a place; returns nothing after a finding, or if the body has been left out.
   std::optional<Trial> Draw(const Request& request, sample::StreamId path);
+  /// Finds the region or site of `at:`, which must be on a body that stands.
+  bool ReadTarget(const Request& request, FieldReader& reader, Trial& trial);
   bool ReadSites(const Request& request, FieldReader& reader, Trial& trial);
   bool ReadYaw(const Request& request, FieldReader& reader, Trial& trial);
   bool ReadArea(const Request& request, FieldReader& reader, sample::StreamId path, Trial& trial);

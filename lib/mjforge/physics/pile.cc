@@ -35,7 +35,6 @@ constexpr double kFall = 0.05;           // s, in which a released body gets fas
 constexpr double kPatience = 0.5;        // s
 constexpr double kRestSpeed = 0.01;      // m/s
 constexpr double kRestTime = 0.1;        // s, for which all bodies must be slow to be at rest
-constexpr double kDeepest = 0.002;       // m, of a contact at rest
 constexpr double kEdge = 0.001;          // m, that a centre of mass may be outside of the region
 constexpr double kLargeMassRatio = 100;  // at which contacts of MuJoCo get soft
 
@@ -243,7 +242,7 @@ class PileReport {
       if (!Has(contact.geom1) && !Has(contact.geom2)) continue;
       if (deepest == nullptr || contact.dist < deepest->dist) deepest = &contact;
     }
-    if (deepest == nullptr || -deepest->dist <= kDeepest) return;
+    if (deepest == nullptr || -deepest->dist <= model::Pile::kMostDepth) return;
     const int first = m_.geom_bodyid[deepest->geom1];
     const int second = m_.geom_bodyid[deepest->geom2];
     reporter_.Error(

@@ -70,6 +70,9 @@ class Evaluator {
   /// false after a finding.
   bool SetLocal(const spec::Local& local, StreamId path);
 
+  /// Appends a uniform random rotation, a quaternion w x y z.
+  void AppendRotation(StreamId path, Numbers& out);
+
   /// Returns four independent numbers in (0, 1), for draws that no value of the spec describes.
   std::array<double, 4> Uniforms(StreamId path) const {
     return sampler_ != nullptr ? sampler_->Uniforms(key_, path) : sample::Uniforms(key_, path);
@@ -133,7 +136,6 @@ class Evaluator {
                                         StreamId path);
   /// Returns the weights of a choice; none if all options have the same.
   std::optional<Numbers> Weights(const spec::Draw& draw, diag::SourceMark mark, StreamId path);
-  void AppendRotation(StreamId path, Numbers& out);
   void AppendRotationAbout(const spec::RotationAbout& about, diag::SourceMark mark, StreamId path,
                            Numbers& out);
   void AppendPointOnSphere(const spec::PointOnSphere& point, diag::SourceMark mark, StreamId path,

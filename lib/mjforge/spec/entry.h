@@ -67,7 +67,8 @@ std::span<const std::string_view> BodyPropertyNames();
 struct PlaceEntry {
   diag::SourceMark mark;
   std::vector<Field> fields;
-  std::vector<Field> beside;  // fields of `beside:`; empty without it
+  std::vector<Field> beside;               // fields of `beside:`; empty without it
+  std::optional<std::vector<Field>> pile;  // fields of `pile:`
 
   const Field* Find(Key id) const;
   const Field* FindBeside(Key id) const;

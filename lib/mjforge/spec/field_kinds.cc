@@ -60,6 +60,7 @@ constexpr std::array kFieldKinds = {
     FieldKindInfo{FieldKind::kBodies, "list of bodies", R"("@list body")"},
     FieldKindInfo{FieldKind::kPlace, "place", R"("@is place")"},
     FieldKindInfo{FieldKind::kBeside, "side of a body", R"("@is beside")"},
+    FieldKindInfo{FieldKind::kPile, "order and time", R"("@is pile")"},
     FieldKindInfo{FieldKind::kFacing, "name, or 2 or 3 numbers",
                   R"("anyOf": [{"@is text"}, {"@list number", "minItems": 2, "maxItems": 3}, )"
                   R"({"@is vector_draw"}])"},

@@ -591,6 +591,16 @@ constexpr FieldInfo kPlaceFields[] = {
            "Least distance to everything else; the region may ask for more."),
     Number({"overhang", Key::kOverhang}, "", Between(0, 1), "0",
            "Share of its footprint that may lie outside of the region."),
+    Row({"pile", Key::kPile}, FieldKind::kPile,
+        "The bodies of this entry are released above the region and come to rest on each other, in "
+        "a simulation."),
+};
+
+constexpr FieldInfo kPileFields[] = {
+    Word({"order", Key::kOrder}, "big_first listed", "big_first",
+         "Order of the releases: by size, or as the bodies are listed."),
+    Number({"time", Key::kTime}, "s", Between(0.1, 60), "3",
+           "How long the bodies may take to come to rest after the last release."),
 };
 
 constexpr FieldInfo kBesideFields[] = {
@@ -831,6 +841,8 @@ const ElementInfo kPlaceElement = {
     kPlaceFields};
 const ElementInfo kBesideElement = {"beside", "The side of a body that another one stands at.",
                                     kBesideFields};
+const ElementInfo kPileElement = {
+    "pile", "How bodies are released above a region, to rest on each other.", kPileFields};
 const ElementInfo kContactElement = {"contact", "Contacts between the bodies.", kContactFields};
 const ElementInfo kExcludeElement = {
     "exclude", "Two bodies that do not collide: the long form of [BODY, BODY].", kExcludeFields};
@@ -877,13 +889,13 @@ const FieldInfo* ElementInfo::Find(Key id) const {
 
 std::span<const ElementInfo* const> AllElements() {
   static constexpr const ElementInfo* kElements[] = {
-      &kObjectElement,     &kParameterElement,   &kMaterialElement, &kTextureElement,
-      &kPartElement,       &kFrameElement,       &kSiteElement,     &kRegionElement,
-      &kCameraElement,     &kLightElement,       &kJointElement,    &kStartElement,
-      &kBodyElement,       &kPlaceElement,       &kBesideElement,   &kContactElement,
-      &kExcludeElement,    &kExpectationElement, &kDefaultsElement, &kHoldingElement,
-      &kSettlingElement,   &kFittingElement,     &kGraspingElement, &kPartCheckElement,
-      &kJointCheckElement, &kChecksElement};
+      &kObjectElement,    &kParameterElement,  &kMaterialElement,    &kTextureElement,
+      &kPartElement,      &kFrameElement,      &kSiteElement,        &kRegionElement,
+      &kCameraElement,    &kLightElement,      &kJointElement,       &kStartElement,
+      &kBodyElement,      &kPlaceElement,      &kBesideElement,      &kPileElement,
+      &kContactElement,   &kExcludeElement,    &kExpectationElement, &kDefaultsElement,
+      &kHoldingElement,   &kSettlingElement,   &kFittingElement,     &kGraspingElement,
+      &kPartCheckElement, &kJointCheckElement, &kChecksElement};
   return kElements;
 }
 

@@ -49,6 +49,7 @@ enum class FieldKind {
   kBodies,
   kPlace,
   kBeside,
+  kPile,
   kFacing,
   kPositions,
   kStarts,
@@ -126,6 +127,7 @@ extern const ElementInfo kStartElement;  // an entry of `pose:`
 extern const ElementInfo kBodyElement;
 extern const ElementInfo kPlaceElement;
 extern const ElementInfo kBesideElement;  // the mapping under `beside:`
+extern const ElementInfo kPileElement;    // the mapping under `pile:`
 extern const ElementInfo kContactElement;
 extern const ElementInfo kExcludeElement;  // an entry of contact: exclude:
 extern const ElementInfo kExpectationElement;

@@ -91,6 +91,9 @@ enum class Key {
   kFacing,
   kLying,
   kOverhang,
+  kPile,
+  kOrder,
+  kTime,
   // Materials and textures.
   kBuiltin,
   // Expectations.

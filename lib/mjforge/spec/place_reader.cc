@@ -17,6 +17,10 @@ constexpr std::string_view kOtherPlaces[] = {"parent",    "pos",    "quat", "eul
 // Keys that have no meaning beside `by`, because the two sites already decide the whole pose.
 constexpr std::string_view kNotWithSites[] = {"uv", "beside", "facing", "lying", "overhang"};
 
+// Keys that have no meaning beside `pile`, because the simulation decides the pose.
+constexpr std::string_view kNotInPiles[] = {"uv",     "by",    "beside", "yaw",
+                                            "facing", "lying", "clear",  "overhang"};
+
 // Reports each of `keys` that the mapping has.
 void RejectBeside(std::string_view key, std::span<const std::string_view> keys, const YamlNode& map,
                   std::string_view reason, Context& context) {
@@ -82,6 +86,16 @@ std::optional<PlaceEntry> ReadPlace(const YamlNode& body, Context& context) {
     CheckKeys(kBesideElement, *beside, context);
     RequireKeys(kBesideElement, *beside, context);
     place.beside = ReadFields(kBesideElement, *beside, context);
+  }
+  const YamlNode* pile = map->Find("pile");
+  if (pile == nullptr || !IsMap(*pile, "how a pile is made", context)) return place;
+  RejectBeside("pile", kNotInPiles, *map, "the simulation decides how the body lies", context);
+  CheckKeys(kPileElement, *pile, context);
+  place.pile = ReadFields(kPileElement, *pile, context);
+  const YamlNode* joints = body.Find("joints");
+  if (joints == nullptr || joints->text != "free") {
+    context.findings.Add(Code::kSpecConflict, map->FindPair("pile")->mark,
+                         "'pile' without 'joints: free': the body cannot fall");
   }
   return place;
 }

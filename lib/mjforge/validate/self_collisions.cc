@@ -43,7 +43,7 @@ class SelfCollisions {
   std::size_t ReportTouching(ContactFinder& finder, std::string_view when) {
     std::size_t found = 0;
     for (const BodyContact& contact : finder.Find()) {
-      if (contact.margin - contact.distance < object_.checks.self_collision) continue;
+      if (contact.margin - contact.distance < Allowed(contact)) continue;
       const bool related = AreParentAndChild(contact.body1, contact.body2);
       if (related && InHost()) continue;
       if (++found <= kMostPairs) Report(contact, related, when);
@@ -53,6 +53,21 @@ class SelfCollisions {
                     fmt::format("{} more pairs of bodies touch {}", found - kMostPairs, when));
     }
     return found;
+  }
+
+  /// Returns the depth that is allowed for a contact, m.
+  double Allowed(const BodyContact& contact) const {
+    const double usual = object_.checks.self_collision;
+    return IsPiled(contact.body1) || IsPiled(contact.body2)
+               ? std::max(usual, model::Pile::kMostDepth)
+               : usual;
+  }
+
+  bool IsPiled(int id) const {
+    const int root = order_[static_cast<std::size_t>(m_.body_rootid[id] - 1)];
+    return std::ranges::any_of(object_.piles, [&](const model::Pile& pile) {
+      return std::ranges::find(pile.items, root, &model::Pile::Item::body) != pile.items.end();
+    });
   }
 
   const model::Body& BodyOf(int id) const {

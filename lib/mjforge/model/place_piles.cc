@@ -1,0 +1,108 @@
+// Bodies with `pile:`: the draws of their release, and the options that let piles rest.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mjforge/model/names.h"
+#include "mjforge/model/placements.h"
+
+namespace mjforge::model {
+namespace {
+
+using diag::Code;
+using spec::Key;
+
+// Sets the options with which a pile rests in MuJoCo, unless the spec states its own. With a
+// pyramidal cone and impratio 1, bodies glide on each other for ever.
+void AddOptions(std::vector<Section>& sections) {
+  const spec::SectionInfo* info = spec::FindSection("option");
+  auto found = std::ranges::find(sections, info, &Section::info);
+  if (found == sections.end()) {
+    found = sections.emplace(sections.end());
+    found->info = info;
+  }
+  if (found->elements.empty()) found->elements.emplace_back().tag = info->name;
+  std::vector<Attribute>& attributes = found->elements.front().attributes;
+  const auto add = [&](std::string_view name, sample::Numbers numbers, std::string text) {
+    if (FindAttribute(attributes, name) != nullptr) return;
+    Attribute& attribute = attributes.emplace_back();
+    attribute.name = name;
+    attribute.numbers = std::move(numbers);
+    attribute.text = std::move(text);
+  };
+  add("cone", {}, "elliptic");
+  add("impratio", {10}, "");
+}
+
+}  // namespace
+
+void Placements::ReadPile(const Request& request, sample::StreamId path, Pile& pile) {
+  FieldReader reader(scope_.values, context_.findings, "body", request.name, path);
+  for (const spec::Field& field : *request.entry.place->pile) {
+    if (field.info->id == Key::kOrder) pile.is_big_first = reader.Word(field) != "listed";
+    if (field.info->id == Key::kTime) pile.time = reader.Number(field).value_or(pile.time);
+  }
+}
+
+void Placements::PileUp(const Request& request, sample::StreamId places) {
+  FieldReader reader(scope_.values, context_.findings, "body", request.name, places);
+  Trial trial;
+  if (!ReadTarget(request, reader, trial)) return;
+  const diag::SourceMark mark = request.entry.place->Find(Key::kAt)->value.mark;
+  if (trial.target.region == nullptr) {
+    context_.findings.Add(Code::kModelBadPlace, mark,
+                          fmt::format("body {} cannot be piled up at {}, which is a site",
+                                      Quoted(request.name), Quoted(trial.at)),
+                          "a pile needs a region: give the body one with `regions:`");
+    return;
+  }
+  if (!MustBeLevel(request, trial, mark)) return;
+  std::vector<Pile>& piles = context_.object.piles;
+  auto pile = std::ranges::find_if(piles, [&](const Pile& other) {
+    return other.support == trial.where.support && other.region.site == trial.target.region->site;
+  });
+  if (pile == piles.end()) {
+    pile = piles.emplace(piles.end());
+    pile->at = trial.at;
+    pile->support = trial.where.support;
+    pile->region = *trial.target.region;
+    pile->mark = request.entry.place->mark;
+    ReadPile(request, places, *pile);
+    AddOptions(context_.object.sections);
+  }
+  sample::Numbers q;
+  scope_.values.AppendRotation(sample::Child(places, "turn"), q);
+  const std::array<double, 4> uv = scope_.values.Uniforms(sample::Child(places, "uv"));
+  const double radius = std::sqrt(uv[0]);
+  const double angle = 2 * std::numbers::pi * uv[1];
+  Pile::Item& item = pile->items.emplace_back();
+  item.body = request.body;
+  item.q = Eigen::Quaterniond(q[0], q[1], q[2], q[3]);
+  item.uv = pile->region.type == RegionType::kBox
+                ? Eigen::Vector2d(2 * uv[0] - 1, 2 * uv[1] - 1)
+                : radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+  Body& body = context_.object.bodies[static_cast<std::size_t>(request.body)];
+  body.parent = trial.where.support;
+  body.X_PB = pile->region.X_BR;
+  body.stands_at = trial.at;
+}
+
+bool Placements::IsPiled(const Request& request, int body, diag::SourceMark mark) {
+  for (const Pile& pile : context_.object.piles) {
+    if (std::ranges::find(pile.items, body, &Pile::Item::body) == pile.items.end()) continue;
+    context_.findings.Add(Code::kModelBadPlace, mark,
+                          fmt::format("body {} is placed by {}, which has no place before the pile "
+                                      "has come to rest",
+                                      Quoted(request.name), Quoted(names_.NameOf(body))),
+                          "place it at a body that is not in a pile");
+    return true;
+  }
+  return false;
+}
+
+}  // namespace mjforge::model
