@@ -78,6 +78,7 @@ TEST_CASE_METHOD(CrateTest, "inspect --json is one object") {
   CHECK(result.out.find("\"parameters\":[{\"name\":\"height\",\"spec\":\"0.15\",\"value\":0.15,"
                         "\"unit\":\"m\",\"doc\":\"Half the height.\"}]") != std::string::npos);
   CHECK(result.out.find("\"aabb\":{\"min\":[-0.1,-0.1,-0.15],\"max\":[0.1,0.1,0.15]},"
+                        "\"swept_aabb\":{\"min\":[-0.1,-0.1,-0.15],\"max\":[0.1,0.1,0.15]},"
                         "\"mass\":6,\"com\":[0,0,0],") != std::string::npos);
 }
 
@@ -266,6 +267,7 @@ TEST_CASE_METHOD(CabinetTest, "inspect of several bodies shows the tree and who 
         "com      -0.045 0.175 0 m\n"
         "inertia  0.0529067 0.0310067 0.0752067  0.0145 0 0 kg m^2 (xx yy zz  xy xz yz)\n"
         "radius   0.326228 m about the z axis\n"
+        "reach    -0.2 -0.01 -0.1 to 0.27 0.31 0.1 m with all positions of joints\n"
         "text     1979 bytes of MJCF\n");
 }
 

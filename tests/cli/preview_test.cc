@@ -89,9 +89,9 @@ TEST_CASE_METHOD(PreviewTest, "size, background and layer are as they are asked 
   CHECK(clear.At(0, 0)[3] == 0);
   CHECK(clear.Seen() > 1000);
   std::set<std::string> layers;
-  for (const char* layer : {"visual", "collision", "bounds", "inertia", "joints"})
+  for (const char* layer : {"visual", "collision", "bounds", "inertia", "joints", "regions"})
     layers.insert(Draw({"chest.xml", "--size", "200", "--layer", layer}));
-  CHECK(layers.size() == 5);
+  CHECK(layers.size() == 6);
 }
 
 TEST_CASE_METHOD(PreviewTest, "the camera stands where --azimuth, --elevation, --distance say") {

@@ -122,13 +122,20 @@ constexpr Renamed kRenamed[] = {
 
 constexpr std::string_view kGrasp = "where a gripper takes the object";
 
+constexpr std::string_view kRegion = "where other objects can stand";
+
 constexpr Added kAdded[] = {
+    {"Bin", "site/inside", kRegion},
     {"HammerObject", "site/grasp", kGrasp},
     {"HammerObject", "site/strike", "the middle of the face, z along the blow"},
     {"HingedBoxObject", "site/grasp", kGrasp},
+    {"HingedBoxObject", "site/box2_surface", kRegion},
     {"Lid", "site/grasp", kGrasp},
     {"PotWithHandlesObject", "site/grasp0", kGrasp},
     {"PotWithHandlesObject", "site/grasp1", kGrasp},
+    {"PotWithHandlesObject", "site/inside", kRegion},
+    {"cbody_of_composites", "site/bin_inside", kRegion},
+    {"cbody_of_composites", "site/chest_box2_surface", kRegion},
     {"cbody_of_composites", "site/chest_grasp", kGrasp},
     {"cbody_of_composites", "site/hammer_grasp", kGrasp},
     {"cbody_of_composites", "site/hammer_strike", "as the hammer's"},

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <set>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -67,20 +70,27 @@ void AddRegionBox(model::Object& object) {
 
 // Adds each region as the space above it, as robocasa has it. The interior of a fixture or a bowl
 // is called `int` there.
-void AddRegionSpaces(model::Object& object) {
-  constexpr double kOpenHeight = 0.5;  // of regions that are open above, m
+void AddRegionSpaces(model::Object& object, const TargetRules& rules, diag::Findings& findings) {
+  constexpr double kOpenHeight = 0.5;                   // m, for regions open above
+  std::set<std::string, std::less<>> names = {"bbox"};  // regions so far
   for (model::Body& body : object.bodies) {
     for (const model::Region& region : body.regions) {
-      const double half_height = (std::isinf(region.height) ? kOpenHeight : region.height) / 2;
-      model::Shape shape{model::GeomType::kBox,
-                         {region.half_size.x(), region.half_size.y(), half_height},
-                         nullptr};
-      if (region.type == model::RegionType::kDisc) {
-        shape.type = model::GeomType::kCylinder;
-        shape.size = {region.half_size.x(), half_height, 0};
+      const std::string name = region.site == "inside" ? "int" : region.site;
+      if (!names.insert(name).second) {
+        findings.Add(Code::kModelDuplicateName, region.mark,
+                     fmt::format("region '{}' becomes a second region '{}' of {}", region.site,
+                                 name, rules.name),
+                     "rename it");
+        continue;
       }
-      const model::Pose X_BG = region.X_BR * model::Pose{.p = {0, 0, half_height}};
-      AddRegionGeom(region.site == "inside" ? "int" : region.site, shape, X_BG, region.mark, body);
+      const double half_height = (std::isinf(region.height) ? kOpenHeight : region.height) / 2;
+      const Eigen::Vector2d half = region.half_size;
+      const model::Shape shape =
+          region.type == model::RegionType::kDisc
+              ? model::Shape{model::GeomType::kCylinder, {half.x(), half_height, 0}, nullptr}
+              : model::Shape{model::GeomType::kBox, {half.x(), half.y(), half_height}, nullptr};
+      AddRegionGeom(name, shape, region.X_BR * model::Pose{.p = {0, 0, half_height}}, region.mark,
+                    body);
     }
   }
 }
@@ -144,7 +154,7 @@ void AdaptBodies(model::Object& object, const TargetRules& rules, diag::Findings
   if (!rules.root.empty()) DropElementsTargetingRoot(object, rules, findings);
   if (rules.has_region_geoms) {
     AddRegionBox(object);
-    AddRegionSpaces(object);
+    AddRegionSpaces(object, rules, findings);
   }
   if (rules.has_outer_body) PutIntoOuterBody(object);
 }

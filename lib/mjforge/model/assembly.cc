@@ -94,7 +94,7 @@ void Assembly::AddSpec(Scope& scope) {
   ApplyStarts(scope, first_start, first_body);
   for (std::size_t i = first_search; i < face_searches_.size(); ++i) {
     FaceSearch& search = face_searches_[i];
-    if (search.last_body > 0) continue;  // of a nested spec
+    if (search.last_body > 0) continue;  // closed by a nested spec
     search.root = current_body_;
     search.first_part = first_part;
     search.last_part = body().parts.size();

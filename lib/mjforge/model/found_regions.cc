@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Returns the colliding parts of a body, from `first` to `last`, in the root frame.
+// Adds the colliding parts of a body, from `first` to `last`, in the root frame.
 void AddColliding(const Body& body, const Pose& X_RootB, std::size_t first, std::size_t last,
                   std::vector<PlacedShape>& out) {
   for (std::size_t i = first; i < std::min(last, body.parts.size()); ++i) {

@@ -27,7 +27,7 @@ struct LevelFace {
   /// Corners of a convex polygon, counter-clockwise, in W. For a disc, a polygon around it.
   std::vector<Eigen::Vector2d> corners;
   double z = 0;                                             // in W, m
-  std::optional<double> radius;                             // of a disc
+  std::optional<double> radius;                             // m, only for a disc
   double height = std::numeric_limits<double>::infinity();  // free height above, m
 };
 

@@ -25,13 +25,13 @@ std::string_view RegionTypeName(RegionType type);
 /// A level area of a body B, or the interior of a container, with the space above it. The area is
 /// in the xy plane of its frame R, whose z axis points up when the object is in its start state.
 struct Region {
-  std::string name;  // as in the spec: "surface"
+  std::string name;  // name in the spec: "surface"
   std::string site;  // full name of its site in MJCF
   RegionType type = RegionType::kBox;
   /// Half lengths along x and y, m; for a disc, its radius twice. For a polygon, of its bounding
   /// box.
   Eigen::Vector2d half_size = Eigen::Vector2d::Zero();
-  std::vector<Eigen::Vector2d> corners;  // of a polygon, which is convex; counter-clockwise, m
+  std::vector<Eigen::Vector2d> corners;  // corners of a convex polygon, counter-clockwise, m
   Pose X_BR;
   double height = std::numeric_limits<double>::infinity();  // free height above the area, m
   double margin = 0;   // least distance of footprints from the edge, m

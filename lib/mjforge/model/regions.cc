@@ -19,7 +19,7 @@ using diag::Code;
 using spec::Key;
 
 // Half the thickness of a region's site, m.
-constexpr double kSiteThickness = 0.0005;
+constexpr double kHalfThickness = 0.0005;
 
 // Returns the key that gives the extent of a region of this type.
 Key ExtentKey(std::string_view type) { return type == "polygon" ? Key::kPolygon : Key::kSize; }
@@ -37,7 +37,8 @@ bool HasStrayRegionKeys(FieldReader& reader, const spec::Entry& entry, std::stri
                                     : is_extent      ? !is_auto && id == ExtentKey(type)
                                                      : !is_auto);
     if (fits) continue;
-    reader.Report(Code::kModelBadValue, field, fmt::format("has no meaning for a region {}", type));
+    reader.Report(Code::kModelBadValue, field,
+                  fmt::format("has no meaning for a region of type {}", type));
     stray = true;
   }
   return stray;
@@ -134,6 +135,7 @@ void CenterOrigin(Region& region) {
 }
 
 bool HasRoomWithin(const Region& region) {
+  if (region.margin == 0) return true;
   if (region.type != RegionType::kPolygon) return region.margin < region.half_size.minCoeff();
   std::vector<Eigen::Vector2d> rest = region.corners;
   for (std::size_t i = 0; i < region.corners.size(); ++i) {
@@ -151,10 +153,10 @@ void AddRegionTo(Body& body, Region region) {
   const Eigen::Vector2d half = region.half_size;
   if (region.type == RegionType::kDisc) {
     site.type = GeomType::kCylinder;
-    site.size = {half.x(), kSiteThickness, 0};
+    site.size = {half.x(), kHalfThickness, 0};
   } else {
     site.type = GeomType::kBox;
-    site.size = {half.x(), half.y(), kSiteThickness};
+    site.size = {half.x(), half.y(), kHalfThickness};
   }
   site.attributes.push_back({.name = "group", .numbers = {kRegionGroup}, .text = {}});
   body.regions.push_back(std::move(region));

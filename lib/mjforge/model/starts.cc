@@ -127,7 +127,8 @@ void Assembly::ApplySetpoint(RequestedStart& start) {
 }
 
 void Assembly::ReportLostStarts() {
-  for (const auto& [key, position, p, q, velocity, is_actuator, ctrl, act] : lost_starts_) {
+  for (const RequestedStart& start : lost_starts_) {
+    const RequestedPosition& position = start.position;
     const auto has_joint = [&](const Body& of) {
       return std::ranges::find(of.joints, position.joint, &Joint::name) != of.joints.end();
     };
@@ -137,15 +138,17 @@ void Assembly::ReportLostStarts() {
     } else if (std::ranges::any_of(object_.bodies, has_joint)) {
       why = "a free body starts where the outer spec has it";
     }
-    if (is_actuator) {
-      findings_.Add(Code::kModelUnknownReference, position.mark,
-                    fmt::format("{}: the object has no actuator {}", key, Quoted(position.shown)));
+    if (start.is_actuator) {
+      findings_.Add(
+          Code::kModelUnknownReference, position.mark,
+          fmt::format("{}: the object has no actuator {}", start.key, Quoted(position.shown)));
     } else if (why.empty()) {
-      ReportUnknownJoint(key, position);
+      ReportUnknownJoint(start.key, position);
     } else {
       findings_
-          .Add(Code::kAttachNotCarried, position.mark,
-               fmt::format("{} of joint {} is left out: {}", key, Quoted(position.shown), why))
+          .Add(
+              Code::kAttachNotCarried, position.mark,
+              fmt::format("{} of joint {} is left out: {}", start.key, Quoted(position.shown), why))
           .severity = diag::Severity::kWarning;
     }
   }

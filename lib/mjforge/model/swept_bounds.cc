@@ -29,13 +29,15 @@ double SupportOf(const Shapes& shapes, const Vector3d& direction) {
   return largest;
 }
 
-// Returns an upper bound of the distance of any point from `p`.
+// Returns an upper bound of the distance of any point from `p`, exact for spheres and boxes.
 double RadiusAbout(const Vector3d& p, const Shapes& shapes) {
   double largest = 0;
   for (const auto& [shape, X] : shapes) {
     const Box3 box = BoundsOf(shape, Pose());
     const Vector3d q = X.Inverse() * p;
-    largest = std::max(largest, (q - box.min).cwiseAbs().cwiseMax((q - box.max).cwiseAbs()).norm());
+    const Vector3d corner = (q - box.min).cwiseAbs().cwiseMax((q - box.max).cwiseAbs());
+    const bool is_sphere = shape.type == GeomType::kSphere;
+    largest = std::max(largest, is_sphere ? q.norm() + shape.size.x() : corner.norm());
   }
   return largest;
 }

@@ -388,7 +388,7 @@ constexpr FieldInfo kRegionFields[] = {
     Numbers({"size", Key::kSize}, {1, 2}, "m", Above(0), "",
             "Half lengths x and y of a box; radius of a disc."),
     Points({"polygon", Key::kPolygon}, {2, 2}, "Corners x, y of a convex polygon."),
-    Number({"area", Key::kArea}, "m^2", Above(0), "25cm^2", "Least area that `auto` takes."),
+    Number({"area", Key::kArea}, "m^2", Above(0), "0.0025", "Least area that `auto` takes."),
     kPos,
     kQuat,
     kEuler,

@@ -75,6 +75,48 @@ TEST_CASE("robocasa gets a box around the object that is no part of it") {
   CHECK(std::string(box.attribute("rgba").value()) == "0 1 0 0");
 }
 
+model::Region RegionOf(model::RegionType type, std::string site, std::uint32_t line) {
+  model::Region region;
+  region.type = type;
+  region.site = std::move(site);
+  region.half_size = {0.03, 0.03};
+  region.X_BR.p = {0, 0, 0.005};
+  region.mark = Line(line);
+  return region;
+}
+
+TEST_CASE("robocasa gets the spaces above regions") {
+  using model::RegionType;
+  model::Object object = Chest();
+  object.bodies[0].regions = {RegionOf(RegionType::kBox, "inside", 20)};
+  object.bodies[0].regions[0].height = 0.05;
+  object.bodies[1].regions = {RegionOf(RegionType::kDisc, "lid_surface", 21)};
+  CHECK(Adapted(object, "robocasa") == Said{});
+  const pugi::xml_document file = Written(object, "robocasa");
+  const auto attribute = [&](const char* geom, const char* key) {
+    const std::string path = std::string("//geom[@name='") + geom + "']";
+    return std::string(file.select_node(path.c_str()).node().attribute(key).value());
+  };
+  CHECK(attribute("reg_int", "type") == "box");
+  CHECK(attribute("reg_int", "size") == "0.03 0.03 0.025");
+  CHECK(attribute("reg_int", "pos") == "0 0 0.03");
+  CHECK(attribute("reg_int", "rgba") == "0 1 0 0");
+  CHECK(attribute("reg_lid_surface", "type") == "cylinder");
+  CHECK(attribute("reg_lid_surface", "size") == "0.03 0.25");
+  CHECK(attribute("reg_lid_surface", "contype") == "0");
+}
+
+TEST_CASE("two regions of one name in robocasa are reported") {
+  model::Object object = Chest();
+  object.bodies[0].regions = {RegionOf(model::RegionType::kBox, "bbox", 20),
+                              RegionOf(model::RegionType::kBox, "int", 21),
+                              RegionOf(model::RegionType::kBox, "inside", 22)};
+  CHECK(Adapted(object, "robocasa") ==
+        Said{"20 error: region 'bbox' becomes a second region 'bbox' of robocasa",
+             "22 error: region 'inside' becomes a second region 'int' of robocasa"});
+  CHECK(Adapted(object = Chest(), "robosuite") == Said{});
+}
+
 TEST_CASE("a camera that looks at the root is dropped where the root is renamed") {
   model::Object object = Chest();
   model::Element camera;

@@ -106,7 +106,7 @@ TEST_CASE("draws of regions have streams of their own") {
   const std::string body = "parts: [{name: a, type: box, size: [1, 1, 1 .. 2]}]\n";
   const Assembling without(body);
   const Assembling with(body + "regions: [{name: s, size: [0.1 .. 0.9, 0.1], pos: [0, 0, 1]}]\n");
-  CHECK(with.part("a").shape.size == without.part("a").shape.size);
+  CHECK(with.part("thing_a").shape.size == without.part("thing_a").shape.size);
   CHECK(with.body().regions.at(0).half_size.x() != 0.1);
 }
 
@@ -115,25 +115,25 @@ TEST_CASE("faulty regions are reported") {
     return OnlyFinding(std::string(kBlock) + "regions: [{name: r, " + region + "}]\n");
   };
   CHECK(finding("type: box") == "4:11 region 'r' has no 'size'");
-  CHECK(finding("size: [1]") == "4:21 size of region 'r' has 1 number; it must have 2");
+  CHECK(finding("size: [1]") == "4:27 size of region 'r' has 1 number; it must have 2");
   CHECK(finding("type: disc, size: [1, 2]") ==
-        "4:33 size of region 'r' has 2 numbers; it must have 1");
-  CHECK(finding("size: [0, 1]") == "4:22 size of region must be above 0, got 0");
+        "4:39 size of region 'r' has 2 numbers; it must have 1");
+  CHECK(finding("size: [0, 1]") == "4:28 size 1 is 0; it must be greater than 0");
   CHECK(finding("size: [1, 1], polygon: [[0, 0]]") ==
-        "4:38 polygon of region 'r' has no meaning for a region box");
+        "4:44 polygon of region 'r' has no meaning for a region of type box");
   CHECK(finding("type: auto, walls: true") ==
-        "4:34 walls of region 'r' has no meaning for a region auto");
+        "4:40 walls of region 'r' has no meaning for a region of type auto");
   CHECK(finding("type: polygon, polygon: [[0, 0], [1, 0]]") ==
-        "4:39 polygon of region 'r' has fewer than three corners");
+        "4:45 polygon of region 'r' has fewer than three corners");
   CHECK(finding("type: polygon, polygon: [[0, 0], [1, 0], [0.2, 0.2], [0, 1]]") ==
-        "4:39 polygon of region 'r' is not convex at its corner 3 (divide it into convex regions)");
+        "4:45 polygon of region 'r' is not convex at its corner 3 (divide it into convex regions)");
   CHECK(finding("type: polygon, polygon: [[0, 0], [1, 1], [1, 0], [0, 1]]").find("is not convex") !=
         std::string::npos);
   CHECK(finding("size: [1, 0.1], margin: 0.1") ==
-        "4:40 margin of region 'r' leaves no room in the region");
-  CHECK(finding("type: polygon, margin: 0.21, polygon: [[0, 0], [1, 0], [0, 0.6]]") ==
-        "4:38 margin of region 'r' leaves no room in the region");
-  CHECK(finding("size: [1, 1], height: 0") == "4:37 height of region must be above 0, got 0");
+        "4:45 margin of region 'r' leaves no room in the region");
+  CHECK(finding("type: polygon, margin: 0.22, polygon: [[0, 0], [1, 0], [0, 0.6]]") ==
+        "4:44 margin of region 'r' leaves no room in the region");
+  CHECK(finding("size: [1, 1], height: 0") == "4:43 height is 0; it must be greater than 0");
   CHECK(OnlyFinding(std::string(kBlock) + "regions: autos\n") ==
         "4:10 'autos' is neither 'auto' nor a list of regions");
 }
@@ -196,8 +196,8 @@ TEST_CASE("auto measures the height below other bodies, and keeps the least area
       "parts:\n"
       "- {name: 'board_${i}', for: {i: 3}, type: box, size: [0.2, 0.1, 0.01],\n"
       "   pos: [0, 0, 0.01 + 0.3 * i]}\n"
-      "- {name: 'side_${i}', for: {i: 2}, type: box, size: [0.01, 0.1, 0.35],\n"
-      "   pos: [(i - 0.5) * 0.42, 0, 0.35]}\n"
+      "- {name: 'side_${i}', for: {i: 2}, type: box, size: [0.005, 0.1, 0.35],\n"
+      "   pos: [(i - 0.5) * 0.41, 0, 0.35]}\n"
       "bodies:\n"
       "- {name: lid, pos: [0, 0, 0.72], parts: [{name: c, type: box, size: [0.2, 0.1, 0.005]}]}\n";
   const Assembling thing(shelves + "regions: [{name: shelf, type: auto, margin: 1cm}]\n");
@@ -231,7 +231,7 @@ TEST_CASE("auto joins the pieces of one part, and takes only what collides") {
 
 TEST_CASE("auto sees faces where they are at the start") {
   const Assembling thing(
-      "parts: [{name: a, type: sphere, size: [0.1]}]\n"
+      "parts: [{name: a, type: sphere, size: [0.1], pos: [0, 0, -1]}]\n"
       "bodies:\n"
       "- name: flap\n"
       "  parts: [{name: b, type: box, size: [0.01, 0.2, 0.3], pos: [0, 0, 0.3]}]\n"

@@ -17,9 +17,10 @@ TEST_CASE("a background is a word or a color in hexadecimal digits") {
 }
 
 TEST_CASE("layers are found by their names") {
-  CHECK(LayerNames().size() == 5);
+  CHECK(LayerNames().size() == 6);
   CHECK(ParseLayer("visual") == Layer::kVisual);
   CHECK(ParseLayer("joints") == Layer::kJoints);
+  CHECK(ParseLayer("regions") == Layer::kRegions);
   CHECK_FALSE(ParseLayer("joint").has_value());
 }
 
