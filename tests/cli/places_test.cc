@@ -69,9 +69,9 @@ TEST_CASE_METHOD(PlacesTest, "--place-seed moves the same objects, and replay fo
   CHECK(Object("moved") == Object("again"));
   const std::string body = "<body name=\"scene_mug_1\"";
   CHECK(LineWith(Object("out"), body) != LineWith(Object("moved"), body));
-  const std::string geom = "<geom name=\"scene_mug_1_wall_0\"";
-  CHECK_FALSE(LineWith(Object("out"), "scene_mug_1_").empty());
-  CHECK(LineWith(Object("out"), geom) == LineWith(Object("moved"), geom));
+  const std::string mesh = "<mesh name=\"scene_mug_1_wall\"";
+  CHECK_FALSE(LineWith(Object("out"), mesh).empty());
+  CHECK(LineWith(Object("out"), mesh) == LineWith(Object("moved"), mesh));
   CHECK(Run({"replay", "moved/manifest.jsonl:2"}).err ==
         "moved/manifest.jsonl:2: regenerated, same bytes\n");
   CHECK(Run({"replay", "moved/scene_000002.xml"}).status == 0);
@@ -79,13 +79,13 @@ TEST_CASE_METHOD(PlacesTest, "--place-seed moves the same objects, and replay fo
 
 TEST_CASE_METHOD(PlacesTest, "the record says where each body stands and which were left out") {
   Write(
-      "  - {name: \"pan_${i}\", for: {i: 30}, spec: containers/frying_pan, fewer: true,\n"
+      "  - {name: \"pan_${i}\", for: {i: 30}, spec: kitchen/frying_pan, fewer: true,\n"
       "     place: {at: table.surface}}\n");
   Generate({"-o", "out"});
   const std::string manifest = folder().Read("out/manifest.jsonl");
-  CHECK(manifest.find(R"("places": [{"body": "scene_box", "at": "table.surface", "pos": [)") !=
+  CHECK(manifest.find(R"("places":[{"body":"scene_box","at":"table.surface","pos":[)") !=
         std::string::npos);
-  CHECK(manifest.find(R"("left_out": ["scene_pan_)") != std::string::npos);
+  CHECK(manifest.find(R"("left_out":["scene_pan_)") != std::string::npos);
   CHECK(Run({"replay", "out/manifest.jsonl:2"}).status == 0);
 }
 

@@ -17,7 +17,6 @@ namespace mjforge::forge {
 namespace {
 
 constexpr int kStates = 20;
-constexpr double kTolerance = 1e-9;
 
 using compiled::QuaternionAt;
 using Numbers = std::vector<mjtNum>;
@@ -102,9 +101,10 @@ class States {
 
 class StartComparison {
  public:
-  StartComparison(const mjModel& keyframe, const mjModel& zero)
+  StartComparison(const mjModel& keyframe, const mjModel& zero, double tolerance)
       : k_(keyframe),
         z_(zero),
+        tolerance_(tolerance),
         states_(keyframe),
         in_k_(compiled::MakeData(keyframe)),
         in_z_(compiled::MakeData(zero)) {}
@@ -204,7 +204,7 @@ class StartComparison {
     for (const mjtNum number : meant) size = std::max(size, std::abs(number));
     for (std::size_t i = 0; i < meant.size(); ++i) {
       ++compared_;
-      if (std::abs(b[i] - meant[i]) <= kTolerance * size) continue;
+      if (std::abs(b[i] - meant[i]) <= tolerance_ * size) continue;
       FAIL_CHECK(what << "[" << i << "] is " << b[i] << ", not " << meant[i] << "; difference "
                       << b[i] - meant[i]);
     }
@@ -212,6 +212,7 @@ class StartComparison {
 
   const mjModel& k_;
   const mjModel& z_;
+  double tolerance_;
   States states_;
   compiled::Data in_k_;
   compiled::Data in_z_;
@@ -249,10 +250,10 @@ StartForm::StartForm(const std::filesystem::path& file, const std::string& start
   for (int i = 0; i < model->neq; ++i) (model.get()->*engine::kEqualityActive)[i] = 1;
 }
 
-int CompareStartForms(const mjModel& keyframe, const mjModel& zero) {
+int CompareStartForms(const mjModel& keyframe, const mjModel& zero, double tolerance) {
   REQUIRE(keyframe.nkey == 1);
   REQUIRE(keyframe.nq == zero.nq);
-  return StartComparison(keyframe, zero).Run();
+  return StartComparison(keyframe, zero, tolerance).Run();
 }
 
 }  // namespace mjforge::forge

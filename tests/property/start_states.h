@@ -22,8 +22,8 @@ struct StartForm {
 
 /// Compares both forms at the start and at 19 random states near it: poses of everything, lengths
 /// and forces of actuators and tendons, passive forces, residuals of limits and equalities, and
-/// sensors of positions and velocities. Fails the test if a number differs by more than 1e-9 of the
-/// largest in its array (or of 1). Returns the number of compared numbers.
-int CompareStartForms(const mjModel& keyframe, const mjModel& zero);
+/// sensors of positions and velocities. Fails the test if a number differs by more than `tolerance`
+/// times the largest in its array (or 1). Returns the number of compared numbers.
+int CompareStartForms(const mjModel& keyframe, const mjModel& zero, double tolerance);
 
 }  // namespace mjforge::forge

@@ -16,14 +16,14 @@ namespace {
 const std::filesystem::path kSource = harness::SourceFolder();
 
 // Compares one variant; returns the number of compared numbers.
-int Compare(const std::filesystem::path& file, std::uint64_t index) {
+int Compare(const std::filesystem::path& file, std::uint64_t index, double tolerance = 1e-9) {
   INFO(file << ", variant " << index);
   const StartForm keyframe(file, "keyframe", index);
   const StartForm zero(file, "zero", index);
   REQUIRE(keyframe.model);
   REQUIRE(zero.model);
   INFO(zero.variant.document.text);
-  return CompareStartForms(*keyframe.model, *zero.model);
+  return CompareStartForms(*keyframe.model, *zero.model, tolerance);
 }
 
 TEST_CASE("a start at zero keeps poses, forces and constraints of difficult mechanisms") {
@@ -113,7 +113,8 @@ TEST_CASE("a start at zero keeps poses, forces and constraints of random mechani
     const std::string text = MechanismAuthor(static_cast<unsigned>(i)).Spec();
     if (text.find("pose: {}") != std::string::npos) continue;
     INFO(text);
-    CHECK(Compare(folder.Write("spec.yaml", text), 0) > 1000);
+    // The ten digits of numbers in files are not enough for 1e-9 at the end of every chain.
+    CHECK(Compare(folder.Write("spec.yaml", text), 0, 5e-9) > 1000);
   }
 }
 

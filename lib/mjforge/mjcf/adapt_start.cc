@@ -16,13 +16,15 @@ using diag::Code;
 
 // Returns true if the zero configuration of the object is to be its start, unless there are
 // obstacles. A keyframe has the poses of free bodies, so that it would ignore the frame to which
-// the file is attached; and some hosts read no keyframes.
+// the file is attached; placed bodies would overlap at another zero; and some hosts read no
+// keyframes.
 bool WantsStartAtZero(const model::Object& object, const TargetRules& rules) {
   if (object.start_form) return *object.start_form == model::StartForm::kZero;
-  const bool has_free_body = std::ranges::any_of(object.bodies, [](const model::Body& body) {
-    return std::ranges::count(body.joints, "free", &model::Joint::type) > 0;
-  });
-  return has_free_body || !rules.supports_sections;
+  const auto needs_zero = [](const model::Body& body) {
+    return !body.stands_at.empty() ||
+           std::ranges::count(body.joints, "free", &model::Joint::type) > 0;
+  };
+  return std::ranges::any_of(object.bodies, needs_zero) || !rules.supports_sections;
 }
 
 // Errors if the spec asks for a start at zero; otherwise warnings.

@@ -68,11 +68,10 @@ void ReportCrowded(const NoRoom& what, const Misses& misses, diag::Finding& find
 }  // namespace
 
 void Misses::Add(const PlaceResult& result, const PlaceNames& names) {
-  ++count;
+  if (++count == 1 || result.footprint.prod() < footprint.prod()) footprint = result.footprint;
   ++verdicts[result.verdict];
   if (result.verdict == PlaceVerdict::kBlocked && result.blocker >= 0)
     ++blockers[names.NameOf(result.blocker)];
-  footprint = result.footprint;
 }
 
 bool Misses::AreAll(PlaceVerdict verdict) const {

@@ -16,7 +16,7 @@ struct Misses {
   std::size_t count = 0;
   std::map<PlaceVerdict, std::size_t> verdicts;
   std::map<std::string, std::size_t> blockers;          // by name in the spec
-  Eigen::Vector2d footprint = Eigen::Vector2d::Zero();  // of the last try, m
+  Eigen::Vector2d footprint = Eigen::Vector2d::Zero();  // the smallest of all tries, m
 
   void Add(const PlaceResult& result, const PlaceNames& names);
   /// Returns true if all tries failed for this reason.

@@ -19,9 +19,6 @@ namespace {
 using diag::Code;
 using spec::Key;
 
-// The default of `lying`.
-const std::string kUpright = "upright";
-
 bool IsDrawn(const std::vector<spec::Field>& fields) {
   return std::ranges::any_of(fields,
                              [](const spec::Field& field) { return spec::HasDraw(field.value); });
@@ -219,16 +216,11 @@ bool Placements::ReadFacing(const Request& request, FieldReader& reader, PlaceTr
 bool Placements::ReadLying(const Request& request, FieldReader& reader, sample::StreamId path,
                            Trial& trial) {
   const spec::Field* field = request.entry.place->Find(Key::kLying);
-  const std::optional<std::string> name = field != nullptr ? reader.Text(*field) : kUpright;
+  if (field == nullptr) return true;
+  const std::optional<std::string> name = reader.Text(*field);
   if (!name) return false;
+  if (*name == "upright") return true;
   const std::vector<StablePose>& poses = StablePosesOf(request);
-  if (*name == kUpright) {
-    // The stable pose that is nearest to the modelled one, which is stable for most bodies.
-    const auto nearest = std::ranges::max_element(
-        poses, {}, [](const StablePose& pose) { return std::abs(pose.rotation.w()); });
-    if (nearest != poses.end()) trial.where.lying = nearest->rotation;
-    return true;
-  }
   if (*name == "any" && !poses.empty()) {
     const double u = scope_.values.Uniforms(sample::Child(path, "lying"))[0];
     trial.where.lying = DrawPose(poses, u).rotation;
@@ -245,7 +237,7 @@ bool Placements::ReadLying(const Request& request, FieldReader& reader, sample::
   const std::string hint = diag::DidYouMean(*name, std::span<const std::string_view>(names));
   reader.Report(Code::kModelBadPlace, *field,
                 fmt::format("is {}, in which the body is not stable", Quoted(*name)),
-                hint.empty() ? fmt::format("it is stable {}", fmt::join(names, ", ")) : hint);
+                hint.empty() ? fmt::format("stable ways: {}", fmt::join(names, ", ")) : hint);
   return false;
 }
 

@@ -17,13 +17,14 @@ using spec::Key;
 
 // Number of tries after which there is no room.
 constexpr std::size_t kMaxTries = 1000;
-// Number of tries after which a body that never fitted into the region, whatever stands there, is
-// too large for it.
-constexpr std::size_t kHopelessTries = 50;
+// Number of tries after which a body that never fitted into the region, whatever stands there,
+// never will.
+constexpr std::size_t kHopelessTries = 200;
 
 bool IsHopeless(const Misses& misses) {
-  const bool never_fits =
-      misses.AreAll(PlaceVerdict::kTooLarge) || misses.AreAll(PlaceVerdict::kTooHigh);
+  const bool never_fits = misses.AreAll(PlaceVerdict::kTooLarge) ||
+                          misses.AreAll(PlaceVerdict::kTooHigh) ||
+                          misses.AreAll(PlaceVerdict::kOutside);
   return never_fits && misses.count >= kHopelessTries;
 }
 
@@ -106,7 +107,7 @@ void Placements::Settle(const Request& request, const Trial& trial, const PlaceR
     diag::Finding& finding = context_.findings.Warn(
         Code::kModelBadPlace, request.entry.place->mark,
         fmt::format("body {} stands at {}, which joint {} tilts", Quoted(request.name),
-                    Quoted(trial.at), Quoted(joint->name)),
+                    Quoted(trial.at), Quoted(joint->name.substr(scope_.prefix.size()))),
         "it falls when the joint moves");
     finding.notes.push_back({joint->mark, "the joint is here"});
   }

@@ -15,7 +15,7 @@
 
 namespace mjforge::model {
 
-/// What placing needs of the object's assembly.
+/// Members of the assembly that placing needs.
 struct PlacementContext {
   Object& object;
   const std::unordered_map<std::string, int>& bodies;  // indices by full name

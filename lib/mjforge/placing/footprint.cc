@@ -18,6 +18,7 @@ using Eigen::Vector3d;
 
 constexpr double kSlice = 1e-3;     // m; thickness of the slice whose shadow is the footprint
 constexpr int kOutlinePoints = 64;  // per whole turn
+constexpr int kGenerators = 256;    // lines on the side of a tilted cylinder
 constexpr int kCapsuleSteps = 32;
 constexpr double kLevel = 1e-9;  // tolerance of level axes: rad, or m over the length
 // Vertices below and above the plane are joined pairwise up to this number of pairs; larger meshes
@@ -111,16 +112,27 @@ class Slicer {
       discs_.push_back({center.head<2>(), size.x()});
       return;
     }
-    // The first point of each rim is its lowest or its highest.
+    // The extreme points of the slice are on the rims, and on the lines along the side.
     const Vector3d across = Vector3d(-tilt.y(), tilt.x(), 0).normalized();
     const Vector3d steep = across.cross(axis);
-    std::vector<Vector3d> rims;
-    for (int i = 0; i < kOutlinePoints; ++i) {
-      const Vector3d radial = size.x() * (UnitAt(i).x() * steep + UnitAt(i).y() * across);
-      rims.push_back(center + radial + size.y() * axis);
-      rims.push_back(center + radial - size.y() * axis);
+    for (int i = 0; i < kGenerators; ++i) {
+      const double angle = 2 * std::numbers::pi * i / kGenerators;
+      const Vector3d radial = size.x() * (std::cos(angle) * steep + std::sin(angle) * across);
+      const Vector3d a = center + radial + size.y() * axis;
+      const Vector3d b = center + radial - size.y() * axis;
+      if (a.z() <= level_) points_.emplace_back(a.head<2>());
+      if (b.z() <= level_) points_.emplace_back(b.head<2>());
+      if ((a.z() <= level_) != (b.z() <= level_)) AddCrossing(a, b);
     }
-    AddHull(rims);
+    for (const double end : {-size.y(), size.y()}) {
+      // Points at which the rim crosses the plane.
+      const Vector3d middle = center + end * axis;
+      const double cosine = (level_ - middle.z()) / (size.x() * steep.z());
+      if (!(std::abs(cosine) < 1)) continue;
+      const double sine = std::sqrt(1 - cosine * cosine);
+      for (const double sign : {-sine, sine})
+        points_.emplace_back((middle + size.x() * (cosine * steep + sign * across)).head<2>());
+    }
   }
 
   // Adds the farthest point of an ellipsoid, below the plane, in each direction. The ellipsoid is

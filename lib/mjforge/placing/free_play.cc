@@ -196,7 +196,7 @@ std::optional<Vector2d> PositionIn(const model::Region& region, const Footprint&
 bool FitsAt(const model::Region& region, const Footprint& footprint, const Vector2d& translation,
             double overhang) {
   if (IsDisc(region)) {
-    const double radius = region.half_size.x() - region.margin + kFitTolerance;
+    const double radius = region.half_size.x() - region.margin + 2 * kFitTolerance;
     const auto is_inside = [&](const Disc& disc) {
       return (disc.center + translation).norm() + disc.radius <= radius;
     };
@@ -204,7 +204,7 @@ bool FitsAt(const model::Region& region, const Footprint& footprint, const Vecto
   } else {
     const auto is_inside = [&](const HalfPlane& border) {
       return border.normal.dot(translation) + footprint.Support(border.normal) <=
-             border.limit + kFitTolerance;
+             border.limit + 2 * kFitTolerance;  // more than PositionIn(), because of rounding
     };
     if (std::ranges::all_of(BordersOf(region), is_inside)) return true;
   }

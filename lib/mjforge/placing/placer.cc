@@ -247,19 +247,21 @@ class ExactPlacer : public model::Placer {
   void Begin(const model::Object& object) override {
     object_ = &object;
     obstacles_.Clear();
-    orientation_.reset();
+    TryBody(-1);
   }
 
   void Stand(int body, double clear) override {
     obstacles_.Add(*object_, body, clear);
-    orientation_.reset();
+    TryBody(-1);
   }
 
   PlaceResult Try(int body, const PlaceTry& where) override {
     if (where.region == nullptr) return TryAtSite(body, where);
-    if (!orientation_ || orientation_->body != body || orientation_->asked != where.lying)
-      orientation_ = OrientationOf(*object_, body, where.lying);
-    return RegionTry(*object_, *orientation_, where).Run(obstacles_);
+    TryBody(body);
+    auto orientation = std::ranges::find(orientations_, where.lying, &Orientation::asked);
+    if (orientation == orientations_.end())
+      orientation = orientations_.insert(orientation, OrientationOf(*object_, body, where.lying));
+    return RegionTry(*object_, *orientation, where).Run(obstacles_);
   }
 
   std::vector<model::StablePose> StablePoses(int body, double front) override {
@@ -289,10 +291,18 @@ class ExactPlacer : public model::Placer {
     return result;
   }
 
+  // Forgets what is known about the last body if another one is tried.
+  void TryBody(int body) {
+    if (body == body_) return;
+    body_ = body;
+    orientations_.clear();
+  }
+
   const model::Object* object_ = nullptr;
   Obstacles obstacles_;
-  // Orientation of the last try: consecutive tries for a body differ in position and yaw alone.
-  std::optional<Orientation> orientation_;
+  // The body of the last tries, and its orientations so far.
+  int body_ = -1;
+  std::vector<Orientation> orientations_;
 };
 
 }  // namespace

@@ -191,12 +191,13 @@ class RestFinder {
     return face;
   }
 
-  // Makes a face the representative if it is nearer to one of the sides.
+  // Makes a face the representative if it is nearer to one of the sides, or to an earlier side.
   void Represent(const Vector3d& normal, Rest& rest) const {
     rest.is_stable = true;
     for (std::size_t side = 0; side < sides_.size(); ++side) {
       const double alignment = normal.dot(sides_[side]);
-      if (alignment <= rest.alignment + kTie) continue;
+      const bool is_tie = std::abs(alignment - rest.alignment) <= kTie;
+      if (is_tie ? side >= rest.side : alignment < rest.alignment) continue;
       rest.alignment = alignment;
       rest.side = side;
       rest.down = normal;

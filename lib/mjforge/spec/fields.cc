@@ -84,6 +84,10 @@ constexpr FieldInfo Word(KeyName name, std::string_view words, std::string_view 
   row.words = words;
   return row;
 }
+constexpr FieldInfo OfKind(FieldKind kind, FieldInfo row) {
+  row.kind = kind;
+  return row;
+}
 constexpr FieldInfo Required(FieldInfo row) {
   row.required = true;
   return row;
@@ -580,9 +584,10 @@ constexpr FieldInfo kPlaceFields[] = {
            "drawn uniformly; at a site or with `facing` or `beside` 0",
            "Turn about the vertical: from the axes of the region or site, from where it faces, or "
            "from the direction of the body that it is beside."),
-    Row({"facing", Key::kFacing}, FieldKind::kFacing,
-        "What its front is turned to: an earlier body, a point x, y of the root frame, or a "
-        "direction x, y, 0."),
+    OfKind(FieldKind::kFacing,
+           Numbers({"facing", Key::kFacing}, {2, 3}, "", kAnyNumber, "",
+                   "What its front is turned to: an earlier body, a point x, y of the root frame, "
+                   "or a direction x, y, 0.")),
     Row({"lying", Key::kLying}, FieldKind::kText, "upright",
         "How it stands: `upright`, as its spec has it or, if it is not stable so, in the nearest "
         "stable way; by the name of another such way (`on_left`, `upside_down`); `any`: drawn from "

@@ -1,5 +1,5 @@
-// Steps of moving the zero configuration, each for one section of the object. They read poses and
-// lengths from the configurations, which still have the old zero.
+// Steps of moving the zero configuration, each for one section of the object. All steps read poses
+// and lengths from the configurations, which still have the old zero.
 #pragma once
 
 #include "mjforge/model/model.h"

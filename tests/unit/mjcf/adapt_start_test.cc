@@ -23,7 +23,7 @@ bool HasStartAtZero(const pugi::xml_document& file) {
 }
 bool HasKeyframe(const pugi::xml_document& file) { return !file.select_nodes("//key").empty(); }
 
-TEST_CASE("an object with a free body starts at zero, others in a keyframe") {
+TEST_CASE("an object with a free or a placed body starts at zero, others in a keyframe") {
   for (const char* target : {"mujoco", "scene", "mjx"}) {
     CAPTURE(target);
     model::Object free = OpenChest({});
@@ -35,6 +35,10 @@ TEST_CASE("an object with a free body starts at zero, others in a keyframe") {
     CHECK(Adapted(fixed, target) == Said{});
     CHECK_FALSE(HasStartAtZero(Written(fixed, target)));
     CHECK(HasKeyframe(Written(fixed, target)));
+    model::Object placed = OpenChest({}, /*is_fixed=*/true);
+    placed.bodies[1].stands_at = "chest.top";
+    CHECK(Adapted(placed, target) == Said{});
+    CHECK(HasStartAtZero(Written(placed, target)));
   }
 }
 
