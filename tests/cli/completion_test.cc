@@ -46,11 +46,11 @@ TEST_CASE_METHOD(CompletionTest, "options are completed as the command has them"
         "--sampler\tSpread of draws: random, sobol, latin, grid\n:\n");
   CHECK(Words({"verify", "-"}) == "--help\n--findings\n--color\n--quiet\n");
   CHECK(Words({"generate", "-M"}) == "-MD\n-MF\n-MT\n-MP\n");
-  CHECK(Words({"check", "--s"}) == "--seed\n--set\n");
+  CHECK(Words({"check", "--s"}) == "--seed\n--set\n--start\n");
   // An option that can be given once is not offered again.
-  CHECK(Words({"check", "-s", "7", "--set", "a=1", "--s"}) == "--set\n");
-  CHECK(Words({"check", "-s7", "--s"}) == "--set\n");
-  CHECK(Words({"check", "--seed=7", "--s"}) == "--set\n");
+  CHECK(Words({"check", "-s", "7", "--set", "a=1", "--s"}) == "--set\n--start\n");
+  CHECK(Words({"check", "-s7", "--s"}) == "--set\n--start\n");
+  CHECK(Words({"check", "--seed=7", "--s"}) == "--set\n--start\n");
   CHECK(Words({"generate", "-qv", "--"}).find("--quiet\n--verbose") == std::string::npos);
   CHECK(Words({"generate", "-MD", "-M"}) == "-MF\n-MT\n-MP\n");
   CHECK(Words({"check", "--", "--s"}).empty());

@@ -62,7 +62,7 @@ TEST_CASE_METHOD(PlacesTest, "a body at the end of the spec moves none before it
   }
 }
 
-TEST_CASE_METHOD(PlacesTest, "--place-seed moves the same objects, and replay follows") {
+TEST_CASE_METHOD(PlacesTest, "another place seed moves the same objects, and replay follows") {
   Generate({"-o", "out"});
   Generate({"--place-seed", "3", "-o", "moved"});
   Generate({"--place-seed", "3", "-o", "again"});

@@ -88,7 +88,7 @@ TEST_CASE_METHOD(Shells, "bash, zsh and fish complete what the program says") {
        {"crate.yaml", "my specs", "notes.txt", "pages", "robot.xml"}},
       {"mjforge report . -o pages/", {"pages/a.html"}},
       // Names and files.
-      {"mjforge check cra", {"crate.yaml"}},
+      {"mjforge check cra", {"crate", "crate.yaml"}},
       {"mjforge check primitives/b", {"primitives/ball", "primitives/box"}},
   };
   for (const std::string shell : {"bash", "zsh", "fish"}) {
@@ -125,10 +125,11 @@ TEST_CASE_METHOD(Shells, "lists say what the words mean") {
   CHECK(Ask("fish", "mjforge check crate.yaml --set h") == "height=\tHalf of it.\n");
   const std::string kListing = "63";  // bash's number for it
   CHECK(Ask("bash", "mjforge check --p", {kListing}) ==
+        "--place-seed             Seed of the draws of `place:` alone\n"
         "--params                 Set parameters from a YAML mapping\n"
         "--physics                Simulate each: does it behave?\n"
         "--profile                More tests, by name: simready\n");
-  CHECK(Ask("bash", "mjforge check --p") == "--params\n--physics\n--profile\n");
+  CHECK(Ask("bash", "mjforge check --p") == "--place-seed\n--params\n--physics\n--profile\n");
 }
 
 }  // namespace

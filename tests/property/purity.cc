@@ -26,7 +26,12 @@ void CheckSame(const Variant& variant, const Variant& expected) {
   REQUIRE(variant.document.world_position == expected.document.world_position);
   REQUIRE(variant.document.lift == expected.document.lift);
   REQUIRE(variant.document.assets == expected.document.assets);
-  REQUIRE(variant.document.origins == expected.document.origins);
+  // Files that are attached have new numbers in each generator.
+  REQUIRE(std::ranges::equal(variant.document.origins, expected.document.origins,
+                             [](const mjcf::LineOrigin& a, const mjcf::LineOrigin& b) {
+                               return a.line == b.line && a.mark.line == b.mark.line &&
+                                      a.mark.column == b.mark.column;
+                             }));
 }
 
 }  // namespace

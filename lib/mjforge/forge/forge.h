@@ -28,7 +28,6 @@
 #include "mjforge/model/model.h"
 #include "mjforge/output/output.h"
 #include "mjforge/physics/physics.h"
-#include "mjforge/physics/pile.h"
 #include "mjforge/sample/sample.h"
 #include "mjforge/spec/spec.h"
 #include "mjforge/validate/validate.h"

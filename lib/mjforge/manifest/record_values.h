@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -171,6 +173,21 @@ bool GetAll(const rapidjson::Value& object, Of& of, const JsonMember<Of> (&membe
   return std::ranges::all_of(members, [&](const JsonMember<Of>& member) {
     return std::visit([&](auto at) { return GetMember(object, member.key, of.*at); }, member.at);
   });
+}
+
+/// Returns the properties of a table of members, for a JSON Schema.
+template <typename Of, std::size_t n>
+std::string SchemaOf(const JsonMember<Of> (&members)[n]) {
+  // In the order of the alternatives of JsonMember::at.
+  constexpr std::array kTypes = {R"(["number", "null"])", R"("integer")", R"("boolean")",
+                                 R"("string")",           R"("array")",   R"("array")",
+                                 R"("integer")"};
+  std::string text;
+  for (const JsonMember<Of>& member : members) {
+    text += fmt::format(R"({}"{}": {{"type": {}}})", text.empty() ? "" : ", ", member.key,
+                        kTypes[member.at.index()]);
+  }
+  return text;
 }
 
 }  // namespace mjforge::manifest

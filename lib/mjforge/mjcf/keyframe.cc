@@ -32,7 +32,7 @@ void AddPositions(const model::Body& body, double lift, std::vector<double>& qpo
       AddPose(body.X_PB, lift, qpos);
       continue;
     }
-    const sample::Numbers position = HasStart(joint) ? joint.start : model::ZeroPosition(joint);
+    const auto position = HasStart(joint) ? joint.start : model::ZeroPosition(joint);
     qpos.insert(qpos.end(), position.begin(), position.end());
   }
 }

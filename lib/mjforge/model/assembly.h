@@ -1,5 +1,4 @@
-// Assembly of one object: adds the elements of a spec, and of the specs nested in it, to a tree of
-// bodies.
+// Assembly of one object: adds the elements of a spec and its nested specs to a tree of bodies.
 
 #pragma once
 
@@ -48,11 +47,7 @@ class Assembly {
   void AddWeld(Scope& scope, const spec::Entry& entry, const Pose& X_SF);
   /// Counts of the elements of the current body, and of all bodies.
   struct ElementCounts {
-    std::size_t parts = 0;
-    std::size_t sites = 0;
-    std::size_t regions = 0;
-    std::size_t views = 0;
-    std::size_t bodies = 0;
+    std::size_t parts, sites, regions, views, bodies;
   };
   ElementCounts CountElements();
   /// Moves the elements added since `from` was counted: parts, sites, regions and views of the
@@ -118,8 +113,8 @@ class Assembly {
   struct RequestedStart {
     std::string_view key = "pose";
     RequestedPosition position;           // its joint may be the name of an actuator
-    std::optional<Eigen::Vector3d> p;     // of a free body
-    std::optional<Eigen::Quaterniond> q;  // of a free body
+    std::optional<Eigen::Vector3d> p;     // only for a free body
+    std::optional<Eigen::Quaterniond> q;  // only for a free body
     sample::Numbers velocity = {};
     bool is_actuator = false;
     std::optional<double> ctrl = {};
@@ -197,7 +192,7 @@ class Assembly {
   std::size_t spec_count_ = 0;                   // welded specs
   bool is_full_ = false;                         // kMaxParts was exceeded and reported
   std::unordered_map<std::string, int> bodies_;  // indices by full name
-  std::vector<RequestedStart> starts_;           // of specs that are not complete
+  std::vector<RequestedStart> starts_;           // starts of incomplete specs
   std::vector<RequestedStart> lost_starts_;      // without a joint or actuator
   std::vector<FaceSearch> face_searches_;
 };

@@ -36,7 +36,7 @@ class Assembler {
   };
 
   /// `attachments` reads MJCF files, `placer` searches places; without them a body with `mjcf:` or
-  /// `place:` is an error. Both must outlive the assembler.
+  /// `place:` is an error. The assembler refers to the two objects.
   explicit Assembler(AttachmentSource* attachments = nullptr, Placer* placer = nullptr)
       : attachments_(attachments), placer_(placer) {}
 

@@ -32,8 +32,8 @@ struct NoRoom {
   double clear = 0;                // m
   std::size_t standing = 0;        // instances of the same entry that stand
   std::size_t instances = 0;       // all instances of the entry; 0: not known
-  diag::SourceMark mark;           // of the name in `at`
-  diag::SourceMark target;         // of the region or site
+  diag::SourceMark mark;           // place of the name in `at`
+  diag::SourceMark target;         // place of the region or site
 };
 
 /// Adds the finding that names the reason, the sizes and what is in the way.

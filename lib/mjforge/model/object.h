@@ -16,6 +16,7 @@
 
 #include "mjforge/diag/diag.h"
 #include "mjforge/model/attributes.h"
+#include "mjforge/model/bounds.h"
 #include "mjforge/model/checks.h"
 #include "mjforge/model/pile.h"
 #include "mjforge/model/poses.h"
@@ -146,18 +147,6 @@ struct Body {
   /// Index of the first body of the same attached file; -1 for other bodies.
   int attached = -1;
   diag::SourceMark mark;
-};
-
-/// Extents of the collision parts (of all parts if none collides) at the start state, in the
-/// object's frame W; see BodyPoses().
-struct Bounds {
-  Box3 aabb;
-  double top_offset = 0;         // aabb.max.z, m
-  double bottom_offset = 0;      // aabb.min.z, m
-  double horizontal_radius = 0;  // largest distance from the z axis of W, m
-  bool declared = false;         // given by `total_size`, not computed
-  Box3 swept;                    // over the ranges of the joints; see SweptBounds()
-  Eigen::Vector3d half_size() const { return (aabb.max - aabb.min) / 2; }
 };
 
 /// State of an actuator at the start: control, and activation if the actuator has one.

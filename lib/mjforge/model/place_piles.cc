@@ -62,34 +62,38 @@ void Placements::PileUp(const Request& request, sample::StreamId places) {
     return;
   }
   if (!MustBeLevel(request, trial, mark)) return;
-  std::vector<Pile>& piles = context_.object.piles;
-  auto pile = std::ranges::find_if(piles, [&](const Pile& other) {
-    return other.support == trial.where.support && other.region.site == trial.target.region->site;
-  });
-  if (pile == piles.end()) {
-    pile = piles.emplace(piles.end());
-    pile->at = trial.at;
-    pile->support = trial.where.support;
-    pile->region = *trial.target.region;
-    pile->mark = request.entry.place->mark;
-    ReadPile(request, places, *pile);
-    AddOptions(context_.object.sections);
-  }
+  Pile& pile = PileAt(request, trial, places);
   sample::Numbers q;
   scope_.values.AppendRotation(sample::Child(places, "turn"), q);
   const std::array<double, 4> uv = scope_.values.Uniforms(sample::Child(places, "uv"));
   const double radius = std::sqrt(uv[0]);
   const double angle = 2 * std::numbers::pi * uv[1];
-  Pile::Item& item = pile->items.emplace_back();
+  Pile::Item& item = pile.items.emplace_back();
   item.body = request.body;
   item.q = Eigen::Quaterniond(q[0], q[1], q[2], q[3]);
-  item.uv = pile->region.type == RegionType::kBox
+  item.uv = pile.region.type == RegionType::kBox
                 ? Eigen::Vector2d(2 * uv[0] - 1, 2 * uv[1] - 1)
                 : radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
   Body& body = context_.object.bodies[static_cast<std::size_t>(request.body)];
   body.parent = trial.where.support;
-  body.X_PB = pile->region.X_BR;
+  body.X_PB = pile.region.X_BR;
   body.stands_at = trial.at;
+}
+
+Pile& Placements::PileAt(const Request& request, const Trial& trial, sample::StreamId places) {
+  std::vector<Pile>& piles = context_.object.piles;
+  const auto pile = std::ranges::find_if(piles, [&](const Pile& other) {
+    return other.support == trial.where.support && other.region.site == trial.target.region->site;
+  });
+  if (pile != piles.end()) return *pile;
+  Pile& added = piles.emplace_back();
+  added.at = trial.at;
+  added.support = trial.where.support;
+  added.region = *trial.target.region;
+  added.mark = request.entry.place->mark;
+  ReadPile(request, places, added);
+  AddOptions(context_.object.sections);
+  return added;
 }
 
 bool Placements::IsPiled(const Request& request, int body, diag::SourceMark mark) {

@@ -77,7 +77,7 @@ struct StablePose {
   std::string name;  // upright, upside_down, on_front, on_back, on_left, on_right, on_left_2, ...
   Eigen::Quaterniond rotation;  // for PlaceTry::lying
   double margin = 0;            // least angle by which it must be tilted to tip over, rad
-  double probability = 0;       // of coming to rest in this pose if released at random
+  double probability = 0;       // probability that a random throw ends in it
 };
 
 /// Searches places for bodies of one object. "Below" a body are all bodies whose chain of parents

@@ -21,7 +21,7 @@ struct PlacementContext {
   const std::unordered_map<std::string, int>& bodies;  // indices by full name
   Repetition& repetition;
   Placer& placer;
-  std::optional<std::uint64_t> seed;  // of the places alone
+  std::optional<std::uint64_t> seed;  // seed of the places alone
   std::set<std::string>& left_out;    // full names of bodies; those without room are added
   diag::Findings& findings;
 };
@@ -54,6 +54,8 @@ class Placements {
   // place_piles.cc
   /// Adds the body to the pile in its region, from which a simulation takes it.
   void PileUp(const Request& request, sample::StreamId places);
+  /// Returns the pile in the region of a place, which is added if it is the first of its bodies.
+  Pile& PileAt(const Request& request, const Trial& trial, sample::StreamId places);
   /// Reads `order` and `time` of a pile.
   void ReadPile(const Request& request, sample::StreamId path, Pile& pile);
   /// Returns true if the body is in a pile, so that nothing can be placed by it; adds a finding.
@@ -99,8 +101,8 @@ class Placements {
   std::vector<Pose> X_WB_;  // poses of all bodies at present
   int posed_body_ = -1;     // the body of `stable_poses_`
   std::vector<StablePose> stable_poses_;
-  std::size_t instances_ = 0;  // of the current entry; 0 if it has a condition
-  std::size_t standing_ = 0;   // of the current entry
+  std::size_t instances_ = 0;  // number for the current entry; 0 if it has a condition
+  std::size_t standing_ = 0;   // bodies of the current entry
 };
 
 }  // namespace mjforge::model

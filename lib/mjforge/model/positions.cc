@@ -27,6 +27,12 @@ bool IsTurnedWithin(const Eigen::Vector2d& range, const Eigen::Vector4d& q) {
   return 2 * std::acos(std::min(std::abs(q[0]), 1.0)) <= range[1] + kTolerance;
 }
 
+std::string FreeHint(std::string_view what) {
+  return what == "pose"
+             ? "in a list: `{joint: NAME, pos: [0, 0, 1m]}`"
+             : "where a free body is follows from its `pos`, which a parameter may decide";
+}
+
 }  // namespace
 
 void Assembly::ReportUnknownJoint(std::string_view what, const RequestedPosition& position) {
@@ -53,12 +59,7 @@ std::optional<sample::Numbers> Assembly::ToQpos(std::string_view what,
                   std::move(hint));
     return std::nullopt;
   };
-  if (joint.type == "free")
-    return bad("cannot be set: it is free",
-               what == "pose"
-                   ? "in a list: `{joint: NAME, pos: [0, 0, 1m]}`"
-                   : "where a free body is follows from its `pos`, which a parameter may "
-                     "decide");
+  if (joint.type == "free") return bad("cannot be set: it is free", FreeHint(what));
   const std::size_t wanted = joint.type == "ball" ? 4 : 1;
   if (numbers.size() != wanted) {
     return bad(fmt::format("has {} numbers, but a {} takes {}", numbers.size(), joint.type, wanted),

@@ -40,4 +40,12 @@ struct Region {
   diag::SourceMark mark;
 };
 
+/// Returns the position, in the plane of R, of a disc of this radius: `uv`, from -1 to 1, within
+/// the positions at which the disc is inside; in a disc, and in the largest disc of a polygon,
+/// within the unit disc. If the disc is too large, the middle of the region.
+Eigen::Vector2d PositionOfDisc(const Region& region, double radius, const Eigen::Vector2d& uv);
+
+/// Returns how far a point in the plane of R is outside of the region, m; at most 0 inside.
+double DistanceOutside(const Region& region, const Eigen::Vector2d& p);
+
 }  // namespace mjforge::model

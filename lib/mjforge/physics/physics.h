@@ -13,6 +13,7 @@
 #include "mjforge/diag/diag.h"
 #include "mjforge/mjcf/mjcf.h"
 #include "mjforge/model/model.h"
+#include "mjforge/physics/pile.h"
 
 namespace mjforge::physics {
 

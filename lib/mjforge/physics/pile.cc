@@ -42,47 +42,12 @@ constexpr double kLargeMassRatio = 100;  // at which contacts of MuJoCo get soft
 struct PiledBody {
   const model::Pile::Item* item = nullptr;
   int id = 0;
-  double radius = 0;                                // of the sphere around its centre of mass, m
+  double radius = 0;                                // m, sphere around the centre of mass
   Eigen::Vector3d p_BCm = Eigen::Vector3d::Zero();  // centre of mass of its tree
 };
 
 /// Returns true if a body is in the tree of a root.
 bool IsIn(const mjModel& m, int body, int root) { return m.body_rootid[body] == root; }
-
-/// Position in the region's frame from -1 .. 1, for a body of this radius.
-Eigen::Vector2d PositionIn(const model::Region& region, double radius, const Eigen::Vector2d& uv) {
-  if (region.type != model::RegionType::kPolygon) {
-    const Eigen::Vector2d play = (region.half_size.array() - region.margin - radius).cwiseMax(0);
-    return uv.cwiseProduct(play);
-  }
-  // The largest disc about the middle of the corners.
-  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-  for (const Eigen::Vector2d& corner : region.corners)
-    middle += corner / static_cast<double>(region.corners.size());
-  double play = region.half_size.norm();
-  for (std::size_t i = 0; i < region.corners.size(); ++i) {
-    const Eigen::Vector2d from = region.corners[i];
-    const Eigen::Vector2d along =
-        (region.corners[(i + 1) % region.corners.size()] - from).normalized();
-    play =
-        std::min(play, std::abs(along.x() * (middle - from).y() - along.y() * (middle - from).x()));
-  }
-  return middle + uv / std::max(1.0, uv.norm()) * std::max(0.0, play - region.margin - radius);
-}
-
-/// Returns how far a point of the region's plane is outside of the region, m; at most 0 inside.
-double DistanceOutside(const model::Region& region, const Eigen::Vector2d& p) {
-  if (region.type == model::RegionType::kBox) return (p.cwiseAbs() - region.half_size).maxCoeff();
-  if (region.type == model::RegionType::kDisc) return p.norm() - region.half_size.x();
-  double outside = -region.half_size.norm();
-  for (std::size_t i = 0; i < region.corners.size(); ++i) {
-    const Eigen::Vector2d from = region.corners[i];
-    const Eigen::Vector2d along =
-        (region.corners[(i + 1) % region.corners.size()] - from).normalized();
-    outside = std::max(outside, along.y() * (p - from).x() - along.x() * (p - from).y());
-  }
-  return outside;
-}
 
 /// Releases the bodies of one pile, while all other bodies are held.
 class PileSimulation {
@@ -166,7 +131,7 @@ class PileSimulation {
       if (!box.empty()) top = std::max(top, box.max.z());
     }
     ++released_;
-    MoveTo(body, PositionIn(pile_.region, body.radius, body.item->uv),
+    MoveTo(body, model::PositionOfDisc(pile_.region, body.radius, body.item->uv),
            top + body.radius + kClearance);
     stepper_.emplace(m_, d_);
   }
@@ -209,7 +174,7 @@ class PileReport {
   void AddLeft(const model::Pose& X_WR) {
     for (const PiledBody& body : bodies_) {
       const Eigen::Vector3d p_R = X_WR.Inverse() * VectorAt(d_.subtree_com, body.id);
-      const double outside = DistanceOutside(pile_.region, p_R.head<2>());
+      const double outside = model::DistanceOutside(pile_.region, p_R.head<2>());
       if (outside <= kEdge && p_R.z() > 0) continue;
       reporter_.Error(Code::kPhysicsPileLeft, pile_.mark,
                       outside > kEdge ? fmt::format("'{}' lies {} mm outside of '{}'", NameOf(body),

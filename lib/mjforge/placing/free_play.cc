@@ -16,7 +16,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kFitTolerance = 1e-9;  // m; a footprint as large as its region fits
-constexpr int kTangents = 64;           // of a disc, for areas
+constexpr int kTangents = 64;           // sides of the polygon that replaces a disc, for areas
 constexpr int kBisections = 50;
 constexpr double kLeastArea = 1e-12;  // m^2; smaller footprints are points or lines
 
@@ -100,7 +100,9 @@ double Between(double low, double high, double u) { return low + (high - low) * 
 Vector2d PointIn(const Polygon& polygon, const Vector2d& uv) {
   Eigen::AlignedBox2d box;
   for (const Vector2d& p : polygon) box.extend(p);
-  const double x = Between(box.min().x(), box.max().x(), uv.x());
+  // Rounding must not move the last position beyond the corners.
+  const double x =
+      std::clamp(Between(box.min().x(), box.max().x(), uv.x()), box.min().x(), box.max().x());
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -113,7 +115,6 @@ Vector2d PointIn(const Polygon& polygon, const Vector2d& uv) {
     low = std::min({low, y, b.x() > a.x() ? y : b.y()});
     high = std::max({high, y, b.x() > a.x() ? y : b.y()});
   }
-  if (!(low <= high)) return box.center();  // rounding
   return {x, Between(low, high, uv.y())};
 }
 
@@ -137,7 +138,7 @@ std::optional<Vector2d> PositionInPolygon(const model::Region& region, const Foo
 }
 
 // The translations t that keep the footprint within a disc of radius R are the intersection of
-// discs: |t + c_i| <= R - r_i. They are a ray's length from the position in the middle.
+// discs: |t + c_i| <= R - r_i. A ray from the position in the middle leaves each disc once.
 std::optional<Vector2d> PositionInDisc(const model::Region& region, const Footprint& footprint,
                                        const Vector2d& uv) {
   const double radius = region.half_size.x() - region.margin;

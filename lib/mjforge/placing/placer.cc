@@ -221,8 +221,8 @@ class RegionTry {
   }
 
   // Returns the height above the region's plane at which the body, lowered from above an interior,
-  // touches something; 0 if it touches nothing. It is lowered from below the interior's ceiling or,
-  // without one, from above the body that has the region.
+  // touches something; 0 if it touches nothing. The start is below the interior's ceiling or,
+  // without a ceiling, above the body that has the region.
   double Rise(const Pose& X_RB, const Support& support, const Obstacles& obstacles) const {
     const auto [lowest, highest] = obstacles.HeightsOf(where_.support, support);
     const double start = std::isfinite(region_.height)

@@ -8,8 +8,8 @@
 
 namespace mjforge::placing {
 
-/// Height of a placed object above its support, m. It is less than the 0.1 mm that an object may
-/// fall, and larger than the rounding of any number in MJCF, so that nothing overlaps. The `margin`
+/// Height of a placed object above its support, m: less than the 0.1 mm that an object may fall,
+/// and larger than the rounding of any number in MJCF, so that nothing overlaps. The `margin`
 /// of a geom, at which MuJoCo makes contacts without force, is ignored.
 inline constexpr double kContactGap = 5e-5;
 

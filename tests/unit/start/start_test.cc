@@ -124,7 +124,7 @@ TEST_CASE("welds and connections keep what they held at the old zero") {
       "pose: {hinge: 0.5 + pi / 2}\n"
       "mjcf:\n"
       "  equality:\n"
-      "    - {weld: {name: grown, body1: door, anchor: [0, 1, 0]}}\n"
+      "    - {weld: {active: false, name: grown, body1: door, anchor: [0, 1, 0]}}\n"
       "    - {weld: {active: false, name: posed, body1: door, relpose: [1, 2, 3, 1, 0, 0, 0]}}\n"
       "    - {connect: {name: closed, body1: door, anchor: [0, 2, 0]}}\n"
       "    - {connect: {active: false, name: open, body1: door, anchor: [0, 1, 0]}}\n");
