@@ -17,8 +17,18 @@ namespace {
 using diag::Code;
 using spec::Key;
 
+void AddUnlessStated(std::string_view name, sample::Numbers numbers, std::string text,
+                     std::vector<Attribute>& attributes) {
+  if (FindAttribute(attributes, name) != nullptr) return;
+  Attribute& attribute = attributes.emplace_back();
+  attribute.name = name;
+  attribute.numbers = std::move(numbers);
+  attribute.text = std::move(text);
+}
+
 // Sets the options with which a pile rests in MuJoCo, unless the spec states its own. With a
-// pyramidal cone and impratio 1, bodies glide on each other for ever.
+// pyramidal cone and impratio 1, bodies glide on each other for ever. Without multiccd, releases
+// before 4.0 let a convex piece rest on a single point.
 void AddOptions(std::vector<Section>& sections) {
   const spec::SectionInfo* info = spec::FindSection("option");
   auto found = std::ranges::find(sections, info, &Section::info);
@@ -27,16 +37,15 @@ void AddOptions(std::vector<Section>& sections) {
     found->info = info;
   }
   if (found->elements.empty()) found->elements.emplace_back().tag = info->name;
-  std::vector<Attribute>& attributes = found->elements.front().attributes;
-  const auto add = [&](std::string_view name, sample::Numbers numbers, std::string text) {
-    if (FindAttribute(attributes, name) != nullptr) return;
-    Attribute& attribute = attributes.emplace_back();
-    attribute.name = name;
-    attribute.numbers = std::move(numbers);
-    attribute.text = std::move(text);
-  };
-  add("cone", {}, "elliptic");
-  add("impratio", {10}, "");
+  Element& option = found->elements.front();
+  AddUnlessStated("cone", {}, "elliptic", option.attributes);
+  AddUnlessStated("impratio", {10}, "", option.attributes);
+  auto flag = std::ranges::find(option.children, "flag", &Element::tag);
+  if (flag == option.children.end()) {
+    flag = option.children.emplace(option.children.end());
+    flag->tag = "flag";
+  }
+  AddUnlessStated("multiccd", {}, "enable", flag->attributes);
 }
 
 }  // namespace

@@ -107,6 +107,7 @@ class PileSimulation {
     for (const PiledBody& body : bodies_) height += 2 * body.radius;
     const model::Box3 all = compiled::CollidingBox(m_, d_, 0);
     if (!all.empty()) height = std::max(height, all.max.z() + 2 * bodies_.front().radius);
+    parked_ = height;
     for (const PiledBody& body : bodies_) {
       height += body.radius + kClearance;
       MoveTo(body, {0, 0}, height);
@@ -131,9 +132,20 @@ class PileSimulation {
       if (!box.empty()) top = std::max(top, box.max.z());
     }
     ++released_;
-    MoveTo(body, model::PositionOfDisc(pile_.region, body.radius, body.item->uv),
-           top + body.radius + kClearance);
+    const Eigen::Vector2d p_R = model::PositionOfDisc(pile_.region, body.radius, body.item->uv);
+    double height = top + body.radius + kClearance;
+    MoveTo(body, p_R, height);
+    // Posts and sloping walls may stand in the region.
+    for (; Touches(body) && height < parked_; height += body.radius / 2) MoveTo(body, p_R, height);
     stepper_.emplace(m_, d_);
+  }
+
+  bool Touches(const PiledBody& body) {
+    mj_fwdPosition(&m_, &d_);
+    return std::any_of(d_.contact, d_.contact + d_.ncon, [&](const mjContact& contact) {
+      return IsIn(m_, m_.geom_bodyid[contact.geom1], body.id) !=
+             IsIn(m_, m_.geom_bodyid[contact.geom2], body.id);
+    });
   }
 
   void Step() {
@@ -159,6 +171,7 @@ class PileSimulation {
   model::Pose X_WR_;
   std::vector<PiledBody> bodies_;  // in the order of their release
   std::size_t released_ = 0;
+  double parked_ = 0;         // m, height above which bodies wait
   std::vector<mjtNum> held_;  // qpos of bodies that are not released
   std::optional<Stepper> stepper_;
 };
