@@ -20,7 +20,7 @@ struct PlacedShape {
 };
 
 /// Returns a point of the shape that is farthest in a direction.
-Eigen::Vector3d FarthestPoint(const PlacedShape& shape, const Eigen::Vector3d& direction_W);
+Eigen::Vector3d FarthestPoint(const PlacedShape& placed, const Eigen::Vector3d& direction_W);
 
 /// Vector from the nearest point of B to the nearest point of A, m; zero if they overlap.
 Eigen::Vector3d Separation(const PlacedShape& a, const PlacedShape& b);

@@ -47,7 +47,7 @@ void PutIntoOuterBody(model::Object& object) {
 }
 
 // Adds a geom that robocasa reads as a region. `reg_NAME` becomes the region NAME there.
-void AddRegionGeom(std::string_view name, model::Shape shape, const model::Pose& X_BG,
+void AddRegionGeom(std::string_view name, const model::Shape& shape, const model::Pose& X_BG,
                    diag::SourceMark mark, model::Body& body) {
   model::Part part;
   part.name = fmt::format("reg_{}", name);

@@ -57,6 +57,7 @@ std::vector<Pose> SubtreePoses(const std::vector<Body>& bodies, std::size_t firs
 
 std::vector<Pose> ZeroPoses(const std::vector<Body>& bodies) {
   std::vector<Pose> X_WB;
+  X_WB.reserve(bodies.size());
   for (const Body& body : bodies)
     X_WB.push_back(body.parent < 0 ? body.X_PB
                                    : X_WB[static_cast<std::size_t>(body.parent)] * body.X_PB);

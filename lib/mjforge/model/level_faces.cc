@@ -71,7 +71,7 @@ std::vector<Vector3d> VerticesOf(const Shape& shape) {
   std::vector<Vector3d> corners;
   if (shape.type != GeomType::kBox) return corners;
   for (int i = 0; i < 8; ++i) {
-    const Vector3d signs(i % 2 * 2 - 1, i / 2 % 2 * 2 - 1, i / 4 * 2 - 1);
+    const Vector3d signs((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
     corners.emplace_back(signs.cwiseProduct(shape.size));
   }
   return corners;

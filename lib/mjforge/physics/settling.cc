@@ -129,7 +129,7 @@ void CheckSettled(mjModel& m, Workspace& workspace, const std::string& object,
                    fmt::format("the simulation diverges as '{}' settles", object));
     return;
   }
-  Result::Settling& settling = result.settled.emplace();
+  Result::Settling settling;
   settling.bodies = static_cast<int>(bodies.size());
   for (const FreeBody& body : bodies) {
     settling.distance = std::max(settling.distance, body.distance);
@@ -146,6 +146,7 @@ void CheckSettled(mjModel& m, Workspace& workspace, const std::string& object,
             ? "start it where it touches what it is to stand on"
             : "start it where it can rest, or allow more motion: `settled: {moved, turned}`");
   }
+  result.settled = settling;
 }
 
 }  // namespace mjforge::physics

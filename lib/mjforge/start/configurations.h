@@ -25,11 +25,11 @@ sample::Numbers NumbersOf(const Attributes& attributes, std::string_view name) {
 std::string_view TextOf(const model::Element& element, std::string_view name);
 /// Sets the numbers of an attribute, which is added if it is missing. `name` is in static storage.
 template <typename Attributes>
-void SetNumbers(Attributes& attributes, std::string_view name, sample::Numbers numbers) {
+void SetNumbers(Attributes& attributes, std::string_view name, const sample::Numbers& numbers) {
   auto* attribute = model::FindAttribute(attributes, name);
   if (attribute == nullptr) attribute = &attributes.emplace_back();
   attribute->name = name;
-  attribute->numbers = std::move(numbers);
+  attribute->numbers = numbers;
 }
 
 /// Returns true if any joint of the object starts elsewhere than at zero.
