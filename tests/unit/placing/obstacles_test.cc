@@ -71,7 +71,7 @@ TEST_CASE("random shapes touch after the drop and nowhere before") {
     ++touching;
     CHECK(distance_at(drop) < 1e-6);
   }
-  CHECK(touching > harness::Effort(200));
+  CHECK(touching > harness::Effort(100));
 }
 
 TEST_CASE("a blocker overlaps, or is nearer than either body asks for") {
