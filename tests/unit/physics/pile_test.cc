@@ -84,7 +84,7 @@ TEST_CASE("a pile does not depend on the piles before it") {
 }
 
 TEST_CASE("a body that falls out of its region is reported") {
-  Object object = Crate(40, 0.002);
+  Object object = Crate(20, 0.002);
   diag::Findings findings;
   CHECK_FALSE(PileSettler().Settle(object, findings));
   REQUIRE_FALSE(findings.empty());
