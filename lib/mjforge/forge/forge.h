@@ -103,7 +103,7 @@ using manifest::Validation;
 /// Options that apply to all variants of a batch.
 struct Options {
   std::uint64_t seed = 0;
-  std::optional<std::uint64_t> place_seed;  // redraws the places alone
+  std::optional<std::uint64_t> place_seed = {};  // redraws the places alone
   mjcf::Target target = mjcf::Target::kMujoco;
   mjcf::AssetForm assets = mjcf::AssetForm::kInline;
   std::string name;           // valid for CheckName; empty: the name of the spec
