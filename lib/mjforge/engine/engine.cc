@@ -187,6 +187,15 @@ std::optional<Engine::AssetProblem> Engine::SetAssets(const bytes::Assets& asset
   return std::nullopt;
 }
 
+Loaded Engine::LoadText(const std::string& text, const bytes::Assets& assets) {
+  if (const std::optional<AssetProblem> problem = SetAssets(assets)) {
+    Loaded loaded;
+    loaded.error = problem->message;
+    return loaded;
+  }
+  return LoadText(text);
+}
+
 Loaded Engine::LoadText(const std::string& text) {
   return LoadWithStack(text, [&](const std::string& attempt) {
     in_memory_.SetText(attempt);

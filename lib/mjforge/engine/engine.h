@@ -65,6 +65,9 @@ class Engine {
   /// generated files must live until the text is loaded. Returns the first problem, if any.
   std::optional<AssetProblem> SetAssets(const bytes::Assets& assets);
 
+  /// Puts the files into memory, and loads a text that may refer to them. A file that cannot be put
+  /// into memory is the error.
+  Loaded LoadText(const std::string& text, const bytes::Assets& assets);
   /// Loads a text that may refer to the assets.
   Loaded LoadText(const std::string& text);
   /// Loads a text as if it were a file in that folder; reads the files it refers to from the disk.

@@ -36,19 +36,30 @@ Pose JointMotion(const Joint& joint, const sample::Numbers& from, const sample::
   return {joint.pos - q * joint.pos, q};
 }
 
+namespace {
+
+// Returns the pose of a body in its parent; joints without a position are at their start.
+Pose PoseInParent(const Body& body, JointPositions positions) {
+  Pose X_PB = body.X_PB;
+  for (const Joint& joint : body.joints) {
+    const auto given = std::ranges::find(positions, joint.name, &JointPositions::value_type::first);
+    const sample::Numbers& to = given == positions.end() ? joint.start : given->second;
+    if (!to.empty()) X_PB = X_PB * JointMotion(joint, {}, to);
+  }
+  return X_PB;
+}
+
+}  // namespace
+
+Pose StartPose(const Body& body) { return PoseInParent(body, {}); }
+
 std::vector<Pose> SubtreePoses(const std::vector<Body>& bodies, std::size_t first,
                                JointPositions positions) {
   std::vector<Pose> X_FB(bodies.size() - first);
   for (std::size_t i = first; i < bodies.size(); ++i) {
     const Body& body = bodies[i];
     if (i == first && first > 0) continue;
-    Pose X_PB = body.X_PB;
-    for (const Joint& joint : body.joints) {
-      const auto given =
-          std::ranges::find(positions, joint.name, &JointPositions::value_type::first);
-      const sample::Numbers& to = given == positions.end() ? joint.start : given->second;
-      if (!to.empty()) X_PB = X_PB * JointMotion(joint, {}, to);
-    }
+    const Pose X_PB = PoseInParent(body, positions);
     X_FB[i - first] =
         body.parent < 0 ? X_PB : X_FB[static_cast<std::size_t>(body.parent) - first] * X_PB;
   }

@@ -34,6 +34,10 @@ using JointPositions = std::span<const std::pair<std::string, sample::Numbers>>;
 std::vector<Pose> SubtreePoses(const std::vector<Body>& bodies, std::size_t first,
                                JointPositions positions = {});
 
+/// Returns the pose of a body in its parent with its joints at their start: X_PB after the motions
+/// of the joints.
+Pose StartPose(const Body& body);
+
 /// Returns X_WB of every body of an object with all joints at zero.
 std::vector<Pose> ZeroPoses(const std::vector<Body>& bodies);
 

@@ -146,8 +146,7 @@ void CheckLevelRegions(const Object& object, diag::SourceMark spec, diag::Findin
     for (const Region& region : object.bodies[i].regions) {
       if (region.mark.file != spec.file) continue;
       if (poses.empty()) poses = BodyPoses(object);
-      const Eigen::Vector3d up = (poses[i].q * region.X_BR.q) * Eigen::Vector3d::UnitZ();
-      const double angle = std::atan2(up.head<2>().norm(), up.z());
+      const double angle = TiltOf(poses[i] * region.X_BR);
       if (angle <= kLevelAngle) continue;
       findings.Add(diag::Code::kModelNotLevel, region.mark,
                    fmt::format("region '{}' leans by {:.3g} degrees at the start", region.name,

@@ -18,33 +18,14 @@ using Polygon = std::vector<Vector2d>;
 // Tolerance for the same height and for contact, m: below any clearance that matters, above the
 // rounding errors of poses.
 constexpr double kTouching = 1e-6;
+constexpr double kStraight = 1e-9;  // sine of the angle between edges that are one
 constexpr std::size_t kDiscCorners = 64;
 // The number of faces that are compared with all shapes is limited, because an object may have
 // 40,000 parts.
 constexpr std::size_t kMostFaces = 64;
 
-double Cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-// Returns the convex hull, counter-clockwise, without corners on straight lines (Andrew's monotone
-// chain).
-Polygon HullOf(Polygon points) {
-  std::ranges::sort(points, {}, [](const Vector2d& p) { return std::pair(p.x(), p.y()); });
-  Polygon hull;
-  const auto add = [&](const Vector2d& p, std::size_t least) {
-    while (hull.size() > least) {
-      const Vector2d& last = hull.back();
-      const Vector2d edge = last - hull[hull.size() - 2];
-      if (Cross(edge, p - last) > 1e-9 * edge.norm() * (p - last).norm()) break;
-      hull.pop_back();
-    }
-    hull.push_back(p);
-  };
-  for (const Vector2d& p : points) add(p, 1);
-  const std::size_t upper = hull.size();
-  for (std::size_t i = points.size(); i-- > 1;) add(points[i - 1], upper);
-  if (hull.size() > 1) hull.pop_back();  // the first point again
-  return hull;
-}
+// Returns the convex hull without corners on straight lines.
+Polygon Simplified(Polygon points) { return solid::ConvexPolygonOf(std::move(points), kStraight); }
 
 Polygon PolygonAround(const Vector2d& center, double radius) {
   Polygon corners;
@@ -66,17 +47,6 @@ void MakePolygon(LevelFace& face) {
   face.radius.reset();
 }
 
-std::vector<Vector3d> VerticesOf(const Shape& shape) {
-  if (shape.type == GeomType::kMesh) return shape.mesh->vertices;
-  std::vector<Vector3d> corners;
-  if (shape.type != GeomType::kBox) return corners;
-  for (int i = 0; i < 8; ++i) {
-    const Vector3d signs((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
-    corners.emplace_back(signs.cwiseProduct(shape.size));
-  }
-  return corners;
-}
-
 // Returns the highest face of the shape's convex hull if this face is level; without corners, if it
 // is a point or an edge.
 LevelFace TopOf(const PlacedShape& placed) {
@@ -93,12 +63,12 @@ LevelFace TopOf(const PlacedShape& placed) {
     const Vector3d p = placed.X_WG * vertex;
     if (p.z() >= face.z - kTouching) face.corners.emplace_back(p.head<2>());
   }
-  face.corners = HullOf(std::move(face.corners));
+  face.corners = Simplified(std::move(face.corners));
   return face;
 }
 
 double AreaOfFace(const LevelFace& face) {
-  return face.radius ? std::numbers::pi * *face.radius * *face.radius : AreaOf(face.corners);
+  return face.radius ? std::numbers::pi * *face.radius * *face.radius : solid::AreaOf(face.corners);
 }
 
 // Joins faces at the same height if their convex hull has no gaps. The pieces of a shape do not
@@ -109,11 +79,11 @@ std::vector<LevelFace> Joined(std::vector<LevelFace> faces) {
   double area = 0;
   for (LevelFace& face : faces) {
     MakePolygon(face);
-    area += AreaOf(face.corners);
+    area += solid::AreaOf(face.corners);
     whole.corners.insert(whole.corners.end(), face.corners.begin(), face.corners.end());
   }
-  whole.corners = HullOf(std::move(whole.corners));
-  if (area < (1 - 1e-6) * AreaOf(whole.corners)) return faces;
+  whole.corners = Simplified(std::move(whole.corners));
+  if (area < (1 - 1e-6) * solid::AreaOf(whole.corners)) return faces;
   return {whole};
 }
 
@@ -154,7 +124,7 @@ double LowestAlong(const PlacedShape& placed, const Vector2d& direction) {
 // normals; the shape may touch the polygon.
 bool IsBeside(const PlacedShape& placed, const Polygon& corners) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Vector2d normal = OutwardNormal(corners, i);
+    const Vector2d normal = solid::OutwardNormal(corners, i);
     if (LowestAlong(placed, normal) >= normal.dot(corners[i]) - kTouching) return true;
   }
   return false;
@@ -166,9 +136,9 @@ void CutOff(const PlacedShape& placed, LevelFace& face) {
   MakePolygon(face);
   Polygon best;
   for (std::size_t i = 0; i < face.corners.size(); ++i) {
-    const Vector2d normal = OutwardNormal(face.corners, i);
-    Polygon rest = Clipped(face.corners, normal, LowestAlong(placed, normal));
-    if (AreaOf(rest) > AreaOf(best)) best = std::move(rest);
+    const Vector2d normal = solid::OutwardNormal(face.corners, i);
+    Polygon rest = Simplified(solid::Clipped(face.corners, normal, LowestAlong(placed, normal)));
+    if (solid::AreaOf(rest) > solid::AreaOf(best)) best = std::move(rest);
   }
   face.corners = std::move(best);
 }
@@ -195,34 +165,6 @@ void SortBySize(std::vector<LevelFace>& faces) {
 }
 
 }  // namespace
-
-double AreaOf(std::span<const Vector2d> corners) {
-  double twice = 0;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    twice += Cross(corners[i], corners[(i + 1) % corners.size()]);
-  return twice / 2;
-}
-
-Vector2d OutwardNormal(std::span<const Vector2d> corners, std::size_t i) {
-  const Vector2d along = corners[(i + 1) % corners.size()] - corners[i];
-  return Vector2d(along.y(), -along.x()).stableNormalized();
-}
-
-// Sutherland and Hodgman, "Reentrant polygon clipping", 1974, for one line.
-std::vector<Vector2d> Clipped(std::span<const Vector2d> corners, const Vector2d& normal,
-                              double limit) {
-  Polygon rest;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Vector2d& a = corners[i];
-    const Vector2d& b = corners[(i + 1) % corners.size()];
-    const double beyond_a = normal.dot(a) - limit;
-    const double beyond_b = normal.dot(b) - limit;
-    if (beyond_a <= 0) rest.push_back(a);
-    if ((beyond_a < 0 && beyond_b > 0) || (beyond_a > 0 && beyond_b < 0))
-      rest.emplace_back(a + (b - a) * (beyond_a / (beyond_a - beyond_b)));
-  }
-  return HullOf(std::move(rest));
-}
 
 std::vector<LevelFace> FindLevelFaces(std::span<const PlacedShape> own,
                                       std::span<const PlacedShape> all, double area,

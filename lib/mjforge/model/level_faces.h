@@ -31,16 +31,6 @@ struct LevelFace {
   double height = std::numeric_limits<double>::infinity();  // free height above, m
 };
 
-/// Returns the area of a polygon, m^2, negative if its corners are clockwise.
-double AreaOf(std::span<const Eigen::Vector2d> corners);
-
-/// Returns the part of a convex polygon in which dot(normal, p) <= limit; empty if there is none.
-std::vector<Eigen::Vector2d> Clipped(std::span<const Eigen::Vector2d> corners,
-                                     const Eigen::Vector2d& normal, double limit);
-
-/// Returns a unit vector that points away from a polygon at the edge that begins at corner i.
-Eigen::Vector2d OutwardNormal(std::span<const Eigen::Vector2d> corners, std::size_t i);
-
 /// Returns the level upper faces of the shapes `own` that have at least the area `area`, m^2, with
 /// at least the free height `height`, m, below the shapes `all`. A face that something stands on is
 /// cut back. The largest face comes first.

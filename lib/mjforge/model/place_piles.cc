@@ -1,9 +1,6 @@
 // Bodies with `pile:`: the draws of their release, and the options that let piles rest.
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
@@ -74,15 +71,10 @@ void Placements::PileUp(const Request& request, sample::StreamId places) {
   Pile& pile = PileAt(request, trial, places);
   sample::Numbers q;
   scope_.values.AppendRotation(sample::Child(places, "turn"), q);
-  const std::array<double, 4> uv = scope_.values.Uniforms(sample::Child(places, "uv"));
-  const double radius = std::sqrt(uv[0]);
-  const double angle = 2 * std::numbers::pi * uv[1];
   Pile::Item& item = pile.items.emplace_back();
   item.body = request.body;
   item.q = Eigen::Quaterniond(q[0], q[1], q[2], q[3]);
-  item.uv = pile.region.type == RegionType::kBox
-                ? Eigen::Vector2d(2 * uv[0] - 1, 2 * uv[1] - 1)
-                : radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+  item.uv = DrawPosition(pile.region.type != RegionType::kBox, places);
   Body& body = context_.object.bodies[static_cast<std::size_t>(request.body)];
   body.parent = trial.where.support;
   body.X_PB = pile.region.X_BR;

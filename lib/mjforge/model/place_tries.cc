@@ -158,14 +158,16 @@ bool Placements::ReadPosition(const Request& request, FieldReader& reader, sampl
     return false;
   }
   if (where.beside) return true;
-  const std::array<double, 4> u = scope_.values.Uniforms(sample::Child(path, "uv"));
   trial.is_drawn = true;
-  where.uv = {2 * u[0] - 1, 2 * u[1] - 1};
-  if (is_disc) {
-    const double angle = 2 * std::numbers::pi * u[1];
-    where.uv = std::sqrt(u[0]) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-  }
+  where.uv = DrawPosition(is_disc, path);
   return true;
+}
+
+Eigen::Vector2d Placements::DrawPosition(bool in_disc, sample::StreamId path) const {
+  const std::array<double, 4> u = scope_.values.Uniforms(sample::Child(path, "uv"));
+  if (!in_disc) return {2 * u[0] - 1, 2 * u[1] - 1};
+  const double angle = 2 * std::numbers::pi * u[1];
+  return std::sqrt(u[0]) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
 }
 
 bool Placements::ReadBeside(const Request& request, sample::StreamId path, Trial& trial) {
@@ -289,9 +291,7 @@ bool Placements::MustStand(const Request& request, int body, diag::SourceMark ma
 }
 
 bool Placements::MustBeLevel(const Request& request, const Trial& trial, diag::SourceMark mark) {
-  const Eigen::Vector3d up =
-      X_WB(trial.target.body).q * (trial.target.region->X_BR.q * Eigen::Vector3d::UnitZ());
-  const double tilt = std::atan2(up.head<2>().norm(), up[2]);
+  const double tilt = TiltOf(X_WB(trial.target.body) * trial.target.region->X_BR);
   if (tilt <= kLevelAngle) return true;
   context_.findings
       .Add(Code::kModelNotLevel, mark,

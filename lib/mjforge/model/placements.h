@@ -76,6 +76,8 @@ class Placements {
   bool ReadArea(const Request& request, FieldReader& reader, sample::StreamId path, Trial& trial);
   bool ReadPosition(const Request& request, FieldReader& reader, sample::StreamId path,
                     Trial& trial);
+  /// Draws a position from -1 to 1 on both axes, or in the unit disc.
+  Eigen::Vector2d DrawPosition(bool in_disc, sample::StreamId path) const;
   bool ReadBeside(const Request& request, sample::StreamId path, Trial& trial);
   bool ReadFacing(const Request& request, FieldReader& reader, PlaceTry& where);
   bool ReadLying(const Request& request, FieldReader& reader, sample::StreamId path, Trial& trial);

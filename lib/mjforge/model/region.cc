@@ -5,7 +5,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mjforge/solid/solid.h"
+
 namespace mjforge::model {
+
+double TiltOf(const Pose& X_WR) {
+  const Eigen::Vector3d up = X_WR.q * Eigen::Vector3d::UnitZ();
+  return std::atan2(up.head<2>().norm(), up.z());
+}
+
+Eigen::Vector2d MiddleOf(const Region& region) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  if (region.type != RegionType::kPolygon) return sum;
+  for (const Eigen::Vector2d& corner : region.corners) sum += corner;
+  return sum / static_cast<double>(region.corners.size());
+}
 
 Eigen::Vector2d PositionOfDisc(const Region& region, double radius, const Eigen::Vector2d& uv) {
   if (region.type != RegionType::kPolygon) {
@@ -13,17 +27,8 @@ Eigen::Vector2d PositionOfDisc(const Region& region, double radius, const Eigen:
     return uv.cwiseProduct(play);
   }
   // The largest disc about the middle of the corners.
-  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-  for (const Eigen::Vector2d& corner : region.corners)
-    middle += corner / static_cast<double>(region.corners.size());
-  double play = region.half_size.norm();
-  for (std::size_t i = 0; i < region.corners.size(); ++i) {
-    const Eigen::Vector2d from = region.corners[i];
-    const Eigen::Vector2d along =
-        (region.corners[(i + 1) % region.corners.size()] - from).normalized();
-    play =
-        std::min(play, std::abs(along.x() * (middle - from).y() - along.y() * (middle - from).x()));
-  }
+  const Eigen::Vector2d middle = MiddleOf(region);
+  const double play = -DistanceOutside(region, middle);
   return middle + uv / std::max(1.0, uv.norm()) * std::max(0.0, play - region.margin - radius);
 }
 
@@ -31,12 +36,8 @@ double DistanceOutside(const Region& region, const Eigen::Vector2d& p) {
   if (region.type == RegionType::kBox) return (p.cwiseAbs() - region.half_size).maxCoeff();
   if (region.type == RegionType::kDisc) return p.norm() - region.half_size.x();
   double outside = -region.half_size.norm();
-  for (std::size_t i = 0; i < region.corners.size(); ++i) {
-    const Eigen::Vector2d from = region.corners[i];
-    const Eigen::Vector2d along =
-        (region.corners[(i + 1) % region.corners.size()] - from).normalized();
-    outside = std::max(outside, along.y() * (p - from).x() - along.x() * (p - from).y());
-  }
+  for (std::size_t i = 0; i < region.corners.size(); ++i)
+    outside = std::max(outside, solid::OutwardNormal(region.corners, i).dot(p - region.corners[i]));
   return outside;
 }
 

@@ -40,6 +40,12 @@ struct Region {
   diag::SourceMark mark;
 };
 
+/// Returns the angle between the z axis of R and the vertical, rad.
+double TiltOf(const Pose& X_WR);
+
+/// Returns the mean of a polygon's corners, in the plane of R; for other regions the origin.
+Eigen::Vector2d MiddleOf(const Region& region);
+
 /// Returns the position, in the plane of R, of a disc of this radius: `uv`, from -1 to 1, within
 /// the positions at which the disc is inside; in a disc, and in the largest disc of a polygon,
 /// within the unit disc. If the disc is too large, the middle of the region.

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "mjforge/model/assembly.h"
-#include "mjforge/model/level_faces.h"
 #include "mjforge/model/pose_reader.h"
 
 namespace mjforge::model {
@@ -72,7 +71,7 @@ bool ReadPolygon(FieldReader& reader, const spec::Field& field, Region& region) 
     reader.Report(Code::kModelBadValue, field, "has fewer than three corners");
     return false;
   }
-  const bool is_reversed = AreaOf(corners) < 0;
+  const bool is_reversed = solid::AreaOf(corners) < 0;
   if (is_reversed) std::ranges::reverse(corners);
   const std::optional<std::size_t> concave = ConcaveCorner(corners);
   if (concave) {
@@ -139,10 +138,11 @@ bool HasRoomWithin(const Region& region) {
   if (region.type != RegionType::kPolygon) return region.margin < region.half_size.minCoeff();
   std::vector<Eigen::Vector2d> rest = region.corners;
   for (std::size_t i = 0; i < region.corners.size(); ++i) {
-    const Eigen::Vector2d normal = OutwardNormal(region.corners, i);
-    rest = Clipped(rest, normal, normal.dot(region.corners[i]) - region.margin);
+    const Eigen::Vector2d normal = solid::OutwardNormal(region.corners, i);
+    rest = solid::Clipped(rest, normal, normal.dot(region.corners[i]) - region.margin);
   }
-  return AreaOf(rest) > 0;
+  constexpr double kStraight = 1e-9;  // a rest as thin as that is rounding
+  return solid::AreaOf(solid::ConvexPolygonOf(std::move(rest), kStraight)) > 0;
 }
 
 void AddRegionTo(Body& body, Region region) {

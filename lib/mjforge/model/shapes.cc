@@ -54,6 +54,13 @@ int SizeCount(GeomType type) {
 }
 
 // Support functions of convex bodies: Ericson, "Real-Time Collision Detection", 2005, 9.5.
+std::vector<Eigen::Vector3d> VerticesOf(const Shape& shape) {
+  if (shape.type == GeomType::kMesh) return shape.mesh->vertices;
+  if (shape.type != GeomType::kBox) return {};
+  const std::array corners = solid::CornersOfBox(shape.size);
+  return {corners.begin(), corners.end()};
+}
+
 double Support(const Shape& shape, const Eigen::Vector3d& direction_G) {
   const Eigen::Vector3d& d = direction_G;
   const Eigen::Vector3d& s = shape.size;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <Eigen/Dense>
 
@@ -55,6 +56,9 @@ MassProperties InFrame(const Pose& X_AF, const MassProperties& properties_F);
 MassProperties Combine(const MassProperties& a, const MassProperties& b);
 /// Multiplies the density of a body by `factor`.
 MassProperties Scaled(const MassProperties& properties, double factor);
+
+/// Returns the vertices of a box or a mesh; none for other shapes.
+std::vector<Eigen::Vector3d> VerticesOf(const Shape& shape);
 
 /// Support function: the largest dot(direction, point) over the shape. The direction has any
 /// length.

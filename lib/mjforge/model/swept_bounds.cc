@@ -42,6 +42,23 @@ double RadiusAbout(const Vector3d& p, const Shapes& shapes) {
   return largest;
 }
 
+// Turns of a hinge, back from both ends of its range and from angles between them.
+struct Turns {
+  std::vector<Eigen::Quaterniond> back;
+  double excess = 0;  // most that a + b exceeds 1 by, see SweptSupport()
+};
+
+Turns TurnsOf(const Vector3d& axis, const Eigen::Vector2d& angles) {
+  constexpr double kWidestArc = std::numbers::pi / 18;
+  const double range = angles[1] - angles[0];
+  const int arcs = std::max(3, static_cast<int>(std::ceil(range / kWidestArc)));
+  Turns turns;
+  for (int i = 0; i <= arcs; ++i)
+    turns.back.push_back(FromAxisAngle(axis, -(angles[0] + range * i / arcs)));
+  turns.excess = 1 / std::cos(range / arcs / 2) - 1;
+  return turns;
+}
+
 // Returns an upper bound of the support function in `direction` while the shapes turn about an axis
 // through their origin.
 //
@@ -49,20 +66,15 @@ double RadiusAbout(const Vector3d& p, const Shapes& shapes) {
 // moves on a cone. A direction d on an arc of angle w is a d1 + b d2 - (a + b - 1) c, where d1 and
 // d2 are its ends, c is the part of d along the axis, and 1 <= a + b <= 1 / cos(w / 2). The support
 // function h is convex and homogeneous, so that h(d) <= a h(d1) + b h(d2) + (a + b - 1) h(-c).
-double SweptSupport(const Shapes& shapes, const Vector3d& axis, const Eigen::Vector2d& angles,
+double SweptSupport(const Shapes& shapes, const Vector3d& axis, const Turns& turns,
                     const Vector3d& direction) {
-  constexpr double kWidestArc = std::numbers::pi / 18;
   const Vector3d along = axis * axis.dot(direction);
   if ((direction - along).norm() < 1e-12) return SupportOf(shapes, direction);
-  const double range = angles[1] - angles[0];
-  const int arcs = std::max(3, static_cast<int>(std::ceil(range / kWidestArc)));
   double largest = -std::numeric_limits<double>::infinity();
-  for (int i = 0; i <= arcs; ++i) {
-    const double angle = angles[0] + range * i / arcs;
-    largest = std::max(largest, SupportOf(shapes, FromAxisAngle(axis, -angle) * direction));
-  }
-  const double excess = 1 / std::cos(range / arcs / 2) - 1;
-  return largest + excess * (std::max(largest, 0.0) + std::max(SupportOf(shapes, -along), 0.0));
+  for (const Eigen::Quaterniond& back : turns.back)
+    largest = std::max(largest, SupportOf(shapes, back * direction));
+  return largest +
+         turns.excess * (std::max(largest, 0.0) + std::max(SupportOf(shapes, -along), 0.0));
 }
 
 // Returns the range of a hinge or slide as displacements from its zero.
@@ -76,10 +88,10 @@ Eigen::Vector2d DisplacementsOf(const Joint& joint) {
   return Eigen::Vector2d::Constant(joint.start.empty() ? 0 : joint.start[0] - zero);
 }
 
-// Returns the lower and upper support of the shapes along a unit vector while one joint moves. Its
-// anchor is the origin.
+// Returns the lower and upper support of the shapes along a unit vector while one joint moves. The
+// origin is its anchor; `turns` are those of a hinge.
 Eigen::Vector2d SweptInterval(const Shapes& shapes, const Joint& joint, const Vector3d& axis,
-                              const Vector3d& unit) {
+                              const Turns& turns, const Vector3d& unit) {
   const Eigen::Vector2d still(-SupportOf(shapes, -unit), SupportOf(shapes, unit));
   if (joint.type == "ball") {
     const double radius = RadiusAbout(Vector3d::Zero(), shapes);
@@ -88,11 +100,10 @@ Eigen::Vector2d SweptInterval(const Shapes& shapes, const Joint& joint, const Ve
     const double way = 2 * radius * std::sin(angle / 2);
     return {std::max(still[0] - way, -radius), std::min(still[1] + way, radius)};
   }
-  const Eigen::Vector2d range = DisplacementsOf(joint);
   if (joint.type == "hinge") {
-    return {-SweptSupport(shapes, axis, range, -unit), SweptSupport(shapes, axis, range, unit)};
+    return {-SweptSupport(shapes, axis, turns, -unit), SweptSupport(shapes, axis, turns, unit)};
   }
-  const Eigen::Vector2d ways = range * axis.dot(unit);
+  const Eigen::Vector2d ways = DisplacementsOf(joint) * axis.dot(unit);
   return {still[0] + ways.minCoeff(), still[1] + ways.maxCoeff()};
 }
 
@@ -101,9 +112,10 @@ void SweepJoint(const Joint& joint, const Pose& X_WB, Shapes& shapes) {
   const Vector3d anchor = X_WB * joint.pos;
   const Vector3d axis = X_WB.q * joint.axis.stableNormalized();
   for (PlacedShape& placed : shapes) placed.X.p -= anchor;
+  const Turns turns = joint.type == "hinge" ? TurnsOf(axis, DisplacementsOf(joint)) : Turns();
   Box3 box;
   for (int i = 0; i < 3; ++i) {
-    const Eigen::Vector2d interval = SweptInterval(shapes, joint, axis, Vector3d::Unit(i));
+    const Eigen::Vector2d interval = SweptInterval(shapes, joint, axis, turns, Vector3d::Unit(i));
     box.min[i] = interval[0] + anchor[i];
     box.max[i] = interval[1] + anchor[i];
   }

@@ -170,12 +170,7 @@ std::optional<Result> Laboratory::Examine(const mjcf::MjcfDocument& document,
                                           const model::Object& object, diag::Findings& findings) {
   const diag::SourceMark mark =
       object.bodies.empty() ? diag::SourceMark{} : object.bodies.front().mark;
-  engine::Loaded loaded;
-  if (const auto problem = impl_->engine.SetAssets(document.assets)) {
-    loaded.error = problem->message;
-  } else {
-    loaded = impl_->engine.LoadText(WithSurroundings(document));
-  }
+  const engine::Loaded loaded = impl_->engine.LoadText(WithSurroundings(document), document.assets);
   if (!loaded.model) {
     findings.Add(Code::kMujocoError, mark,
                  fmt::format("MuJoCo refused the object on a floor: {}",

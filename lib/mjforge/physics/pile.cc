@@ -259,7 +259,6 @@ struct PileSettler::Impl {
   Workspace workspace;
 
   void Settle(model::Object& object, const model::Pile& pile, static_checks::Reporter& reporter);
-  engine::Loaded Load(const model::Object& object);
 };
 
 PileSettler::PileSettler() : impl_(std::make_unique<Impl>()) {}
@@ -316,20 +315,11 @@ void TakeStart(const mjModel& m, const mjData& d, const std::vector<int>& ids, i
 
 }  // namespace
 
-engine::Loaded PileSettler::Impl::Load(const model::Object& object) {
-  mjcf::MjcfDocument document;
-  mjcf::WriteMjcf(object, mjcf::Target::kMujoco, {}, document);
-  engine::Loaded loaded;
-  if (const auto problem = engine.SetAssets(document.assets)) {
-    loaded.error = problem->message;
-    return loaded;
-  }
-  return engine.LoadText(document.text);
-}
-
 void PileSettler::Impl::Settle(model::Object& object, const model::Pile& pile,
                                static_checks::Reporter& reporter) {
-  const engine::Loaded loaded = Load(object);
+  mjcf::MjcfDocument document;
+  mjcf::WriteMjcf(object, mjcf::Target::kMujoco, {}, document);
+  const engine::Loaded loaded = engine.LoadText(document.text, document.assets);
   if (!loaded.model) {
     reporter.Error(Code::kMujocoError, pile.mark,
                    fmt::format("MuJoCo refused the object with a pile: {}",

@@ -11,22 +11,13 @@ const model::Body& BodyAt(const model::Object& object, int body) {
   return object.bodies[static_cast<std::size_t>(body)];
 }
 
-// Returns the pose of a body in its parent, with its joints at their start.
-model::Pose StartPose(const model::Body& body) {
-  model::Pose X_PB = body.X_PB;
-  for (const model::Joint& joint : body.joints) {
-    if (!joint.start.empty()) X_PB = X_PB * model::JointMotion(joint, {}, joint.start);
-  }
-  return X_PB;
-}
-
 // Returns X_AB if B is the body A or below it. A body may come before its parent, because bodies
 // are placed one after the other.
 std::optional<model::Pose> PoseBelow(const model::Object& object, int a, int b) {
   if (b == a) return model::Pose();
   if (b < 0) return std::nullopt;
   std::optional<model::Pose> X_AB = PoseBelow(object, a, BodyAt(object, b).parent);
-  if (X_AB) X_AB = *X_AB * StartPose(BodyAt(object, b));
+  if (X_AB) X_AB = *X_AB * model::StartPose(BodyAt(object, b));
   return X_AB;
 }
 
@@ -62,7 +53,7 @@ model::MassProperties MassBelow(const model::Object& object, int body) {
 
 model::Pose PoseInWorld(const model::Object& object, int body) {
   const model::Body& of = BodyAt(object, body);
-  const model::Pose X_PB = StartPose(of);
+  const model::Pose X_PB = model::StartPose(of);
   return of.parent < 0 ? X_PB : PoseInWorld(object, of.parent) * X_PB;
 }
 

@@ -25,8 +25,6 @@ constexpr double kLevel = 1e-9;  // tolerance of level axes: rad, or m over the 
 // are sliced at the edges of their convex hulls.
 constexpr std::size_t kMostPairs = 100'000;
 
-double Cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 Vector2d UnitAt(int i) {
   const double angle = 2 * std::numbers::pi * i / kOutlinePoints;
   return {std::cos(angle), std::sin(angle)};
@@ -57,12 +55,9 @@ class Slicer {
         AddEllipsoid(center, placed.X_WG.q.toRotationMatrix() * size.asDiagonal());
         break;
       case model::GeomType::kBox:
-        AddBox(placed);
-        break;
       case model::GeomType::kMesh: {
-        std::vector<Vector3d> vertices;
-        for (const Vector3d& p_G : placed.shape.mesh->vertices)
-          vertices.push_back(placed.X_WG * p_G);
+        std::vector<Vector3d> vertices = model::VerticesOf(placed.shape);
+        for (Vector3d& vertex : vertices) vertex = placed.X_WG * vertex;
         AddHull(vertices);
         break;
       }
@@ -81,7 +76,8 @@ class Slicer {
       std::erase_if(discs, [&](const Disc& other) { return is_inside(other, disc); });
       discs.push_back(disc);
     }
-    for (const Vector2d& point : ConvexPolygon(std::move(points_))) discs.push_back({point, 0});
+    for (const Vector2d& point : solid::ConvexPolygonOf(std::move(points_)))
+      discs.push_back({point, 0});
     return discs;
   }
 
@@ -153,15 +149,6 @@ class Slicer {
     }
   }
 
-  void AddBox(const distance::PlacedShape& placed) {
-    std::vector<Vector3d> corners;
-    for (int i = 0; i < 8; ++i) {
-      const Vector3d sign((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
-      corners.emplace_back(placed.X_WG * placed.shape.size.cwiseProduct(sign).eval());
-    }
-    AddHull(corners);
-  }
-
   // The extreme points of a hull below a plane are vertices, or points at which the segment between
   // two vertices crosses the plane.
   void AddHull(std::span<const Vector3d> vertices) {
@@ -231,7 +218,7 @@ Polygon Footprint::Outline() const {
     const int count = disc.radius > 0 ? kOutlinePoints : 1;
     for (int i = 0; i < count; ++i) points.emplace_back(disc.center + disc.radius * UnitAt(i));
   }
-  return ConvexPolygon(std::move(points));
+  return solid::ConvexPolygonOf(std::move(points));
 }
 
 Footprint FootprintOf(std::span<const distance::PlacedShape> shapes) {
@@ -242,28 +229,6 @@ Footprint FootprintOf(std::span<const distance::PlacedShape> shapes) {
   Slicer slicer(lowest + kSlice);
   for (const distance::PlacedShape& placed : shapes) slicer.Add(placed);
   return Footprint(slicer.Discs());
-}
-
-// Andrew's monotone chain ("Another efficient algorithm for convex hulls in two dimensions", 1979).
-Polygon ConvexPolygon(std::vector<Vector2d> points) {
-  std::ranges::sort(points, [](const Vector2d& a, const Vector2d& b) {
-    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-  });
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3) return points;
-  Polygon hull;
-  for (int side = 0; side < 2; ++side) {
-    const std::size_t first = hull.size();
-    for (const Vector2d& p : points) {
-      while (hull.size() >= first + 2 &&
-             Cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0)
-        hull.pop_back();
-      hull.push_back(p);
-    }
-    hull.pop_back();  // begins the other side
-    std::ranges::reverse(points);
-  }
-  return hull;
 }
 
 }  // namespace mjforge::placing

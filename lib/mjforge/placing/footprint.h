@@ -43,7 +43,4 @@ class Footprint {
 /// Without shapes, the footprint is the origin.
 Footprint FootprintOf(std::span<const distance::PlacedShape> shapes);
 
-/// Returns the convex hull of points.
-Polygon ConvexPolygon(std::vector<Eigen::Vector2d> points);
-
 }  // namespace mjforge::placing

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mjforge/placing/enclosing_disc.h"
+#include "mjforge/solid/solid.h"
 
 namespace mjforge::placing {
 namespace {
@@ -28,14 +29,6 @@ struct HalfPlane {
 
 bool IsDisc(const model::Region& region) { return region.type == model::RegionType::kDisc; }
 
-// Returns the mean of a polygon's corners, or the centre of another region.
-Vector2d MiddleOf(const model::Region& region) {
-  Vector2d sum = Vector2d::Zero();
-  if (region.type != model::RegionType::kPolygon || region.corners.empty()) return sum;
-  for (const Vector2d& corner : region.corners) sum += corner;
-  return sum / static_cast<double>(region.corners.size());
-}
-
 // Returns the half planes whose intersection is the region without its margin; a disc has tangents.
 std::vector<HalfPlane> BordersOf(const model::Region& region) {
   std::vector<HalfPlane> borders;
@@ -49,39 +42,11 @@ std::vector<HalfPlane> BordersOf(const model::Region& region) {
     }
   } else {
     for (std::size_t i = 0; i < region.corners.size(); ++i) {
-      const Vector2d& corner = region.corners[i];
-      const Vector2d edge = region.corners[(i + 1) % region.corners.size()] - corner;
-      if (!(edge.norm() > 0)) continue;
-      const Vector2d normal = Vector2d(edge.y(), -edge.x()).normalized();
-      borders.push_back({normal, normal.dot(corner) - region.margin});
+      const Vector2d normal = solid::OutwardNormal(region.corners, i);
+      borders.push_back({normal, normal.dot(region.corners[i]) - region.margin});
     }
   }
   return borders;
-}
-
-// Returns the part of a convex polygon in a half plane (Sutherland and Hodgman, 1974).
-Polygon Clipped(const Polygon& polygon, const HalfPlane& half_plane) {
-  Polygon clipped;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vector2d& a = polygon[i];
-    const Vector2d& b = polygon[(i + 1) % polygon.size()];
-    const double over_a = half_plane.normal.dot(a) - half_plane.limit;
-    const double over_b = half_plane.normal.dot(b) - half_plane.limit;
-    if (over_a <= 0) clipped.push_back(a);
-    if ((over_a <= 0) != (over_b <= 0))
-      clipped.emplace_back(a + (b - a) * (over_a / (over_a - over_b)));
-  }
-  return clipped;
-}
-
-double AreaOf(const Polygon& polygon) {
-  double twice = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vector2d& a = polygon[i];
-    const Vector2d& b = polygon[(i + 1) % polygon.size()];
-    twice += a.x() * b.y() - a.y() * b.x();
-  }
-  return twice / 2;
 }
 
 // Returns the share of the footprint's area outside of the borders after a translation.
@@ -89,8 +54,8 @@ double ShareOutside(const std::vector<HalfPlane>& borders, const Polygon& outlin
                     const Vector2d& translation) {
   Polygon inside = outline;
   for (const HalfPlane& border : borders)
-    inside = Clipped(inside, {border.normal, border.limit - border.normal.dot(translation)});
-  return 1 - AreaOf(inside) / AreaOf(outline);
+    inside = solid::Clipped(inside, border.normal, border.limit - border.normal.dot(translation));
+  return 1 - solid::AreaOf(inside) / solid::AreaOf(outline);
 }
 
 double Between(double low, double high, double u) { return low + (high - low) * (u + 1) / 2; }
@@ -124,14 +89,14 @@ std::optional<Vector2d> PositionInPolygon(const model::Region& region, const Foo
   // A square larger than all translations that keep the footprint within the region.
   const Eigen::AlignedBox2d box = footprint.Box();
   const double reach = 4 * (region.half_size.norm() + box.center().norm() + box.diagonal().norm());
-  const Vector2d middle = MiddleOf(region);
+  const Vector2d middle = model::MiddleOf(region);
   Polygon play;
   for (const Vector2d& corner :
        {Vector2d(-1, -1), Vector2d(1, -1), Vector2d(1, 1), Vector2d(-1, 1)})
     play.emplace_back(middle + reach * corner);
   for (const HalfPlane& border : borders) {
     const double limit = border.limit - footprint.Support(border.normal);
-    play = Clipped(play, {border.normal, limit + kFitTolerance});
+    play = solid::Clipped(play, border.normal, limit + kFitTolerance);
   }
   if (play.empty()) return std::nullopt;
   return PointIn(play, uv);
@@ -167,7 +132,7 @@ std::optional<Vector2d> PositionWithOverhang(const model::Region& region,
   const auto is_allowed = [&](const Vector2d& translation) {
     return ShareOutside(borders, outline, translation) <= overhang;
   };
-  const Vector2d middle = MiddleOf(region) - footprint.Box().center();
+  const Vector2d middle = model::MiddleOf(region) - footprint.Box().center();
   if (!is_allowed(middle)) return std::nullopt;
   const double share = std::min(1.0, IsDisc(region) ? uv.norm() : uv.cwiseAbs().maxCoeff());
   if (!(share > 0)) return middle;
@@ -187,7 +152,7 @@ std::optional<Vector2d> PositionIn(const model::Region& region, const Footprint&
                                    const Vector2d& uv, double overhang) {
   if (overhang > 0) {
     const Polygon outline = footprint.Outline();
-    if (AreaOf(outline) > kLeastArea)
+    if (solid::AreaOf(outline) > kLeastArea)
       return PositionWithOverhang(region, footprint, outline, uv, overhang);
   }
   return IsDisc(region) ? PositionInDisc(region, footprint, uv)
@@ -211,7 +176,7 @@ bool FitsAt(const model::Region& region, const Footprint& footprint, const Vecto
   }
   if (!(overhang > 0)) return false;
   const Polygon outline = footprint.Outline();
-  return AreaOf(outline) > kLeastArea &&
+  return solid::AreaOf(outline) > kLeastArea &&
          ShareOutside(BordersOf(region), outline, translation) <= overhang + kFitTolerance;
 }
 

@@ -44,13 +44,8 @@ void AddPoints(const BodyShape& of, std::vector<Vector3d>& points_A) {
   const auto add = [&](const Vector3d& p_G) { points_A.push_back(of.X_AG * p_G); };
   switch (of.shape.type) {
     case model::GeomType::kMesh:
-      for (const Vector3d& vertex : of.shape.mesh->vertices) add(vertex);
-      return;
     case model::GeomType::kBox:
-      for (int i = 0; i < 8; ++i) {
-        const Vector3d sign((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
-        add(size.cwiseProduct(sign));
-      }
+      for (const Vector3d& vertex : model::VerticesOf(of.shape)) add(vertex);
       return;
     case model::GeomType::kCylinder:
       for (int i = 0; i < kAround; ++i) {

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -28,6 +29,9 @@ struct Polytope {
   std::vector<Eigen::Vector3d> vertices;
   std::vector<Face> faces;
 };
+
+/// Returns the corners of a box with these half sizes about the origin.
+std::array<Eigen::Vector3d, 8> CornersOfBox(const Eigen::Vector3d& half_sizes);
 
 /// Returns the convex hull, computed by Qhull, which merges coplanar facets. The order of faces and
 /// vertices depends only on the order of the points. Returns nothing and sets `fault` if the hull

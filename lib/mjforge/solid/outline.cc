@@ -139,14 +139,6 @@ std::pair<std::size_t, std::size_t> Area::Loop(std::size_t i) const {
   return {first, ends[i] - first};
 }
 
-double AreaOf(std::span<const Point2> corners) {
-  double twice = 0;
-  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-    twice += Turn(corners[0], corners[i], corners[i + 1]);
-  }
-  return twice / 2;
-}
-
 bool HasBadCount(std::size_t count, std::size_t least, Fault& fault) {
   if (count > kMostPoints) {
     fault = {fmt::format("has {} points, more than {}", count, kMostPoints), std::nullopt};

@@ -14,9 +14,6 @@
 
 namespace mjforge::solid {
 
-/// A point or a vector in the plane, m.
-using Point2 = Eigen::Vector2d;
-
 /// A closed polygon, and for each corner the index of the input point from which it was made.
 struct Outline {
   std::vector<Point2> corners;
@@ -39,16 +36,6 @@ struct Area {
   /// Returns the first corner and the number of corners of a loop.
   std::pair<std::size_t, std::size_t> Loop(std::size_t i) const;
 };
-
-inline double Cross(const Point2& a, const Point2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-/// Returns twice the signed area of the triangle, positive if it is counter-clockwise.
-inline double Turn(const Point2& a, const Point2& b, const Point2& c) {
-  return Cross(b - a, c - a);
-}
-
-/// Returns the signed area, m^2, positive if the corners are counter-clockwise.
-double AreaOf(std::span<const Point2> corners);
 
 /// Returns true and sets `fault` if there are fewer than `least` or more than kMostPoints points.
 bool HasBadCount(std::size_t count, std::size_t least, Fault& fault);

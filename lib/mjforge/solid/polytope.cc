@@ -109,16 +109,23 @@ std::optional<Polytope> HullOf(std::span<const Eigen::Vector3d> points, Fault& f
   return hull;
 }
 
+std::array<Eigen::Vector3d, 8> CornersOfBox(const Eigen::Vector3d& half_sizes) {
+  std::array<Eigen::Vector3d, 8> corners;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Eigen::Vector3d sign((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
+    corners[i] = half_sizes.cwiseProduct(sign);
+  }
+  return corners;
+}
+
 Polytope BoxOf(const Eigen::Vector3d& half_sizes) {
   Polytope box;
-  for (int i = 0; i < 8; ++i) {
-    const Eigen::Vector3d sign((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
-    box.vertices.emplace_back(half_sizes.cwiseProduct(sign));
-  }
+  const std::array corners = CornersOfBox(half_sizes);
+  box.vertices.assign(corners.begin(), corners.end());
   const std::array<std::array<int, 4>, 6> faces = {
       {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
-  for (const auto& corners : faces) {
-    std::vector<int> face(corners.begin(), corners.end());
+  for (const auto& indices : faces) {
+    std::vector<int> face(indices.begin(), indices.end());
     const Eigen::Vector3d normal = NormalOf(box.vertices, face);
     box.faces.push_back({std::move(face), normal});
   }

@@ -17,6 +17,7 @@
 #include <Eigen/Dense>
 
 #include "mjforge/solid/hull.h"
+#include "mjforge/solid/polygon.h"
 
 namespace mjforge::solid {
 

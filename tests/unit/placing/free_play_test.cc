@@ -118,7 +118,7 @@ Region AnyRegion(std::mt19937& random) {
   if (random() % 3 == 0) {
     Polygon corners;
     for (int i = 0; i < 7; ++i) corners.emplace_back(uniform(random) - 0.2, uniform(random) - 0.3);
-    region = PolygonRegion(ConvexPolygon(corners));
+    region = PolygonRegion(solid::ConvexPolygonOf(corners));
   }
   region.margin = random() % 2 == 0 ? 0 : 0.01;
   return region;
