@@ -30,6 +30,7 @@ struct NoRoom {
   const Region* region = nullptr;  // null: a site
   std::string beside;              // empty: beside none
   double clear = 0;                // m
+  double widest_gap = 0;           // see Placer::WidestGap
   std::size_t standing = 0;        // instances of the same entry that stand
   std::size_t instances = 0;       // all instances of the entry; 0: not known
   diag::SourceMark mark;           // place of the name in `at`

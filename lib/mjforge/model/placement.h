@@ -100,6 +100,10 @@ class Placer {
   /// Tries a place for a body that does not stand yet, with all bodies below it.
   virtual PlaceResult Try(int body, const PlaceTry& where) = 0;
 
+  /// Returns the diameter of the largest upright cylinder that is as high as the body and fits into
+  /// the region of `where` among the bodies that stand, m.
+  virtual double WidestGap(int body, const PlaceTry& where) = 0;
+
   /// Returns the stable poses of a body, with all bodies below it; the most probable first. `front`
   /// is the angle of its front, from its -y axis, rad.
   virtual std::vector<StablePose> StablePoses(int body, double front) = 0;

@@ -139,6 +139,8 @@ void Placements::GiveUp(const Request& request, const Trial& trial, const Misses
   what.instances = instances_;
   what.mark = request.entry.place->Find(Key::kAt)->value.mark;
   what.target = trial.target.mark();
+  if (what.region != nullptr)
+    what.widest_gap = context_.placer.WidestGap(request.body, trial.where);
   if (trial.where.beside) what.beside = names_.NameOf(trial.where.beside->body);
   ReportNoRoom(what, misses, context_.findings);
 }

@@ -49,6 +49,24 @@ double DropOf(PlacedShape moving, const PlacedShape& fixed, const Vector3d& up_W
   return drop;
 }
 
+PlacedShape CylinderAt(const model::Pose& X_WG, double radius, double half_height) {
+  return {{.type = model::GeomType::kCylinder, .size = {radius, half_height, 0}}, X_WG};
+}
+
+// Returns the radius to which a cylinder can be widened until it touches a shape, at most `most`:
+// conservative advancement, because the distance shrinks by no more than the radius grows.
+double FreeRadiusBeside(const PlacedShape& fixed, const model::Pose& X_WCylinder,
+                        double half_height, double most) {
+  double radius = kTouch;
+  for (int i = 0; i < kMostSteps; ++i) {
+    const double distance = distance::Distance(CylinderAt(X_WCylinder, radius, half_height), fixed);
+    if (distance <= kTouch) return radius > kTouch ? radius : 0;
+    radius += distance;
+    if (radius >= most) return most;
+  }
+  return radius;
+}
+
 }  // namespace
 
 PlacedShapes ShapesAt(std::span<const BodyShape> shapes, const model::Pose& X_WA) {
@@ -87,6 +105,20 @@ std::optional<Blocker> Obstacles::FindBlocker(std::span<const PlacedShape> shape
     }
   }
   return std::nullopt;
+}
+
+double Obstacles::FreeRadius(const model::Pose& X_WCylinder, double half_height, double most,
+                             const Support& support) const {
+  const PlacedShape widest = CylinderAt(X_WCylinder, most, half_height);
+  for (const Group& group : groups_) {
+    if (!group.box_W.intersects(widest.box_W)) continue;
+    for (const auto& [body, obstacle] : group.obstacles) {
+      if (body == support.body || !obstacle.box_W.intersects(widest.box_W)) continue;
+      if (!IsBelow(obstacle, support))
+        most = FreeRadiusBeside(obstacle, X_WCylinder, half_height, most);
+    }
+  }
+  return most;
 }
 
 double Obstacles::Drop(PlacedShapes shapes, const Vector3d& up_W, double most) const {

@@ -46,6 +46,12 @@ class Obstacles {
   std::optional<Blocker> FindBlocker(std::span<const distance::PlacedShape> shapes, double clear,
                                      const Support& support) const;
 
+  /// Returns the radius to which a cylinder can be widened until it touches an obstacle, at most
+  /// `most`, m; 0 if its axis touches one. The supporting body, and what is wholly below the
+  /// support, are no obstacles.
+  double FreeRadius(const model::Pose& X_WCylinder, double half_height, double most,
+                    const Support& support) const;
+
   /// Returns how far the shapes can be moved against `up_W` until they touch an obstacle, at most
   /// `most`, m; 0 if they overlap one.
   double Drop(PlacedShapes shapes, const Eigen::Vector3d& up_W, double most) const;

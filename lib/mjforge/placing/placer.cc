@@ -12,6 +12,7 @@
 #include "mjforge/placing/obstacles.h"
 #include "mjforge/placing/placing.h"
 #include "mjforge/placing/stable_poses.h"
+#include "mjforge/placing/widest_gap.h"
 
 namespace mjforge::placing {
 namespace {
@@ -139,7 +140,13 @@ class RegionTry {
     return result;
   }
 
+  double WidestGap(const Obstacles& obstacles) const {
+    return placing::WidestGap(region_, X_WR_, of_.height, obstacles, SupportPlane());
+  }
+
  private:
+  Support SupportPlane() const { return {where_.support, X_WR_.p, X_WR_.q * Vector3d::UnitZ()}; }
+
   // If the body faces a point, its heading depends on its position, which depends on its heading.
   Stance FindStance() const {
     double yaw = YawAt(Vector2d::Zero());
@@ -206,7 +213,7 @@ class RegionTry {
 
   // Puts the body onto the region and looks for what is too near.
   void Put(const Stance& stance, const Obstacles& obstacles, PlaceResult& result) const {
-    const Support support{where_.support, X_WR_.p, X_WR_.q * Vector3d::UnitZ()};
+    const Support support = SupportPlane();
     Pose X_RB{{stance.at->x(), stance.at->y(), kContactGap - of_.bottom},
               AboutZ(stance.yaw) * of_.q_LB};
     if (region_.walls) X_RB.p.z() += Rise(X_RB, support, obstacles);
@@ -257,11 +264,11 @@ class ExactPlacer : public model::Placer {
 
   PlaceResult Try(int body, const PlaceTry& where) override {
     if (where.region == nullptr) return TryAtSite(body, where);
-    TryBody(body);
-    auto orientation = std::ranges::find(orientations_, where.lying, &Orientation::asked);
-    if (orientation == orientations_.end())
-      orientation = orientations_.insert(orientation, OrientationOf(*object_, body, where.lying));
-    return RegionTry(*object_, *orientation, where).Run(obstacles_);
+    return RegionTry(*object_, FindOrientation(body, where), where).Run(obstacles_);
+  }
+
+  double WidestGap(int body, const PlaceTry& where) override {
+    return RegionTry(*object_, FindOrientation(body, where), where).WidestGap(obstacles_);
   }
 
   std::vector<model::StablePose> StablePoses(int body, double front) override {
@@ -269,6 +276,14 @@ class ExactPlacer : public model::Placer {
   }
 
  private:
+  const Orientation& FindOrientation(int body, const PlaceTry& where) {
+    TryBody(body);
+    auto orientation = std::ranges::find(orientations_, where.lying, &Orientation::asked);
+    if (orientation == orientations_.end())
+      orientation = orientations_.insert(orientation, OrientationOf(*object_, body, where.lying));
+    return *orientation;
+  }
+
   // Matches the frames of two sites, except for the yaw about their z axis. Bodies touch at their
   // sites, so that the support is no obstacle.
   PlaceResult TryAtSite(int body, const PlaceTry& where) const {

@@ -48,6 +48,7 @@ class DiscPlacer : public Placer {
     }
     return result;
   }
+  double WidestGap(int, const PlaceTry&) override { return 0.06; }
   std::vector<StablePose> StablePoses(int, double) override {
     return {{"upright", Eigen::Quaterniond::Identity(), 0.5, 0.75},
             {"upside_down", FromEuler({3, 0, 0}), 0.5, 0.25}};
@@ -265,7 +266,7 @@ TEST_CASE("a body without room is reported with the sizes and what is in the way
                              Ball("name: b, place: {at: table.surface, uv: [0, 0], clear: 2cm}");
   CHECK(Scene(bodies).finding() ==
         "11:27 no room for body 'b' at 'table.surface', 80 x 60 cm: it needs 10 x 10 cm and 2 cm "
-        "around it ('a' is in the way; make room, or leave out what finds none with `fewer: "
+        "around it; the widest gap is 6 cm across ('a' is in the way; make room, or leave out what finds none with `fewer: "
         "true`)");
 }
 

@@ -1,0 +1,83 @@
+// Branch and bound over squares of a region: the distance to what limits a disc changes by no more
+// than the disc is moved.
+
+#include "mjforge/placing/widest_gap.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <queue>
+#include <vector>
+
+#include "mjforge/placing/placing.h"
+
+namespace mjforge::placing {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kPrecision = 5e-5;  // m, of the radius
+constexpr int kMostSquares = 20'000;
+const std::array kCorners = {Vector2d(-1, -1), Vector2d(1, -1), Vector2d(1, 1), Vector2d(-1, 1)};
+
+// A square of the plane of the region, and the radius of the largest free disc around its middle.
+struct Square {
+  Vector2d middle;
+  double half;
+  double radius;
+
+  // No disc whose middle is in the square is larger.
+  double Most() const { return radius + std::numbers::sqrt2 * half; }
+  bool operator<(const Square& other) const { return Most() < other.Most(); }
+};
+
+Eigen::AlignedBox2d BoxOf(const model::Region& region) {
+  Eigen::AlignedBox2d box(-region.half_size, region.half_size);
+  if (region.type != model::RegionType::kPolygon) return box;
+  box.setEmpty();
+  for (const Vector2d& corner : region.corners) box.extend(corner);
+  return box;
+}
+
+// The place in which discs are searched for.
+struct Place {
+  const model::Region& region;
+  const model::Pose& X_WR;
+  double half_height;  // m, of what shall stand on the disc
+  const Obstacles& obstacles;
+  const Support& support;
+};
+
+Square SquareAt(const Vector2d& middle, double half, const Place& in) {
+  const double inside = -model::DistanceOutside(in.region, middle) - in.region.margin;
+  if (inside <= 0) return {middle, half, inside};
+  const model::Pose X_RC{{middle.x(), middle.y(), kContactGap + in.half_height}, {}};
+  return {middle, half,
+          in.obstacles.FreeRadius(in.X_WR * X_RC, in.half_height, inside, in.support)};
+}
+
+}  // namespace
+
+double WidestGap(const model::Region& region, const model::Pose& X_WR, double height,
+                 const Obstacles& obstacles, const Support& support) {
+  const Place place{region, X_WR, height / 2, obstacles, support};
+  const Eigen::AlignedBox2d box = BoxOf(region);
+  std::priority_queue<Square> squares;
+  squares.push(SquareAt(box.center(), box.sizes().maxCoeff() / 2, place));
+  double widest = std::max(squares.top().radius, 0.0);
+  for (int i = 0; i < kMostSquares && !squares.empty(); ++i) {
+    const Square square = squares.top();
+    if (square.Most() <= widest + kPrecision) break;
+    squares.pop();
+    const double half = square.half / 2;
+    for (const Vector2d& way : kCorners) {
+      const Square next = SquareAt(square.middle + half * way, half, place);
+      widest = std::max(widest, next.radius);
+      squares.push(next);
+    }
+  }
+  return 2 * widest;
+}
+
+}  // namespace mjforge::placing
