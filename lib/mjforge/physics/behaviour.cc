@@ -341,11 +341,14 @@ class Behaviour {
           kInTheWay);
     }
     if (!(joint.reach < Limit(driven, &model::JointCheck::reach, checks.joint_reach))) return;
-    const bool collide = !driven.body1.empty();
+    const auto [body1, body2] = driven.free_depth > joint.penetration
+                                    ? driven.free_pair
+                                    : std::pair(driven.body1, driven.body2);
+    const bool collide = !body1.empty();
     ErrorOf(joint, Code::kPhysicsJointBlocked,
             fmt::format("joint '{}' reaches only {} % of its range of {}", joint.name,
                         RoundedText(100 * joint.reach), Distance(driven.joint, driven.range)) +
-                (collide ? fmt::format(": '{}' and '{}' collide", driven.body1, driven.body2) : ""),
+                (collide ? fmt::format(": '{}' and '{}' collide", body1, body2) : ""),
             collide ? kInTheWay
                     : "it is held back by something that an equality or a tendon couples it to");
   }

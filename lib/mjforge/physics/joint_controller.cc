@@ -60,7 +60,7 @@ void JointController::Begin(std::span<const mjtNum> start) {
 std::vector<InitialPenetration> JointController::InitialPenetrations() const {
   std::vector<InitialPenetration> penetrations;
   for (const auto& [bodies, depth] : initial_depths_)
-    penetrations.push_back({bodies.first, bodies.second, depth});
+    if (AreOneTree(bodies)) penetrations.push_back({bodies.first, bodies.second, depth});
   return penetrations;
 }
 
@@ -98,7 +98,7 @@ std::map<JointController::Bodies, double> JointController::DepthsNow() const {
     const mjContact& contact = d_.contact[i];
     const int body1 = m_.geom_bodyid[contact.geom1];
     const int body2 = m_.geom_bodyid[contact.geom2];
-    if (m_.body_rootid[body1] != m_.body_rootid[body2] || !(contact.dist < 0)) continue;
+    if (!(contact.dist < 0)) continue;
     double& depth = depths[std::minmax({body1, body2})];
     depth = std::max(depth, -contact.dist);
   }
@@ -301,6 +301,11 @@ void JointController::Measure(std::vector<JointDrive>& drives) {
       drive.highest = std::max(drive.highest, value);
     }
     for (const auto& [bodies, depth] : depths) {
+      if (!AreOneTree(bodies)) {
+        if (drive.moved[Index(bodies.first)] || drive.moved[Index(bodies.second)])
+          NoteFreeBody(bodies, depth, *drive.driven);
+        continue;
+      }
       // If several joints are driven, a pair of bodies belongs to the joint that moves one of them.
       const bool is_own =
           drives.size() == 1
@@ -315,6 +320,17 @@ void JointController::Measure(std::vector<JointDrive>& drives) {
       drive.driven->where = value;
     }
   }
+}
+
+bool JointController::AreOneTree(const Bodies& bodies) const {
+  return m_.body_rootid[bodies.first] == m_.body_rootid[bodies.second];
+}
+
+void JointController::NoteFreeBody(const Bodies& bodies, double depth, DrivenJoint& driven) const {
+  if (depth <= driven.free_depth) return;
+  driven.free_depth = depth;
+  driven.free_pair = {compiled::NameOf(m_, mjOBJ_BODY, bodies.first),
+                      compiled::NameOf(m_, mjOBJ_BODY, bodies.second)};
 }
 
 }  // namespace mjforge::physics

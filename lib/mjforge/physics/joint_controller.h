@@ -55,8 +55,11 @@ class JointController {
   };
 
   void Reset();
-  /// Penetration depths of pairs of bodies of one tree, m.
+  /// Penetration depths of pairs of bodies, m.
   std::map<Bodies, double> DepthsNow() const;
+  /// Returns false for a body and a free body, which a drive holds in place.
+  bool AreOneTree(const Bodies& bodies) const;
+  void NoteFreeBody(const Bodies& bodies, double depth, DrivenJoint& driven) const;
   void DriveAll(std::vector<JointDrive>& drives);
   void Start(JointDrive& drive);
   void Finish(const JointDrive& drive);

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <mujoco/mujoco.h>
@@ -17,9 +18,11 @@ struct DrivenJoint {
   double range = 0;  // rad or m, from end to end
   Result::Joint measured;
   const model::JointCheck* check = nullptr;  // entry of checks.joints that names it; null: none
-  /// Names of the two bodies with the deepest penetration; empty: none penetrated.
+  /// Names of the two bodies of the joint's tree with the deepest penetration; empty: none.
   std::string body1;
   std::string body2;
+  double free_depth = 0;  // m, of the deepest penetration of a free body
+  std::pair<std::string, std::string> free_pair;
   double where = 0;    // position of the joint at that penetration, rad or m
   double outside = 0;  // distance of the start from the range, rad or m
   bool has_diverged = false;

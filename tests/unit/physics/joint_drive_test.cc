@@ -141,6 +141,18 @@ TEST_CASE("a joint that something stands in the way of reaches as far as that") 
   CHECK(finding.message.find("'post' and 'door' collide") != std::string::npos);
 }
 
+TEST_CASE("a free body in the way of a joint is named") {
+  const std::string range = R"(axis="0 0 1" limited="true" range="0 3")";
+  const Examined door =
+      Examine("<body name=\"frame\">" + kCube + Child("door", "0.06 0 0", range, kBar) +
+              "</body><body name=\"mug\" pos=\"0.06 0.15 0\"><freejoint/><geom type=\"box\" "
+              "size=\"0.01 0.01 0.01\"/></body>");
+  REQUIRE(door.findings.size() >= 1);
+  const diag::Finding& finding = door.findings[door.findings.size() - 1];
+  CHECK(diag::CodeName(finding.code) == "physics/joint-blocked");
+  CHECK(finding.message.find("'door' and 'mug' collide") != std::string::npos);
+}
+
 TEST_CASE("a screw is driven through what it makes turn") {
   // One turn lifts by 5 mm, so that the lift feels the turning inertia 1.6 million times.
   const std::string lid =
