@@ -1,13 +1,14 @@
 // Texts of variants, and MuJoCo's loading of texts from memory.
 
 #include "bare_load.h"
+#include "mjforge/assemble/assemble.h"
 
 #include <cstdlib>
 
 namespace mjforge::bench {
 
 std::vector<std::string> Texts(const forge::Recipe& recipe, std::string_view size, int count) {
-  model::Assembler assembler;
+  assemble::Assembler assembler;
   mjcf::MjcfDocument document;
   std::vector<std::string> texts;
   for (int index = 0; index < count; ++index) {

@@ -7,6 +7,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "mjforge/assemble/assemble.h"
 #include "mjforge/attach/attach.h"
 #include "recipes.h"
 
@@ -27,7 +28,7 @@ void BM_Chain(benchmark::State& state) {
       "    joints: [{{name: 'hinge_${{i + 1}}', axis: [0, 1, 0], damping: 0.01 .. 0.02}}]\n"
       "    parts: [{{name: 'rod_${{i + 1}}', type: capsule, size: [5mm, 0.4 * length]}}]\n",
       state.range(0)));
-  model::Assembler assembler;
+  assemble::Assembler assembler;
   mjcf::MjcfDocument document;
   std::uint64_t index = 0;
   for (auto _ : state) MakeText(chain.recipe, assembler, index++, document);
@@ -44,7 +45,7 @@ void Attach(benchmark::State& state, const char* file) {
                   "  - {{name: 'it_${{i}}', for: {{i: n}}, mjcf: {}, pos: [i * step, 0, 0]}}\n",
                   state.range(0), std::string(MJFORGE_BENCH_DIR) + file));
   attach::MjcfReader reader(copies.sources);
-  model::Assembler assembler(&reader);
+  assemble::Assembler assembler(&reader);
   mjcf::MjcfDocument document;
   std::uint64_t index = 0;
   for (auto _ : state) MakeText(copies.recipe, assembler, index++, document);

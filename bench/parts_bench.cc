@@ -6,6 +6,7 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include "mjforge/assemble/assemble.h"
 #include "recipes.h"
 
 namespace mjforge::bench {
@@ -13,7 +14,7 @@ namespace {
 
 void BM_Parts(benchmark::State& state) {
   LoadedRecipe row = Row(static_cast<int>(state.range(0)));
-  model::Assembler assembler;
+  assemble::Assembler assembler;
   mjcf::MjcfDocument document;
   std::uint64_t index = 0;
   for (auto _ : state) MakeText(row.recipe, assembler, index++, document);
@@ -38,7 +39,7 @@ void BM_List(benchmark::State& state) {
       "parts: [{{name: 'p${{i}}', for: {{i: len(widths)}}, type: box,\n"
       "  size: ['half(widths[i])', 1, 1], pos: ['sum(widths, i) + widths[i] / 2', 0, 0]}}]\n",
       state.range(0)));
-  model::Assembler assembler;
+  assemble::Assembler assembler;
   mjcf::MjcfDocument document;
   std::uint64_t index = 0;
   for (auto _ : state) MakeText(row.recipe, assembler, index++, document);

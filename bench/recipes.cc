@@ -59,7 +59,7 @@ LoadedRecipe FromText(const std::string& yaml) {
   return loaded;
 }
 
-void MakeText(const forge::Recipe& recipe, model::Assembler& assembler, std::uint64_t index,
+void MakeText(const forge::Recipe& recipe, assemble::Assembler& assembler, std::uint64_t index,
               mjcf::MjcfDocument& document) {
   diag::Findings findings;
   auto values =

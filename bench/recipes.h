@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mjforge/assemble/assemble.h"
 #include "mjforge/forge/forge.h"
 
 namespace mjforge::bench {
@@ -29,7 +30,7 @@ LoadedRecipe Row(int parts);
 LoadedRecipe FromText(const std::string& yaml);
 
 /// Makes a variant's text by sample, model and mjcf, without validation.
-void MakeText(const forge::Recipe& recipe, model::Assembler& assembler, std::uint64_t index,
+void MakeText(const forge::Recipe& recipe, assemble::Assembler& assembler, std::uint64_t index,
               mjcf::MjcfDocument& document);
 
 }  // namespace mjforge::bench

@@ -2,6 +2,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "mjforge/assemble/assemble.h"
 #include "recipes.h"
 
 namespace mjforge::bench {
@@ -37,7 +38,7 @@ BENCHMARK(BM_SampleSpread)->DenseRange(0, 3)->Unit(benchmark::kMicrosecond);
 
 void BM_SampleAssemble(benchmark::State& state) {
   const forge::Recipe& recipe = Hammer().recipe;
-  model::Assembler assembler;
+  assemble::Assembler assembler;
   std::uint64_t index = 0;
   for (auto _ : state) {
     diag::Findings findings;
@@ -51,7 +52,7 @@ BENCHMARK(BM_SampleAssemble)->Unit(benchmark::kMicrosecond);
 
 void BM_SampleAssembleWrite(benchmark::State& state) {
   const forge::Recipe& recipe = Hammer().recipe;
-  model::Assembler assembler;
+  assemble::Assembler assembler;
   mjcf::MjcfDocument document;
   std::uint64_t index = 0;
   std::uint64_t bytes = 0;

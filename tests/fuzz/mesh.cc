@@ -1,15 +1,15 @@
 // Mesh files: OBJ, STL.
 
 #include "fuzz/input.h"
-#include "mjforge/model/mesh_files.h"
+#include "mjforge/assemble/mesh_files.h"
 
 namespace mjforge::fuzz {
 
 void Run(Input input) {
   const bool is_obj = input.Bit();
   std::string why_not;
-  const std::optional<model::MeshFile> file =
-      is_obj ? model::ParseObj(input.Rest(), why_not) : model::ParseStl(input.Rest(), why_not);
+  const std::optional<assemble::MeshFile> file =
+      is_obj ? assemble::ParseObj(input.Rest(), why_not) : assemble::ParseStl(input.Rest(), why_not);
   Must(file || !why_not.empty(), "a mesh is refused without a reason");
   if (!file) return;
   const model::TriangleMesh& mesh = file->mesh;
@@ -21,7 +21,7 @@ void Run(Input input) {
   }
   for (const Eigen::Vector3d& vertex : mesh.vertices)
     Must(vertex.allFinite(), "a coordinate is not finite");
-  model::FindSurfaceDefect(model::Scaled(mesh, {1, -2, 0.5}));
+  model::FindSurfaceDefect(assemble::Scaled(mesh, {1, -2, 0.5}));
 }
 
 }  // namespace mjforge::fuzz

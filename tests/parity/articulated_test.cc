@@ -14,6 +14,7 @@
 #include "described.h"
 #include "harness/effort.h"
 #include "harness/source_folder.h"
+#include "mjforge/assemble/assemble.h"
 #include "mjforge/diag/diag.h"
 #include "mjforge/mjcf/mjcf.h"
 #include "mjforge/model/model.h"
@@ -40,7 +41,7 @@ std::set<std::string> Meetings(const std::string& name,
                                     .search_path = {harness::SourceFolder() / "specs"}},
                                    sources, findings);
   REQUIRE(spec != nullptr);
-  model::Assembler assembler;
+  assemble::Assembler assembler;
   validate::Loader loader;
   mjcf::MjcfDocument document;
   const auto count = static_cast<std::uint64_t>(harness::Effort(20));

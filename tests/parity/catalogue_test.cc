@@ -9,6 +9,7 @@
 
 #include "harness/effort.h"
 #include "harness/source_folder.h"
+#include "mjforge/assemble/assemble.h"
 #include "mjforge/diag/diag.h"
 #include "mjforge/mjcf/mjcf.h"
 #include "mjforge/model/model.h"
@@ -33,7 +34,7 @@ std::string Rendered(const diag::Findings& findings, const diag::Sources& source
 std::set<std::string> Texts(const spec::ObjectSpec& spec, std::uint64_t count,
                             diag::Findings& findings) {
   std::set<std::string> texts;
-  model::Assembler assembler;
+  assemble::Assembler assembler;
   validate::Loader loader;
   mjcf::MjcfDocument document;
   for (std::uint64_t index = 0; index < count; ++index) {

@@ -12,6 +12,7 @@
 #include <pugixml.hpp>
 
 #include "harness/temporary_folder.h"
+#include "mjforge/assemble/assemble.h"
 #include "mjforge/diag/diag.h"
 #include "mjforge/expr/expr.h"
 #include "mjforge/mjcf/mjcf.h"
@@ -197,7 +198,7 @@ void Make(const spec::ObjectSpec& spec, const std::string& name, diag::Sources& 
           diag::Findings& findings, Described& out) {
   auto values = sample::Sample(spec, {}, sample::kRootStream, {}, findings);
   if (!values) return;
-  model::Assembler assembler;
+  assemble::Assembler assembler;
   const auto object = assembler.Assemble(*values, {.name = name}, findings);
   if (!object) return;
   mjcf::MjcfDocument document;

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "mjforge/assemble/assemble.h"
 #include "mjforge/backport/backport.h"
 #include "mjforge/mjcf/mjcf.h"
 #include "mjforge/xml/xml.h"
@@ -39,7 +40,7 @@ engine::Model AttachedFile::Attach(int body) {
   const auto spec = spec::LoadSpecText("zoo.yaml", yaml, "/", {}, sources, findings);
   if (spec != nullptr) {
     auto values = sample::Sample(*spec, {.seed = 1, .index = 0}, sample::kRootStream, {}, findings);
-    model::Assembler assembler(&reader_);
+    assemble::Assembler assembler(&reader_);
     if (values) object = assembler.Assemble(*values, {}, findings);
   }
   text_.clear();

@@ -11,6 +11,7 @@
 #include "harness/source_folder.h"
 #include "mjforge/engine/engine.h"
 #include "mjforge/mjcf/mjcf.h"
+#include "mjforge/assemble/assemble.h"
 #include "mjforge/model/model.h"
 #include "mjforge/sample/sample.h"
 #include "mjforge/spec/spec.h"
@@ -34,7 +35,7 @@ std::string SceneOf(const spec::ObjectSpec& spec, std::uint64_t index,
   auto values =
       sample::Sample(spec, {.seed = 3, .index = index}, sample::kRootStream, {}, findings);
   REQUIRE(values);
-  const auto object = model::Assembler().Assemble(*values, {}, findings);
+  const auto object = assemble::Assembler().Assemble(*values, {}, findings);
   REQUIRE(object);
   if (bounds != nullptr) *bounds = object->bounds;
   mjcf::MjcfDocument document;

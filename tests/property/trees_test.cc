@@ -11,6 +11,7 @@
 #include "harness/effort.h"
 #include "harness/random.h"
 #include "harness/source_folder.h"
+#include "mjforge/assemble/assemble.h"
 #include "mjforge/engine/engine.h"
 #include "mjforge/expr/expr.h"
 #include "mjforge/mjcf/mjcf.h"
@@ -122,7 +123,7 @@ class ObjectMaker {
     std::optional<Object> object;
     if (spec != nullptr) {
       auto values = sample::Sample(*spec, {.seed = 1}, sample::kRootStream, {}, findings);
-      object = Assembler().Assemble(*values, {}, findings);
+      object = assemble::Assembler().Assemble(*values, {}, findings);
     }
     for (const diag::Finding& finding : findings) {
       UNSCOPED_INFO(diag::RenderText(finding, sources_, false));

@@ -24,7 +24,7 @@ std::optional<model::Checks> LoadChecks(const std::vector<spec::Setting>& settin
   if (spec == nullptr) return std::nullopt;
   auto values = sample::Sample(*spec, {}, sample::kRootStream, {}, findings);
   if (!values) return std::nullopt;
-  const auto object = model::Assembler().Assemble(*values, {}, findings);
+  const auto object = assemble::Assembler().Assemble(*values, {}, findings);
   if (!object) return std::nullopt;
   return object->checks;
 }

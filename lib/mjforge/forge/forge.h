@@ -20,6 +20,7 @@
 #include <utility>
 #include <vector>
 
+#include "mjforge/assemble/assemble.h"
 #include "mjforge/attach/attach.h"
 #include "mjforge/diag/diag.h"
 #include "mjforge/files/files.h"
@@ -160,7 +161,7 @@ class Generator {
   attach::MjcfReader attachments_;
   std::unique_ptr<model::Placer> placer_;
   std::unique_ptr<physics::PileSettler> pile_settler_;  // null before the first pile
-  model::Assembler assembler_;
+  assemble::Assembler assembler_;
   std::map<std::string, std::string> hashes_;  // hashes of assets, by file
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "mjforge/model/forward_kinematics.h"
+#include "mjforge/model/swept_bounds.h"
 
 namespace mjforge::model {
 namespace {
@@ -46,21 +47,6 @@ Bounds BoundsOf(const std::vector<Part>& parts, std::size_t first) {
   return BoundsOfAll([&](const auto& visit) {
     for (std::size_t i = first; i < parts.size(); ++i) visit(parts[i], parts[i].X_BG);
   });
-}
-
-void SumMass(Body& body, Assets& assets) {
-  if (body.explicit_inertial) return;  // given by an attached file
-  MassProperties sum;
-  for (const Part& part : body.parts) {
-    if (!(part.mass > 0)) continue;
-    const MassProperties unit =
-        part.solid ? *part.solid : *assets.UnitMassOf(part.shape, part.mesh);
-    MassProperties properties = Scaled(unit, part.mass / unit.mass);
-    properties.mass = part.mass;
-    sum = Combine(sum, InFrame(part.X_BG, properties));
-    body.explicit_inertial |= part.solid.has_value() || part.shape.type == GeomType::kMesh;
-  }
-  body.mass_properties = sum;
 }
 
 void ScaleMass(double factor, std::vector<Body>& bodies, std::size_t body, std::size_t first_part,
@@ -124,11 +110,10 @@ std::size_t GeomCount(const Body& body) {
   return count;
 }
 
-std::span<const Element> ElementsOf(const Object& object, std::string_view section) {
-  for (const Section& one : object.sections) {
-    if (one.info->name == section) return one.elements;
-  }
-  return {};
+void MeasureAtStart(Object& object) {
+  object.mass_properties = SubtreeMass(object.bodies, 0);
+  if (!object.bounds.declared) object.bounds = SubtreeBounds(object.bodies, 0);
+  object.bounds.swept = SweptBounds(object);
 }
 
 }  // namespace mjforge::model

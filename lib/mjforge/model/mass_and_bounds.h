@@ -4,7 +4,6 @@
 
 #include <vector>
 
-#include "mjforge/model/assets.h"
 #include "mjforge/model/object.h"
 
 namespace mjforge::model {
@@ -18,8 +17,9 @@ MassProperties SubtreeMass(const std::vector<Body>& bodies, std::size_t first);
 /// Returns the bounds of a box with these half sizes, m, for `total_size:`.
 Bounds DeclaredBounds(const Eigen::Vector3d& total_size);
 
-/// Sets a body's mass properties to the sum of its parts, unless an attached file gave them.
-void SumMass(Body& body, Assets& assets);
+/// Computes mass properties and bounds of the object again, after bodies or their start were moved.
+void MeasureAtStart(Object& object);
+
 /// Multiplies the mass of the parts from `first_part` on of one body, and of the bodies from
 /// `first_body` on, by `factor`.
 void ScaleMass(double factor, std::vector<Body>& bodies, std::size_t body, std::size_t first_part,

@@ -1,78 +1,11 @@
-// Assembly of objects: ObjectSpec + drawn values -> Object, with checks of everything that MuJoCo
-// would not notice or would not explain.
-//
-// The assembler asks the evaluator for one value after the other while it adds elements, and
-// computes every number of the Object from these values.
+// Objects as numbers, and their geometry: bodies, parts, masses, bounds, poses, regions. Interfaces
+// to what adds to an object while it is assembled: attached MJCF, places.
 
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <map>
-#include <optional>
-#include <string>
-
-#include "mjforge/diag/diag.h"
 #include "mjforge/model/attachment.h"
 #include "mjforge/model/forward_kinematics.h"
+#include "mjforge/model/mass_and_bounds.h"
 #include "mjforge/model/object.h"
 #include "mjforge/model/placement.h"
-#include "mjforge/sample/sample.h"
-#include "mjforge/solid/solid.h"
-
-namespace mjforge::model {
-
-/// Builds the objects of variants. Keeps the mesh and texture files that it has read and the solids
-/// that it has computed, because most variants use them again.
-class Assembler {
- public:
-  struct Options {
-    std::string name;       // name of the object; empty: the spec's
-    bool prefix = true;     // put `name_` before every element's name
-    std::string root = {};  // name of the root body; empty: the object's
-    /// Seed of the draws of `place:` that are not draws of the variant's other values; none: the
-    /// variant's seed alone.
-    std::optional<std::uint64_t> place_seed = {};
-  };
-
-  /// `attachments` reads MJCF files, `placer` searches places; without them a body with `mjcf:` or
-  /// `place:` is an error. The assembler refers to the two objects.
-  explicit Assembler(AttachmentSource* attachments = nullptr, Placer* placer = nullptr)
-      : attachments_(attachments), placer_(placer) {}
-
-  /// Returns the object; nothing after an error, which is added to the findings.
-  std::optional<Object> Assemble(sample::Evaluator& values, const Options& options,
-                                 diag::Findings& findings);
-
-  struct CachedMesh {
-    bool exists = false;
-    bool unreadable = false;
-    std::optional<TriangleMesh> mesh;
-    std::string why_not;                        // if there is no mesh
-    std::optional<std::string> surface_defect;  // see FindSurfaceDefect
-    bool fit_for_mujoco = true;                 // see MeshFile
-  };
-  /// Returns the unscaled mesh of a file, which is read only once.
-  const CachedMesh& ReadMesh(const std::filesystem::path& file);
-
-  struct CachedTexture {
-    bool exists = false;
-    std::optional<std::uint64_t> pixels;  // nothing if the file is not PNG or cannot be read
-    std::string why_not;                  // if the file cannot be read
-  };
-  /// Returns the size of a picture, whose file is read only once.
-  const CachedTexture& ReadTexture(const std::filesystem::path& file);
-
-  AttachmentSource* attachments() const { return attachments_; }
-  Placer* placer() const { return placer_; }
-  solid::Cache& solids() { return solids_; }
-
- private:
-  AttachmentSource* attachments_;
-  Placer* placer_;
-  std::map<std::filesystem::path, CachedMesh> meshes_;
-  std::map<std::filesystem::path, CachedTexture> textures_;
-  solid::Cache solids_;
-};
-
-}  // namespace mjforge::model
+#include "mjforge/model/swept_bounds.h"

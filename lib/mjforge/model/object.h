@@ -180,9 +180,6 @@ struct Object {
 /// root and of free bodies is given; for most objects it is that of the root.
 std::vector<Pose> BodyPoses(const Object& object);
 
-/// Computes mass properties and bounds of the object again, after bodies or their start were moved.
-void MeasureAtStart(Object& object);
-
 /// Returns the number of geoms in MJCF; a part that is both collision and visual has two.
 std::size_t GeomCount(const Body& body);
 

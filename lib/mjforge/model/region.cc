@@ -3,11 +3,17 @@
 #include "mjforge/model/region.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "mjforge/solid/solid.h"
 
 namespace mjforge::model {
+
+std::string_view RegionTypeName(RegionType type) {
+  constexpr std::array<std::string_view, 3> kNames = {"box", "disc", "polygon"};
+  return kNames[static_cast<std::size_t>(type)];
+}
 
 double TiltOf(const Pose& X_WR) {
   const Eigen::Vector3d up = X_WR.q * Eigen::Vector3d::UnitZ();

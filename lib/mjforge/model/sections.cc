@@ -1,141 +1,20 @@
-// Elements of sections: repetition, attributes, references and limits.
+// Sections of MJCF in an object: their elements, and the kinds that attributes refer to.
 
-#include "mjforge/model/sections.h"
-
-#include <algorithm>
-#include <utility>
-
-#include <fmt/format.h>
-
-#include "mjforge/model/names.h"
+#include "mjforge/model/object.h"
 
 namespace mjforge::model {
-namespace {
 
-using diag::Code;
-
-// A range and its switch. A range applies unless the switch is false. The switch is always written,
-// because its default differs between releases of MuJoCo.
-struct LimitAttributes {
-  std::string_view range;
-  std::string_view limited;
-};
-constexpr LimitAttributes kLimits[] = {{"range", "limited"},
-                                       {"ctrlrange", "ctrllimited"},
-                                       {"forcerange", "forcelimited"},
-                                       {"actrange", "actlimited"}};
-
-void SetLimited(const spec::ElementInfo& info, std::vector<Attribute>& attributes) {
-  const auto has = [&](std::string_view name) {
-    return FindAttribute(attributes, name) != nullptr;
-  };
-  for (const LimitAttributes& limit : kLimits) {
-    const spec::FieldInfo* limited = info.Find(limit.limited);
-    if (limited == nullptr || !has(limit.range) || has(limit.limited)) continue;
-    Attribute& attribute = attributes.emplace_back();
-    attribute.name = limited->key;
-    attribute.text = "true";
-  }
+std::string_view KindOf(const Attribute& attribute, const Element& element) {
+  if (!attribute.refers.starts_with('@')) return attribute.refers;
+  const Attribute* kind = FindAttribute(element.attributes, attribute.refers.substr(1));
+  return kind == nullptr ? attribute.refers : std::string_view(kind->text);
 }
 
-// Gives a list of numbers the length that MuJoCo 2.2 requires: appends the defaults of missing
-// numbers, and removes surplus numbers that are all equal to the only one.
-void SetLength(const spec::FieldInfo& info, sample::Numbers& numbers) {
-  if (info.default_text.empty()) return;
-  std::vector<double> usual;
-  for (std::string_view rest = info.default_text; !rest.empty();) {
-    const std::size_t comma = std::min(rest.find(','), rest.size());
-    usual.push_back(*expr::ParseNumber(rest.substr(0, comma)));
-    rest.remove_prefix(std::min(comma + 1, rest.size()));
+std::span<const Element> ElementsOf(const Object& object, std::string_view section) {
+  for (const Section& one : object.sections) {
+    if (one.info->name == section) return one.elements;
   }
-  for (std::size_t i = numbers.size(); i < usual.size(); ++i) numbers.push_back(usual[i]);
-  if (usual.size() == 1 && std::ranges::count(numbers, numbers[0]) == std::ssize(numbers))
-    numbers.resize(1);
-}
-
-}  // namespace
-
-std::vector<Element>& Sections::ElementsOf(const spec::SectionInfo& info) {
-  const auto found = std::ranges::find(object_.sections, &info, &Section::info);
-  if (found != object_.sections.end()) return found->elements;
-  return object_.sections.emplace_back(Section{&info, {}}).elements;
-}
-
-void Sections::Add(Scope& scope, bool outermost) {
-  const spec::ObjectSpec& spec = scope.values.spec();
-  const sample::StreamId mjcf = sample::Child(scope.values.root(), "mjcf");
-  for (const spec::Section& section : spec.sections) {
-    const sample::StreamId path = sample::Child(mjcf, section.info->name);
-    if (section.info->is_element && !outermost) {
-      diag::Finding& finding = findings_.Add(
-          Code::kAttachNotCarried, section.entries.front().mark,
-          fmt::format("'{}' of spec '{}' is left out: it would apply to the whole object",
-                      section.info->name, spec.name),
-          "write it in the outermost spec");
-      finding.severity = diag::Severity::kWarning;
-      continue;
-    }
-    for (const spec::Entry& entry : section.entries) {
-      if (!repetition_.Count(entry, scope.values, ElementsOf(*section.info).size())) continue;
-      repetition_.ForEach(entry, scope.values, path,
-                          [&] { AddElement(scope, *section.info, entry, path); });
-    }
-  }
-}
-
-void Sections::AddElement(Scope& scope, const spec::SectionInfo& section, const spec::Entry& entry,
-                          sample::StreamId path) {
-  std::string name;
-  const auto* text = std::get_if<spec::Text>(&entry.name.form);
-  if (text != nullptr && !text->pieces.empty()) {
-    const std::optional<std::string> read = ReadName(scope, entry, path, findings_);
-    if (!read) return;
-    name = *read;
-  }
-  FieldReader reader(scope.values, findings_, entry.element->name, name,
-                     sample::Child(path, std::string_view(name)));
-  std::vector<Element>& elements = ElementsOf(section);
-  Element element;
-  if (!name.empty()) element.name = scope.prefix + name;
-  if (ReadElement(scope, reader, entry, element, {&section, elements.size()})) {
-    elements.push_back(std::move(element));
-  }
-}
-
-bool Sections::ReadElement(Scope& scope, FieldReader& reader, const spec::Entry& entry,
-                           Element& element, References::ElementPlace place) {
-  element.tag = entry.element->name;
-  element.mark = entry.mark;
-  bool good = true;
-  for (const spec::Field& field : entry.fields) {
-    Attribute& attribute = element.attributes.emplace_back();
-    if (!reader.ReadAttribute(field, attribute))
-      good = false;
-    else
-      SetLength(*field.info, attribute.numbers);
-  }
-  if (!good) return false;
-  const spec::ObjectSpec& spec = scope.values.spec();
-  for (std::size_t i = 0; i < element.attributes.size(); ++i) {
-    Attribute& attribute = element.attributes[i];
-    if (attribute.refers.empty()) continue;
-    const std::string_view kind = KindOf(attribute, element);
-    std::string shown = attribute.text;
-    const bool is_root = kind.ends_with("body") && shown == spec.name;
-    attribute.text =
-        is_root ? object_.bodies[static_cast<std::size_t>(scope.body)].name : scope.prefix + shown;
-    references_.Add(place, kind, attribute.text, std::move(shown),
-                    fmt::format("{} of {}", attribute.name, reader.Owner()),
-                    entry.fields[i].value.mark);
-  }
-  SetLimited(*entry.element, element.attributes);
-  for (const spec::Entry& child : entry.children) {
-    const std::string_view tag = child.element->name;
-    const auto same = std::ranges::count(element.children, tag, &Element::tag);
-    FieldReader child_reader = reader.ForChild(tag, static_cast<std::size_t>(same));
-    good &= ReadElement(scope, child_reader, child, element.children.emplace_back(), place);
-  }
-  return good;
+  return {};
 }
 
 }  // namespace mjforge::model

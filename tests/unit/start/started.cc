@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "mjforge/assemble/assemble.h"
 #include "mjforge/spec/spec.h"
 #include "mjforge/start/start.h"
 
@@ -17,7 +18,7 @@ model::Object Assembled(const std::string& body) {
   std::optional<model::Object> object;
   if (spec != nullptr) {
     auto values = sample::Sample(*spec, {.seed = 1}, sample::kRootStream, {}, findings);
-    model::Assembler assembler;
+    assemble::Assembler assembler;
     if (values) object = assembler.Assemble(*values, {}, findings);
   }
   std::string messages;

@@ -1,4 +1,5 @@
 // Findings of expectations about gaps and containment.
+#include "mjforge/assemble/assemble.h"
 #include "mjforge/static_checks/static_checks.h"
 
 #include <catch2/catch.hpp>
@@ -16,7 +17,7 @@ std::string FindingsOf(const std::string& body) {
   if (spec != nullptr) {
     auto values = sample::Sample(*spec, {.seed = 1}, sample::kRootStream, {}, findings);
     REQUIRE(values);
-    const auto object = model::Assembler().Assemble(*values, {}, findings);
+    const auto object = assemble::Assembler().Assemble(*values, {}, findings);
     if (object) CheckExpectations(*object, findings);
   }
   std::string text;

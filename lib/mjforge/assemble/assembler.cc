@@ -1,0 +1,52 @@
+// Assembler: entry point of the assembly, and caches of mesh and texture files.
+
+#include <set>
+
+#include "mjforge/assemble/assemble.h"
+#include "mjforge/assemble/assembly.h"
+#include "mjforge/assemble/mesh_files.h"
+#include "mjforge/bytes/bytes.h"
+
+namespace mjforge::assemble {
+
+// Bodies that find no room and may be left out are found only when all others stand, so the object
+// is assembled again without these bodies. All draws keep their values. After an error, a second
+// assembly would not report the failed values again.
+std::optional<model::Object> Assembler::Assemble(sample::Evaluator& values, const Options& options,
+                                                 diag::Findings& findings) {
+  const std::size_t before = findings.size();
+  std::set<std::string> left_out;
+  for (;;) {
+    const std::size_t known = left_out.size();
+    std::optional<model::Object> object = Assembly(*this, left_out, findings).Run(values, options);
+    if (left_out.size() == known || findings.HasErrors(before)) return object;
+    findings.Truncate(before);
+  }
+}
+
+const Assembler::CachedMesh& Assembler::ReadMesh(const std::filesystem::path& file) {
+  const auto [found, is_new] = meshes_.try_emplace(file);
+  CachedMesh& cached = found->second;
+  if (!is_new) return cached;
+  std::error_code error;
+  cached.exists = std::filesystem::exists(file, error);
+  if (!cached.exists) return cached;
+  std::optional<MeshFile> read = ReadMeshFile(file, cached.why_not, cached.unreadable);
+  if (!read) return cached;
+  cached.fit_for_mujoco = read->fit_for_mujoco;
+  cached.mesh = std::move(read->mesh);
+  cached.surface_defect = model::FindSurfaceDefect(*cached.mesh);
+  return cached;
+}
+
+const Assembler::CachedTexture& Assembler::ReadTexture(const std::filesystem::path& file) {
+  const auto [found, is_new] = textures_.try_emplace(file);
+  CachedTexture& cached = found->second;
+  if (!is_new) return cached;
+  std::error_code error;
+  cached.exists = std::filesystem::exists(file, error);
+  cached.pixels = bytes::PngPixels(file, cached.why_not);
+  return cached;
+}
+
+}  // namespace mjforge::assemble

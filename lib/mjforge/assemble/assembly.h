@@ -1,0 +1,200 @@
+// Assembly of one object: adds the elements of a spec and its nested specs to a tree of bodies.
+
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "mjforge/assemble/assemble.h"
+#include "mjforge/assemble/attacher.h"
+#include "mjforge/assemble/materials.h"
+#include "mjforge/assemble/references.h"
+#include "mjforge/assemble/regions.h"
+#include "mjforge/assemble/repetition.h"
+#include "mjforge/assemble/sections.h"
+
+namespace mjforge::assemble {
+
+/// The state of one assembly. An instance builds one object.
+class Assembly {
+ public:
+  /// Leaves out the bodies whose full names are in `left_out`, and adds those that find no room.
+  Assembly(Assembler& assembler, std::set<std::string>& left_out, diag::Findings& findings)
+      : findings_(findings),
+        placer_(assembler.placer()),
+        left_out_(left_out),
+        repetition_(findings),
+        assets_(assembler, object_, findings),
+        references_(object_, findings),
+        materials_(object_, assets_, findings),
+        sections_(object_, repetition_, references_, findings),
+        attacher_({assembler.attachments(), object_, assets_, materials_, sections_, references_,
+                   bodies_},
+                  findings) {}
+
+  std::optional<model::Object> Run(sample::Evaluator& values, const Assembler::Options& options);
+
+ private:
+  // assembly.cc
+  void AddSpec(Scope& scope);
+  void AddParts(Scope& scope, const std::vector<spec::Entry>& entries, const model::Pose& X_SF);
+  void AddFrame(Scope& scope, const spec::Entry& entry, const model::Pose& X_SF);
+  void AddWeld(Scope& scope, const spec::Entry& entry, const model::Pose& X_SF);
+  /// Counts of the elements of the current body, and of all bodies.
+  struct ElementCounts {
+    std::size_t parts, sites, regions, views, bodies;
+  };
+  ElementCounts CountElements();
+  /// Moves the elements added since `from` was counted: parts, sites, regions and views of the
+  /// current body, and children of the body `parent`.
+  void Move(const model::Pose& X_BC, const ElementCounts& from, int parent);
+  /// Returns true if there are fewer than kMaxParts elements. Otherwise reports, the first time,
+  /// that there are too many; `what` is their plural.
+  bool HasRoomFor(std::string_view what, std::size_t count, diag::SourceMark mark);
+  void ReadTotalSize(Scope& scope);
+  void ReadStartForm(Scope& scope);
+  void ScaleObject(Scope& scope, std::size_t first_part, std::size_t first_body);
+
+  // nested_specs.cc
+  /// Returns the values of an entry's spec, with its parameters set; nothing after a finding.
+  std::optional<sample::Evaluator> SampleNested(Scope& scope, const spec::Entry& entry,
+                                                sample::StreamId path);
+
+  // checks.cc
+  void ReadChecks(Scope& scope);
+  void ReadFitting(Scope& scope, const spec::Checks::Fitting& entry);
+  void ReadGrasps(Scope& scope, const spec::Checks::Grasping& entry);
+  void ReadPartCheck(Scope& scope, const spec::Checks::PartCheck& entry);
+  void ReadJointCheck(Scope& scope, const spec::Checks::JointCheck& entry);
+
+  // bodies.cc
+  void AddBodies(Scope& scope);
+  void AddBody(Scope& scope, const spec::BodyEntry& entry, sample::StreamId bodies);
+  /// Adds the content of the entry to the body `index`, the last one.
+  void Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
+            const std::string& name, std::size_t index, sample::StreamId path);
+  void PlaceBody(Scope& scope, FieldReader& reader, const spec::Entry& entry,
+                 const model::Bounds& bounds, model::Body& body);
+  int ParentOf(Scope& scope, FieldReader& reader, const spec::Entry& entry);
+  /// Returns the angle of `front:` of a spec about z, counter-clockwise from -y, rad.
+  double FrontOf(Scope& scope);
+  /// Sets the values of NAME.top and the other properties of a body.
+  void SetProperties(Scope& scope, const spec::BodyEntry& entry, const model::Bounds& bounds,
+                     std::size_t index);
+
+  // placements.cc
+  /// Places the bodies of the spec that have `place:`, in the order of their entries.
+  void PlaceBodies(Scope& scope);
+
+  void Finish(Scope& scope);  // finish.cc
+
+  // positions.cc
+  /// A joint's position in `pose:` or `at:`.
+  struct RequestedPosition {
+    std::string joint;  // full name
+    std::string shown;  // name in the spec
+    sample::Numbers numbers;
+    diag::SourceMark mark;
+  };
+  /// Returns the position as in qpos; nothing, and a finding, if the joint cannot have it. `what`
+  /// names the key in messages.
+  std::optional<sample::Numbers> ToQpos(std::string_view what, const RequestedPosition& position,
+                                        const model::Joint& joint);
+  void ReportUnknownJoint(std::string_view what, const RequestedPosition& position);
+
+  // starts.cc
+  /// A start state in `pose:`, or `start:` of a joint.
+  struct RequestedStart {
+    std::string_view key = "pose";
+    RequestedPosition position;           // its joint may be the name of an actuator
+    std::optional<Eigen::Vector3d> p;     // only for a free body
+    std::optional<Eigen::Quaterniond> q;  // only for a free body
+    sample::Numbers velocity = {};
+    bool is_actuator = false;
+    std::optional<double> ctrl = {};
+    std::optional<double> act = {};
+  };
+  /// Reads `pose:` of a spec into starts_.
+  void ReadStarts(Scope& scope);
+  void ReadStart(Scope& scope, const spec::Entry& entry, sample::StreamId pose);
+  /// Applies the elements of starts_ from `first` on, which belong to the spec of the scope, to the
+  /// current body and the bodies from `first_body` on. Starts of outer specs are applied later and
+  /// so override those of inner specs.
+  void ApplyStarts(const Scope& scope, std::size_t first, std::size_t first_body);
+  void ApplyStart(const Scope& scope, const RequestedStart& start, model::Body& of,
+                  model::Joint& joint);
+  void ApplySetpoint(RequestedStart& start);
+  /// Reports starts whose joint or actuator did not exist when its spec was complete.
+  void ReportLostStarts();
+
+  // expectations.cc
+  /// Evaluates the conditions of `expect:`, and reads its other entries.
+  void AddExpectations(Scope& scope);
+  void AddExpectation(Scope& scope, const spec::Expectation& entry);
+  /// Returns the full name of a body or a part; nothing, and a finding, if there is none.
+  std::optional<std::string> FullName(Scope& scope, const spec::Value& value);
+  void CheckCondition(Scope& scope, const spec::Expectation& entry);
+
+  // parts.cc
+  void AddPart(Scope& scope, const spec::Entry& entry, const model::Pose& X_SF);
+  /// Adds the part to the current body. A part with pieces becomes the visual part, and its pieces,
+  /// whose poses are in its frame, collide.
+  void AddWithPieces(model::Part part, std::vector<model::Part> pieces);
+  bool ReadMaterial(Scope& scope, FieldReader& reader, const spec::Entry& entry, model::Part& part,
+                    const MaterialState*& material);
+  bool ReadMass(FieldReader& reader, const spec::Entry& entry, const MaterialState* material,
+                model::Part& part);
+  bool SetMass(FieldReader& reader, const std::optional<double>& mass, model::Part& part);
+  bool SetDensity(FieldReader& reader, const spec::Field& field, double density, model::Part& part);
+
+  // views.cc
+  /// Adds cameras and lights; `path` is the stream of their body.
+  void AddViews(Scope& scope, const std::vector<spec::Entry>& entries, sample::StreamId path);
+  void AddView(Scope& scope, const spec::Entry& entry, sample::StreamId list);
+
+  // sites.cc, joints.cc
+  void AddSites(Scope& scope, const std::vector<spec::Entry>& entries, sample::StreamId sites);
+  void AddSite(Scope& scope, const spec::Entry& entry, sample::StreamId sites);
+  // regions.cc
+  /// Adds regions of the current body; `owner` is the prefix of their names in the spec, empty for
+  /// the spec's root body.
+  void AddRegions(Scope& scope, const std::vector<spec::Entry>& entries, std::string_view owner,
+                  sample::StreamId regions);
+  void AddRegion(Scope& scope, const spec::Entry& entry, std::string_view owner,
+                 sample::StreamId regions);
+  void AddRootJoints(Scope& scope);
+  void AddJoints(Scope& scope, const std::vector<spec::Entry>& entries, sample::StreamId joints);
+  void AddJoint(Scope& scope, const spec::Entry& entry, sample::StreamId joints);
+  /// Marks the root joints of a nested spec as removed, so that references to them are reported.
+  void MarkRootJointsRemoved(Scope& scope);
+
+  model::Body& body() { return object_.bodies[current_body_]; }
+
+  model::Object object_;
+  diag::Findings& findings_;
+  model::Placer* placer_;
+  std::optional<std::uint64_t> place_seed_;
+  std::set<std::string>& left_out_;
+  Repetition repetition_;
+  Assets assets_;
+  References references_;
+  Materials materials_;
+  Sections sections_;
+  Attacher attacher_;
+  const spec::ObjectSpec* spec_ = nullptr;       // the outermost spec
+  std::size_t current_body_ = 0;                 // index of the body that elements are added to
+  std::size_t part_count_ = 0;                   // in all bodies
+  std::size_t spec_count_ = 0;                   // welded specs
+  bool is_full_ = false;                         // kMaxParts was exceeded and reported
+  std::unordered_map<std::string, int> bodies_;  // indices by full name
+  std::vector<RequestedStart> starts_;           // starts of incomplete specs
+  std::vector<RequestedStart> lost_starts_;      // without a joint or actuator
+  std::vector<FaceSearch> face_searches_;
+};
+
+}  // namespace mjforge::assemble

@@ -1,0 +1,65 @@
+// Attaching: copies a body of an MJCF file, with everything below it, into the object.
+
+#pragma once
+
+#include <map>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+#include "mjforge/assemble/materials.h"
+#include "mjforge/assemble/sections.h"
+
+namespace mjforge::assemble {
+
+class Renamer;  // private to attacher.cc
+
+/// Copies bodies of MJCF files into an object. Names get a prefix, and equal assets are shared.
+class Attacher {
+ public:
+  /// The object and its builders. If `source` is null, no file can be read. `bodies` maps full
+  /// names to indices in Object::bodies.
+  struct Context {
+    model::AttachmentSource* source;
+    model::Object& object;
+    Assets& assets;
+    Materials& materials;
+    Sections& sections;
+    References& references;
+    std::unordered_map<std::string, int>& bodies;
+  };
+  Attacher(const Context& context, diag::Findings& findings)
+      : source_(context.source),
+        object_(context.object),
+        assets_(context.assets),
+        materials_(context.materials),
+        sections_(context.sections),
+        references_(context.references),
+        bodies_(context.bodies),
+        findings_(findings) {}
+
+  /// Copies the body that the entry names into the existing body `index`, which is called `name` in
+  /// its spec. Returns the number of parts added.
+  std::size_t Add(Scope& scope, FieldReader& reader, const spec::Entry& entry,
+                  const std::string& name, std::size_t index);
+
+ private:
+  void CopyAssets(const model::Attachment& attachment, Renamer& renamer);
+  std::size_t CopyBodies(const model::Attachment& attachment, const Renamer& renamer,
+                         std::size_t index);
+  void CopySections(const model::Attachment& attachment, const Renamer& renamer);
+  void AddReferences(References::ElementPlace place, const model::Element& own,
+                     const model::Element& element);
+
+  model::AttachmentSource* source_;
+  model::Object& object_;
+  Assets& assets_;
+  Materials& materials_;
+  Sections& sections_;
+  References& references_;
+  std::unordered_map<std::string, int>& bodies_;
+  diag::Findings& findings_;
+  std::map<std::pair<std::filesystem::path, std::string>, const model::Attachment*> attached_;
+};
+
+}  // namespace mjforge::assemble

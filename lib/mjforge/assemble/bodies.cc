@@ -1,0 +1,197 @@
+// `bodies:`: inline bodies, other specs, and bodies of MJCF files.
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mjforge/assemble/assembly.h"
+#include "mjforge/assemble/names.h"
+#include "mjforge/assemble/pose_reader.h"
+#include "mjforge/model/model.h"
+
+namespace mjforge::assemble {
+namespace {
+
+using diag::Code;
+using spec::Key;
+
+// Properties have no value until their body exists, because `if` may leave the body out.
+void ClearProperties(const spec::BodyEntry& entry, sample::Evaluator& values) {
+  const int count =
+      entry.first_property < 0 ? 0 : static_cast<int>(spec::BodyPropertyNames().size());
+  for (int i = 0; i < count; ++i)
+    values.SetVariable(entry.first_property + i, sample::kFailedNumber);
+  for (std::size_t i = 0; i < entry.parameter_slots.size(); ++i) {
+    const int slot = entry.parameter_slots[i];
+    if (slot >= 0) values.ClearVariables(slot, -1, entry.head.nested->parameters[i].value);
+  }
+}
+
+// For `placement: corner`: returns the position of a body's origin if the lower corner of its
+// rotated bounding box is at `p`, relative to the lower corner of the declared box.
+Eigen::Vector3d OriginFromCorner(const Eigen::Vector3d& p, const Eigen::Quaterniond& q,
+                                 const Eigen::Vector3d& total_size, const Eigen::Vector3d& min,
+                                 const Eigen::Vector3d& max) {
+  const Eigen::Matrix3d R = q.toRotationMatrix();
+  const Eigen::Vector3d center = R * ((min + max) / 2);
+  const Eigen::Vector3d half = R.cwiseAbs() * ((max - min) / 2);
+  const Eigen::Vector3d lower = center - half;
+  return p - (total_size + lower);
+}
+
+}  // namespace
+
+void Assembly::AddBodies(Scope& scope) {
+  const spec::ObjectSpec& spec = scope.values.spec();
+  const sample::StreamId bodies = sample::Child(scope.values.root(), "bodies");
+  for (const spec::BodyEntry& entry : spec.bodies) ClearProperties(entry, scope.values);
+  for (const spec::BodyEntry& entry : spec.bodies) {
+    if (!repetition_.Count(entry.head, scope.values, object_.bodies.size())) continue;
+    repetition_.ForEach(entry.head, scope.values, bodies, [&] { AddBody(scope, entry, bodies); });
+  }
+}
+
+void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, sample::StreamId bodies) {
+  if (!HasRoomFor("bodies", object_.bodies.size(), entry.head.mark)) return;
+  const std::optional<std::string> name = ReadName(scope, entry.head, bodies, findings_);
+  if (!name || left_out_.contains(scope.prefix + *name)) return;
+  const sample::StreamId path = sample::Child(bodies, std::string_view(*name));
+  FieldReader reader(scope.values, findings_, "body", *name, path);
+  const std::size_t index = object_.bodies.size();
+  {
+    model::Body& body = object_.bodies.emplace_back();
+    body.name = scope.prefix + *name;
+    body.mark = entry.head.mark;
+  }
+  // A body without a valid parent is still checked for other errors. A body with `place:` belongs
+  // to the world until PlaceBodies finds its parent.
+  if (!entry.place) object_.bodies[index].parent = ParentOf(scope, reader, entry.head);
+  bodies_.emplace(object_.bodies[index].name, static_cast<int>(index));
+
+  // The parts, sites and joints that follow belong to this body.
+  const bool by_corner = scope.places_corners();
+  const std::size_t outer = std::exchange(current_body_, index);
+  const model::Pose X_BS = std::exchange(scope.X_BS, model::Pose());
+  const auto total_size = std::exchange(scope.total_size, std::nullopt);
+  Fill(scope, entry, reader, *name, index, path);
+  model::Bounds bounds;
+  if (by_corner || entry.first_property >= 0) bounds = model::SubtreeBounds(object_.bodies, index);
+  SetProperties(scope, entry, bounds, index);
+  AddSites(scope, entry.sites, sample::Child(path, "sites"));
+  AddRegions(scope, entry.regions, *name + "_", sample::Child(path, "regions"));
+  AddViews(scope, entry.views, path);
+  AddJoints(scope, entry.joints, sample::Child(path, "joints"));
+  if (entry.is_free) {
+    model::Joint& joint = object_.bodies[index].joints.emplace_back();
+    joint.name = object_.bodies[index].name + "_joint0";
+  }
+  ReadAttributes(reader, entry.head, object_.bodies[index].attributes);
+  current_body_ = outer;
+  scope.X_BS = X_BS;
+  scope.total_size = total_size;
+  if (!entry.place) PlaceBody(scope, reader, entry.head, bounds, object_.bodies[index]);
+}
+
+void Assembly::Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
+                    const std::string& name, std::size_t index, sample::StreamId path) {
+  if (entry.head.nested != nullptr) {
+    std::optional<sample::Evaluator> nested = SampleNested(scope, entry.head, path);
+    if (!nested) return;
+    Scope inner(*nested, scope.prefix + name + "_", static_cast<int>(index), model::Pose());
+    SetSubstitutes(scope, entry.head, path, inner);
+    AddSpec(inner);
+    object_.bodies[index].front = FrontOf(inner);
+    // A body that is free in both specs keeps its free joint, which has the same name in both.
+    const bool keeps_joint = entry.is_free && nested->spec().root_joints == spec::RootJoints::kFree;
+    if (!keeps_joint) MarkRootJointsRemoved(inner);
+    for (std::size_t i = 0; i < entry.parameter_slots.size(); ++i) {
+      const int slot = entry.parameter_slots[i];
+      if (slot >= 0) scope.values.Assign(slot, nested->Parameter(i));
+    }
+  } else if (entry.head.Find(Key::kMjcf) != nullptr) {
+    part_count_ += attacher_.Add(scope, reader, entry.head, name, index);
+    if (part_count_ > 0) HasRoomFor("parts", part_count_ - 1, entry.head.mark);
+  } else {
+    const sample::StreamId outer = std::exchange(scope.parts, sample::Child(path, "parts"));
+    AddParts(scope, entry.parts, model::Pose());
+    scope.parts = outer;
+  }
+  assets_.SumMass(object_.bodies[index]);
+  const spec::Field* field = entry.head.Find(Key::kMass);
+  if (field == nullptr) return;
+  const std::optional<double> mass = reader.Number(*field);
+  if (!mass) return;
+  const double sum = model::SubtreeMass(object_.bodies, index).mass;
+  if (sum > 0) {
+    model::ScaleMass(*mass / sum, object_.bodies, current_body_, body().parts.size(), index);
+  } else {
+    reader.Report(Code::kModelNoMass, *field, "cannot be reached: no part has mass");
+  }
+}
+
+int Assembly::ParentOf(Scope& scope, FieldReader& reader, const spec::Entry& entry) {
+  const spec::Field* field = entry.Find(Key::kParent);
+  if (field == nullptr) return scope.body;
+  const std::optional<std::string> name = reader.Text(*field);
+  if (!name || *name == scope.values.spec().name) return scope.body;
+  const auto found = bodies_.find(scope.prefix + *name);
+  const auto own = static_cast<int>(object_.bodies.size()) - 1;
+  if (found != bodies_.end() && found->second != own) return found->second;
+  std::vector<std::string_view> names = {scope.values.spec().name};
+  for (const auto& [full, index] : bodies_) {
+    if (full.starts_with(scope.prefix) && index != scope.body) {
+      names.push_back(std::string_view(full).substr(scope.prefix.size()));
+    }
+  }
+  diag::Finding& finding =
+      findings_.Add(Code::kSpecBadParent, field->value.mark,
+                    fmt::format("{}: no earlier body {}", reader.Owner(), Quoted(*name)),
+                    diag::DidYouMean(*name, names));
+  finding.notes.push_back({entry.mark, "parents come before children; this one is defined here"});
+  return scope.body;
+}
+
+double Assembly::FrontOf(Scope& scope) {
+  const spec::ObjectSpec& spec = scope.values.spec();
+  if (!spec.front) return 0;
+  FieldReader reader(scope.values, findings_, "object", spec.name, scope.values.root());
+  const auto direction = reader.Vector<2>(*spec.front);
+  if (!direction) return 0;
+  if (direction->isZero(0)) reader.Report(Code::kModelBadRotation, *spec.front, "is zero");
+  return std::atan2((*direction)[0], -(*direction)[1]);
+}
+
+void Assembly::SetProperties(Scope& scope, const spec::BodyEntry& entry,
+                             const model::Bounds& bounds, std::size_t index) {
+  if (entry.first_property < 0) return;
+  Eigen::Vector3d half = Eigen::Vector3d::Zero();
+  if (!bounds.aabb.empty()) half = bounds.half_size();
+  const double values[] = {bounds.top_offset,
+                           bounds.bottom_offset,
+                           bounds.horizontal_radius,
+                           half[0],
+                           half[1],
+                           half[2],
+                           model::SubtreeMass(object_.bodies, index).mass};
+  for (std::size_t i = 0; i < std::size(values); ++i) {
+    scope.values.SetVariable(entry.first_property + static_cast<int>(i), values[i]);
+  }
+  const int mass = entry.first_property + static_cast<int>(std::size(values)) - 1;
+  scope.body_masses.emplace_back(mass, values[std::size(values) - 1]);
+}
+
+void Assembly::PlaceBody(Scope& scope, FieldReader& reader, const spec::Entry& entry,
+                         const model::Bounds& bounds, model::Body& body) {
+  const std::optional<model::Pose> X_PB = ReadPose(reader, entry);
+  if (!X_PB) return;
+  body.X_PB = *X_PB;
+  if (body.parent != scope.body) return;
+  if (scope.places_corners() && !bounds.aabb.empty()) {
+    body.X_PB.p =
+        OriginFromCorner(X_PB->p, X_PB->q, *scope.total_size, bounds.aabb.min, bounds.aabb.max);
+  }
+  body.X_PB = scope.X_BS * body.X_PB;
+}
+
+}  // namespace mjforge::assemble

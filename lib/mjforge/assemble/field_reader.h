@@ -1,0 +1,73 @@
+// Reader of an element's fields: evaluates their values and checks them against the field table.
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "mjforge/model/model.h"
+
+namespace mjforge::assemble {
+
+/// Reads the fields of one element. A function that returns nothing or false has added a finding.
+class FieldReader {
+ public:
+  /// `path` is the stream of the element; a field's stream is its child named by the key.
+  FieldReader(sample::Evaluator& values, diag::Findings& findings, std::string_view element,
+              std::string_view name, sample::StreamId path)
+      : values_(values), findings_(findings), element_(element), name_(name), path_(path) {}
+
+  /// Returns a reader for a child element, the `position`-th with this tag. The child has its own
+  /// streams, but findings name the parent element.
+  FieldReader ForChild(std::string_view tag, std::size_t position) const {
+    FieldReader child = *this;
+    child.path_ = sample::Child(sample::Child(path_, tag), position);
+    return child;
+  }
+
+  std::optional<double> Number(const spec::Field& field);
+  bool Numbers(const spec::Field& field, sample::Numbers& out);
+  /// Returns the numbers of a field that must have exactly N numbers.
+  template <int N>
+  std::optional<Eigen::Matrix<double, N, 1>> Vector(const spec::Field& field) {
+    sample::Numbers numbers;
+    if (!Numbers(field, numbers) || !HasCount(field, numbers, N)) return std::nullopt;
+    return Eigen::Matrix<double, N, 1>(numbers.data());
+  }
+  bool HasCount(const spec::Field& field, const sample::Numbers& numbers, std::size_t count);
+  std::optional<sample::PointList> Points(const spec::Field& field);
+  std::optional<std::vector<sample::PointList>> Outlines(const spec::Field& field);
+  std::optional<std::string> Text(const spec::Field& field);
+  /// Returns one of the words that the field table lists.
+  std::optional<std::string> Word(const spec::Field& field);
+  std::optional<bool> Boolean(const spec::Field& field);
+  bool ReadAttribute(const spec::Field& field, model::Attribute& out);
+
+  /// Returns the element in messages: "part 'head'".
+  std::string Owner() const;
+  /// Adds the finding "KEY of OWNER <what>".
+  void Report(diag::Code code, const spec::Field& field, std::string_view what,
+              std::string hint = {});
+  /// Adds the finding "OWNER <what>".
+  void ReportElement(diag::Code code, diag::SourceMark mark, std::string_view what,
+                     std::string hint = {});
+  diag::Findings& findings() { return findings_; }
+
+ private:
+  /// Returns the stream of the field, or, without hashing, of the element if nothing is drawn.
+  sample::StreamId PathOf(const spec::Field& field) const {
+    return spec::HasDraw(field.value) ? sample::Child(path_, field.info->key) : path_;
+  }
+  /// Reports the rule that one of the `count` numbers of a field breaks.
+  void ReportNumber(const spec::Field& field, double number, std::size_t position,
+                    std::size_t count);
+
+  sample::Evaluator& values_;
+  diag::Findings& findings_;
+  std::string_view element_;
+  std::string_view name_;
+  sample::StreamId path_;
+};
+
+}  // namespace mjforge::assemble

@@ -1,0 +1,161 @@
+// Regions found by `auto`, and the check that declared regions are level at the start.
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mjforge/assemble/level_faces.h"
+#include "mjforge/assemble/regions.h"
+
+namespace mjforge::assemble {
+namespace {
+
+using Eigen::Vector2d;
+
+// Adds the colliding parts of a body, from `first` to `last`, in the root frame.
+void AddColliding(const model::Body& body, const model::Pose& X_RootB, std::size_t first,
+                  std::size_t last, std::vector<PlacedShape>& out) {
+  for (std::size_t i = first; i < std::min(last, body.parts.size()); ++i) {
+    const model::Part& part = body.parts[i];
+    if (part.role == model::Role::kVisual) continue;
+    const model::Pose X_RootG = X_RootB * part.X_BG;
+    out.push_back({part.shape, X_RootG, model::BoundsOf(part.shape, X_RootG), part.piece_of});
+  }
+}
+
+// Returns true if the body, or one above it, moves freely or waits for its place: such a body is no
+// part of a fixture.
+bool IsLoose(const model::Object& object, std::size_t index) {
+  auto i = static_cast<int>(index);
+  while (i > 0) {
+    const model::Body& body = object.bodies[static_cast<std::size_t>(i)];
+    if (std::ranges::find(body.joints, "free", &model::Joint::type) != body.joints.end())
+      return true;
+    i = body.parent;
+  }
+  return i < 0;
+}
+
+class FaceFinder {
+ public:
+  FaceFinder(const FaceSearch& search, const model::Object& object)
+      : search_(search), object_(object), poses_(model::BodyPoses(object)) {}
+
+  // Returns the colliding parts of one body of the spec.
+  std::vector<PlacedShape> ShapesOf(std::size_t body) const {
+    std::vector<PlacedShape> shapes;
+    Add(body, shapes);
+    return shapes;
+  }
+
+  // Returns the colliding parts of the whole spec.
+  std::vector<PlacedShape> AllShapes() const {
+    std::vector<PlacedShape> shapes;
+    Add(search_.root, shapes);
+    for (std::size_t i = search_.first_body; i < search_.last_body; ++i) {
+      if (i == search_.body || !IsLoose(object_, i)) Add(i, shapes);
+    }
+    return shapes;
+  }
+
+  // Returns the face as a region without name; right-angled quadrilaterals become boxes.
+  model::Region RegionOf(const LevelFace& face, std::size_t body) const {
+    model::Region region = search_.pattern;
+    region.height = face.height;
+    Vector2d center = Vector2d::Zero();
+    for (const Vector2d& corner : face.corners)
+      center += corner / static_cast<double>(face.corners.size());
+    model::Pose X_RootR{.p = {0, 0, face.z}};
+    if (face.radius) {
+      region.type = model::RegionType::kDisc;
+      region.half_size.setConstant(*face.radius);
+      X_RootR.p.head<2>() = center;
+    } else if (const auto box = SidesOf(face.corners)) {
+      const auto& [x, y] = *box;
+      region.half_size = {x.norm() / 2, y.norm() / 2};
+      X_RootR.p.head<2>() = center;
+      X_RootR.q = model::FromAxisAngle(Eigen::Vector3d::UnitZ(), std::atan2(x.y(), x.x()));
+    } else {
+      region.type = model::RegionType::kPolygon;
+      region.corners = face.corners;
+    }
+    region.X_BR = poses_[body].Inverse() * X_RootR;
+    CenterOrigin(region);
+    return region;
+  }
+
+ private:
+  void Add(std::size_t body, std::vector<PlacedShape>& shapes) const {
+    const bool is_root = body == search_.root;
+    AddColliding(object_.bodies[body], poses_[body], is_root ? search_.first_part : 0,
+                 is_root ? search_.last_part : object_.bodies[body].parts.size(), shapes);
+  }
+
+  // Returns the sides of a rectangle, the one closest to the x axis first; nothing for other
+  // polygons.
+  static std::optional<std::pair<Vector2d, Vector2d>> SidesOf(
+      const std::vector<Vector2d>& corners) {
+    if (corners.size() != 4) return std::nullopt;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vector2d before = corners[i] - corners[(i + 3) % 4];
+      const Vector2d after = corners[(i + 1) % 4] - corners[i];
+      if (std::abs(before.dot(after)) > 1e-6 * before.norm() * after.norm()) return std::nullopt;
+    }
+    Vector2d x = corners[1] - corners[0];
+    Vector2d y = corners[2] - corners[1];
+    if (std::abs(x.x()) * y.norm() < std::abs(y.x()) * x.norm() * (1 - 1e-9)) std::swap(x, y);
+    if (x.x() < 0) x = -x;
+    return std::pair(x, y);
+  }
+
+  const FaceSearch& search_;
+  const model::Object& object_;
+  std::vector<model::Pose> poses_;  // in the root frame
+};
+
+}  // namespace
+
+void AddFoundRegions(const FaceSearch& search, model::Object& object) {
+  const FaceFinder finder(search, object);
+  const std::vector<PlacedShape> all = finder.AllShapes();
+  for (std::size_t i = 0; i < object.bodies.size(); ++i) {
+    // An entry with an MJCF file searches all bodies of the file.
+    const bool is_owner = i == search.body;
+    if (!is_owner && object.bodies[i].attached != static_cast<int>(search.body)) continue;
+    model::Body& body = object.bodies[i];
+    int found = 0;
+    const std::vector<PlacedShape> own = finder.ShapesOf(i);
+    for (const LevelFace& face : FindLevelFaces(own, all, search.least_area, search.least_height)) {
+      model::Region region = finder.RegionOf(face, i);
+      if (!HasRoomWithin(region)) continue;
+      if (!is_owner) region.site = fmt::format("{}_{}", body.name, region.name);
+      if (found > 0) {
+        region.name += fmt::format("_{}", found);
+        region.site += fmt::format("_{}", found);
+      }
+      ++found;
+      AddRegionTo(body, std::move(region));
+    }
+  }
+}
+
+void CheckLevelRegions(const model::Object& object, diag::SourceMark spec,
+                       diag::Findings& findings) {
+  std::vector<model::Pose> poses;
+  for (std::size_t i = 0; i < object.bodies.size(); ++i) {
+    for (const model::Region& region : object.bodies[i].regions) {
+      if (region.mark.file != spec.file) continue;
+      if (poses.empty()) poses = model::BodyPoses(object);
+      const double angle = model::TiltOf(poses[i] * region.X_BR);
+      if (angle <= kLevelAngle) continue;
+      findings.Add(diag::Code::kModelNotLevel, region.mark,
+                   fmt::format("region '{}' leans by {:.3g} degrees at the start", region.name,
+                               angle * 180 / std::numbers::pi),
+                   "nothing can stand on it: turn it, or leave it out by `if`");
+    }
+  }
+}
+
+}  // namespace mjforge::assemble

@@ -1,0 +1,71 @@
+// Bodies with free joints: moves them from their parent to the world.
+
+#include "mjforge/assemble/free_bodies.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "mjforge/model/model.h"
+
+namespace mjforge::assemble {
+namespace {
+
+const model::Joint* FreeJointOf(const model::Body& body) {
+  const auto found = std::ranges::find(body.joints, "free", &model::Joint::type);
+  return found == body.joints.end() ? nullptr : &*found;
+}
+
+// Returns the nearest ancestor that has joints and is not free; null if there is none.
+const model::Body* MovingParent(const std::vector<model::Body>& bodies, int parent) {
+  for (; parent >= 0; parent = bodies[static_cast<std::size_t>(parent)].parent) {
+    const model::Body& body = bodies[static_cast<std::size_t>(parent)];
+    if (!body.joints.empty() && FreeJointOf(body) == nullptr) return &body;
+  }
+  return nullptr;
+}
+
+bool MayBeFree(const std::vector<model::Body>& bodies, const model::Body& body,
+               const model::Joint& joint, diag::Findings& findings) {
+  const diag::SourceMark mark = joint.mark ? joint.mark : body.mark;
+  if (body.joints.size() > 1) {
+    findings.Add(diag::Code::kModelBadValue, mark,
+                 fmt::format("free joint '{}' is not the only joint of its body", joint.name),
+                 "a free joint already allows every motion");
+    return false;
+  }
+  const model::Body* moving = MovingParent(bodies, body.parent);
+  // A body that was placed only starts there.
+  if (moving == nullptr || !body.stands_at.empty()) return true;
+  findings
+      .Add(diag::Code::kModelBadValue, mark,
+           fmt::format("body '{}' is free, but stands on body '{}', which moves", body.name,
+                       moving->name),
+           "a free body is one of the world: its parent may be fixed to the root, or free itself")
+      .notes.push_back(
+          {moving->joints.front().mark, fmt::format("'{}' moves by this joint", moving->name)});
+  return false;
+}
+
+}  // namespace
+
+void ReleaseFreeBodies(std::vector<model::Body>& bodies, diag::Findings& findings) {
+  std::vector<std::size_t> released;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const model::Joint* joint = FreeJointOf(bodies[i]);
+    if (joint == nullptr || !MayBeFree(bodies, bodies[i], *joint, findings)) continue;
+    if (i > 0) released.push_back(i);  // the root already is a child of the world
+  }
+  if (released.empty()) return;
+  const std::vector<model::Pose> X_WB = model::SubtreePoses(bodies, 0);
+  for (const std::size_t i : released) {
+    bodies[i].parent = -1;
+    if (sample::Numbers& velocity = bodies[i].joints[0].start_velocity; !velocity.empty()) {
+      Eigen::Map<Eigen::Vector3d> linear(velocity.data());
+      linear = X_WB[i].q * (bodies[i].X_PB.q.conjugate() * linear);
+    }
+    bodies[i].X_PB = X_WB[i];
+  }
+}
+
+}  // namespace mjforge::assemble

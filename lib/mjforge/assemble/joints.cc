@@ -1,0 +1,138 @@
+// Joints of bodies: types, axes, ranges, and the root joints of a spec.
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mjforge/assemble/assembly.h"
+#include "mjforge/assemble/pose_reader.h"
+
+namespace mjforge::assemble {
+namespace {
+
+using diag::Code;
+using spec::Key;
+
+bool ReadType(FieldReader& reader, const spec::Entry& entry, model::Joint& joint) {
+  joint.type = "hinge";
+  const spec::Field* field = entry.Find(Key::kType);
+  if (field == nullptr) return true;
+  const std::optional<std::string> word = reader.Word(*field);
+  if (!word) return false;
+  constexpr std::array<std::string_view, 4> kTypes = {"free", "ball", "slide", "hinge"};
+  joint.type = *std::ranges::find(kTypes, *word);
+  return true;
+}
+
+// Returns the rule of MuJoCo that `range` breaks for this joint type; empty if it is valid.
+std::string_view BrokenRange(std::string_view type, const Eigen::Vector2d& range) {
+  const double lower = range[0];
+  const double upper = range[1];
+  if (type == "free") return "has no meaning for a free joint";
+  if (type == "ball") {
+    if (lower != 0) return "must begin with 0 for a ball joint";
+    return upper > 0 ? "" : "must end above 0";
+  }
+  return lower < upper ? "" : "must go from a smaller to a larger number";
+}
+
+// Reads the limits. A range applies unless `limited: false`.
+bool ReadRange(FieldReader& reader, const spec::Entry& entry, model::Joint& joint) {
+  const spec::Field* range_field = entry.Find(Key::kRange);
+  const spec::Field* limited_field = entry.Find(Key::kLimited);
+  std::optional<Eigen::Vector2d> range;
+  if (range_field != nullptr) {
+    range = reader.Vector<2>(*range_field);
+    if (!range) return false;
+  }
+  if (limited_field != nullptr) {
+    const std::optional<bool> limited = reader.Boolean(*limited_field);
+    if (!limited) return false;
+    if (!*limited) return true;
+    if (!range) {
+      reader.Report(Code::kModelBadValue, *limited_field, "is true, but it has no range");
+      return false;
+    }
+  }
+  if (!range) return true;
+  const std::string_view broken = BrokenRange(joint.type, *range);
+  if (!broken.empty()) {
+    reader.Report(Code::kModelBadValue, *range_field,
+                  fmt::format("is {} .. {}; it {}", expr::NumberText((*range)(0)),
+                              expr::NumberText((*range)(1)), broken));
+    return false;
+  }
+  joint.range = range;
+  return true;
+}
+
+}  // namespace
+
+void Assembly::AddRootJoints(Scope& scope) {
+  const spec::ObjectSpec& spec = scope.values.spec();
+  if (spec.root_joints == spec::RootJoints::kFree) {
+    model::Joint& joint = body().joints.emplace_back();
+    joint.name = scope.prefix + "joint0";
+  }
+  if (spec.root_joints != spec::RootJoints::kList) return;
+  AddJoints(scope, spec.joints, sample::Child(scope.values.root(), "joints"));
+}
+
+void Assembly::AddJoints(Scope& scope, const std::vector<spec::Entry>& entries,
+                         sample::StreamId joints) {
+  for (const spec::Entry& entry : entries) {
+    if (!repetition_.Count(entry, scope.values, body().joints.size())) continue;
+    repetition_.ForEach(entry, scope.values, joints, [&] { AddJoint(scope, entry, joints); });
+  }
+}
+
+void Assembly::MarkRootJointsRemoved(Scope& scope) {
+  const spec::ObjectSpec& spec = scope.values.spec();
+  const std::string origin = fmt::format("spec '{}'", spec.name);
+  if (spec.root_joints == spec::RootJoints::kFree) {
+    references_.MarkRemoved(scope.prefix + "joint0", origin);
+  }
+  for (const spec::Entry& entry : spec.joints) {
+    repetition_.ForEach(entry, scope.values, scope.values.root(), [&] {
+      const auto name = ReadName(scope, entry, scope.values.root(), findings_);
+      if (name) references_.MarkRemoved(scope.prefix + *name, origin);
+    });
+  }
+}
+
+void Assembly::AddJoint(Scope& scope, const spec::Entry& entry, sample::StreamId joints) {
+  const std::optional<std::string> name = ReadName(scope, entry, joints, findings_);
+  if (!name) return;
+  FieldReader reader(scope.values, findings_, "joint", *name,
+                     sample::Child(joints, std::string_view(*name)));
+  model::Joint joint;
+  joint.name = scope.prefix + *name;
+  joint.mark = entry.mark;
+  bool good = ReadType(reader, entry, joint);
+  if (const spec::Field* field = entry.Find(Key::kPos)) {
+    const auto pos = reader.Vector<3>(*field);
+    if (pos) joint.pos = *pos;
+    good &= pos.has_value();
+  }
+  if (const spec::Field* field = entry.Find(Key::kAxis)) {
+    const auto axis = ReadDirection(reader, *field);
+    if (axis) joint.axis = *axis;
+    good &= axis.has_value();
+  }
+  good &= ReadRange(reader, entry, joint);
+  good &= ReadAttributes(reader, entry, joint.attributes);
+  if (!good) return;
+  if (const spec::Field* field = entry.Find(Key::kStart)) {
+    RequestedStart& start = starts_.emplace_back();
+    start.key = "start";
+    start.position = {.joint = joint.name, .shown = *name, .numbers = {}, .mark = field->mark};
+    scope.values.Vector(field->value,
+                        sample::Child(sample::Child(joints, std::string_view(*name)), "start"),
+                        start.position.numbers);
+  }
+  body().joints.push_back(std::move(joint));
+}
+
+}  // namespace mjforge::assemble

@@ -1,0 +1,183 @@
+// Level upper faces: top faces of convex shapes, joined, and cut back to what is free.
+
+#include "mjforge/assemble/level_faces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+#include <utility>
+
+namespace mjforge::assemble {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Polygon = std::vector<Vector2d>;
+
+// Tolerance for the same height and for contact, m: below any clearance that matters, above the
+// rounding errors of poses.
+constexpr double kTouching = 1e-6;
+constexpr double kStraight = 1e-9;  // sine of the angle between edges that are one
+constexpr std::size_t kDiscCorners = 64;
+// The number of faces that are compared with all shapes is limited, because an object may have
+// 40,000 parts.
+constexpr std::size_t kMostFaces = 64;
+
+// Returns the convex hull without corners on straight lines.
+Polygon Simplified(Polygon points) { return solid::ConvexPolygonOf(std::move(points), kStraight); }
+
+Polygon PolygonAround(const Vector2d& center, double radius) {
+  Polygon corners;
+  for (std::size_t i = 0; i < kDiscCorners; ++i) {
+    const double angle = 2 * std::numbers::pi * (static_cast<double>(i) + 0.5) / kDiscCorners;
+    corners.emplace_back(center + radius / std::cos(std::numbers::pi / kDiscCorners) *
+                                      Vector2d(std::cos(angle), std::sin(angle)));
+  }
+  return corners;
+}
+
+// Replaces a disc by the largest regular polygon in it.
+void MakePolygon(LevelFace& face) {
+  if (!face.radius) return;
+  Vector2d center = Vector2d::Zero();
+  for (const Vector2d& corner : face.corners) center += corner / kDiscCorners;
+  for (Vector2d& corner : face.corners)
+    corner = center + std::cos(std::numbers::pi / kDiscCorners) * (corner - center);
+  face.radius.reset();
+}
+
+// Returns the highest face of the shape's convex hull if this face is level; without corners, if it
+// is a point or an edge.
+LevelFace TopOf(const PlacedShape& placed) {
+  LevelFace face{.corners = {}, .z = placed.box.max.z(), .radius = std::nullopt};
+  const Vector3d axis = placed.X_WG.q * Vector3d::UnitZ();
+  if (placed.shape.type == model::GeomType::kCylinder) {
+    const double radius = placed.shape.size[0];
+    if (axis.head<2>().norm() * radius > kTouching) return face;
+    face.radius = radius;
+    face.corners = PolygonAround(placed.X_WG.p.head<2>(), radius);
+    return face;
+  }
+  for (const Vector3d& vertex : VerticesOf(placed.shape)) {
+    const Vector3d p = placed.X_WG * vertex;
+    if (p.z() >= face.z - kTouching) face.corners.emplace_back(p.head<2>());
+  }
+  face.corners = Simplified(std::move(face.corners));
+  return face;
+}
+
+double AreaOfFace(const LevelFace& face) {
+  return face.radius ? std::numbers::pi * *face.radius * *face.radius : solid::AreaOf(face.corners);
+}
+
+// Joins faces at the same height if their convex hull has no gaps. The pieces of a shape do not
+// overlap, so that their areas add up.
+std::vector<LevelFace> Joined(std::vector<LevelFace> faces) {
+  if (faces.size() < 2) return faces;
+  LevelFace whole{.corners = {}, .z = faces.front().z, .radius = std::nullopt};
+  double area = 0;
+  for (LevelFace& face : faces) {
+    MakePolygon(face);
+    area += solid::AreaOf(face.corners);
+    whole.corners.insert(whole.corners.end(), face.corners.begin(), face.corners.end());
+  }
+  whole.corners = Simplified(std::move(whole.corners));
+  if (area < (1 - 1e-6) * solid::AreaOf(whole.corners)) return faces;
+  return {whole};
+}
+
+// Returns the top faces of all shapes, those of pieces of one shape joined.
+std::vector<LevelFace> TopFaces(std::span<const PlacedShape> shapes) {
+  std::vector<LevelFace> faces;
+  std::vector<LevelFace> pieces;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    LevelFace face = TopOf(shapes[i]);
+    if (face.corners.size() < 3) continue;
+    if (shapes[i].piece_of.empty()) {
+      faces.push_back(std::move(face));
+      continue;
+    }
+    pieces.push_back(std::move(face));
+    if (i + 1 < shapes.size() && shapes[i + 1].piece_of == shapes[i].piece_of) continue;
+    std::ranges::stable_sort(pieces, {}, &LevelFace::z);
+    for (auto from = pieces.begin(); from != pieces.end();) {
+      const auto to = std::find_if(from, pieces.end(), [&](const LevelFace& other) {
+        return other.z > from->z + kTouching;
+      });
+      std::ranges::move(Joined({from, to}), std::back_inserter(faces));
+      from = to;
+    }
+    pieces.clear();
+  }
+  return faces;
+}
+
+// Returns the smallest dot(direction, p) over the points p of the shape.
+double LowestAlong(const PlacedShape& placed, const Vector2d& direction) {
+  const Vector3d d(direction.x(), direction.y(), 0);
+  return d.dot(placed.X_WG.p) -
+         model::Support(placed.shape, Vector3d(placed.X_WG.q.conjugate() * Vector3d(-d)));
+}
+
+// Returns true if the shape is beside the polygon, as seen from above, along one of the polygon's
+// normals; the shape may touch the polygon.
+bool IsBeside(const PlacedShape& placed, const Polygon& corners) {
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vector2d normal = solid::OutwardNormal(corners, i);
+    if (LowestAlong(placed, normal) >= normal.dot(corners[i]) - kTouching) return true;
+  }
+  return false;
+}
+
+// Cuts the shape's place off, along the edge that leaves the largest area.
+void CutOff(const PlacedShape& placed, LevelFace& face) {
+  if (IsBeside(placed, face.corners)) return;
+  MakePolygon(face);
+  Polygon best;
+  for (std::size_t i = 0; i < face.corners.size(); ++i) {
+    const Vector2d normal = solid::OutwardNormal(face.corners, i);
+    Polygon rest = Simplified(solid::Clipped(face.corners, normal, LowestAlong(placed, normal)));
+    if (solid::AreaOf(rest) > solid::AreaOf(best)) best = std::move(rest);
+  }
+  face.corners = std::move(best);
+}
+
+void CutBack(std::span<const PlacedShape> shapes, double height, double area, LevelFace& face) {
+  for (const PlacedShape& placed : shapes) {
+    const double low = placed.box.min.z() - face.z;
+    if (placed.box.max.z() <= face.z + kTouching || low >= height) continue;
+    CutOff(placed, face);
+    if (AreaOfFace(face) < area) return;
+  }
+  for (const PlacedShape& placed : shapes) {
+    const double low = placed.box.min.z() - face.z;
+    if (low < height || low >= face.height || IsBeside(placed, face.corners)) continue;
+    face.height = low;
+  }
+}
+
+// Sorts the faces: the largest first, of equal ones the highest first.
+void SortBySize(std::vector<LevelFace>& faces) {
+  std::ranges::stable_sort(faces, {}, [](const LevelFace& face) {
+    return std::tuple(-std::llround(AreaOfFace(face) * 1e9), -std::llround(face.z * 1e9));
+  });
+}
+
+}  // namespace
+
+std::vector<LevelFace> FindLevelFaces(std::span<const PlacedShape> own,
+                                      std::span<const PlacedShape> all, double area,
+                                      double height) {
+  std::vector<LevelFace> faces = TopFaces(own);
+  const auto is_small = [area](const LevelFace& face) { return AreaOfFace(face) < area; };
+  std::erase_if(faces, is_small);
+  SortBySize(faces);
+  if (faces.size() > kMostFaces) faces.resize(kMostFaces);
+  for (LevelFace& face : faces) CutBack(all, height, area, face);
+  std::erase_if(faces, is_small);
+  SortBySize(faces);
+  return faces;
+}
+
+}  // namespace mjforge::assemble

@@ -1,0 +1,40 @@
+// Search for level upper faces of solids: their shape, and the free height above.
+
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "mjforge/model/model.h"
+
+namespace mjforge::assemble {
+
+/// A colliding part at its pose in a frame W, whose z axis points up.
+struct PlacedShape {
+  model::Shape shape;
+  model::Pose X_WG;
+  model::Box3 box;                 // its bounds in W
+  std::string_view piece_of = {};  // see Part::piece_of
+};
+
+/// A level upper face of one shape or of several adjacent pieces of one shape.
+struct LevelFace {
+  /// Corners of a convex polygon, counter-clockwise, in W. For a disc, a polygon around it.
+  std::vector<Eigen::Vector2d> corners;
+  double z = 0;                                             // in W, m
+  std::optional<double> radius;                             // m, only for a disc
+  double height = std::numeric_limits<double>::infinity();  // free height above, m
+};
+
+/// Returns the level upper faces of the shapes `own` that have at least the area `area`, m^2, with
+/// at least the free height `height`, m, below the shapes `all`. A face that something stands on is
+/// cut back. The largest face comes first.
+std::vector<LevelFace> FindLevelFaces(std::span<const PlacedShape> own,
+                                      std::span<const PlacedShape> all, double area, double height);
+
+}  // namespace mjforge::assemble

@@ -1,0 +1,220 @@
+// Meshes of an object: inline meshes and files, shared if they are equal, and names of copies.
+
+#include <algorithm>
+#include <functional>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mjforge/assemble/assets.h"
+#include "mjforge/assemble/mesh_files.h"
+#include "mjforge/assemble/names.h"
+#include "mjforge/diag/diag.h"
+
+namespace mjforge::assemble {
+namespace {
+
+using diag::Code;
+using spec::Key;
+
+// Meshes with equal vertices seldom differ otherwise.
+std::size_t HashOf(const model::TriangleMesh& mesh) {
+  const std::string_view bytes(reinterpret_cast<const char*>(mesh.vertices.data()),
+                               mesh.vertices.size() * sizeof(Eigen::Vector3d));
+  return std::hash<std::string_view>()(bytes);
+}
+
+std::size_t HashOf(const std::filesystem::path& file, const Eigen::Vector3d& scale) {
+  const std::string_view bytes(reinterpret_cast<const char*>(scale.data()), sizeof(scale));
+  return std::hash<std::string_view>()(file.native()) ^ std::hash<std::string_view>()(bytes);
+}
+
+bool AreSame(const model::TriangleMesh& a, const model::TriangleMesh& b) {
+  return a.vertices == b.vertices && a.triangles == b.triangles && a.normals == b.normals &&
+         a.texcoords == b.texcoords;
+}
+
+// Returns true for characters that some system rejects in file names.
+bool IsUnportable(char c) {
+  constexpr unsigned char kDelete = 0x7f;
+  const auto byte = static_cast<unsigned char>(c);
+  return byte < ' ' || byte == kDelete ||
+         std::string_view("\\:*?\"<>|").find(c) != std::string_view::npos;
+}
+
+bool ReadInertia(FieldReader& reader, const spec::Entry& entry, model::Part& part) {
+  const spec::Field* field = entry.Find(Key::kInertia);
+  if (field == nullptr) return true;
+  const std::optional<std::string> word = reader.Word(*field);
+  part.is_shell = word == "shell";
+  return word.has_value();
+}
+
+}  // namespace
+
+std::optional<sample::Numbers> ReadScale(FieldReader& reader, const spec::Entry& entry,
+                                         std::size_t count) {
+  const spec::Field* field = entry.Find(Key::kScale);
+  if (field == nullptr) return sample::Numbers(count, 1);
+  sample::Numbers numbers;
+  if (!reader.Numbers(*field, numbers)) return std::nullopt;
+  for (double number : numbers) {
+    if (number != 0) continue;
+    reader.Report(Code::kModelBadValue, *field, "is zero");
+    return std::nullopt;
+  }
+  if (numbers.size() == 1) numbers.resize(count, numbers[0]);
+  if (!reader.HasCount(*field, numbers, count)) return std::nullopt;
+  return numbers;
+}
+
+const spec::Field* Required(FieldReader& reader, const spec::Entry& entry, Key id,
+                            std::string_view key, diag::SourceMark mark) {
+  const spec::Field* field = entry.Find(id);
+  if (field == nullptr) {
+    reader.ReportElement(Code::kSpecMissingKey, mark, fmt::format("has no '{}'", key));
+  }
+  return field;
+}
+
+void Assets::SetMesh(int index, model::Part& part) {
+  part.mesh = index;
+  part.shape = {.type = model::GeomType::kMesh,
+                .mesh = &object_.meshes[static_cast<std::size_t>(index)]->mesh};
+}
+
+void Assets::AddInline(const model::TriangleMesh& mesh, model::Part& part) {
+  const std::size_t hash = HashOf(mesh);
+  const auto [begin, end] = meshes_.equal_range(hash);
+  for (auto it = begin; it != end; ++it) {
+    const auto index = static_cast<std::size_t>(it->second);
+    const model::TriangleMesh& other = object_.meshes[index]->mesh;
+    if (sources_[index].file.empty() && AreSame(other, mesh)) return SetMesh(it->second, part);
+  }
+  auto asset = std::make_unique<model::MeshAsset>();
+  asset->name = part.name;
+  asset->mesh = mesh;
+  asset->is_hull = mesh.normals.empty();
+  asset->mark = part.mark;
+  SetMesh(Add(std::move(asset), {}, hash), part);
+}
+
+bool Assets::ReadMesh(FieldReader& reader, const spec::Entry& entry,
+                      const std::filesystem::path& folder, model::Part& part) {
+  const spec::Field* field = Required(reader, entry, Key::kFile, "file", part.mark);
+  if (field == nullptr) return false;
+  const std::optional<std::string> name = reader.Text(*field);
+  const std::optional<sample::Numbers> factors = ReadScale(reader, entry, 3);
+  if (!name || !factors) return false;
+  const Eigen::Vector3d scale(factors->data());
+  const std::filesystem::path file = (folder / *name).lexically_normal();
+  const Assembler::CachedMesh& content = assembler_.ReadMesh(file);
+  if (!content.exists) {
+    findings_.Add(Code::kModelFileNotFound, field->value.mark,
+                  fmt::format("{}: no file {}", reader.Owner(), Quoted(*name)),
+                  "file names are relative to the folder of the spec");
+    return false;
+  }
+  if (!content.mesh) {
+    findings_.Add(content.unreadable ? Code::kYamlCannotRead : Code::kModelBadMesh,
+                  field->value.mark,
+                  fmt::format("cannot read mesh {}: {}", Quoted(*name), content.why_not));
+    return false;
+  }
+  if (!ReadInertia(reader, entry, part)) return false;
+  if (content.surface_defect && !part.is_shell && part.role != model::Role::kVisual) {
+    findings_.Add(
+        Code::kModelBadMesh, field->value.mark,
+        fmt::format("mesh {} is not a closed surface: {}", Quoted(*name), *content.surface_defect),
+        "repair the file, or give the part `role: visual`, or `inertia: shell` and a mass");
+    return false;
+  }
+  AddFile(file, scale, content, part);
+  if (part.is_shell) part.solid = model::ShellMassOf(*part.shape.mesh);
+  return true;
+}
+
+void Assets::AddFile(const std::filesystem::path& file, const Eigen::Vector3d& scale,
+                     const Assembler::CachedMesh& content, model::Part& part) {
+  const std::size_t hash = HashOf(file, scale);
+  const auto [begin, end] = meshes_.equal_range(hash);
+  for (auto it = begin; it != end; ++it) {
+    const MeshSource& source = sources_[static_cast<std::size_t>(it->second)];
+    if (source.file == file && source.scale == scale) return SetMesh(it->second, part);
+  }
+  auto asset = std::make_unique<model::MeshAsset>();
+  asset->name = part.name;
+  asset->mesh = Scaled(*content.mesh, scale);
+  asset->scale = scale;
+  asset->mark = part.mark;
+  if (content.fit_for_mujoco) {
+    asset->file = file;
+    asset->output_file = OutputName(file);
+  }
+  SetMesh(Add(std::move(asset), {file, scale, !content.surface_defect}, hash), part);
+}
+
+int Assets::ShareMesh(const model::MeshAsset& mesh, const std::string& name) {
+  const std::size_t hash = HashOf(mesh.file, mesh.scale) + mesh.attributes.size();
+  const auto [begin, end] = meshes_.equal_range(hash);
+  for (auto it = begin; it != end; ++it) {
+    const model::MeshAsset& other = *object_.meshes[static_cast<std::size_t>(it->second)];
+    if (other.file == mesh.file && !other.is_hull && other.scale == mesh.scale &&
+        other.attributes == mesh.attributes) {
+      return it->second;
+    }
+  }
+  auto asset = std::make_unique<model::MeshAsset>(mesh);
+  asset->name = name;
+  if (!mesh.file.empty()) asset->output_file = OutputName(mesh.file);
+  return Add(std::move(asset), {mesh.file, mesh.scale, false}, hash);
+}
+
+int Assets::Add(std::unique_ptr<model::MeshAsset> mesh, MeshSource source, std::size_t hash) {
+  const int index = static_cast<int>(object_.meshes.size());
+  object_.meshes.push_back(std::move(mesh));
+  sources_.push_back(std::move(source));
+  meshes_.emplace(hash, index);
+  return index;
+}
+
+std::optional<model::MassProperties> Assets::UnitMassOf(const model::Shape& shape, int mesh) {
+  if (shape.type != model::GeomType::kMesh) return model::MassOf(shape, 1);
+  MeshSource& source = sources_[static_cast<std::size_t>(mesh)];
+  if (!source.is_closed) return std::nullopt;
+  if (!source.unit_mass) source.unit_mass = model::MassOf(shape, 1);
+  return source.unit_mass;
+}
+
+std::string Assets::OutputName(const std::filesystem::path& file) {
+  const auto [found, is_new] = output_names_.try_emplace(file);
+  if (!is_new) return found->second;
+  std::string name = file.filename().string();
+  // Archives are unpacked on any system, and MuJoCo treats a backslash like a slash.
+  std::ranges::replace_if(name, IsUnportable, '_');
+  const std::filesystem::path safe = name;
+  // MuJoCo 2.2 ignores the case of file names.
+  for (int i = 2; !taken_names_.insert(diag::LowerCase(name)).second; ++i) {
+    name = fmt::format("{}_{}{}", safe.stem().string(), i, safe.extension().string());
+  }
+  found->second = name;
+  return name;
+}
+
+void Assets::SumMass(model::Body& body) {
+  if (body.explicit_inertial) return;  // given by an attached file
+  model::MassProperties sum;
+  for (const model::Part& part : body.parts) {
+    if (!(part.mass > 0)) continue;
+    const model::MassProperties unit =
+        part.solid ? *part.solid : *UnitMassOf(part.shape, part.mesh);
+    model::MassProperties properties = model::Scaled(unit, part.mass / unit.mass);
+    properties.mass = part.mass;
+    sum = model::Combine(sum, model::InFrame(part.X_BG, properties));
+    body.explicit_inertial |= part.solid.has_value() || part.shape.type == model::GeomType::kMesh;
+  }
+  body.mass_properties = sum;
+}
+
+}  // namespace mjforge::assemble

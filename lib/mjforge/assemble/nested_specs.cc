@@ -1,0 +1,32 @@
+// Specs nested in other specs: their parameters and the materials that replace theirs.
+
+#include "mjforge/assemble/assembly.h"
+
+namespace mjforge::assemble {
+
+std::optional<sample::Evaluator> Assembly::SampleNested(Scope& scope, const spec::Entry& entry,
+                                                        sample::StreamId path) {
+  const sample::StreamId params = sample::Child(path, "params");
+  std::vector<std::pair<std::string, sample::ParameterValue>> overrides;
+  bool is_good = true;
+  for (const auto& [parameter, value] : entry.overrides) {
+    auto given = scope.values.Any(value, sample::Child(params, parameter));
+    is_good &= given.has_value();
+    if (given) overrides.emplace_back(parameter, *std::move(given));
+  }
+  if (!is_good) return std::nullopt;
+  // The nested spec is redrawn on its own, from this attempt on, until its requirements hold.
+  return sample::Sample(*entry.nested, scope.values.key(), path, overrides, findings_,
+                        scope.values.sampler());
+}
+
+void SetSubstitutes(Scope& scope, const spec::Entry& entry, sample::StreamId path, Scope& inner) {
+  const sample::StreamId materials = sample::Child(path, "materials");
+  inner.outer = &scope;
+  for (const auto& [name, value] : entry.substitutes) {
+    const sample::StreamId stream = sample::Child(materials, std::string_view(name));
+    inner.substitutes.emplace_back(name, scope.values.Text(value, stream).value_or(""));
+  }
+}
+
+}  // namespace mjforge::assemble

@@ -1,0 +1,108 @@
+// Messages about bodies for which no place was found: sizes, and what took the room.
+
+#include "mjforge/assemble/no_room.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "mjforge/assemble/names.h"
+
+namespace mjforge::assemble {
+namespace {
+
+using diag::Code;
+
+// Most bodies in the way that a message names.
+constexpr std::size_t kMostNamed = 3;
+
+// Returns a length in cm, to a tenth of a millimetre.
+std::string Cm(double length) { return expr::NumberText(std::round(length * 1e4) / 100); }
+
+std::string Sizes(const Eigen::Vector2d& lengths) {
+  return fmt::format("{} x {} cm", Cm(lengths[0]), Cm(lengths[1]));
+}
+
+std::string SizeOf(const model::Region& region) {
+  if (region.type == model::RegionType::kDisc)
+    return fmt::format("{} cm across", Cm(2 * region.half_size[0]));
+  return Sizes(2 * region.half_size);
+}
+
+// Returns "'plate_0' was in the way of 400, 'mug_1' of 120": the bodies that were in the way of
+// most tries.
+std::string BlockersText(const Misses& misses) {
+  std::vector<std::pair<std::string, std::size_t>> all(misses.blockers.begin(),
+                                                       misses.blockers.end());
+  std::ranges::stable_sort(all, std::greater<>(), &std::pair<std::string, std::size_t>::second);
+  all.resize(std::min(all.size(), kMostNamed));
+  if (all.size() == 1) return fmt::format("{} is in the way", Quoted(all.front().first));
+  std::string text;
+  for (const auto& [name, times] : all) {
+    text += text.empty() ? fmt::format("of {} tries, {} was in the way of {}", misses.count,
+                                       Quoted(name), times)
+                         : fmt::format(", {} of {}", Quoted(name), times);
+  }
+  return text;
+}
+
+void ReportCrowded(const NoRoom& what, const Misses& misses, diag::Finding& finding) {
+  finding.message = fmt::format("no room for body {} at {}", Quoted(what.body), Quoted(what.at));
+  if (what.region != nullptr) {
+    finding.message +=
+        fmt::format(", {}: it needs {}", SizeOf(*what.region), Sizes(misses.footprint));
+    if (what.clear > 0) finding.message += fmt::format(" and {} cm around it", Cm(what.clear));
+    finding.message += fmt::format("; the widest gap is {} cm across", Cm(what.widest_gap));
+    if (what.instances > 1) {
+      finding.message +=
+          fmt::format("; {} of {} have found a place", what.standing, what.instances);
+    }
+  }
+  if (!misses.blockers.empty()) finding.hint = BlockersText(misses) + "; ";
+  finding.hint += "make room, or leave out what finds none with `fewer: true`";
+}
+
+}  // namespace
+
+void Misses::Add(const model::PlaceResult& result, const PlaceNames& names) {
+  if (++count == 1 || result.footprint.prod() < footprint.prod()) footprint = result.footprint;
+  ++verdicts[result.verdict];
+  if (result.verdict == model::PlaceVerdict::kBlocked && result.blocker >= 0)
+    ++blockers[names.NameOf(result.blocker)];
+}
+
+bool Misses::AreAll(model::PlaceVerdict verdict) const {
+  const auto found = verdicts.find(verdict);
+  return found != verdicts.end() && found->second == count;
+}
+
+void ReportNoRoom(const NoRoom& what, const Misses& misses, diag::Findings& findings) {
+  diag::Finding& finding = findings.Add(Code::kModelNoRoom, what.mark, {});
+  if (what.target) finding.notes.push_back({what.target, "the place is described here"});
+  const std::string body = Quoted(what.body);
+  const std::string at = Quoted(what.at);
+  if (misses.AreAll(model::PlaceVerdict::kTooLarge)) {
+    finding.message =
+        fmt::format("body {} is larger than {}: it stands on {}, and the region is {}", body, at,
+                    Sizes(misses.footprint), SizeOf(*what.region));
+    finding.hint = "a smaller body, a larger region, or a share that may lie outside: `overhang`";
+  } else if (misses.AreAll(model::PlaceVerdict::kTooHigh)) {
+    finding.message = fmt::format("body {} is too high for {}, which has {} cm of free height",
+                                  body, at, Cm(what.region->height));
+    finding.hint = "a lower body, or another way of `lying`";
+  } else if (misses.AreAll(model::PlaceVerdict::kOutside)) {
+    finding.message = what.beside.empty()
+                          ? fmt::format("the place of body {} is outside of {}", body, at)
+                          : fmt::format("the place of body {} beside {} is outside of {}", body,
+                                        Quoted(what.beside), at);
+    finding.hint = fmt::format("the region is {}", SizeOf(*what.region));
+  } else {
+    ReportCrowded(what, misses, finding);
+  }
+}
+
+}  // namespace mjforge::assemble

@@ -1,0 +1,233 @@
+// Parts: material, shape, mass and attributes, and the split into visual part and pieces.
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mjforge/assemble/assembly.h"
+#include "mjforge/assemble/names.h"
+#include "mjforge/assemble/shape_reader.h"
+
+namespace mjforge::assemble {
+namespace {
+
+using diag::Code;
+using spec::Key;
+
+bool ReadRole(FieldReader& reader, const spec::Entry& entry, model::Part& part) {
+  const spec::Field* field = entry.Find(Key::kRole);
+  if (field == nullptr) return true;
+  const std::optional<std::string> word = reader.Word(*field);
+  if (!word) return false;
+  part.role = *word == "both"        ? model::Role::kBoth
+              : *word == "collision" ? model::Role::kCollision
+                                     : model::Role::kVisual;
+  return true;
+}
+
+// Returns true for fields that are written to the MJCF element unchanged.
+bool IsAttribute(Key id) { return id == Key::kAttribute || id == Key::kRgba || id == Key::kGroup; }
+
+// Hardens the contacts of a shape's pieces, because things would sink through its thin
+// walls with MuJoCo's default parameters. With these values a ball of 5 mm that falls 10 cm stays
+// on a floor of 1.5 mm. A time constant below two steps of 2 ms would not be stable.
+// docs/physics.md shows how the values were found.
+void HardenContacts(std::vector<model::Attribute>& attributes) {
+  if (model::FindAttribute(attributes, "solref") != nullptr) return;
+  const auto add = [&](std::string_view name, sample::Numbers numbers) {
+    if (model::FindAttribute(attributes, name) != nullptr) return;
+    model::Attribute& added = attributes.emplace_back();
+    added.name = name;
+    added.applies = spec::Applies::kCollision;
+    added.numbers = std::move(numbers);
+  };
+  add("solref", {0.005, 1});
+  add("solmix", {100});
+}
+
+// Returns the texture mapping that a material needs; none if it has no 2D texture.
+solid::TextureMapping TextureOf(const model::Object& object, int index) {
+  using Unit = solid::TextureMapping::Unit;
+  solid::TextureMapping texture = {.unit = Unit::kNone};
+  if (index < 0) return texture;
+  const model::Material& material = object.materials[static_cast<std::size_t>(index)];
+  if (material.texture < 0) return texture;
+  const model::Texture& image = object.textures[static_cast<std::size_t>(material.texture)];
+  // MuJoCo computes the coordinates of cube textures itself.
+  const auto is_2d = [](const model::Attribute& a) { return a.name == "type" && a.text == "2d"; };
+  if (std::ranges::none_of(image.attributes, is_2d)) return texture;
+  texture.unit = Unit::kWhole;
+  for (const model::Attribute& attribute : material.attributes) {
+    if (attribute.name == "texuniform" && attribute.text == "true") texture.unit = Unit::kMetre;
+    if (attribute.name != "texrepeat") continue;
+    const std::size_t last = attribute.numbers.size() - 1;
+    texture.repeat = {attribute.numbers[0], attribute.numbers[last]};
+  }
+  // MuJoCo repeats uniform textures on its own geoms half as often as `texrepeat`, too.
+  if (texture.unit == Unit::kMetre) texture.repeat /= 2;
+  return texture;
+}
+
+// Returns the bounding box of a part, or of its pieces if it has some.
+model::Box3 BoxOf(const model::Part& part, const std::vector<model::Part>& pieces,
+                  const model::Pose& X_FG) {
+  if (pieces.empty()) return model::BoundsOf(part.shape, X_FG);
+  model::Box3 box;
+  for (const model::Part& piece : pieces) box.Add(model::BoundsOf(piece.shape, X_FG * piece.X_BG));
+  return box;
+}
+
+}  // namespace
+
+Eigen::Vector3d FromCorner(const Eigen::Vector3d& p, const Eigen::Vector3d& total_size,
+                           const Eigen::Vector3d& lower) {
+  return p - total_size - lower;
+}
+
+bool ReadAttributes(FieldReader& reader, const spec::Entry& entry,
+                    std::vector<model::Attribute>& out,
+                    std::span<const model::Attribute> of_material) {
+  bool good = true;
+  out.reserve(entry.fields.size() + of_material.size());
+  auto field = entry.fields.begin();
+  const auto read = [&](bool defaults) {
+    for (; field != entry.fields.end() && field->is_default == defaults; ++field) {
+      if (!IsAttribute(field->info->id)) continue;
+      if (defaults && model::FindAttribute(out, field->info->key) != nullptr) continue;
+      good &= reader.ReadAttribute(*field, out.emplace_back());
+    }
+  };
+  read(false);
+  for (const model::Attribute& attribute : of_material) {
+    if (model::FindAttribute(out, attribute.name) == nullptr) out.push_back(attribute);
+  }
+  read(true);
+  return good;
+}
+
+void Assembly::AddPart(Scope& scope, const spec::Entry& entry, const model::Pose& X_SF) {
+  if (!HasRoomFor("parts", part_count_, entry.mark)) return;
+  const std::optional<std::string> name = ReadName(scope, entry, scope.parts, findings_);
+  if (!name) return;
+  FieldReader reader(scope.values, findings_, "part", *name,
+                     sample::Child(scope.parts, std::string_view(*name)));
+  model::Part part;
+  part.name = scope.prefix + *name;
+  part.mark = entry.mark;
+  bool good = ReadRole(reader, entry, part);
+  const MaterialState* material = nullptr;
+  good &= ReadMaterial(scope, reader, entry, part, material);
+  std::optional<ShapePlacement> placed =
+      good ? ReadShape(reader, entry, scope.values.spec().folder, TextureOf(object_, part.material),
+                       assets_, part)
+           : std::nullopt;
+  good &= placed.has_value();
+  if (placed) good &= ReadMass(reader, entry, material, part);
+  good &= ReadAttributes(reader, entry, part.attributes,
+                         material != nullptr ? std::span<const model::Attribute>(material->contact)
+                                             : std::span<const model::Attribute>());
+  if (!good) return;
+  model::Pose X_SG = X_SF * placed->X_FG;
+  if (scope.places_corners()) {
+    const model::Box3 box =
+        BoxOf(part, placed->pieces, {.p = Eigen::Vector3d::Zero(), .q = X_SG.q});
+    X_SG.p = FromCorner(X_SG.p, *scope.total_size, box.min);
+  }
+  part.X_BG = scope.X_BS * X_SG;
+  AddWithPieces(std::move(part), std::move(placed->pieces));
+}
+
+void Assembly::AddWithPieces(model::Part part, std::vector<model::Part> pieces) {
+  std::vector<model::Part>& parts = body().parts;
+  part_count_ += 1 + static_cast<int>(pieces.size());
+  if (part.solid) part.density = 0;  // MuJoCo would apply the density to the render mesh
+  const bool is_seen = part.role != model::Role::kCollision;
+  for (model::Part& piece : pieces) {
+    piece.role = model::Role::kCollision;
+    piece.attributes = part.attributes;
+    if (pieces.size() > 1) HardenContacts(piece.attributes);
+    if (is_seen) {
+      std::erase_if(piece.attributes,
+                    [](const model::Attribute& a) { return a.applies == spec::Applies::kVisual; });
+    } else {
+      piece.material = part.material;
+    }
+  }
+  if (pieces.empty()) return parts.push_back(std::move(part));
+  if (!is_seen) {
+    pieces.front().mass = part.mass;
+    pieces.front().solid = model::InFrame(pieces.front().X_BG.Inverse(), *part.solid);
+  }
+  for (model::Part& piece : pieces) piece.X_BG = part.X_BG * piece.X_BG;
+  part.role = model::Role::kVisual;
+  if (is_seen) parts.push_back(std::move(part));
+  std::ranges::move(pieces, std::back_inserter(parts));
+}
+
+bool Assembly::ReadMaterial(Scope& scope, FieldReader& reader, const spec::Entry& entry,
+                            model::Part& part, const MaterialState*& material) {
+  const spec::Field* field = entry.Find(Key::kMaterial);
+  if (field == nullptr) return true;
+  material = materials_.Use(scope, reader, *field);
+  if (material == nullptr) return false;
+  part.material = material->index;
+  return true;
+}
+
+bool Assembly::SetDensity(FieldReader& reader, const spec::Field& field, double density,
+                          model::Part& part) {
+  const bool may_be_zero = part.role == model::Role::kVisual;
+  if (density == 0 && !may_be_zero) {
+    reader.Report(Code::kModelBadValue, field, "is 0; it must be greater than 0",
+                  "for a part without mass use `role: visual`");
+    return false;
+  }
+  part.density = density;
+  return true;
+}
+
+// Sets the mass by the first of: the part's own mass or density, its material's density, the
+// defaults' mass or density, the density of water. A visual part has mass only by its own fields.
+bool Assembly::ReadMass(FieldReader& reader, const spec::Entry& entry,
+                        const MaterialState* material, model::Part& part) {
+  const spec::Field* mass = entry.Find(Key::kMass);
+  const spec::Field* field = mass != nullptr ? mass : entry.Find(Key::kDensity);
+  if (field == nullptr || field->is_default) {
+    if (part.role == model::Role::kVisual) return true;
+    if (material != nullptr && material->density) {
+      if (!SetDensity(reader, *material->density_field, *material->density, part)) return false;
+      return SetMass(reader, std::nullopt, part);
+    }
+  }
+  if (field != nullptr) {
+    const std::optional<double> number = reader.Number(*field);
+    if (!number || !SetDensity(reader, *field, *number, part)) return false;
+    return SetMass(reader, mass != nullptr ? number : std::nullopt, part);
+  }
+  part.density = 1000;  // MuJoCo's default
+  return SetMass(reader, std::nullopt, part);
+}
+
+// Sets the given mass, or the mass by the part's density.
+bool Assembly::SetMass(FieldReader& reader, const std::optional<double>& mass, model::Part& part) {
+  if (part.is_shell && !mass) {
+    reader.ReportElement(Code::kSpecMissingKey, part.mark, "is a shell and has no 'mass'",
+                         "a density does not say how thick a shell is");
+    return false;
+  }
+  const std::optional<model::MassProperties> unit =
+      part.solid ? part.solid : assets_.UnitMassOf(part.shape, part.mesh);
+  if (!unit) {
+    reader.ReportElement(Code::kModelBadMesh, part.mark, "has mass but no closed surface",
+                         "leave `mass` and `density` out, or write `inertia: shell`");
+    return false;
+  }
+  if (mass) part.density = 0;
+  part.mass = mass ? *mass : part.density * unit->mass;
+  return true;
+}
+
+}  // namespace mjforge::assemble

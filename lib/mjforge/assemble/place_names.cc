@@ -1,0 +1,151 @@
+// Lookup of bodies, regions and sites by the names of `place:`, and findings about wrong names.
+
+#include "mjforge/assemble/place_names.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "mjforge/assemble/names.h"
+
+namespace mjforge::assemble {
+namespace {
+
+using diag::Code;
+
+// Most names that a hint lists.
+constexpr std::size_t kMostListed = 8;
+
+template <typename List, typename Condition>
+auto FindIn(const List& list, const Condition& condition) -> decltype(list.data()) {
+  const auto found = std::ranges::find_if(list, condition);
+  return found == list.end() ? nullptr : &*found;
+}
+
+bool HasName(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+// Returns the region or site of a body that has one of the full names.
+std::optional<PlaceTarget> FindOn(const model::Object& object, int body,
+                                  const std::vector<std::string>& names) {
+  const model::Body& owner = object.bodies[static_cast<std::size_t>(body)];
+  PlaceTarget target{.body = body};
+  target.region = FindIn(owner.regions,
+                         [&](const model::Region& region) { return HasName(names, region.site); });
+  target.site =
+      FindIn(owner.sites, [&](const model::Site& site) { return HasName(names, site.name); });
+  if (target.region == nullptr && target.site == nullptr) return std::nullopt;
+  return target;
+}
+
+// Returns the full name without the longest of the prefixes that it has.
+std::string_view Without(std::string_view full, std::initializer_list<std::string_view> prefixes) {
+  for (const std::string_view prefix : prefixes) {
+    if (full.starts_with(prefix)) return full.substr(prefix.size());
+  }
+  return full;
+}
+
+}  // namespace
+
+std::vector<std::string_view> PlaceNames::PathOf(std::string_view name) const {
+  std::vector<std::string_view> path;
+  for (std::size_t dot = name.find('.'); dot != std::string_view::npos; dot = name.find('.')) {
+    path.push_back(name.substr(0, dot));
+    name.remove_prefix(dot + 1);
+  }
+  path.push_back(name);
+  if (path.size() > 1 && path.front() == scope_.values.spec().name) path.erase(path.begin());
+  return path;
+}
+
+std::string PlaceNames::FullName(std::string_view body) const {
+  return scope_.prefix + fmt::format("{}", fmt::join(PathOf(body), "_"));
+}
+
+std::optional<int> PlaceNames::FindBody(std::string_view name) const {
+  if (name == scope_.values.spec().name) return scope_.body;
+  const auto found = bodies_.find(FullName(name));
+  return found == bodies_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<PlaceTarget> PlaceNames::Find(std::string_view name) const {
+  std::vector<std::string_view> path = PathOf(name);
+  const std::string last(path.back());
+  path.pop_back();
+  // An element of the body BODY.INNER has the prefix of the spec in which its entry is: this spec,
+  // that of BODY, or that of INNER.
+  std::string prefix = scope_.prefix;
+  std::vector<std::string> names = {prefix + last};
+  for (const std::string_view part : path) {
+    prefix += fmt::format("{}_", part);
+    names.push_back(prefix + last);
+  }
+  std::optional<int> body = scope_.body;
+  if (!path.empty()) body = FindBody(fmt::format("{}", fmt::join(path, ".")));
+  if (body) {
+    if (auto target = FindOn(object_, *body, names)) return target;
+  }
+  // The elements of a spec in `parts:` belong to the body that it is welded to.
+  for (int i = 0; i < static_cast<int>(object_.bodies.size()); ++i) {
+    if (auto target = FindOn(object_, i, {names.back()})) return target;
+  }
+  return std::nullopt;
+}
+
+std::string PlaceNames::NameOf(int body) const {
+  if (body == scope_.body) return scope_.values.spec().name;
+  const std::string& full = object_.bodies[static_cast<std::size_t>(body)].name;
+  return std::string(Without(full, {scope_.prefix}));
+}
+
+void PlaceNames::ReportBody(std::string_view owner, std::string_view name, diag::SourceMark mark,
+                            diag::Findings& findings) const {
+  if (std::ranges::find(object_.left_out, FullName(name)) != object_.left_out.end()) {
+    findings.Add(Code::kModelUnknownReference, mark,
+                 fmt::format("place of {}: body {} was left out, because there was no room for it",
+                             owner, Quoted(name)),
+                 "`fewer: true` leaves out this one, too");
+    return;
+  }
+  std::vector<std::string> names = {scope_.values.spec().name};
+  for (const auto& [full, index] : bodies_) {
+    if (full.starts_with(scope_.prefix) && index != scope_.body) names.push_back(NameOf(index));
+  }
+  std::ranges::sort(names);
+  findings.Add(Code::kModelUnknownReference, mark,
+               fmt::format("place of {}: no body {}", owner, Quoted(name)),
+               diag::DidYouMean(name, names));
+}
+
+void PlaceNames::ReportTarget(std::string_view owner, std::string_view name, diag::SourceMark mark,
+                              diag::Findings& findings) const {
+  const std::size_t dot = name.rfind('.');
+  const bool is_root = dot == std::string_view::npos;
+  const std::string body_name(is_root ? scope_.values.spec().name : name.substr(0, dot));
+  const std::optional<int> index = FindBody(body_name);
+  if (!index) return ReportBody(owner, body_name, mark, findings);
+  const std::string_view last = is_root ? name : name.substr(dot + 1);
+  const model::Body& body = object_.bodies[static_cast<std::size_t>(*index)];
+  std::vector<std::string_view> names;
+  for (const model::Region& region : body.regions) names.push_back(region.name);
+  for (const model::Site& site : body.sites)
+    names.push_back(Without(site.name, {body.name + "_", scope_.prefix}));
+  std::ranges::sort(names);
+  names.erase(std::unique(names.begin(), names.end()), names.end());  // regions are sites, too
+  std::string hint = diag::DidYouMean(last, std::span<const std::string_view>(names));
+  if (names.empty()) {
+    hint = "give it one with `regions:`";
+  } else if (hint.empty()) {
+    names.resize(std::min(names.size(), kMostListed));
+    hint = fmt::format("it has {}", fmt::join(names, ", "));
+  }
+  findings.Add(Code::kModelUnknownReference, mark,
+               fmt::format("place of {}: body {} has no region and no site {}", owner,
+                           Quoted(body_name), Quoted(last)),
+               std::move(hint));
+}
+
+}  // namespace mjforge::assemble

@@ -1,0 +1,114 @@
+// Bodies with `pile:`: the draws of their release, and the options that let piles rest.
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mjforge/assemble/names.h"
+#include "mjforge/assemble/placements.h"
+
+namespace mjforge::assemble {
+namespace {
+
+using diag::Code;
+using spec::Key;
+
+void AddUnlessStated(std::string_view name, sample::Numbers numbers, std::string text,
+                     std::vector<model::Attribute>& attributes) {
+  if (model::FindAttribute(attributes, name) != nullptr) return;
+  model::Attribute& attribute = attributes.emplace_back();
+  attribute.name = name;
+  attribute.numbers = std::move(numbers);
+  attribute.text = std::move(text);
+}
+
+// Sets the options with which a pile rests in MuJoCo, unless the spec states its own. With a
+// pyramidal cone and impratio 1, bodies glide on each other for ever. Without multiccd, releases
+// before 4.0 let a convex piece rest on a single point.
+void AddOptions(std::vector<model::Section>& sections) {
+  const spec::SectionInfo* info = spec::FindSection("option");
+  auto found = std::ranges::find(sections, info, &model::Section::info);
+  if (found == sections.end()) {
+    found = sections.emplace(sections.end());
+    found->info = info;
+  }
+  if (found->elements.empty()) found->elements.emplace_back().tag = info->name;
+  model::Element& option = found->elements.front();
+  AddUnlessStated("cone", {}, "elliptic", option.attributes);
+  AddUnlessStated("impratio", {10}, "", option.attributes);
+  auto flag = std::ranges::find(option.children, "flag", &model::Element::tag);
+  if (flag == option.children.end()) {
+    flag = option.children.emplace(option.children.end());
+    flag->tag = "flag";
+  }
+  AddUnlessStated("multiccd", {}, "enable", flag->attributes);
+}
+
+}  // namespace
+
+void Placements::ReadPile(const Request& request, sample::StreamId path, model::Pile& pile) {
+  FieldReader reader(scope_.values, context_.findings, "body", request.name, path);
+  for (const spec::Field& field : *request.entry.place->pile) {
+    if (field.info->id == Key::kOrder) pile.is_big_first = reader.Word(field) != "listed";
+    if (field.info->id == Key::kTime) pile.time = reader.Number(field).value_or(pile.time);
+  }
+}
+
+void Placements::PileUp(const Request& request, sample::StreamId places) {
+  FieldReader reader(scope_.values, context_.findings, "body", request.name, places);
+  Trial trial;
+  if (!ReadTarget(request, reader, trial)) return;
+  const diag::SourceMark mark = request.entry.place->Find(Key::kAt)->value.mark;
+  if (trial.target.region == nullptr) {
+    context_.findings.Add(Code::kModelBadPlace, mark,
+                          fmt::format("body {} cannot be piled up at {}, which is a site",
+                                      Quoted(request.name), Quoted(trial.at)),
+                          "a pile needs a region: give the body one with `regions:`");
+    return;
+  }
+  if (!MustBeLevel(request, trial, mark)) return;
+  model::Pile& pile = PileAt(request, trial, places);
+  sample::Numbers q;
+  scope_.values.AppendRotation(sample::Child(places, "turn"), q);
+  model::Pile::Item& item = pile.items.emplace_back();
+  item.body = request.body;
+  item.q = Eigen::Quaterniond(q[0], q[1], q[2], q[3]);
+  item.uv = DrawPosition(pile.region.type != model::RegionType::kBox, places);
+  model::Body& body = context_.object.bodies[static_cast<std::size_t>(request.body)];
+  body.parent = trial.where.support;
+  body.X_PB = pile.region.X_BR;
+  body.stands_at = trial.at;
+}
+
+model::Pile& Placements::PileAt(const Request& request, const Trial& trial,
+                                sample::StreamId places) {
+  std::vector<model::Pile>& piles = context_.object.piles;
+  const auto pile = std::ranges::find_if(piles, [&](const model::Pile& other) {
+    return other.support == trial.where.support && other.region.site == trial.target.region->site;
+  });
+  if (pile != piles.end()) return *pile;
+  model::Pile& added = piles.emplace_back();
+  added.at = trial.at;
+  added.support = trial.where.support;
+  added.region = *trial.target.region;
+  added.mark = request.entry.place->mark;
+  ReadPile(request, places, added);
+  AddOptions(context_.object.sections);
+  return added;
+}
+
+bool Placements::IsPiled(const Request& request, int body, diag::SourceMark mark) {
+  for (const model::Pile& pile : context_.object.piles) {
+    if (std::ranges::find(pile.items, body, &model::Pile::Item::body) == pile.items.end()) continue;
+    context_.findings.Add(Code::kModelBadPlace, mark,
+                          fmt::format("body {} is placed by {}, which has no place before the pile "
+                                      "has come to rest",
+                                      Quoted(request.name), Quoted(names_.NameOf(body))),
+                          "place it at a body that is not in a pile");
+    return true;
+  }
+  return false;
+}
+
+}  // namespace mjforge::assemble

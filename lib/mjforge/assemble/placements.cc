@@ -1,0 +1,149 @@
+// Placing of bodies: tries until one stands, start of the search, and results in the object.
+
+#include "mjforge/assemble/placements.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mjforge/assemble/assembly.h"
+#include "mjforge/assemble/names.h"
+
+namespace mjforge::assemble {
+namespace {
+
+using diag::Code;
+using spec::Key;
+
+// Number of tries after which there is no room.
+constexpr std::size_t kMaxTries = 1000;
+// Number of tries after which a body that never fitted into the region, whatever stands there,
+// never will.
+constexpr std::size_t kHopelessTries = 200;
+
+bool IsHopeless(const Misses& misses) {
+  const bool never_fits = misses.AreAll(model::PlaceVerdict::kTooLarge) ||
+                          misses.AreAll(model::PlaceVerdict::kTooHigh) ||
+                          misses.AreAll(model::PlaceVerdict::kOutside);
+  return never_fits && misses.count >= kHopelessTries;
+}
+
+// Returns the joint that tilts what stands on a body, which is below the body `top`; null if none
+// does. A free body carries what stands on it as well as the floor does.
+const model::Joint* TiltingJoint(const std::vector<model::Body>& bodies,
+                                 const std::vector<model::Pose>& X_WB, int body, int top) {
+  constexpr double kVertical = 1e-6;  // sine of the angle, for rounding
+  for (; body >= 0 && body != top; body = bodies[static_cast<std::size_t>(body)].parent) {
+    const auto i = static_cast<std::size_t>(body);
+    for (const model::Joint& joint : bodies[i].joints) {
+      if (joint.type == "ball") return &joint;
+      if (joint.type == "hinge" && (X_WB[i].q * joint.axis).head<2>().norm() > kVertical)
+        return &joint;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+void Assembly::PlaceBodies(Scope& scope) {
+  if (placer_ == nullptr) {
+    for (const spec::BodyEntry& entry : scope.values.spec().bodies) {
+      if (!entry.place) continue;
+      findings_.Add(Code::kModelBadPlace, entry.place->mark, "no search for places is available");
+    }
+    return;
+  }
+  Placements(scope, {object_, bodies_, repetition_, *placer_, place_seed_, left_out_, findings_})
+      .Run();
+}
+
+void Placements::Run() {
+  // The body of the spec has no pose yet. Until then, its frame is that of the world, so that
+  // bodies stand upright in the spec's own frame.
+  model::Body& root = context_.object.bodies[static_cast<std::size_t>(scope_.body)];
+  const int parent = std::exchange(root.parent, -1);
+  context_.placer.Begin(context_.object);
+  context_.placer.Stand(scope_.body);
+  X_WB_ = model::BodyPoses(context_.object);
+  sample::Evaluator& values = scope_.values;
+  const sample::StreamId bodies = sample::Child(values.root(), "bodies");
+  for (const spec::BodyEntry& entry : values.spec().bodies) {
+    if (!entry.place) continue;
+    const auto count = context_.repetition.Count(entry.head, values, 0);
+    if (!count) continue;
+    instances_ = entry.head.condition ? 0 : *count;
+    standing_ = 0;
+    context_.repetition.ForEach(entry.head, values, bodies, [&] { Place(entry, bodies); });
+  }
+  context_.object.bodies[static_cast<std::size_t>(scope_.body)].parent = parent;
+}
+
+void Placements::Place(const spec::BodyEntry& entry, sample::StreamId bodies) {
+  const std::optional<std::string> name = scope_.values.Text(entry.head.name, bodies);
+  const auto found = name ? context_.bodies.find(scope_.prefix + *name) : context_.bodies.end();
+  if (found == context_.bodies.end()) return;  // left out, or reported
+  const Request request = {entry, *name, found->second};
+  sample::StreamId places = sample::Child(sample::Child(bodies, std::string_view(*name)), "place");
+  if (context_.seed) places = sample::Child(places, std::size_t{*context_.seed});
+  if (entry.place->pile) return PileUp(request, places);
+  Misses misses;
+  std::optional<Trial> trial;
+  do {
+    trial = Draw(request, sample::Child(places, misses.count));
+    if (!trial) return;
+    const model::PlaceResult result = context_.placer.Try(request.body, trial->where);
+    if (result.verdict == model::PlaceVerdict::kStands) return Settle(request, *trial, result);
+    misses.Add(result, names_);
+  } while (trial->is_drawn && misses.count < kMaxTries && !IsHopeless(misses));
+  GiveUp(request, *trial, misses);
+}
+
+void Placements::Settle(const Request& request, const Trial& trial,
+                        const model::PlaceResult& result) {
+  ++standing_;
+  const int support = trial.where.support;
+  const std::vector<model::Body>& bodies = context_.object.bodies;
+  if (const model::Joint* joint = TiltingJoint(bodies, X_WB_, support, scope_.body)) {
+    diag::Finding& finding = context_.findings.Warn(
+        Code::kModelBadPlace, request.entry.place->mark,
+        fmt::format("body {} stands at {}, which joint {} tilts", Quoted(request.name),
+                    Quoted(trial.at), Quoted(joint->name.substr(scope_.prefix.size()))),
+        "it falls when the joint moves");
+    finding.notes.push_back({joint->mark, "the joint is here"});
+  }
+  model::Body& body = context_.object.bodies[static_cast<std::size_t>(request.body)];
+  body.parent = support;
+  body.X_PB = result.X_SupportBody;
+  body.stands_at = trial.at;
+  context_.placer.Stand(request.body, trial.where.clear);
+  X_WB_ = model::BodyPoses(context_.object);
+}
+
+bool Placements::LeaveOut(const Request& request) {
+  const spec::Field* fewer = request.entry.head.Find(Key::kFewer);
+  if (fewer == nullptr) return false;
+  FieldReader reader(scope_.values, context_.findings, "body", request.name, scope_.values.root());
+  if (!reader.Boolean(*fewer).value_or(false)) return false;
+  context_.left_out.insert(scope_.prefix + request.name);
+  return true;
+}
+
+void Placements::GiveUp(const Request& request, const Trial& trial, const Misses& misses) {
+  if (LeaveOut(request)) return;
+  NoRoom what;
+  what.body = request.name;
+  what.at = trial.at;
+  what.region = trial.where.region;
+  what.clear = trial.where.clear;
+  what.standing = standing_;
+  what.instances = instances_;
+  what.mark = request.entry.place->Find(Key::kAt)->value.mark;
+  what.target = trial.target.mark();
+  if (what.region != nullptr)
+    what.widest_gap = context_.placer.WidestGap(request.body, trial.where);
+  if (trial.where.beside) what.beside = names_.NameOf(trial.where.beside->body);
+  ReportNoRoom(what, misses, context_.findings);
+}
+
+}  // namespace mjforge::assemble

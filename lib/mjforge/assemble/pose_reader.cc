@@ -1,0 +1,132 @@
+// Readers of positions, the five orientations of MJCF, `fromto` and directions.
+
+#include "mjforge/assemble/pose_reader.h"
+
+namespace mjforge::assemble {
+namespace {
+
+using diag::Code;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+using Eigen::Vector4d;
+using spec::Key;
+
+// MuJoCo's mjEPS: MuJoCo rejects axes that are shorter.
+constexpr double kShortest = 1e-14;
+
+bool HasLength(const Eigen::Ref<const Eigen::VectorXd>& vector) {
+  return vector.stableNorm() > kShortest;
+}
+
+std::optional<Quaterniond> ReadQuat(FieldReader& reader, const spec::Field& field) {
+  const auto q = reader.Vector<4>(field);
+  if (!q) return std::nullopt;
+  if (!HasLength(*q)) {
+    reader.Report(Code::kModelBadRotation, field, "is zero");
+    return std::nullopt;
+  }
+  const Vector4d unit = q->stableNormalized();
+  return Quaterniond(unit(0), unit(1), unit(2), unit(3));
+}
+
+std::optional<Quaterniond> ReadAxisAngle(FieldReader& reader, const spec::Field& field) {
+  const auto numbers = reader.Vector<4>(field);
+  if (!numbers) return std::nullopt;
+  const Vector3d axis = numbers->head<3>();
+  if (!HasLength(axis)) {
+    reader.Report(Code::kModelBadRotation, field, "has an axis of zero length");
+    return std::nullopt;
+  }
+  return model::FromAxisAngle(axis, (*numbers)[3]);
+}
+
+std::optional<Quaterniond> ReadXyAxes(FieldReader& reader, const spec::Field& field) {
+  const auto numbers = reader.Vector<6>(field);
+  if (!numbers) return std::nullopt;
+  const Vector3d x = numbers->head<3>();
+  const Vector3d y = numbers->tail<3>();
+  if (!HasLength(x) || !HasLength(y)) {
+    reader.Report(Code::kModelBadRotation, field, "has an axis of zero length");
+    return std::nullopt;
+  }
+  if (!(x.stableNormalized().cross(y.stableNormalized()).norm() > 1e-10)) {
+    reader.Report(Code::kModelBadRotation, field, "has parallel axes");
+    return std::nullopt;
+  }
+  return model::FromXyAxes(x, y);
+}
+
+std::optional<Quaterniond> ReadOrientation(FieldReader& reader, const spec::Entry& entry) {
+  if (const spec::Field* field = entry.Find(Key::kQuat)) return ReadQuat(reader, *field);
+  if (const spec::Field* field = entry.Find(Key::kAxisAngle)) return ReadAxisAngle(reader, *field);
+  if (const spec::Field* field = entry.Find(Key::kXyAxes)) return ReadXyAxes(reader, *field);
+  if (const spec::Field* field = entry.Find(Key::kEuler)) {
+    const auto angles = reader.Vector<3>(*field);
+    if (!angles) return std::nullopt;
+    return model::FromEuler(*angles);
+  }
+  if (const spec::Field* field = entry.Find(Key::kZAxis)) {
+    const auto z = ReadDirection(reader, *field);
+    if (!z) return std::nullopt;
+    return model::FromZAxis(*z);
+  }
+  return Quaterniond::Identity();
+}
+
+}  // namespace
+
+std::optional<Vector3d> ReadDirection(FieldReader& reader, const spec::Field& field) {
+  const auto direction = reader.Vector<3>(field);
+  if (!direction) return std::nullopt;
+  if (!HasLength(*direction)) {
+    reader.Report(Code::kModelBadRotation, field, "is zero");
+    return std::nullopt;
+  }
+  return direction->stableNormalized();
+}
+
+std::optional<model::Pose> ReadPose(FieldReader& reader, const spec::Entry& entry) {
+  model::Pose pose;
+  bool good = true;
+  if (const spec::Field* field = entry.Find(Key::kPos)) {
+    const auto pos = reader.Vector<3>(*field);
+    if (pos) pose.p = *pos;
+    good = pos.has_value();
+  }
+  const std::optional<Quaterniond> q = ReadOrientation(reader, entry);
+  if (!good || !q) return std::nullopt;
+  pose.q = *q;
+  return pose;
+}
+
+// The z axis points from the second point to the first, as in mjCGeom::Compile of MuJoCo 2.2
+// (src/user/user_objects.cc).
+std::optional<Segment> ReadFromTo(FieldReader& reader, const spec::Field& field,
+                                  const spec::Field* up_field) {
+  const auto ends = reader.Vector<6>(field);
+  if (!ends) return std::nullopt;
+  const Vector3d from = ends->head<3>();
+  const Vector3d to = ends->tail<3>();
+  const double half = (from - to).stableNorm() / 2;
+  if (!(half > kShortest)) {
+    reader.Report(Code::kModelBadValue, field, "has two equal end points");
+    return std::nullopt;
+  }
+  Segment segment = {.pose = {.p = (from + to) / 2}, .half_length = half};
+  if (up_field == nullptr) {
+    segment.pose.q = model::FromZAxis(from - to);
+    return segment;
+  }
+  const std::optional<Vector3d> up = ReadDirection(reader, *up_field);
+  if (!up) return std::nullopt;
+  const Vector3d z = (from - to).stableNormalized();
+  if (!(z.cross(*up).norm() > 1e-10)) {
+    reader.Report(Code::kModelBadRotation, *up_field, "is along `fromto`");
+    return std::nullopt;
+  }
+  const Vector3d x = up->cross(z);
+  segment.pose.q = model::FromXyAxes(x, z.cross(x));
+  return segment;
+}
+
+}  // namespace mjforge::assemble

@@ -1,0 +1,100 @@
+// Shapes of parts: type, size, pose or `fromto`, and keys that do not belong to the type.
+
+#include "mjforge/assemble/shape_reader.h"
+
+#include <fmt/format.h>
+
+#include "mjforge/assemble/names.h"
+#include "mjforge/assemble/pose_reader.h"
+#include "mjforge/assemble/solid_reader.h"
+
+namespace mjforge::assemble {
+namespace {
+
+using diag::Code;
+using spec::Key;
+
+bool HasEnds(std::string_view type) { return spec::FindShape(type)->Takes(Key::kFromTo); }
+
+// Reports keys of other shapes. The type may be drawn, so that the spec cannot be checked earlier.
+bool HasStrayKeys(FieldReader& reader, const spec::Entry& entry, std::string_view type) {
+  const spec::ShapeInfo* shape = spec::FindShape(type);
+  bool stray = false;
+  for (const spec::Field& field : entry.fields) {
+    if (field.is_default || !spec::IsOfAShape(field.info->id) || shape->Takes(field.info->id))
+      continue;
+    reader.Report(Code::kModelBadValue, field, fmt::format("has no meaning for a {}", type));
+    stray = true;
+  }
+  return stray;
+}
+
+bool ReadSize(FieldReader& reader, const spec::Entry& entry, std::string_view type,
+              const std::optional<double>& half_length, model::Part& part) {
+  const spec::Field* field = entry.Find(Key::kSize);
+  if (field == nullptr) {
+    reader.ReportElement(Code::kSpecMissingKey, part.mark, "has no 'size'");
+    return false;
+  }
+  sample::Numbers numbers;
+  if (!reader.Numbers(*field, numbers)) return false;
+  const int all = model::SizeCount(part.shape.type);
+  const int wanted = half_length ? all - 1 : all;
+  if (static_cast<int>(numbers.size()) != wanted) {
+    reader.Report(Code::kModelBadValue, *field,
+                  fmt::format("has {} number{}; a {}{} takes {}", numbers.size(),
+                              numbers.size() == 1 ? "" : "s", type,
+                              half_length ? " with 'fromto'" : "", wanted));
+    return false;
+  }
+  if (half_length) numbers.push_back(*half_length);
+  numbers.resize(3);
+  part.shape.size = Eigen::Vector3d(numbers.data());
+  return true;
+}
+
+}  // namespace
+
+model::GeomType TypeOf(std::string_view word) {
+  if (word == "box") return model::GeomType::kBox;
+  if (word == "sphere") return model::GeomType::kSphere;
+  if (word == "cylinder") return model::GeomType::kCylinder;
+  if (word == "capsule") return model::GeomType::kCapsule;
+  if (word == "ellipsoid") return model::GeomType::kEllipsoid;
+  return model::GeomType::kMesh;
+}
+
+std::optional<ShapePlacement> ReadShape(FieldReader& reader, const spec::Entry& entry,
+                                        const std::filesystem::path& folder,
+                                        const solid::TextureMapping& texture, Assets& assets,
+                                        model::Part& part) {
+  const spec::Field* type = Required(reader, entry, Key::kType, "type", part.mark);
+  if (type == nullptr) return std::nullopt;
+  const std::optional<std::string> word = reader.Word(*type);
+  if (!word || HasStrayKeys(reader, entry, *word)) return std::nullopt;
+  part.shape.type = TypeOf(*word);
+  ShapePlacement placed;
+  std::optional<double> half_length;
+  if (const spec::Field* fromto = entry.Find(Key::kFromTo); fromto && HasEnds(*word)) {
+    const std::optional<Segment> segment = ReadFromTo(reader, *fromto, entry.Find(Key::kUp));
+    if (!segment) return std::nullopt;
+    placed.X_FG = segment->pose;
+    half_length = segment->half_length;
+  } else {
+    const std::optional<model::Pose> pose = ReadPose(reader, entry);
+    if (!pose) return std::nullopt;
+    placed.X_FG = *pose;
+  }
+  bool good = true;
+  if (IsSolid(*word, entry)) {
+    auto pieces = ReadSolid(reader, entry, *word, half_length, texture, assets, part);
+    good = pieces.has_value();
+    if (pieces) placed.pieces = *std::move(pieces);
+  } else {
+    good = *word == "mesh" ? assets.ReadMesh(reader, entry, folder, part)
+                           : ReadSize(reader, entry, *word, half_length, part);
+  }
+  return good ? std::optional(std::move(placed)) : std::nullopt;
+}
+
+}  // namespace mjforge::assemble

@@ -1,0 +1,29 @@
+// Reader of a part's shape and pose.
+
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "mjforge/assemble/assets.h"
+#include "mjforge/assemble/field_reader.h"
+
+namespace mjforge::assemble {
+
+/// Pose of a part's shape, and convex pieces in G if it is a shape of the room `solid`.
+struct ShapePlacement {
+  model::Pose X_FG;
+  std::vector<model::Part> pieces;
+};
+/// Sets the part's shape and mesh. `texture` is the mapping for shapes with texture coordinates.
+/// Returns nothing after a finding.
+std::optional<ShapePlacement> ReadShape(FieldReader& reader, const spec::Entry& entry,
+                                        const std::filesystem::path& folder,
+                                        const solid::TextureMapping& texture, Assets& assets,
+                                        model::Part& part);
+
+/// Returns the geom type for a value of `type:`; shapes of the room `solid` are meshes.
+model::GeomType TypeOf(std::string_view word);
+
+}  // namespace mjforge::assemble

@@ -1,0 +1,54 @@
+// Sites of bodies.
+
+#include <utility>
+
+#include "mjforge/assemble/assembly.h"
+#include "mjforge/assemble/pose_reader.h"
+#include "mjforge/assemble/shape_reader.h"
+
+namespace mjforge::assemble {
+
+using spec::Key;
+
+void Assembly::AddSites(Scope& scope, const std::vector<spec::Entry>& entries,
+                        sample::StreamId sites) {
+  for (const spec::Entry& entry : entries) {
+    if (!repetition_.Count(entry, scope.values, body().sites.size())) continue;
+    repetition_.ForEach(entry, scope.values, sites, [&] { AddSite(scope, entry, sites); });
+  }
+}
+
+void Assembly::AddSite(Scope& scope, const spec::Entry& entry, sample::StreamId sites) {
+  const std::optional<std::string> name = ReadName(scope, entry, sites, findings_);
+  if (!name) return;
+  FieldReader reader(scope.values, findings_, "site", *name,
+                     sample::Child(sites, std::string_view(*name)));
+  model::Site site;
+  site.name = scope.prefix + *name;
+  site.mark = entry.mark;
+  bool good = true;
+  if (const spec::Field* type = entry.Find(Key::kType)) {
+    const std::optional<std::string> word = reader.Word(*type);
+    if (word) site.type = TypeOf(*word);
+    good &= word.has_value();
+  }
+  if (const spec::Field* size = entry.Find(Key::kSize)) {
+    sample::Numbers numbers;
+    good &= reader.Numbers(*size, numbers);
+    // MuJoCo's default, 0.005, applies to missing components.
+    numbers.resize(3, 0.005);
+    site.size = Eigen::Vector3d(numbers.data());
+  }
+  const std::optional<model::Pose> pose = ReadPose(reader, entry);
+  if (pose) site.X_BS = scope.X_BS * *pose;
+  good &= pose.has_value();
+  if (const spec::Field* field = entry.Find(Key::kMaterial)) {
+    const MaterialState* material = materials_.Use(scope, reader, *field);
+    if (material != nullptr) site.material = material->index;
+    good &= material != nullptr;
+  }
+  good &= ReadAttributes(reader, entry, site.attributes);
+  if (good) body().sites.push_back(std::move(site));
+}
+
+}  // namespace mjforge::assemble

@@ -1,0 +1,96 @@
+// Parts made of a shape of the room `solid`: render mesh, convex pieces and mass.
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mjforge/assemble/assets.h"
+
+namespace mjforge::assemble {
+namespace {
+
+using diag::Code;
+using spec::Key;
+
+constexpr std::size_t kManyPieces = 100;  // more cause a warning
+
+// In the order of solid::ConvexPiece::Type.
+constexpr model::GeomType kGeomTypes[] = {model::GeomType::kMesh, model::GeomType::kSphere,
+                                          model::GeomType::kCapsule, model::GeomType::kCylinder,
+                                          model::GeomType::kBox};
+
+model::MassProperties PropertiesOf(const solid::Mass& mass) {
+  return {.mass = mass.volume, .p_FCm = mass.center, .I_Cm_F = mass.inertia};
+}
+
+}  // namespace
+
+std::vector<model::Part> Assets::AddSolid(const solid::Solid& solid, model::Part& part) {
+  // A convex solid with a single mesh is a single part, like MuJoCo's own shapes.
+  if (solid.pieces.empty() || solid.render_mesh.vertices.empty()) {
+    AddInline(solid.pieces.empty() ? solid.render_mesh : solid.pieces.back().mesh, part);
+    return {};
+  }
+  part.solid = PropertiesOf(solid.mass);
+  if (part.role != model::Role::kCollision) AddInline(solid.render_mesh, part);
+  if (part.role == model::Role::kVisual) return {};
+  std::vector<model::Part> pieces;
+  for (const solid::ConvexPiece& convex : solid.pieces) {
+    model::Part piece;
+    piece.piece_of = part.name;
+    piece.mark = part.mark;
+    for (const double turn : convex.turns) {
+      piece.name = fmt::format("{}_{}", part.name, pieces.size());
+      if (convex.type != solid::ConvexPiece::Type::kMesh) {
+        piece.shape = {.type = kGeomTypes[static_cast<std::size_t>(convex.type)],
+                       .size = convex.size};
+        piece.X_BG = {convex.p, convex.q};
+      } else {
+        if (piece.mesh < 0) AddInline(convex.mesh, piece);  // shared by all turns
+        piece.X_BG.q = Eigen::Quaterniond(Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()));
+      }
+      pieces.push_back(piece);
+    }
+  }
+  return pieces;
+}
+
+void Assets::Report(const FieldReader& reader, const SolidInput& input, const solid::Fault& fault) {
+  // Examples: "hole 2 of part 'lid'", "profile of part 'mug': point 3", "part 'pin'".
+  std::string where = reader.Owner();
+  diag::SourceMark mark = input.field.value.mark;
+  const auto& marks = input.marks;
+  const bool has_marks = fault.loop < marks.size() && !marks[fault.loop].empty();
+  if (fault.loop > 0) {
+    where = fmt::format("hole {} of {}", fault.loop, where);
+  } else if (fault.point) {
+    where = fmt::format("{} of {}", input.field.info->key, where);
+  }
+  if (fault.point) where += fmt::format(": point {}", *fault.point + 1);
+  if (has_marks && (fault.loop > 0 || fault.point))
+    mark = marks[fault.loop][fault.point.value_or(0)];
+  findings_.Add(Code::kModelBadShape, mark, fmt::format("{} {}", where, fault.message));
+}
+
+std::optional<std::vector<model::Part>> Assets::AddShape(const FieldReader& reader,
+                                                         const SolidInput& input,
+                                                         model::Part& part) {
+  solid::Fault fault;
+  const std::shared_ptr<const solid::Solid> solid = assembler_.solids().Make(input.shape, fault);
+  if (solid == nullptr) {
+    Report(reader, input, fault);
+    return std::nullopt;
+  }
+  std::vector<model::Part> pieces = AddSolid(*solid, part);
+  if (pieces.size() > kManyPieces) {
+    findings_.Warn(Code::kModelBadShape, input.field.value.mark,
+                   fmt::format("{} collides as {} pieces, more than {}", reader.Owner(),
+                               pieces.size(), kManyPieces),
+                   "fewer points where it is hollow, or fewer `facets`");
+  }
+  return pieces;
+}
+
+}  // namespace mjforge::assemble

@@ -1,0 +1,221 @@
+// Reader of the shapes that the room `solid` makes: lathe, prism, tube, hull, rounded box and
+// cylinder.
+
+#include "mjforge/assemble/solid_reader.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace mjforge::assemble {
+namespace {
+
+using spec::Key;
+
+// Reads the fields of one shape, and makes the shape unless a field is invalid.
+class SolidReader {
+ public:
+  SolidReader(FieldReader& reader, const spec::Entry& entry, diag::SourceMark mark)
+      : reader_(reader), entry_(entry), mark_(mark) {}
+
+  /// Returns the value of an optional field, or `without`.
+  double Number(Key key, double without) { return Read(key, &FieldReader::Number, without); }
+
+  int Integer(Key key, int without) { return static_cast<int>(Number(key, without)); }
+
+  bool Flag(Key key, bool without) { return Read(key, &FieldReader::Boolean, without); }
+
+  std::optional<double> Wall() {
+    if (entry_.Find(Key::kWall) == nullptr) return std::nullopt;
+    return Number(Key::kWall, 0);
+  }
+
+  /// Returns the points of a required field, to which findings about the shape refer.
+  sample::PointList Points(Key key, std::string_view name) {
+    field_ = Required(reader_, entry_, key, name, mark_);
+    std::optional<sample::PointList> points =
+        field_ != nullptr ? reader_.Points(*field_) : std::nullopt;
+    is_good_ &= points.has_value();
+    if (!points) return {};
+    // In a solid::Fault this outline is loop 0, before the holes.
+    marks_.insert(marks_.begin(), points->marks);
+    return *std::move(points);
+  }
+
+  std::vector<sample::PointList> Outlines(Key key) {
+    const spec::Field* field = entry_.Find(key);
+    if (field == nullptr) return {};
+    auto outlines = reader_.Outlines(*field);
+    is_good_ &= outlines.has_value();
+    if (!outlines) return {};
+    for (const sample::PointList& outline : *outlines) marks_.push_back(outline.marks);
+    return *std::move(outlines);
+  }
+
+  /// Returns the `count` numbers of a required field; `last`, if given, is the last of them.
+  sample::Numbers Numbers(Key key, std::string_view name, std::size_t count,
+                          const std::optional<double>& last = std::nullopt) {
+    field_ = Required(reader_, entry_, key, name, mark_);
+    sample::Numbers numbers;
+    is_good_ &= field_ != nullptr && reader_.Numbers(*field_, numbers) &&
+                reader_.HasCount(*field_, numbers, count - (last ? 1 : 0));
+    if (last) numbers.push_back(*last);
+    numbers.resize(count);
+    return numbers;
+  }
+
+  void Require(Key key, std::string_view name) {
+    is_good_ &= Required(reader_, entry_, key, name, mark_) != nullptr;
+  }
+
+  void Refuse(Key key, std::string_view why) {
+    const spec::Field* field = entry_.Find(key);
+    if (field == nullptr || field->is_default) return;
+    reader_.Report(diag::Code::kModelBadValue, *field, why);
+    is_good_ = false;
+  }
+
+  /// Returns the factors of x and y.
+  Eigen::Vector2d Scale() {
+    const std::optional<sample::Numbers> scale = ReadScale(reader_, entry_, 2);
+    is_good_ &= scale.has_value();
+    return scale ? Eigen::Vector2d(scale->data()) : Eigen::Vector2d::Ones();
+  }
+
+  std::optional<std::vector<model::Part>> Make(const solid::SolidShape& shape, Assets& assets,
+                                               model::Part& part) {
+    if (!is_good_) return std::nullopt;
+    return assets.AddShape(reader_, {.shape = shape, .field = *field_, .marks = marks_}, part);
+  }
+
+ private:
+  template <typename T>
+  T Read(Key key, std::optional<T> (FieldReader::*read)(const spec::Field&), T without) {
+    const spec::Field* field = entry_.Find(key);
+    if (field == nullptr) return without;
+    const std::optional<T> value = (reader_.*read)(*field);
+    is_good_ &= value.has_value();
+    return value.value_or(without);
+  }
+
+  FieldReader& reader_;
+  const spec::Entry& entry_;
+  diag::SourceMark mark_;
+  std::vector<std::vector<diag::SourceMark>> marks_;
+  const spec::Field* field_ = nullptr;
+  bool is_good_ = true;
+};
+
+std::vector<Eigen::Vector2d> PointsIn(const sample::PointList& list,
+                                      const Eigen::Vector2d& scale = Eigen::Vector2d::Ones()) {
+  std::vector<Eigen::Vector2d> points;
+  for (std::size_t i = 0; i + 1 < list.numbers.size(); i += 2)
+    points.emplace_back(list.numbers[i] * scale.x(), list.numbers[i + 1] * scale.y());
+  return points;
+}
+
+solid::Lathe ReadLathe(SolidReader& read, const solid::TextureMapping& texture) {
+  solid::Lathe lathe;
+  lathe.wall = read.Wall();
+  lathe.angle = read.Number(Key::kAngle, lathe.angle);
+  lathe.crease = read.Number(Key::kCrease, lathe.crease);
+  lathe.facets = read.Integer(Key::kFacets, lathe.facets);
+  lathe.texture = texture;
+  lathe.profile = PointsIn(read.Points(Key::kProfile, "profile"));
+  return lathe;
+}
+
+solid::Prism ReadPrism(SolidReader& read, const solid::TextureMapping& texture) {
+  solid::Prism prism;
+  prism.height = read.Numbers(Key::kHeight, "height", 1)[0];
+  prism.round = read.Number(Key::kRound, 0);
+  prism.bevel = read.Number(Key::kBevel, 0);
+  prism.crease = read.Number(Key::kCrease, prism.crease);
+  const Eigen::Vector2d scale = read.Scale();
+  prism.facets = read.Integer(Key::kFacets, prism.facets);
+  prism.texture = texture;
+  for (const sample::PointList& hole : read.Outlines(Key::kHoles))
+    prism.holes.push_back(PointsIn(hole, scale));
+  prism.polygon = PointsIn(read.Points(Key::kPolygon, "polygon"), scale);
+  return prism;
+}
+
+solid::ConvexHull ReadHull(SolidReader& read, const solid::TextureMapping& texture) {
+  solid::ConvexHull hull{.points = {}, .round = read.Number(Key::kRound, 0), .texture = texture};
+  const sample::Numbers numbers = read.Points(Key::kPoints, "points").numbers;
+  for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) hull.points.emplace_back(&numbers[i]);
+  return hull;
+}
+
+solid::Tube ReadTube(SolidReader& read, const solid::TextureMapping& texture) {
+  solid::Tube tube;
+  tube.smooth = read.Flag(Key::kSmooth, false);
+  tube.closed = read.Flag(Key::kClosed, false);
+  tube.facets = read.Integer(Key::kFacets, tube.facets);
+  tube.texture = texture;
+  tube.wall = read.Wall();
+  tube.bend = read.Number(Key::kBend, 0);
+  tube.crease = read.Number(Key::kCrease, tube.crease);
+  const double radius = read.Number(Key::kRadius, 0);
+  const auto [per_point, numbers, marks] = read.Points(Key::kPath, "path");
+  if (per_point == 3) read.Require(Key::kRadius, "radius");
+  if (per_point == 4) read.Refuse(Key::kRadius, "is what each point's fourth number is, too");
+  for (std::size_t i = 0; i + per_point <= numbers.size(); i += per_point) {
+    tube.path.emplace_back(&numbers[i]);
+    tube.radii.push_back(per_point == 4 ? numbers[i + 3] : radius);
+  }
+  return tube;
+}
+
+solid::RoundedBox ReadBox(SolidReader& read, const solid::TextureMapping& texture,
+                          const std::optional<double>& half_length) {
+  solid::RoundedBox box;
+  box.texture = texture;
+  box.piece_is_plain = !read.Flag(Key::kRoundCollision, true);
+  box.round = read.Number(Key::kRound, 0);
+  box.half = Eigen::Vector3d(read.Numbers(Key::kSize, "size", 3, half_length).data());
+  return box;
+}
+
+solid::RoundedCylinder ReadCylinder(SolidReader& read, const solid::TextureMapping& texture,
+                                    const std::optional<double>& half_length) {
+  solid::RoundedCylinder cylinder;
+  cylinder.piece_is_plain = !read.Flag(Key::kRoundCollision, true);
+  cylinder.facets = read.Integer(Key::kFacets, cylinder.facets);
+  cylinder.texture = texture;
+  cylinder.round = read.Number(Key::kRound, 0);
+  cylinder.crease = read.Number(Key::kCrease, cylinder.crease);
+  const sample::Numbers size = read.Numbers(Key::kSize, "size", 2, half_length);
+  cylinder.radius = size[0];
+  cylinder.half = size[1];
+  return cylinder;
+}
+
+solid::SolidShape ReadSolidShape(SolidReader& read, std::string_view type,
+                                 const solid::TextureMapping& texture,
+                                 const std::optional<double>& half_length) {
+  if (type == "lathe") return ReadLathe(read, texture);
+  if (type == "prism") return ReadPrism(read, texture);
+  if (type == "tube") return ReadTube(read, texture);
+  if (type == "hull") return ReadHull(read, texture);
+  if (type == "box") return ReadBox(read, texture, half_length);
+  return ReadCylinder(read, texture, half_length);
+}
+
+}  // namespace
+
+bool IsSolid(std::string_view type, const spec::Entry& entry) {
+  if (type == "box" || type == "cylinder") return entry.Find(Key::kRound) != nullptr;
+  return type == "prism" || type == "lathe" || type == "tube" || type == "hull";
+}
+
+std::optional<std::vector<model::Part>> ReadSolid(FieldReader& reader, const spec::Entry& entry,
+                                                  std::string_view type,
+                                                  const std::optional<double>& half_length,
+                                                  const solid::TextureMapping& texture,
+                                                  Assets& assets, model::Part& part) {
+  SolidReader read(reader, entry, part.mark);
+  const solid::SolidShape shape = ReadSolidShape(read, type, texture, half_length);
+  return read.Make(shape, assets, part);
+}
+
+}  // namespace mjforge::assemble

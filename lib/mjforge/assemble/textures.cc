@@ -1,0 +1,114 @@
+// Textures of an object: pictures, generated textures, and the limit on pixels.
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mjforge/assemble/assets.h"
+#include "mjforge/assemble/names.h"
+#include "mjforge/bytes/bytes.h"
+
+namespace mjforge::assemble {
+namespace {
+
+using diag::Code;
+using spec::Key;
+
+// Default width of a generated texture, in pixels; MuJoCo has none.
+constexpr double kPixels = 64;
+
+void FillInPixels(std::vector<model::Attribute>& attributes) {
+  const model::Attribute* width = model::FindAttribute(attributes, "width");
+  const double pixels = width != nullptr ? width->numbers[0] : kPixels;
+  for (const std::string_view name : {"width", "height"}) {
+    if (model::FindAttribute(attributes, name) != nullptr) continue;
+    model::Attribute& attribute = attributes.emplace_back();
+    attribute.name = name;
+    attribute.numbers.push_back(pixels);
+  }
+}
+
+}  // namespace
+
+bool Assets::ReadPicture(FieldReader& reader, const spec::Field& field,
+                         const std::filesystem::path& folder, model::Texture& texture) {
+  const std::optional<std::string> name = reader.Text(field);
+  if (!name) return false;
+  const std::filesystem::path file = (folder / *name).lexically_normal();
+  const Assembler::CachedTexture& content = assembler_.ReadTexture(file);
+  if (!content.exists) {
+    findings_.Add(Code::kModelFileNotFound, field.value.mark,
+                  fmt::format("{}: no file {}", reader.Owner(), Quoted(*name)),
+                  "file names are relative to the folder of the file that uses them");
+    return false;
+  }
+  if (!content.pixels) {
+    findings_.Add(content.why_not.empty() ? Code::kModelBadTexture : Code::kYamlCannotRead,
+                  field.value.mark,
+                  content.why_not.empty()
+                      ? fmt::format("{}: {} is not a PNG file", reader.Owner(), Quoted(*name))
+                      : fmt::format("{}: cannot read {}: {}", reader.Owner(), Quoted(*name),
+                                    content.why_not));
+    return false;
+  }
+  texture.files.push_back({.file = file, .output_file = OutputName(file)});
+  return true;
+}
+
+std::optional<int> Assets::AddTexture(sample::Evaluator& values, const spec::Material& material,
+                                      const std::string& name) {
+  const sample::StreamId path = sample::Child(MaterialPath(values, material), "texture");
+  FieldReader reader(values, findings_, "texture of material", material.name, path);
+  model::Texture texture;
+  texture.name = name;
+  texture.mark = material.texture.front().mark;
+  texture.attributes.reserve(material.texture.size() + 2);  // width and height
+  bool good = true;
+  bool generated = false;
+  for (const spec::Field& field : material.texture) {
+    if (field.info->id == Key::kFile) {
+      good &= ReadPicture(reader, field, material.folder, texture);
+      continue;
+    }
+    generated |= field.info->id == Key::kBuiltin;
+    good &= reader.ReadAttribute(field, texture.attributes.emplace_back());
+  }
+  if (!good) return std::nullopt;
+  if (generated) FillInPixels(texture.attributes);
+  return ShareTexture(material.name, std::move(texture));
+}
+
+void Assets::CheckPixels() {
+  const auto side = [](model::Texture& texture, std::string_view name) -> double {
+    const model::Attribute* attribute = model::FindAttribute(texture.attributes, name);
+    return attribute == nullptr ? 0.0 : attribute->numbers[0];
+  };
+  double pixels = 0.0;
+  for (model::Texture& texture : object_.textures) {
+    if (texture.files.empty()) pixels += side(texture, "width") * side(texture, "height");
+    for (const model::TextureFile& picture : texture.files) {
+      const auto content = assembler_.ReadTexture(picture.file).pixels;
+      pixels += static_cast<double>(content.value_or(0));
+    }
+    if (!(pixels > static_cast<double>(bytes::kMaxPixels))) continue;
+    findings_.Add(Code::kModelBadTexture, texture.mark,
+                  fmt::format("with texture '{}' the object's pictures have more than {} pixels",
+                              texture.name, bytes::kMaxPixels),
+                  "MuJoCo takes six bytes of memory a pixel, however small the file is");
+    return;
+  }
+}
+
+int Assets::ShareTexture(const std::string& own_name, model::Texture texture) {
+  const auto [begin, end] = textures_.equal_range(own_name);
+  for (auto it = begin; it != end; ++it) {
+    const model::Texture& other = object_.textures[static_cast<std::size_t>(it->second)];
+    if (other.files == texture.files && other.attributes == texture.attributes) return it->second;
+  }
+  const int index = static_cast<int>(object_.textures.size());
+  object_.textures.push_back(std::move(texture));
+  textures_.emplace(own_name, index);
+  return index;
+}
+
+}  // namespace mjforge::assemble

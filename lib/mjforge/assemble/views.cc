@@ -1,0 +1,140 @@
+// Cameras and lights: poses, orientations, degrees and targets.
+
+#include "mjforge/assemble/views.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "mjforge/assemble/assembly.h"
+#include "mjforge/assemble/names.h"
+#include "mjforge/assemble/pose_reader.h"
+
+namespace mjforge::assemble {
+namespace {
+
+using spec::Key;
+
+constexpr std::string_view kPos = "pos";
+constexpr std::string_view kQuat = "quat";
+constexpr std::string_view kDir = "dir";
+
+template <typename Vector>
+void SetVector(model::Element& view, std::string_view name, const Vector& vector) {
+  model::Attribute* attribute = model::FindAttribute(view.attributes, name);
+  if (attribute == nullptr) attribute = &view.attributes.emplace_back();
+  attribute->name = name;
+  attribute->numbers.assign(vector.begin(), vector.end());
+}
+
+Eigen::Vector3d VectorOf(model::Element& view, std::string_view name,
+                         const Eigen::Vector3d& otherwise) {
+  const model::Attribute* attribute = model::FindAttribute(view.attributes, name);
+  if (attribute == nullptr) return otherwise;
+  return Eigen::Vector3d(attribute->numbers.data());
+}
+
+// Converts angles that MJCF always has in degrees, whatever its element `compiler` states.
+void ToDegrees(model::Element& view) {
+  for (const std::string_view name : {"fovy", "cutoff"}) {
+    model::Attribute* attribute = model::FindAttribute(view.attributes, name);
+    if (attribute == nullptr) continue;
+    attribute->numbers.front() *= 180 / std::numbers::pi;
+  }
+}
+
+Eigen::Quaterniond OrientationOf(model::Element& view) {
+  const model::Attribute* attribute = model::FindAttribute(view.attributes, kQuat);
+  if (attribute == nullptr) return Eigen::Quaterniond::Identity();
+  const auto& wxyz = attribute->numbers;
+  return {wxyz[0], wxyz[1], wxyz[2], wxyz[3]};
+}
+
+}  // namespace
+
+void MoveView(const model::Pose& X_AB, model::Element& view) {
+  const model::Pose X_BV = {VectorOf(view, kPos, Eigen::Vector3d::Zero()), OrientationOf(view)};
+  const model::Pose X_AV = X_AB * X_BV;
+  SetVector(view, kPos, X_AV.p);
+  if (view.tag == "camera") {
+    SetVector(view, kQuat, model::Wxyz(X_AV.q));
+    return;
+  }
+  SetVector(view, kDir, X_AB.q * VectorOf(view, kDir, -Eigen::Vector3d::UnitZ()));
+}
+
+void Assembly::AddViews(Scope& scope, const std::vector<spec::Entry>& entries,
+                        sample::StreamId path) {
+  for (const spec::Entry& entry : entries) {
+    const bool is_camera = entry.element == &spec::kCameraElement;
+    const sample::StreamId list = sample::Child(path, is_camera ? "cameras" : "lights");
+    if (!repetition_.Count(entry, scope.values, body().elements.size())) continue;
+    repetition_.ForEach(entry, scope.values, list, [&] { AddView(scope, entry, list); });
+  }
+}
+
+void Assembly::AddView(Scope& scope, const spec::Entry& entry, sample::StreamId list) {
+  const std::optional<std::string> name = ReadName(scope, entry, list, findings_);
+  if (!name) return;
+  FieldReader reader(scope.values, findings_, entry.element->name, *name,
+                     sample::Child(list, std::string_view(*name)));
+  model::Element view;
+  view.tag = entry.element->name;
+  view.name = scope.prefix + *name;
+  view.mark = entry.mark;
+  bool good = ReadAttributes(reader, entry, view.attributes);
+  if (good) ToDegrees(view);
+  if (const spec::Field* field = entry.Find(Key::kAxis)) {
+    const auto dir = ReadDirection(reader, *field);
+    if (dir) SetVector(view, kDir, *dir);
+    good &= dir.has_value();
+  }
+  const std::optional<model::Pose> X_SV = ReadPose(reader, entry);
+  if (!good || !X_SV) return;
+  SetVector(view, kPos, X_SV->p);
+  if (view.tag == "camera") SetVector(view, kQuat, model::Wxyz(X_SV->q));
+  MoveView(scope.X_BS, view);
+  if (model::Attribute* target = model::FindAttribute(view.attributes, "target")) {
+    const bool is_root = target->text == scope.values.spec().name;
+    target->text = is_root ? object_.bodies[static_cast<std::size_t>(scope.body)].name
+                           : scope.prefix + target->text;
+    if (model::FindAttribute(view.attributes, "mode") == nullptr) {
+      model::Attribute& mode = view.attributes.emplace_back();
+      mode.name = "mode";
+      mode.text = "targetbody";
+    }
+  }
+  body().elements.push_back(std::move(view));
+}
+
+void CheckViews(const model::Object& object, diag::Findings& findings) {
+  // Removes the object's prefix from a name.
+  const auto shown = [&](std::string_view name) {
+    const bool has_prefix = name.starts_with(object.name + "_");
+    return has_prefix ? name.substr(object.name.size() + 1) : name;
+  };
+  std::vector<std::string_view> names;
+  for (const model::Body& body : object.bodies) names.push_back(shown(body.name));
+  for (const model::Body& body : object.bodies) {
+    for (const model::Element& view : body.elements) {
+      const model::Attribute* target = model::FindAttribute(view.attributes, "target");
+      if (target == nullptr) continue;
+      if (target->text == body.name) {
+        findings.Add(diag::Code::kModelBadValue, view.mark,
+                     fmt::format("{} {} looks at the body that it is on", view.tag,
+                                 Quoted(shown(view.name))),
+                     "turn it by `xyaxes` or another orientation, or put it on another body");
+        continue;
+      }
+      const std::string_view name = shown(target->text);
+      if (std::ranges::find(names, name) != names.end()) continue;
+      findings.Add(diag::Code::kModelUnknownReference, view.mark,
+                   fmt::format("{} {} looks at {}, but the object has no body of that name",
+                               view.tag, Quoted(shown(view.name)), Quoted(name)),
+                   diag::DidYouMean(name, names));
+    }
+  }
+}
+
+}  // namespace mjforge::assemble

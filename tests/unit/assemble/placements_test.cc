@@ -1,0 +1,275 @@
+// Tests of places: names, draws, order, bodies without room. The search is a stand-in in which
+// bodies are upright discs of one size.
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <catch2/catch.hpp>
+
+#include "assembling.h"
+
+namespace mjforge::assemble {
+namespace {
+
+constexpr double kRadius = 0.05;
+
+class DiscPlacer : public model::Placer {
+ public:
+  void Begin(const model::Object& object) override {
+    object_ = &object;
+    standing_.clear();
+  }
+  void Stand(int body, double) override { standing_.push_back(body); }
+  model::PlaceResult Try(int body, const model::PlaceTry& where) override {
+    tries.push_back(where);
+    model::PlaceResult result;
+    result.footprint.setConstant(2 * kRadius);
+    if (where.region == nullptr) {
+      result.X_SupportBody = where.X_SupportSite * where.X_BodySite.Inverse();
+      return result;
+    }
+    const Eigen::Vector2d free = where.region->half_size.array() - kRadius;
+    if (free.minCoeff() < 0) {
+      result.verdict = model::PlaceVerdict::kTooLarge;
+      return result;
+    }
+    const Eigen::Vector2d at = where.uv.cwiseProduct(free);
+    result.X_SupportBody =
+        where.region->X_BR * model::Pose{{at[0], at[1], 0}, model::FromEuler({0, 0, where.yaw})};
+    const std::vector<model::Pose> X_WB = model::BodyPoses(*object_);
+    const Eigen::Vector3d p_W =
+        X_WB[static_cast<std::size_t>(where.support)] * result.X_SupportBody.p;
+    for (const int other : standing_) {
+      if (other == where.support || other == body) continue;
+      if ((X_WB[static_cast<std::size_t>(other)].p - p_W).norm() >= 2 * kRadius) continue;
+      result.verdict = model::PlaceVerdict::kBlocked;
+      result.blocker = other;
+    }
+    return result;
+  }
+  double WidestGap(int, const model::PlaceTry&) override { return 0.06; }
+  std::vector<model::StablePose> StablePoses(int, double) override {
+    return {{"upright", Eigen::Quaterniond::Identity(), 0.5, 0.75},
+            {"upside_down", model::FromEuler({3, 0, 0}), 0.5, 0.25}};
+  }
+
+  std::vector<model::PlaceTry> tries;
+
+ private:
+  const model::Object* object_ = nullptr;
+  std::vector<int> standing_;
+};
+
+// A table whose surface is 0.8 x 0.6 m large and 0.7 m high, and bodies on it.
+constexpr const char* kTable =
+    "joints: none\n"
+    "bodies:\n"
+    "  - name: table\n"
+    "    pos: [1, 0, 0]\n"
+    "    regions: [{name: surface, type: box, size: [0.4, 0.3], pos: [0, 0, 0.7]}]\n"
+    "    sites: [{name: hook, pos: [0, 0.3, 0.6]}]\n"
+    "    parts: [{name: board, type: box, size: [0.4, 0.3, 0.01], pos: [0, 0, 0.69]}]\n";
+
+// An entry of a body with these further keys.
+std::string Ball(const std::string& keys) {
+  return "  - {" + keys + ", parts: [{name: " + keys.substr(6, keys.find(',') - 6) +
+         "_ball, type: sphere, size: 0.05}]}\n";
+}
+
+Assembler::Options WithSeed(std::optional<std::uint64_t> place_seed) {
+  Assembler::Options options;
+  options.place_seed = place_seed;
+  return options;
+}
+
+struct Scene {
+  explicit Scene(const std::string& bodies, std::uint64_t index = 0,
+                 std::optional<std::uint64_t> place_seed = {})
+      : assembling(kTable + bodies, 1, index, {}, WithSeed(place_seed), &placer) {}
+
+  const model::Body& body(const std::string& name) const {
+    const auto& bodies = assembling.object().bodies;
+    const auto found = std::ranges::find(bodies, "thing_" + name, &model::Body::name);
+    INFO(name);
+    REQUIRE(found != bodies.end());
+    return *found;
+  }
+  std::string finding() const {
+    CHECK(assembling.failed());
+    std::string all;
+    for (const std::string& line : assembling.findings()) all += (all.empty() ? "" : "\n") + line;
+    return all;
+  }
+
+  DiscPlacer placer;
+  Assembling assembling;
+};
+
+TEST_CASE("a placed body is fixed to the body with the region") {
+  const Scene scene(Ball("name: a, place: {at: table.surface, uv: [1, -1], yaw: 90deg}"));
+  const model::Body& a = scene.body("a");
+  CHECK(a.parent == 1);
+  CHECK(a.stands_at == "table.surface");
+  CHECK(a.X_PB.p.isApprox(Eigen::Vector3d(0.35, -0.25, 0.7)));
+  CHECK(scene.placer.tries.size() == 1);
+}
+
+TEST_CASE("a free body is released where it was placed") {
+  const Scene scene(Ball("name: a, joints: free, place: {at: table.surface, uv: [0, 0]}"));
+  CHECK(scene.body("a").parent == -1);
+  CHECK(scene.body("a").X_PB.p.isApprox(Eigen::Vector3d(1, 0, 0.7)));
+}
+
+TEST_CASE("a body hangs by its site at the site of another") {
+  const Scene scene(
+      "  - {name: a, place: {at: table.hook, by: hole}, sites: [{name: hole, pos: [0, 0, 0.1]}],\n"
+      "     parts: [{name: ball, type: sphere, size: 0.05}]}\n");
+  CHECK(scene.body("a").X_PB.p.isApprox(Eigen::Vector3d(0, 0.3, 0.5)));
+}
+
+TEST_CASE("an entry at the end moves none before it") {
+  const std::string two = Ball("name: a, place: {at: table.surface}") +
+                          Ball("name: b, place: {at: table.surface, yaw: -5deg .. 5deg}");
+  for (std::uint64_t index = 0; index < 20; ++index) {
+    const Scene before(two, index);
+    const Scene after(two + Ball("name: c, place: {at: table.surface}"), index);
+    for (const char* name : {"a", "b"}) {
+      CHECK(before.body(name).X_PB.p == after.body(name).X_PB.p);
+      CHECK(before.body(name).X_PB.q.coeffs() == after.body(name).X_PB.q.coeffs());
+    }
+  }
+}
+
+TEST_CASE("the seed of places redraws the places alone") {
+  const std::string ball =
+      "  - {name: a, place: {at: table.surface}, parts: [{name: ball, type: "
+      "sphere, size: 0.01 .. 0.05}]}\n";
+  const Scene first(ball);
+  const Scene second(ball, 0, 7);
+  CHECK(first.body("a").parts[0].shape.size == second.body("a").parts[0].shape.size);
+  CHECK(first.body("a").X_PB.p != second.body("a").X_PB.p);
+  CHECK(second.body("a").X_PB.p == Scene(ball, 0, 7).body("a").X_PB.p);
+}
+
+TEST_CASE("a body faces a body, a point or a direction") {
+  const auto facing = [](const std::string& what) {
+    const Scene scene(Ball("name: a, place: {at: table.surface, facing: " + what + "}"));
+    CHECK_FALSE(scene.assembling.failed());
+    return scene.placer.tries.at(0);
+  };
+  CHECK(facing("table").facing == Eigen::Vector2d(1, 0));
+  CHECK(facing("thing").facing == Eigen::Vector2d(0, 0));
+  CHECK(facing("[0.1, 2]").facing == Eigen::Vector2d(0.1, 2));
+  CHECK(facing("[0, 2, 0]").direction == Eigen::Vector2d(0, 2));
+  CHECK(facing("{choice: [table]}").facing == Eigen::Vector2d(1, 0));
+}
+
+TEST_CASE("every try has draws of its own") {
+  const Scene scene(
+      Ball("name: a, place: {at: table.surface}") +
+      Ball("name: b, place: {at: table.surface, uv: [-0.1 .. 0.1, -0.1 .. 0.1], facing: a}") +
+      Ball("name: c, place: {at: table.surface, uv: [-0.2 .. 0.2, -0.2 .. 0.2], lying: any}"));
+  std::set<double> drawn;
+  for (const model::PlaceTry& where : scene.placer.tries) drawn.insert(where.uv[0]);
+  CHECK(scene.placer.tries.size() > 3);
+  CHECK(drawn.size() == scene.placer.tries.size());
+}
+
+TEST_CASE("bodies that find no room are left out if the spec allows it") {
+  const std::string many =
+      "  - {name: \"a_${i}\", for: {i: 60}, fewer: true, place: {at: table.surface},\n"
+      "     parts: [{name: \"ball_${i}\", type: sphere, size: 0.05}]}\n"
+      "  - {name: last, place: {at: table.hook}, parts: [{name: last, type: sphere, size: 1}]}\n";
+  const Scene scene(many);
+  const model::Object& object = scene.assembling.object();
+  CHECK(object.left_out.size() > 10);
+  CHECK(object.left_out.size() < 50);
+  CHECK(object.bodies.size() == 63 - object.left_out.size());
+  CHECK(object.bodies.back().stands_at == "table.hook");
+  for (const model::Body& body : object.bodies) {
+    CHECK(body.parent < static_cast<int>(&body - object.bodies.data()));
+    CHECK(std::ranges::find(object.left_out, body.name) == object.left_out.end());
+  }
+}
+
+TEST_CASE("what is beside a body that was left out is left out, too") {
+  const std::string two =
+      "  - {name: b, fewer: true, place: {at: table.surface, uv: [0, 0]}, parts: [{name: p, type: "
+      "sphere, size: 1}]}\n"
+      "  - {name: c, fewer: true, place: {at: table.surface, beside: {body: b, side: left}}, "
+      "parts: [{name: q, type: sphere, size: 1}]}\n";
+  const Scene scene(Ball("name: a, place: {at: table.surface, uv: [0, 0]}") + two);
+  CHECK(scene.assembling.object().left_out == std::vector<std::string>{"thing_b", "thing_c"});
+}
+
+TEST_CASE("a nested spec places its own bodies") {
+  const TemporaryFolder folder;
+  folder.Write("tray.yaml",
+               "mjforge: 1\nname: tray\nfront: [1, 0]\n"
+               "regions: [{name: surface, type: box, size: [0.2, 0.2]}]\n"
+               "parts: [{name: board, type: box, size: [0.2, 0.2, 0.01]}]\n"
+               "bodies: [{name: cup, place: {at: surface, uv: [1, 1]}, "
+               "parts: [{name: cup, type: sphere, size: 0.02}]}]\n");
+  DiscPlacer placer;
+  const Assembling scene(std::string(kTable) +
+                             "  - {name: tray, spec: tray.yaml, place: {at: table.surface, uv: [0, "
+                             "0], yaw: 0}}\n" +
+                             Ball("name: b, place: {at: tray.surface, uv: [-1, 0]}"),
+                         1, 0, folder.path(), {}, &placer);
+  const std::vector<model::Body>& bodies = scene.object().bodies;
+  REQUIRE(bodies.size() == 5);
+  CHECK(bodies[2].name == "thing_tray");
+  CHECK(bodies[2].front == Approx(1.5707963));
+  CHECK(bodies[3].parent == 2);
+  CHECK(bodies[3].X_PB.p.isApprox(Eigen::Vector3d(0.15, 0.15, 0)));
+  CHECK(bodies[4].parent == 2);
+}
+
+TEST_CASE("findings of places") {
+  const auto finding = [](const std::string& bodies) { return Scene(bodies).finding(); };
+  CHECK(finding(Ball("name: a, place: {at: tabel.surface}")) ==
+        "10:27 place of body 'a': no body 'tabel' (did you mean 'table'?)");
+  CHECK(finding(Ball("name: a, place: {at: table.surfce}")) ==
+        "10:27 place of body 'a': body 'table' has no region and no site 'surfce' (did you mean "
+        "'surface'?)");
+  CHECK(finding(Ball("name: a, place: {at: table.x}")) ==
+        "10:27 place of body 'a': body 'table' has no region and no site 'x' (it has hook, "
+        "surface)");
+  CHECK(finding(Ball("name: a, place: {at: table.surface, facing: b}") +
+                Ball("name: b, place: {at: table.surface}")) ==
+        "10:50 body 'a' is placed before 'b' (write the entry of 'b' before that of 'a')");
+  CHECK(finding(Ball("name: a, place: {at: table.surface, lying: upsidedown}")) ==
+        "10:49 lying of body 'a' is 'upsidedown', in which the body is not stable (did you mean "
+        "'upside_down'?)");
+  CHECK(finding(Ball("name: a, place: {at: table.hook, uv: [0, 0]}")) ==
+        "10:43 uv of body 'a' has no meaning at a site, which decides the pose");
+  CHECK(finding(Ball("name: a, place: {at: table.surface, facing: [0, 0, 1]}")) ==
+        "10:50 facing of body 'a' has no horizontal direction");
+}
+
+TEST_CASE("places that lead back to themselves are reported") {
+  const std::string boxes =
+      "  - {name: a, place: {at: b.top}, regions: [{name: top, type: disc, size: 1}], parts: "
+      "[{name: p, type: sphere, size: 1}]}\n"
+      "  - {name: b, place: {at: a.top}, regions: [{name: top, type: disc, size: 1}], parts: "
+      "[{name: q, type: sphere, size: 1}]}\n"
+      "  - {name: c, place: {at: c.top}, regions: [{name: top, type: disc, size: 1}], parts: "
+      "[{name: r, type: sphere, size: 1}]}\n";
+  CHECK(Scene(boxes).finding() ==
+        "10:27 the places of bodies form a circle: a -> b -> a\n"
+        "12:27 the places of bodies form a circle: c -> c");
+}
+
+TEST_CASE("a body without room is reported with the sizes and what is in the way") {
+  const std::string bodies = Ball("name: a, place: {at: table.surface, uv: [0, 0]}") +
+                             Ball("name: b, place: {at: table.surface, uv: [0, 0], clear: 2cm}");
+  CHECK(Scene(bodies).finding() ==
+        "11:27 no room for body 'b' at 'table.surface', 80 x 60 cm: it needs 10 x 10 cm and 2 cm "
+        "around it; the widest gap is 6 cm across ('a' is in the way; make room, or leave out what "
+        "finds none with `fewer: "
+        "true`)");
+}
+
+}  // namespace
+}  // namespace mjforge::assemble
