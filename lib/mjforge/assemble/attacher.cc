@@ -50,9 +50,7 @@ class Renamer {
   }
 
  private:
-  int Material(int own) const {
-    return own < 0 ? own : materials[static_cast<std::size_t>(own)];
-  }
+  int Material(int own) const { return own < 0 ? own : materials[static_cast<std::size_t>(own)]; }
 
   const model::Attachment& attachment_;
   std::string prefix_;

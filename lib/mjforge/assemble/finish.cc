@@ -8,9 +8,10 @@
 #include "mjforge/assemble/assembly.h"
 #include "mjforge/assemble/free_bodies.h"
 #include "mjforge/assemble/names.h"
-#include "mjforge/assemble/start_state.h"
+#include "mjforge/assemble/setpoints.h"
 #include "mjforge/assemble/views.h"
 #include "mjforge/model/model.h"
+#include "mjforge/start/start.h"
 
 namespace mjforge::assemble {
 namespace {
@@ -75,7 +76,7 @@ void Assembly::Finish(Scope& scope) {
                             std::not_fn(HasActivation));
   }
   CompleteSetpoints(object_, findings_);
-  CheckEqualities(object_, findings_);
+  start::CheckEqualities(object_, findings_);
 }
 
 }  // namespace mjforge::assemble

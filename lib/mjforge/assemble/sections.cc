@@ -76,8 +76,7 @@ void Sections::Add(Scope& scope, bool outermost) {
       continue;
     }
     for (const spec::Entry& entry : section.entries) {
-      if (!repetition_.Count(entry, scope.values, ElementsOf(*section.info).size()))
-        continue;
+      if (!repetition_.Count(entry, scope.values, ElementsOf(*section.info).size())) continue;
       repetition_.ForEach(entry, scope.values, path,
                           [&] { AddElement(scope, *section.info, entry, path); });
     }

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "mjforge/assemble/names.h"
-#include "mjforge/assemble/start_state.h"
+#include "mjforge/assemble/setpoints.h"
 
 namespace mjforge::assemble {
 namespace {

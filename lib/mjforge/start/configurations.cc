@@ -2,6 +2,7 @@
 #include "mjforge/start/configurations.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,6 +19,13 @@ std::string_view PartOf(std::string_view geom) {
   return geom;
 }
 
+template <typename Test>
+bool AnyJoint(const model::Object& object, const Test& test) {
+  return std::ranges::any_of(object.bodies, [&](const model::Body& body) {
+    return std::ranges::any_of(body.joints, test);
+  });
+}
+
 }  // namespace
 
 std::string_view TextOf(const model::Element& element, std::string_view name) {
@@ -25,11 +33,26 @@ std::string_view TextOf(const model::Element& element, std::string_view name) {
   return attribute == nullptr ? std::string_view() : attribute->text;
 }
 
+Eigen::Vector3d VectorOf(const model::Element& element, std::string_view name,
+                         const Eigen::Vector3d& otherwise) {
+  const sample::Numbers numbers = NumbersOf(element.attributes, name);
+  return numbers.size() < 3 ? otherwise : Eigen::Vector3d(numbers.data());
+}
+
+sample::Numbers PolynomialOf(const model::Element& equality) {
+  constexpr std::array<double, 5> kDefaults = {0, 1, 0, 0, 0};
+  sample::Numbers c = NumbersOf(equality.attributes, "polycoef");
+  for (std::size_t i = c.size(); i < kDefaults.size(); ++i) c.push_back(kDefaults[i]);
+  return c;
+}
+
+bool HasStart(const model::Object& object) {
+  return AnyJoint(object, [](const model::Joint& joint) { return !joint.start.empty(); });
+}
+
 bool IsMoved(const model::Object& object) {
-  return std::ranges::any_of(object.bodies, [](const model::Body& body) {
-    return std::ranges::any_of(body.joints, [](const model::Joint& joint) {
-      return !joint.start.empty() && joint.start != model::ZeroPosition(joint);
-    });
+  return AnyJoint(object, [](const model::Joint& joint) {
+    return !joint.start.empty() && joint.start != model::ZeroPosition(joint);
   });
 }
 
@@ -76,10 +99,20 @@ Pose Configurations::PoseOf(std::string_view body, const Poses& X_WB) const {
   return found == bodies_.end() ? Pose() : X_WB[found->second];
 }
 
-double Configurations::Displacement(std::string_view joint) const {
-  const auto found = joints_.find(joint);
-  if (found == joints_.end() || found->second->start.size() != 1) return 0;
-  return found->second->start[0] - model::ZeroPosition(*found->second)[0];
+Pose Configurations::RelativePose(const model::Element& equality, const Poses& X_WB) const {
+  return PoseOf(TextOf(equality, "body1"), X_WB).Inverse() *
+         PoseOf(TextOf(equality, "body2"), X_WB);
+}
+
+const model::Joint* Configurations::FindJoint(std::string_view name) const {
+  const auto found = joints_.find(name);
+  return found == joints_.end() ? nullptr : found->second;
+}
+
+double Configurations::Displacement(std::string_view name) const {
+  const model::Joint* joint = FindJoint(name);
+  if (joint == nullptr || joint->start.size() != 1) return 0;
+  return joint->start[0] - model::ZeroPosition(*joint)[0];
 }
 
 const model::Element* Configurations::FindTendon(std::string_view name) const {

@@ -32,6 +32,15 @@ void SetNumbers(Attributes& attributes, std::string_view name, const sample::Num
   attribute->numbers = numbers;
 }
 
+/// Returns an attribute of three numbers; `otherwise` if the element does not have the attribute.
+Eigen::Vector3d VectorOf(const model::Element& element, std::string_view name,
+                         const Eigen::Vector3d& otherwise = Eigen::Vector3d::Zero());
+/// Returns the coefficients of an equality's polynomial, of which MuJoCo's defaults may be left
+/// out.
+sample::Numbers PolynomialOf(const model::Element& equality);
+
+/// Returns true if any joint of the object has a start position.
+bool HasStart(const model::Object& object);
 /// Returns true if any joint of the object starts elsewhere than at zero.
 bool IsMoved(const model::Object& object);
 /// Returns true if the rotation is not the identity.
@@ -57,6 +66,10 @@ class Configurations {
 
   /// Returns the pose of a body; the identity for the world.
   model::Pose PoseOf(std::string_view body, const Poses& X_WB) const;
+  /// Returns X_12 of the two bodies of an equality.
+  model::Pose RelativePose(const model::Element& equality, const Poses& X_WB) const;
+  /// Returns the joint with that name; null if there is none.
+  const model::Joint* FindJoint(std::string_view name) const;
   /// Returns the distance of a hinge or slide from its zero to its start, rad or m.
   double Displacement(std::string_view joint) const;
   /// Returns the element of the section `tendon` with that name; null if there is none.

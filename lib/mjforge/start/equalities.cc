@@ -1,6 +1,5 @@
 // Equalities that MuJoCo measures from the zero configuration.
 #include <algorithm>
-#include <array>
 #include <cstddef>
 
 #include "mjforge/start/rewriting.h"
@@ -11,17 +10,15 @@ namespace {
 using model::Element;
 using model::Pose;
 
-constexpr std::size_t kCoefficients = 5;
-
 // Shifts the polynomial y = c(x) of an equality: x and y are measured from a zero that has moved by
 // `dx` and `dy`. Without a second joint or tendon only the constant counts.
 sample::Numbers Shifted(const sample::Numbers& c, bool has_x, double dx, double dy) {
   sample::Numbers shifted = c;
-  for (std::size_t k = 0; has_x && k < kCoefficients; ++k) {
+  for (std::size_t k = 0; has_x && k < c.size(); ++k) {
     shifted[k] = 0;
     double binomial = 1;  // i over k
     double power = 1;     // dx^(i - k)
-    for (std::size_t i = k; i < kCoefficients; ++i) {
+    for (std::size_t i = k; i < c.size(); ++i) {
       shifted[k] += binomial * c[i] * power;
       binomial *= static_cast<double>(i + 1) / static_cast<double>(i + 1 - k);
       power *= dx;
@@ -33,15 +30,7 @@ sample::Numbers Shifted(const sample::Numbers& c, bool has_x, double dx, double 
 
 void ShiftPolynomial(bool has_x, double dx, double dy, Element& equality) {
   if (dx == 0 && dy == 0) return;
-  sample::Numbers c = NumbersOf(equality.attributes, "polycoef");
-  constexpr std::array<double, kCoefficients> kUsual = {0, 1, 0, 0, 0};
-  for (std::size_t i = c.size(); i < kCoefficients; ++i) c.push_back(kUsual[i]);
-  SetNumbers(equality.attributes, "polycoef", Shifted(c, has_x, dx, dy));
-}
-
-Eigen::Vector3d VectorOf(const Element& element, std::string_view name) {
-  const sample::Numbers numbers = NumbersOf(element.attributes, name);
-  return numbers.size() < 3 ? Eigen::Vector3d::Zero() : Eigen::Vector3d(numbers.data());
+  SetNumbers(equality.attributes, "polycoef", Shifted(PolynomialOf(equality), has_x, dx, dy));
 }
 
 void SetRelativePose(const Eigen::Vector3d& p, const Eigen::Quaterniond& q, Element& weld) {
@@ -87,12 +76,6 @@ class EqualityRewriter {
     return changes ? configurations_.LengthChange(*tendon) : 0;
   }
 
-  // Returns X_12 of the two bodies of an equality.
-  Pose RelativePose(const Element& equality, const Poses& X_WB) const {
-    return configurations_.PoseOf(TextOf(equality, "body1"), X_WB).Inverse() *
-           configurations_.PoseOf(TextOf(equality, "body2"), X_WB);
-  }
-
   // Without `relpose` (whose rotation is then zero) a weld keeps the bodies as they are at zero.
   // The position in `relpose` is that of the anchor, which is given in body 2.
   void RewriteWeld(Element& weld) const {
@@ -101,8 +84,8 @@ class EqualityRewriter {
         std::any_of(given.begin() + 3, given.end(), [](double number) { return number != 0; })) {
       return;
     }
-    const Pose X_12 = RelativePose(weld, configurations_.zero());
-    if (IsSame(X_12, RelativePose(weld, configurations_.start()))) return;
+    const Pose X_12 = configurations_.RelativePose(weld, configurations_.zero());
+    if (IsSame(X_12, configurations_.RelativePose(weld, configurations_.start()))) return;
     SetRelativePose(X_12 * VectorOf(weld, "anchor"), X_12.q, weld);
   }
 
@@ -111,9 +94,10 @@ class EqualityRewriter {
   // given.
   void RewriteConnect(Element& connect) const {
     const Eigen::Vector3d p_1A = VectorOf(connect, "anchor");
-    const Pose X_12 = RelativePose(connect, configurations_.zero());
+    const Pose X_12 = configurations_.RelativePose(connect, configurations_.zero());
     const Eigen::Vector3d p_2A = X_12.Inverse() * p_1A;
-    const Eigen::Vector3d gap = RelativePose(connect, configurations_.start()) * p_2A - p_1A;
+    const Eigen::Vector3d gap =
+        configurations_.RelativePose(connect, configurations_.start()) * p_2A - p_1A;
     if (gap.norm() <= kRounding) return;
     connect.tag = "weld";
     SetNumbers(connect.attributes, "anchor", {p_2A.x(), p_2A.y(), p_2A.z()});

@@ -21,6 +21,10 @@ struct Obstacle {
 /// Returns the obstacles of an object; none if MoveZeroToStart() keeps the meaning of all elements.
 std::vector<Obstacle> FindObstacles(const model::Object& object);
 
+/// Adds a finding for each active equality of joints, and each connect and weld, that the start
+/// violates by more than 0.1 mm or 0.1 degrees.
+void CheckEqualities(const model::Object& object, diag::Findings& findings);
+
 /// Rewrites an object without obstacles so that its zero configuration is its start: poses of
 /// bodies, axes, anchors and `ref` of joints, and everything that MuJoCo measures from qpos0.
 /// Positions of hinges and slides keep their meaning. Ball joints lose their start position,

@@ -9,12 +9,6 @@ namespace {
 using model::Element;
 using model::Pose;
 
-Eigen::Vector3d VectorOf(const Element& view, std::string_view name,
-                         const Eigen::Vector3d& otherwise) {
-  const sample::Numbers numbers = NumbersOf(view.attributes, name);
-  return numbers.size() < 3 ? otherwise : Eigen::Vector3d(numbers.data());
-}
-
 // Returns the centre of mass of each body and everything below it, in W.
 std::vector<Eigen::Vector3d> CentresOfMass(const std::vector<model::Body>& bodies,
                                            const Poses& X_WB) {
