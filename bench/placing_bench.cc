@@ -1,7 +1,6 @@
 // Benchmarks of placing boxes on a region, without the rest of a variant.
 
 #include <cmath>
-#include <cstdlib>
 #include <random>
 
 #include <benchmark/benchmark.h>
@@ -36,8 +35,8 @@ model::Object Boxes(int count) {
   return object;
 }
 
-// Places all boxes of an object; ends the program if one finds no place.
-void PlaceAll(model::Object& object, model::Placer& placer, std::mt19937& random, int& tries) {
+// Places all boxes of an object; returns false if one of them finds no place.
+bool PlaceAll(model::Object& object, model::Placer& placer, std::mt19937& random, int& tries) {
   std::uniform_real_distribution<double> uniform(-1, 1);
   placer.Begin(object);
   placer.Stand(0);
@@ -54,10 +53,11 @@ void PlaceAll(model::Object& object, model::Placer& placer, std::mt19937& random
       ++tries;
       if (result.verdict == model::PlaceVerdict::kStands) break;
     }
-    if (result.verdict != model::PlaceVerdict::kStands) std::abort();
+    if (result.verdict != model::PlaceVerdict::kStands) return false;
     object.bodies[static_cast<std::size_t>(body)].X_PB = result.X_SupportBody;
     placer.Stand(body);
   }
+  return true;
 }
 
 void BM_PlaceBoxes(benchmark::State& state) {
@@ -65,7 +65,10 @@ void BM_PlaceBoxes(benchmark::State& state) {
   const std::unique_ptr<model::Placer> placer = placing::MakePlacer();
   std::mt19937 random(7);
   int tries = 0;
-  for (auto _ : state) PlaceAll(object, *placer, random, tries);
+  for (auto _ : state) {
+    // One in a hundred layouts of ten boxes has no place for the last one.
+    while (!PlaceAll(object, *placer, random, tries)) continue;
+  }
   state.counters["tries"] =
       static_cast<double>(tries) / static_cast<double>(state.iterations() * state.range(0));
 }
