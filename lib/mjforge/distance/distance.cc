@@ -77,12 +77,13 @@ Vector3d Reduce(Simplex& simplex) {
   return nearest;
 }
 
-// Returns the point of a convex set that is nearest to the origin; `farthest` is the set's support
-// function, `middle` its approximate centre, `size` its size (m). Gilbert, Johnson and Keerthi, "A
-// fast procedure for computing the distance between complex objects in three-dimensional space",
-// 1988.
+// Returns the point of a convex set that is nearest to the origin, or any of its points if all are
+// farther than `limit`; `farthest` is the set's support function, `middle` its approximate centre,
+// `size` its size (m). Gilbert, Johnson and Keerthi, "A fast procedure for computing the distance
+// between complex objects in three-dimensional space", 1988.
 template <typename Farthest>
-Vector3d NearestToOrigin(Farthest farthest, const Vector3d& middle, double size) {
+Vector3d NearestToOrigin(Farthest farthest, const Vector3d& middle, double size,
+                         double limit = std::numeric_limits<double>::infinity()) {
   Simplex simplex;
   Vector3d nearest = farthest(middle.isZero() ? Vector3d(Vector3d::UnitX()) : Vector3d(-middle));
   simplex.corners[0] = nearest;
@@ -91,8 +92,9 @@ Vector3d NearestToOrigin(Farthest farthest, const Vector3d& middle, double size)
     const double distance = nearest.norm();
     if (distance <= kPrecision * size) return Vector3d::Zero();
     const Vector3d next = farthest(-nearest);
-    // Stop when the support plane through `next` is as far from the origin as `nearest`.
-    if (distance - nearest.dot(next) / distance <= kPrecision * size) return nearest;
+    // No point is nearer than the support plane through `next`.
+    const double least = nearest.dot(next) / distance;
+    if (least > limit || distance - least <= kPrecision * size) return nearest;
     if (simplex.count == 4) return Vector3d::Zero();
     simplex.corners[static_cast<std::size_t>(simplex.count++)] = next;
     const Vector3d reduced = Reduce(simplex);
@@ -200,12 +202,14 @@ class Penetration {
   mutable int calls_ = 0;
 };
 
-// Vector from the nearest point of core B to that of core A.
-Vector3d BetweenCores(const PlacedShape& a, const PlacedShape& b, double size) {
+// Vector from the nearest point of core B to that of core A, or a longer vector between two points
+// if the cores are farther apart than `limit`.
+Vector3d BetweenCores(const PlacedShape& a, const PlacedShape& b, double size,
+                      double limit = std::numeric_limits<double>::infinity()) {
   const auto difference = [&](const Vector3d& direction) {
     return Vector3d(FarthestOfCore(a, direction) - FarthestOfCore(b, -direction));
   };
-  return NearestToOrigin(difference, a.box_W.center() - b.box_W.center(), size);
+  return NearestToOrigin(difference, a.box_W.center() - b.box_W.center(), size, limit);
 }
 
 double SizeOf(const PlacedShape& a, const PlacedShape& b) {
@@ -246,7 +250,11 @@ Vector3d Separation(const PlacedShape& a, const PlacedShape& b) {
 }
 
 double Distance(const PlacedShape& a, const PlacedShape& b) {
-  const double cores = BetweenCores(a, b, SizeOf(a, b)).norm();
+  return DistanceUpTo(std::numeric_limits<double>::infinity(), a, b);
+}
+
+double DistanceUpTo(double limit, const PlacedShape& a, const PlacedShape& b) {
+  const double cores = BetweenCores(a, b, SizeOf(a, b), limit + RadiusOf(a) + RadiusOf(b)).norm();
   return std::max(cores - RadiusOf(a) - RadiusOf(b), 0.0);
 }
 

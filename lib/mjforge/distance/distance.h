@@ -28,6 +28,10 @@ Eigen::Vector3d Separation(const PlacedShape& a, const PlacedShape& b);
 /// Distance of two shapes, m; 0 if they overlap.
 double Distance(const PlacedShape& a, const PlacedShape& b);
 
+/// The same up to a limit, in a fraction of the time: if the distance exceeds the limit, returns a
+/// number from the limit to the largest distance of their points.
+double DistanceUpTo(double limit, const PlacedShape& a, const PlacedShape& b);
+
 /// Distance of two shapes, m. If they overlap, minus the penetration depth: the shortest
 /// translation that separates them, to a ten-thousandth of their size.
 double SignedDistance(const PlacedShape& a, const PlacedShape& b);

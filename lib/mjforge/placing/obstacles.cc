@@ -98,7 +98,7 @@ std::optional<Blocker> Obstacles::FindBlocker(std::span<const PlacedShape> shape
       const double wanted = may_touch ? 0 : asked;
       for (const PlacedShape& placed : shapes) {
         if (obstacle.box_W.exteriorDistance(placed.box_W) > wanted) continue;
-        const double distance = distance::Distance(placed, obstacle);
+        const double distance = distance::DistanceUpTo(wanted, placed, obstacle);
         if (distance > 0 && distance >= wanted - kLengthRounding) continue;
         return Blocker{body, distance};
       }

@@ -101,6 +101,9 @@ TEST_CASE("the distance of turned solids is between what bounds it") {
     CHECK(std::abs(again - distance) <= (distance > 0 ? 1e-8 : 1e-4));
     if (distance <= 0) continue;
     ++apart;
+    // A distance that is too large to matter is only found to be so.
+    CHECK(DistanceUpTo(2 * distance, A, B) == Distance(A, B));
+    CHECK(DistanceUpTo(distance / 2, A, B) > distance / 2);
     // The largest separation of parallel support planes is at most the distance.
     double separation = -1;
     Vector3d direction = Vector3d::UnitX();
