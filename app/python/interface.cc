@@ -83,6 +83,7 @@ forge::Options OptionsOf(const MjforgeRequest& request) {
   forge::Options options;
   options.seed = request.seed;
   options.batch = request.batch;
+  if (request.place_seed != nullptr) options.place_seed = *request.place_seed;
   options.name = request.name;
   options.target = FindWord("target", request.target, mjcf::FindTarget, mjcf::TargetNames());
   options.assets =

@@ -35,7 +35,8 @@ struct MjforgeRequest {
   const char* on_invalid;
   const char* validate;
   std::uint64_t seed;
-  std::uint64_t batch;  // number of variants; 0: unknown
+  std::uint64_t batch;              // number of variants; 0: unknown
+  const std::uint64_t* place_seed;  // seed of the places alone; null: they follow from `seed`
 };
 
 struct MjforgeVariant {

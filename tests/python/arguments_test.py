@@ -30,6 +30,8 @@ class Arguments(unittest.TestCase):
             for wrong in (-1, 2**64):
                 with self.assertRaisesRegex(ValueError, f"{option}={wrong} is not within"):
                     spec.variants(**{option: wrong})
+        self.assertRaises(TypeError, spec.variants, place_seed="7")
+        self.assertRaises(ValueError, spec.variants, place_seed=-1)
         self.assertEqual(spec.variants(seed=2**64 - 1)[0].seed, 2**64 - 1)
 
     def test_specs_and_settings(self):

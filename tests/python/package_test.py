@@ -18,6 +18,17 @@ BALL = {"mjforge": 1, "name": "ball", "parts": [{"name": "ball", "type": "sphere
 TYPO = "mjforge: 1\nname: ball\nparts: [{name: ball, type: sphere, sise: 2cm}]\n"
 
 
+SHELF = """
+mjforge: 1
+name: shelf
+joints: none
+parts: [{name: board, type: box, size: [0.2, 0.1, 0.01]}]
+regions: [{name: top, size: [0.2, 0.1], pos: [0, 0, 0.01]}]
+bodies:
+  - {name: "mug_${i}", for: {i: 12}, spec: containers/mug, joints: free, fewer: true, place: {at: top}}
+"""
+
+
 class Variants(unittest.TestCase):
     def test_are_byte_for_byte_what_the_command_writes(self):
         for name in ("tools/hammer", "containers/mug"):
@@ -53,6 +64,25 @@ class Variants(unittest.TestCase):
                 self.assertEqual(written, found)
                 self.assertTrue(any(file.endswith(".obj") for file in found))
         self.assertEqual(mjforge.Spec("kitchen/spoon").variants()[0].files, {})
+
+    def test_their_places_can_be_drawn_alone(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "shelf.yaml")
+            file.write_text(SHELF)
+            scenes = mjforge.Spec(file).variants(seed=7)
+            moved = mjforge.Spec(file).variants(seed=7, place_seed=0)
+            here, there = scenes[3], moved[3]
+            self.assertCountEqual([place["body"] for place in here.places] + here.left_out,
+                                  [f"shelf_mug_{i}" for i in range(12)])
+            self.assertTrue(here.places and here.left_out)
+            self.assertEqual({place["at"] for place in here.places}, {"top"})
+            self.assertNotEqual(here.places[0]["pos"], there.places[0]["pos"])
+            self.assertEqual(here.places[0]["pos"][2], there.places[0]["pos"][2])  # the same mug
+            moved.write(pathlib.Path(folder, "out"), 1)
+            written = pathlib.Path(folder, "out/shelf_000000.xml").read_bytes()
+            self.assertEqual(written, moved[0].xml_bytes)
+            self.assertEqual(pickle.loads(pickle.dumps(moved))[3].xml_bytes, there.xml_bytes)
+        self.assertEqual(mjforge.Spec(BALL).variants()[0].places, [])
 
     def test_files_of_the_spec_are_among_them(self):
         with tempfile.TemporaryDirectory() as folder:

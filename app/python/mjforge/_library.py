@@ -36,6 +36,7 @@ class Request(Structure):
         ("validate", c_char_p),
         ("seed", c_uint64),
         ("batch", c_uint64),
+        ("place_seed", POINTER(c_uint64)),
     ]
 
 

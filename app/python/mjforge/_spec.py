@@ -53,6 +53,7 @@ class _Maker:
     def __init__(self, spec: "Spec", options: Mapping[str, Any]) -> None:
         self.handle = None
         reference, text = _reference_and_text(spec.source)
+        place_seed = options["place_seed"]
         pairs = [word for pair in spec.settings.items() for word in pair]
         request = Request(
             spec=None if reference is None else c_text(reference, "spec"),
@@ -63,8 +64,10 @@ class _Maker:
             setting_count=len(spec.settings),
             parameter_files=c_texts(spec.parameter_files, "parameters"),
             parameter_file_count=len(spec.parameter_files),
+            place_seed=(None if place_seed is None else
+                        ctypes.pointer(ctypes.c_uint64(c_number(place_seed, "place_seed")))),
             **{name: (c_text if isinstance(default, str) else c_number)(options[name], name)
-               for name, default in _DEFAULTS.items()},
+               for name, default in _DEFAULTS.items() if default is not None},
         )
         self.handle = library.MjforgeOpen(ctypes.byref(request))
         if not self.handle:
@@ -106,7 +109,7 @@ class _Maker:
 
 
 _DEFAULTS = {"name": "", "target": "mujoco", "assets": "inline", "sampler": "random", "on_invalid": "fail",
-             "validate": "none", "seed": 0, "batch": 0}
+             "validate": "none", "seed": 0, "batch": 0, "place_seed": None}
 
 
 class Spec:
@@ -167,6 +170,7 @@ class Spec:
         batch: int = 0,
         on_invalid: str = "fail",
         validate: str = "none",
+        place_seed: Optional[int] = None,
     ) -> "Variants":
         """Its variants: the same that `mjforge generate` makes with these options.
 
@@ -174,10 +178,11 @@ class Spec:
         `name`: of the object; "${index}" allowed. `batch`: variants that the draws are spread
         over, for samplers that need to know. `on_invalid="skip"`: iteration leaves out what cannot
         be made. `validate`: "none", "load" or "physics", in the MuJoCo that the package contains.
+        `place_seed`: seed of the places alone: the same objects elsewhere.
         """
         return Variants(self, {"name": name, "target": target, "assets": assets, "sampler": sampler,
                                "on_invalid": on_invalid, "validate": validate, "seed": seed,
-                               "batch": batch})
+                               "batch": batch, "place_seed": place_seed})
 
     def __repr__(self) -> str:
         return f"<mjforge.Spec {self.name}>"
@@ -266,7 +271,7 @@ class Variants:
         spec = self.spec
         reference, text, words = Spec.command_line(spec.source, spec.settings, spec.parameter_files)
         words += _command.options_of({
-            **{name: value for name, value in self._options.items() if value not in ("", 0)},
+            **{name: value for name, value in self._options.items() if value != _DEFAULTS[name]},
             "validate": validate, "count": count, "jobs": jobs, "output": output, **options})
         status, findings = _command.run(["generate", *words, "--", reference], text)
         if status != 0:

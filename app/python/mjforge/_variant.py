@@ -108,6 +108,18 @@ class Variant:
         return _numpy().array([box["min"], box["max"]])
 
     @property
+    def places(self) -> list[dict[str, Any]]:
+        """Where `place:` has put each body: its name ("body"), its region or site ("at"), and its
+        "pos" (m) and "quat" in the object's frame at the start.
+        """
+        return self.record.get("places", [])
+
+    @property
+    def left_out(self) -> list[str]:
+        """Names of the bodies with `fewer: true` for which there was no room."""
+        return self.record.get("left_out", [])
+
+    @property
     def files(self) -> dict[str, bytes]:
         """Meshes and textures by their names in the XML: those that the spec names, read now, and
         with `assets="files"` all others as OBJ and PNG. Written under these names beside the XML,
