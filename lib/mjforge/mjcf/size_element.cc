@@ -12,6 +12,9 @@ namespace {
 
 // The default nconmax is 100 contacts; a geom flat on the floor makes at most four.
 constexpr std::size_t kGeomsThatFit = 24;
+// Contacts of many geoms: few geoms of a large scene touch others. Those of a stack of dishes,
+// whose walls are convex pieces, have one each.
+constexpr double kContactsOfManyGeoms = 300;  // in addition to one per geom
 // The default njmax is 500 constraints, including contacts.
 constexpr std::size_t kRowsThatFit = 300;
 // MuJoCo lists pairs of bodies that might touch on a stack whose default size grows with the square
@@ -86,9 +89,12 @@ void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer) 
   if (geoms <= kGeomsThatFit && rows <= kRowsThatFit && bodies <= kBodiesThatFit) return;
   const double dofs = CountDofs(object);
   const double most = MostRows(dofs);
-  // Each geom has four contacts, each contact four pyramid edges (condim 3).
+  // A geom has up to four contacts, a contact four pyramid edges (condim 3).
   double contacts = scene ? 100 : 0;
-  if (geoms > kGeomsThatFit) contacts = std::min(4.0 * static_cast<double>(geoms), most / 4);
+  if (geoms > kGeomsThatFit) {
+    const auto count = static_cast<double>(geoms);
+    contacts = std::min({4 * count, count + kContactsOfManyGeoms, most / 4});
+  }
   const double njmax = std::min(4 * contacts + static_cast<double>(rows) + (scene ? 0 : 500), most);
   double nstack = 0;  // 0: MuJoCo's default
   if (bodies > kBodiesThatFit) {

@@ -9,6 +9,9 @@
 namespace mjforge::picture {
 namespace {
 
+// Numbers on MuJoCo's stack; a Jacobian of a tendon has three for each degree of freedom.
+constexpr double kStackSize = 1e6;
+
 std::unique_ptr<Subject> Make(engine::Loaded loaded, std::string& why_not) {
   if (!loaded.model) {
     why_not = loaded.error;
@@ -16,6 +19,8 @@ std::unique_ptr<Subject> Make(engine::Loaded loaded, std::string& why_not) {
   }
   auto state = std::make_unique<Subject::State>();
   state->model = std::move(loaded.model);
+  // A picture needs no contacts and constraints, which are most of the memory of a large scene.
+  engine::SetBufferSizes(*state->model, {.contacts = 0, .rows = 0, .numbers = kStackSize});
   try {
     state->data = compiled::MakeData(*state->model);
     return std::make_unique<Subject>(std::move(state));

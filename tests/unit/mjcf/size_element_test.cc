@@ -52,6 +52,8 @@ TEST_CASE("free bodies that lie on an object need room for their contacts, its o
   const pugi::xml_node size = SizeOf(object, Target::kMujoco, parsed);
   CHECK(size.attribute("nconmax").as_int() == 4 * 26);
   CHECK(size.attribute("njmax").as_int() == 4 * 4 * 26 + 500);
+  add_free(137);
+  CHECK(SizeOf(object, Target::kMujoco, parsed).attribute("nconmax").as_int() == 300 + 300);
   // A joint to the object is no contact.
   for (model::Body& body : object.bodies) body.parent = &body == &object.bodies[0] ? -1 : 0;
   CHECK_FALSE(SizeOf(object, Target::kMujoco, parsed));
