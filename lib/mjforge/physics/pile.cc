@@ -1,4 +1,4 @@
-// Simulation of piles: release of one body after the other, rest, and the faults of a pile.
+// Piles: releases are tried until one comes to rest without a fault, and rest becomes the start.
 #include "mjforge/physics/pile.h"
 
 #include <fmt/format.h>
@@ -15,9 +15,9 @@
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/engine/engine.h"
 #include "mjforge/expr/expr.h"
-#include "mjforge/physics/probe_bodies.h"
+#include "mjforge/mjcf/mjcf.h"
+#include "mjforge/physics/pile_simulation.h"
 #include "mjforge/physics/simulation.h"
-#include "mjforge/physics/stepper.h"
 #include "mjforge/static_checks/static_checks.h"
 
 namespace mjforge::physics {
@@ -27,154 +27,13 @@ using compiled::VectorAt;
 using diag::Code;
 using expr::RoundedText;
 
-constexpr double kClearance = 0.005;  // m, between a body at its release and all below it
-// A body is released when the one before it is slower than this, because bodies that fall on fast
-// ones throw each other out; at the latest after kPatience.
-constexpr double kSlow = 0.3;            // m/s
-constexpr double kFall = 0.05;           // s, in which a released body gets faster than kSlow
-constexpr double kPatience = 0.5;        // s
-constexpr double kRestSpeed = 0.01;      // m/s
-constexpr double kRestTime = 0.1;        // s, for which all bodies must be slow to be at rest
+// Releases of a pile that are tried. Another release gives each body the pose of another one.
+constexpr std::size_t kMostTries = 4;
 constexpr double kEdge = 0.001;          // m, that a centre of mass may be outside of the region
 constexpr double kLargeMassRatio = 100;  // at which contacts of MuJoCo get soft
 
-/// A body of a pile in the compiled model.
-struct PiledBody {
-  const model::Pile::Item* item = nullptr;
-  int id = 0;
-  double radius = 0;                                // m, sphere around the centre of mass
-  Eigen::Vector3d p_BCm = Eigen::Vector3d::Zero();  // centre of mass of its tree
-};
-
 /// Returns true if a body is in the tree of a root.
 bool IsIn(const mjModel& m, int body, int root) { return m.body_rootid[body] == root; }
-
-/// Releases the bodies of one pile, while all other bodies are held.
-class PileSimulation {
- public:
-  PileSimulation(mjModel& m, mjData& d, const model::Pile& pile, std::vector<PiledBody> bodies,
-                 const model::Pose& X_WR)
-      : m_(m), d_(d), pile_(pile), X_WR_(X_WR), bodies_(std::move(bodies)) {}
-
-  /// Returns true if the bodies came to rest.
-  bool Run() {
-    Hold();
-    Park();
-    for (const PiledBody& body : bodies_) {
-      Release(body);
-      const double start = d_.time;
-      do {
-        Step();
-      } while (CanGoOn() && d_.time < start + kPatience &&
-               (d_.time < start + kFall || SpeedOf(body) > kSlow));
-    }
-    const double end = d_.time + pile_.time;
-    double slow_since = d_.time;
-    while (CanGoOn() && d_.time < end && d_.time - slow_since < kRestTime) {
-      Step();
-      if (FindFastestBody(m_, d_).speed > kRestSpeed) slow_since = d_.time;
-    }
-    mj_forward(&m_, &d_);
-    return d_.time - slow_since >= kRestTime;
-  }
-
- private:
-  bool CanGoOn() const { return !HasDiverged(d_) && !IsCrowded(d_); }
-
-  bool IsReleased(int body) const {
-    const auto end = bodies_.begin() + static_cast<std::ptrdiff_t>(released_);
-    return std::any_of(bodies_.begin(), end,
-                       [&](const PiledBody& piled) { return IsIn(m_, body, piled.id); });
-  }
-
-  bool IsPiled(int body) const {
-    return std::ranges::any_of(bodies_,
-                               [&](const PiledBody& piled) { return IsIn(m_, body, piled.id); });
-  }
-
-  /// Makes all other bodies too heavy to be moved.
-  void Hold() {
-    for (int dof = 0; dof < m_.nv; ++dof) {
-      if (!IsPiled(m_.dof_bodyid[dof])) HoldDof(m_, dof);
-    }
-    mj_kinematics(&m_, &d_);
-    mj_comPos(&m_, &d_);
-  }
-
-  /// Puts all bodies of the pile above each other, higher than the pile can get.
-  void Park() {
-    double height = X_WR_.p.z();
-    for (const PiledBody& body : bodies_) height += 2 * body.radius;
-    const model::Box3 all = compiled::CollidingBox(m_, d_, 0);
-    if (!all.empty()) height = std::max(height, all.max.z() + 2 * bodies_.front().radius);
-    parked_ = height;
-    for (const PiledBody& body : bodies_) {
-      height += body.radius + kClearance;
-      MoveTo(body, {0, 0}, height);
-      height += body.radius;
-    }
-    held_.assign(d_.qpos, d_.qpos + m_.nq);
-  }
-
-  /// Moves the centre of mass of a body to a height, above a point of the region.
-  void MoveTo(const PiledBody& body, const Eigen::Vector2d& p_R, double height) {
-    Eigen::Vector3d p = X_WR_ * Eigen::Vector3d(p_R.x(), p_R.y(), 0);
-    p.z() = height;
-    mjtNum* qpos = d_.qpos + m_.jnt_qposadr[m_.body_jntadr[body.id]];
-    compiled::WritePose({p - body.item->q * body.p_BCm, body.item->q}, qpos, qpos + 3);
-  }
-
-  void Release(const PiledBody& body) {
-    double top = X_WR_.p.z();
-    mj_kinematics(&m_, &d_);
-    for (std::size_t i = 0; i < released_; ++i) {
-      const model::Box3 box = compiled::CollidingBox(m_, d_, bodies_[i].id);
-      if (!box.empty()) top = std::max(top, box.max.z());
-    }
-    ++released_;
-    const Eigen::Vector2d p_R = model::PositionOfDisc(pile_.region, body.radius, body.item->uv);
-    double height = top + body.radius + kClearance;
-    MoveTo(body, p_R, height);
-    // Posts and sloping walls may stand in the region.
-    for (; Touches(body) && height < parked_; height += body.radius / 2) MoveTo(body, p_R, height);
-    stepper_.emplace(m_, d_);
-  }
-
-  bool Touches(const PiledBody& body) {
-    mj_fwdPosition(&m_, &d_);
-    return std::any_of(d_.contact, d_.contact + d_.ncon, [&](const mjContact& contact) {
-      return IsIn(m_, m_.geom_bodyid[contact.geom1], body.id) !=
-             IsIn(m_, m_.geom_bodyid[contact.geom2], body.id);
-    });
-  }
-
-  void Step() {
-    stepper_->Step();
-    for (int joint = 0; joint < m_.njnt; ++joint) {
-      if (IsReleased(m_.jnt_bodyid[joint])) continue;
-      constexpr int kPositions[] = {7, 4, 1, 1};  // in the order of mjtJoint
-      constexpr int kVelocities[] = {6, 3, 1, 1};
-      const auto type = compiled::Index(m_.jnt_type[joint]);
-      std::copy_n(held_.begin() + m_.jnt_qposadr[joint], kPositions[type],
-                  d_.qpos + m_.jnt_qposadr[joint]);
-      std::fill_n(d_.qvel + m_.jnt_dofadr[joint], kVelocities[type], 0.0);
-    }
-  }
-
-  double SpeedOf(const PiledBody& body) const {
-    return Eigen::Map<const Eigen::Vector3d>(d_.qvel + m_.body_dofadr[body.id]).norm();
-  }
-
-  mjModel& m_;
-  mjData& d_;
-  const model::Pile& pile_;
-  model::Pose X_WR_;
-  std::vector<PiledBody> bodies_;  // in the order of their release
-  std::size_t released_ = 0;
-  double parked_ = 0;         // m, height above which bodies wait
-  std::vector<mjtNum> held_;  // qpos of bodies that are not released
-  std::optional<Stepper> stepper_;
-};
 
 /// Adds findings about the faults of a pile.
 class PileReport {
@@ -258,7 +117,11 @@ struct PileSettler::Impl {
   engine::Engine engine;
   Workspace workspace;
 
-  void Settle(model::Object& object, const model::Pile& pile, static_checks::Reporter& reporter);
+  /// Tries releases until one has no fault; adds the faults of the last one.
+  void Settle(model::Object& object, const model::Pile& pile, diag::Findings& findings);
+  /// Simulates one release, and takes the start of the bodies from it.
+  void Try(std::size_t release, mjModel& m, const std::vector<int>& ids, model::Object& object,
+           const model::Pile& pile, static_checks::Reporter& reporter);
 };
 
 PileSettler::PileSettler() : impl_(std::make_unique<Impl>()) {}
@@ -277,10 +140,12 @@ std::vector<int> IdsOf(const model::Object& object) {
 /// Returns the bodies of a pile in the order of their release. Needs the poses of mj_kinematics and
 /// mj_comPos.
 std::vector<PiledBody> BodiesOf(const mjModel& m, const mjData& d, const model::Pile& pile,
-                                const std::vector<int>& ids) {
+                                std::size_t release, const std::vector<int>& ids) {
   std::vector<PiledBody> bodies;
-  for (const model::Pile::Item& item : pile.items) {
-    PiledBody body = {&item, ids[static_cast<std::size_t>(item.body)]};
+  for (std::size_t i = 0; i < pile.items.size(); ++i) {
+    PiledBody body;
+    body.id = ids[static_cast<std::size_t>(pile.items[i].body)];
+    body.release = &pile.items[(i + release) % pile.items.size()];
     const Eigen::Vector3d p_WCm = VectorAt(d.subtree_com, body.id);
     for (int geom = 0; geom < m.ngeom; ++geom) {
       if (!IsIn(m, m.geom_bodyid[geom], body.id) || !compiled::Collides(m, geom)) continue;
@@ -316,18 +181,30 @@ void TakeStart(const mjModel& m, const mjData& d, const std::vector<int>& ids, i
 }  // namespace
 
 void PileSettler::Impl::Settle(model::Object& object, const model::Pile& pile,
-                               static_checks::Reporter& reporter) {
+                               diag::Findings& findings) {
   mjcf::MjcfDocument document;
   mjcf::WriteMjcf(object, mjcf::Target::kMujoco, {}, document);
   const engine::Loaded loaded = engine.LoadText(document.text, document.assets);
   if (!loaded.model) {
-    reporter.Error(Code::kMujocoError, pile.mark,
-                   fmt::format("MuJoCo refused the object with a pile: {}",
-                               engine::ParseRefusal(loaded.error).reason));
+    findings.Add(Code::kMujocoError, pile.mark,
+                 fmt::format("MuJoCo refused the object with a pile: {}",
+                             engine::ParseRefusal(loaded.error).reason));
     return;
   }
-  mjModel& m = *loaded.model;
   const std::vector<int> ids = IdsOf(object);
+  diag::Findings faults;
+  for (std::size_t release = 0; release < std::min(kMostTries, pile.items.size()); ++release) {
+    faults.clear();
+    static_checks::Reporter reporter(object.checks, faults);
+    Try(release, *loaded.model, ids, object, pile, reporter);
+    if (!faults.HasErrors()) break;
+  }
+  for (const diag::Finding& fault : faults) findings.Add(fault);
+}
+
+void PileSettler::Impl::Try(std::size_t release, mjModel& m, const std::vector<int>& ids,
+                            model::Object& object, const model::Pile& pile,
+                            static_checks::Reporter& reporter) {
   std::vector<PiledBody> bodies;
   model::Pose X_WR;
   mjData* end = nullptr;
@@ -336,7 +213,7 @@ void PileSettler::Impl::Settle(model::Object& object, const model::Pile& pile,
     std::ranges::copy(compiled::StartOf(m), d.qpos);
     mj_kinematics(&m, &d);
     mj_comPos(&m, &d);
-    bodies = BodiesOf(m, d, pile, ids);
+    bodies = BodiesOf(m, d, pile, release, ids);
     X_WR = compiled::PoseAt(d.xpos, d.xquat, ids[static_cast<std::size_t>(pile.support)]) *
            pile.region.X_BR;
     return PileSimulation(m, d, pile, bodies, X_WR).Run();
@@ -356,10 +233,9 @@ void PileSettler::Impl::Settle(model::Object& object, const model::Pile& pile,
 
 bool PileSettler::Settle(model::Object& object, diag::Findings& findings) {
   const std::size_t before = findings.size();
-  static_checks::Reporter reporter(object.checks, findings);
   for (const model::Pile& pile : object.piles) {
     try {
-      impl_->Settle(object, pile, reporter);
+      impl_->Settle(object, pile, findings);
     } catch (const std::bad_alloc&) {
       throw;  // MuJoCo did not fail
     } catch (const std::exception& error) {

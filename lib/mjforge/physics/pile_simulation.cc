@@ -1,0 +1,208 @@
+// Simulation of a pile: releases its bodies one after the other and brings them to rest.
+#include "mjforge/physics/pile_simulation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mjforge/compiled/compiled.h"
+#include "mjforge/physics/probe_bodies.h"
+#include "mjforge/physics/simulation.h"
+
+namespace mjforge::physics {
+namespace {
+
+using compiled::VectorAt;
+
+constexpr double kClearance = 0.005;  // m, between a body at its release and all below it
+// While bodies fall into their places, all are damped and steps are short: MuJoCo 2.2 takes the
+// normal of a contact of convex geoms for another one if the contact is deep and off the middle of
+// a thin plate, and then throws a body through a wall. A damped body falls at most at 1 m/s.
+constexpr double kDampingTime = 0.1;       // s
+constexpr double kDampedTimestep = 0.001;  // s
+// A body is released when the one before it is slower than this, because bodies that fall on fast
+// ones throw each other out; at the latest after kPatience.
+constexpr double kSlow = 0.3;         // m/s
+constexpr double kFall = 0.05;        // s, in which a released body gets faster than kSlow
+constexpr double kPatience = 0.5;     // s
+constexpr double kSlowSpeed = 0.01;   // m/s, at which damping ends
+constexpr double kSlowTime = 0.1;     // s, for which all bodies must be that slow
+constexpr double kRestTime = 0.5;     // s, without damping
+constexpr double kRestMotion = 3e-4;  // m, by which a body at rest may creep in kRestTime
+constexpr double kRestTurn = 0.005;   // rad, by which a body at rest may turn in kRestTime
+
+}  // namespace
+
+bool PileSimulation::Run() {
+  Hold();
+  Park();
+  const std::vector<mjtNum> damping(m_.dof_damping, m_.dof_damping + m_.nv);
+  const double timestep = m_.opt.timestep;
+  for (int dof = 0; dof < m_.nv; ++dof) {
+    const bool is_piled = std::ranges::any_of(
+        bodies_, [&](const PiledBody& piled) { return IsIn(m_.dof_bodyid[dof], piled); });
+    if (is_piled) m_.dof_damping[dof] += m_.dof_M0[dof] / kDampingTime;
+  }
+  m_.opt.timestep = std::min(timestep, kDampedTimestep);
+  ReleaseAll();
+  const double end = d_.time + pile_.time;
+  SlowDown(end - pile_.time / 2);
+  std::ranges::copy(damping, m_.dof_damping);
+  m_.opt.timestep = timestep;
+  const bool rests = StaysAtRest(end);
+  mj_forward(&m_, &d_);
+  return rests;
+}
+
+/// Returns false if the simulation failed, or a body fell below the region.
+bool PileSimulation::CanGoOn() const {
+  return !HasDiverged(d_) && !IsCrowded(d_) &&
+         std::ranges::none_of(bodies_, [&](const PiledBody& body) {
+           return d_.xpos[3 * body.id + 2] < X_WR_.p.z() - 2 * body.radius;
+         });
+}
+
+/// Returns true if a body is in the tree of a piled one.
+bool PileSimulation::IsIn(int body, const PiledBody& piled) const {
+  return m_.body_rootid[body] == piled.id;
+}
+
+bool PileSimulation::IsReleased(int body) const {
+  const auto end = bodies_.begin() + static_cast<std::ptrdiff_t>(released_);
+  return std::any_of(bodies_.begin(), end,
+                     [&](const PiledBody& piled) { return IsIn(body, piled); });
+}
+
+/// Makes all bodies that are not in the pile too heavy to be moved.
+void PileSimulation::Hold() {
+  released_ = bodies_.size();
+  for (int dof = 0; dof < m_.nv; ++dof) {
+    if (!IsReleased(m_.dof_bodyid[dof])) HoldDof(m_, dof);
+  }
+  released_ = 0;
+  mj_kinematics(&m_, &d_);
+  mj_comPos(&m_, &d_);
+}
+
+/// Puts all bodies of the pile above each other, higher than the pile can get.
+void PileSimulation::Park() {
+  double height = X_WR_.p.z();
+  for (const PiledBody& body : bodies_) height += 2 * body.radius;
+  const model::Box3 all = compiled::CollidingBox(m_, d_, 0);
+  if (!all.empty()) height = std::max(height, all.max.z() + 2 * bodies_.front().radius);
+  parked_ = height;
+  for (const PiledBody& body : bodies_) {
+    height += body.radius + kClearance;
+    MoveTo(body, {0, 0}, height);
+    height += body.radius;
+  }
+  held_.assign(d_.qpos, d_.qpos + m_.nq);
+}
+
+/// Moves the centre of mass of a body to a height, above a point of the region.
+void PileSimulation::MoveTo(const PiledBody& body, const Eigen::Vector2d& p_R, double height) {
+  Eigen::Vector3d p = X_WR_ * Eigen::Vector3d(p_R.x(), p_R.y(), 0);
+  p.z() = height;
+  mjtNum* qpos = d_.qpos + m_.jnt_qposadr[m_.body_jntadr[body.id]];
+  compiled::WritePose({p - body.release->q * body.p_BCm, body.release->q}, qpos, qpos + 3);
+}
+
+void PileSimulation::ReleaseAll() {
+  for (const PiledBody& body : bodies_) {
+    Release(body);
+    const Eigen::Map<const Eigen::Vector3d> v(d_.qvel + m_.body_dofadr[body.id]);
+    const double start = d_.time;
+    do {
+      Step();
+    } while (CanGoOn() && d_.time < start + kPatience &&
+             (d_.time < start + kFall || v.norm() > kSlow));
+  }
+}
+
+/// Lowers a body from above the pile to the first pose in which it nearly touches something.
+void PileSimulation::Release(const PiledBody& body) {
+  double top = X_WR_.p.z();
+  mj_kinematics(&m_, &d_);
+  for (std::size_t i = 0; i < released_; ++i) {
+    const model::Box3 box = compiled::CollidingBox(m_, d_, bodies_[i].id);
+    if (!box.empty()) top = std::max(top, box.max.z());
+  }
+  ++released_;
+  const Eigen::Vector2d p_R = model::PositionOfDisc(pile_.region, body.radius, body.release->uv);
+  double height = top + body.radius + kClearance;
+  MoveTo(body, p_R, height);
+  // Posts and sloping walls may stand in the region.
+  while (Touches(body) && height < parked_) {
+    height += body.radius / 2;
+    MoveTo(body, p_R, height);
+  }
+  do {
+    height -= kClearance;
+    MoveTo(body, p_R, height);
+  } while (height > X_WR_.p.z() && !Touches(body));
+  MoveTo(body, p_R, height + kClearance);
+  stepper_.emplace(m_, d_);
+}
+
+bool PileSimulation::Touches(const PiledBody& body) {
+  mj_fwdPosition(&m_, &d_);
+  return std::any_of(d_.contact, d_.contact + d_.ncon, [&](const mjContact& contact) {
+    return IsIn(m_.geom_bodyid[contact.geom1], body) != IsIn(m_.geom_bodyid[contact.geom2], body);
+  });
+}
+
+void PileSimulation::Step() {
+  stepper_->Step();
+  for (int joint = 0; joint < m_.njnt; ++joint) {
+    if (IsReleased(m_.jnt_bodyid[joint])) continue;
+    constexpr int kPositions[] = {7, 4, 1, 1};  // in the order of mjtJoint
+    constexpr int kVelocities[] = {6, 3, 1, 1};
+    const auto type = compiled::Index(m_.jnt_type[joint]);
+    std::copy_n(held_.begin() + m_.jnt_qposadr[joint], kPositions[type],
+                d_.qpos + m_.jnt_qposadr[joint]);
+    std::fill_n(d_.qvel + m_.jnt_dofadr[joint], kVelocities[type], 0.0);
+  }
+}
+
+/// Simulates until all bodies are slow.
+void PileSimulation::SlowDown(double end) {
+  double slow_since = d_.time;
+  while (CanGoOn() && d_.time < end && d_.time - slow_since < kSlowTime) {
+    Step();
+    if (FindFastestBody(m_, d_).speed > kSlowSpeed) slow_since = d_.time;
+  }
+}
+
+/// Simulates until no body moves for a while, and returns true if that happens before the end.
+bool PileSimulation::StaysAtRest(double end) {
+  std::vector<model::Pose> before = Poses();
+  double since = d_.time;
+  while (CanGoOn() && d_.time < end) {
+    Step();
+    if (d_.time - since < kRestTime) continue;
+    if (AreAt(before)) return true;
+    before = Poses();
+    since = d_.time;
+  }
+  return false;
+}
+
+/// Returns the centres of mass of the piled bodies, with their orientations.
+std::vector<model::Pose> PileSimulation::Poses() const {
+  std::vector<model::Pose> poses;
+  for (const PiledBody& body : bodies_) {
+    poses.push_back({VectorAt(d_.subtree_com, body.id), compiled::QuaternionAt(d_.xquat, body.id)});
+  }
+  return poses;
+}
+
+/// Returns true if no body has moved from a pose, but for a slow creep.
+bool PileSimulation::AreAt(const std::vector<model::Pose>& before) const {
+  const std::vector<model::Pose> now = Poses();
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if ((now[i].p - before[i].p).norm() > kRestMotion) return false;
+    if (now[i].q.angularDistance(before[i].q) > kRestTurn) return false;
+  }
+  return true;
+}
+
+}  // namespace mjforge::physics
