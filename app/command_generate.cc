@@ -80,6 +80,20 @@ std::string FindConflict(const GenerateOptions& options, const batch::Request& r
   return {};
 }
 
+// Returns the message if the objects of a scene cannot be written one by one.
+std::string FindEachConflict(const GenerateOptions& options, const batch::Request& request) {
+  if (!request.variant.each) return {};
+  const Kind kind = request.destination.kind;
+  if (kind == Kind::kFile || kind == Kind::kStandardOutput)
+    return fmt::format("--each writes several files: -o {} must be a folder or an archive",
+                       options.output);
+  if (!mjcf::RulesOf(request.variant.target).has_scene) return {};
+  std::vector<std::string_view> targets = mjcf::TargetNames();
+  std::erase(targets, options.target);
+  return fmt::format("--each: files for --target {} have a floor of their own; the targets are {}",
+                     options.target, fmt::join(targets, ", "));
+}
+
 std::string FindMakeConflict(const GenerateOptions& options, const batch::Request& request) {
   const MakeOptions& make = options.make;
   if (!make.wanted()) return {};
@@ -117,6 +131,8 @@ void AddGenerateOptions(CLI::App& command, GenerateOptions& options) {
   command.add_option("--name", options.request.variant.name, "The object's name; ${index} allowed")
       ->option_text("TEXT");
   AddWord(command, "--target", options.target, mjcf::TargetNames(), "For");
+  command.add_flag("--each", options.request.variant.each,
+                   "Each object of a scene as a file, and their placement");
   AddWord(command, "--assets", options.assets, mjcf::kAssetForms, "Meshes and textures");
   AddWord(command, "--validate", options.validate, manifest::kValidations, "MuJoCo's verdict");
   AddProfile(command, options.spec.settings, [&options] { options.validate = "physics"; });
@@ -160,6 +176,7 @@ std::optional<batch::Request> RequestOf(const GenerateOptions& options, std::str
   } else {
     why_not = FindConflict(options, request);
     if (why_not.empty()) why_not = FindMakeConflict(options, request);
+    if (why_not.empty()) why_not = FindEachConflict(options, request);
   }
   return why_not.empty() ? std::optional(std::move(request)) : std::nullopt;
 }

@@ -1,4 +1,4 @@
-// `mjforge schema`: JSON Schemas of specs and manifests.
+// `mjforge schema`: JSON Schemas of specs, manifests and placements.
 #include <CLI/CLI.hpp>
 #include <array>
 #include <memory>
@@ -11,16 +11,17 @@
 namespace mjforge::app {
 namespace {
 
-constexpr std::array<std::string_view, 2> kSchemas = {"object", "manifest"};
+constexpr std::array<std::string_view, 3> kSchemas = {"object", "manifest", "placement"};
 
 }  // namespace
 
 Action AddSchema(CLI::App& command) {
   auto which = std::make_shared<std::string>("object");
-  command.add_option("WHICH", *which, "object (for specs, the default) or manifest")
+  command.add_option("WHICH", *which, "object (for specs, the default), manifest or placement")
       ->option_text(" ")
       ->check(IsOneOf(kSchemas));
   return [which](Console&) {
+    if (*which == "placement") return PrintBytes(manifest::PlacementSchema());
     return PrintBytes(*which == "object" ? spec::JsonSchema() : manifest::ManifestSchema());
   };
 }

@@ -116,25 +116,37 @@ class ChunkMaker {
   bool WriteObject(ChunkResult& result) {
     const output::Destination& destination = request_.destination;
     diag::Findings& findings = result.output_findings;
-    const manifest::Record& record = variant_.record;
+    manifest::Record& record = variant_.record;
+    if (destination.IsArchive()) {
+      record.file = output::VariantStem(record.name, record.index)
+                        .append(record.each ? output::kPlacementEnding : output::kObjectEnding);
+    }
     if (destination.kind == Kind::kFolder &&
-        !folder_.Write(record.file, variant_.document, findings, record.assets)) {
+        !folder_.Write(record.file, variant_.output(), findings, record.assets)) {
       return false;
     }
     AddAssets(result);
     if (destination.kind == Kind::kFolder) return true;
     if (destination.IsArchive()) return AddMembers(findings);
-    result.text = variant_.document.text;
+    result.text = variant_.output().text;
     return true;
+  }
+
+  // Returns the name of an asset in the archive, where assets of --each are in a folder of their
+  // variant; in a folder, the name in the file.
+  std::string NameOf(const std::string& asset) const {
+    if (!request_.destination.IsArchive()) return asset;
+    return (std::filesystem::path(variant_.record.file).parent_path() / asset).generic_string();
   }
 
   // Adds the assets of the variant to the result; generated ones only if the leader writes them.
   void AddAssets(ChunkResult& result) const {
-    for (const auto& [name, source, made] : variant_.document.assets) {
+    for (const auto& [name, source, made] : variant_.output().assets) {
       if (made && request_.destination.kind != Kind::kFile) continue;
       const auto& hashes = variant_.record.assets;
       const auto hash = std::ranges::find(hashes, name, &output::AssetHashes::value_type::first);
-      const HashedAsset asset = {name, source.string(), hash->second, made ? *made : std::string()};
+      const HashedAsset asset = {NameOf(name), source.string(), hash->second,
+                                 made ? *made : std::string()};
       if (std::ranges::find(result.assets, asset) == result.assets.end())
         result.assets.push_back(asset);
     }
@@ -143,9 +155,10 @@ class ChunkMaker {
   // Adds generated assets before their object, once in each segment, because other segments are
   // made independently.
   bool AddMadeFiles(diag::Findings& findings) {
-    return std::ranges::all_of(variant_.document.assets, [&](const bytes::Asset& asset) {
-      return !asset.made || !made_members_.insert(asset.name).second ||
-             segment_.Add(asset.name, *asset.made, findings);
+    return std::ranges::all_of(variant_.output().assets, [&](const bytes::Asset& asset) {
+      const std::string name = NameOf(asset.name);
+      return !asset.made || !made_members_.insert(name).second ||
+             segment_.Add(name, *asset.made, findings);
     });
   }
 
@@ -153,12 +166,11 @@ class ChunkMaker {
   bool AddMembers(diag::Findings& findings) {
     manifest::Record& record = variant_.record;
     const std::string stem = output::VariantStem(record.name, record.index);
-    record.file = stem + ".xml";
     // This record contains no paths, so that archives of the same variants have the same bytes.
     std::string spec_file = std::exchange(record.spec_file, {});
     manifest::AppendRecord(record_line_, record);
     record.spec_file = std::move(spec_file);
-    return AddMadeFiles(findings) && segment_.Add(record.file, variant_.document.text, findings) &&
+    return AddMadeFiles(findings) && segment_.Add(record.file, variant_.output().text, findings) &&
            segment_.Add(stem + ".json", record_line_, findings);
   }
 
@@ -170,7 +182,7 @@ class ChunkMaker {
       result.variants.push_back(
           {record.index, record.name, record.status, record.attempt, record.file});
     }
-    for (const auto& [name, source, made] : variant_.document.assets) {
+    for (const auto& [name, source, made] : variant_.output().assets) {
       if (!made && variant_.object && reported_assets_.insert(source.string()).second)
         result.inputs.push_back(source.string());
     }

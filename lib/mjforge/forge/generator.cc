@@ -61,6 +61,7 @@ manifest::Record BatchRecord(const Recipe& recipe, const Options& options) {
   record.settings = recipe.settings;
   record.target = mjcf::RulesOf(options.target).name;
   if (options.assets == mjcf::AssetForm::kFiles) record.assets_as = mjcf::kAssetForms[1];
+  record.each = options.each;
   record.validate = options.validation;
   if (options.validation != Validation::kNone) record.mujoco = validate::MujocoVersion();
   record.on_invalid = options.on_invalid;
@@ -87,6 +88,7 @@ Generator::Generator(const Recipe& recipe, diag::Sources& sources, const Options
 
 void Generator::Reset(std::uint64_t index, std::uint64_t attempt, Variant& variant) {
   variant.object.reset();
+  variant.placement.reset();
   variant.findings.clear();
   variant.record = common_;
   variant.record.index = index;
@@ -115,8 +117,9 @@ void Generator::Finish(Outcome outcome, Variant& variant) {
     const bool skips = options_.on_invalid == OnInvalid::kSkip;
     record.status = skips ? manifest::Status::kSkipped : manifest::Status::kFailed;
   } else {
-    record.file = output::PlaceInFolder(record.name, record.index);
-    record.sha256 = bytes::Sha256Of(variant.document.text);
+    record.file = output::PlaceInFolder(
+        record.name, record.index, record.each ? output::kPlacementEnding : output::kObjectEnding);
+    record.sha256 = bytes::Sha256Of(variant.output().text);
   }
   variant.findings.SetVariant(options_.seed, record.index);
   while (record_sources_.size() < sources_.size()) {  // files attached since
@@ -152,7 +155,9 @@ Generator::Outcome Generator::Attempt(std::uint64_t index, std::uint64_t attempt
   RecordProperties(*variant.object, options_.target, record);
   if (spec.has_place) RecordPlaces(*variant.object, record);
   Validate(variant);
-  return !variant.findings.HasErrors() && HashAssets(variant) ? Outcome::kOk : Outcome::kFailed;
+  if (variant.findings.HasErrors() || (options_.each && !WriteEach(variant)))
+    return Outcome::kFailed;
+  return HashAssets(variant) ? Outcome::kOk : Outcome::kFailed;
 }
 
 // Validation is not needed: the simulation of a pile determines the bytes of the file.
@@ -167,20 +172,24 @@ bool Generator::SettlePiles(model::Object& object, Variant& variant) {
 
 bool Generator::Build(sample::Evaluator& values, Variant& variant) {
   const manifest::Record& record = variant.record;
-  const mjcf::TargetRules& rules = mjcf::RulesOf(options_.target);
-  std::optional<model::Object> object = assembler_.Assemble(values,
-                                                            {.name = record.name,
-                                                             .prefix = rules.has_prefix,
-                                                             .root = std::string(rules.root),
-                                                             .place_seed = options_.place_seed},
-                                                            variant.findings);
+  const mjcf::Target target = options_.each ? mjcf::Target::kMujoco : options_.target;
+  const mjcf::TargetRules& rules = mjcf::RulesOf(target);
+  std::optional<model::Object> object =
+      assembler_.Assemble(values,
+                          {.name = record.name,
+                           .prefix = rules.has_prefix && !options_.each,
+                           .root = std::string(rules.root),
+                           .place_seed = options_.place_seed},
+                          variant.findings);
   if (!object || !SettlePiles(*object, variant)) return false;
-  mjcf::Adapt(*object, options_.target, variant.findings);
+  if (options_.each && !SplitScene(*object, variant)) return false;
+  mjcf::Adapt(*object, target, variant.findings);
   variant.object = std::make_shared<const model::Object>(*std::move(object));
   if (variant.findings.HasErrors()) return false;
   mjcf::Provenance provenance = record;
   if (record.name == recipe_.spec->name) provenance.name.clear();
-  mjcf::WriteMjcf(*variant.object, options_.target, provenance, variant.document);
+  if (options_.each) provenance.assets_as.clear();
+  mjcf::WriteMjcf(*variant.object, target, provenance, variant.document);
   return true;
 }
 
@@ -194,7 +203,7 @@ void Generator::Validate(Variant& variant) {
 }
 
 bool Generator::HashAssets(Variant& variant) {
-  for (const auto& [name, file, content] : variant.document.assets) {
+  for (const auto& [name, file, content] : variant.output().assets) {
     std::string made;
     std::string& hash = content ? made : hashes_[file.string()];
     if (content) {

@@ -76,6 +76,7 @@ std::optional<Options> RecordedOptions(const manifest::Record& record, std::stri
   if (!form) return unknown("with assets as", record.assets_as);
   Options options;
   options.assets = *form;
+  options.each = record.each || !record.part.empty();
   options.seed = record.seed;
   options.place_seed = record.place_seed;
   options.target = *target;

@@ -45,11 +45,13 @@ std::optional<Original> FromManifest(const std::filesystem::path& file, std::uin
   return original;
 }
 
-// Finds the spec's file in the manifests beside the object's file and one folder up, where the
-// manifest of a large batch is, because the comment in the object's file has the name of the spec
-// without its folder.
+// Finds the spec's file in the manifests beside the object's file and up to three folders up, where
+// the manifest of a large batch and of the objects of scenes is, because the comment in the
+// object's file has the name of the spec without its folder.
 void FindSpecFile(Original& original) {
-  for (const std::filesystem::path& folder : {original.folder, original.folder / ".."}) {
+  for (const std::filesystem::path& folder :
+       {original.folder, original.folder / "..", original.folder / "../..",
+        original.folder / "../../.."}) {
     std::error_code error;
     std::filesystem::directory_iterator at(folder.empty() ? "." : folder, error);
     for (; !error && at != std::filesystem::directory_iterator(); at.increment(error)) {
@@ -85,6 +87,18 @@ std::optional<Original> FromFile(const std::filesystem::path& file, diag::Findin
   return original;
 }
 
+// Returns the regenerated text of the recorded file: of the variant's, or of an object of its
+// scene.
+std::string_view TextOf(const Original& original, const Variant& variant) {
+  const mjcf::MjcfDocument& output = variant.output();
+  if (original.record.part.empty()) return output.text;
+  const auto found = std::ranges::find_if(output.assets, [&](const bytes::Asset& asset) {
+    return asset.made && mjcf::ReadProvenance(*asset.made).value_or(mjcf::Provenance()).part ==
+                             original.record.part;
+  });
+  return found == output.assets.end() ? std::string_view() : std::string_view(*found->made);
+}
+
 // Returns true if the recorded file (or its hash, if the file is missing) equals that of the
 // variant; otherwise adds a finding.
 bool HasSameText(const Original& original, const Variant& variant, diag::Sources& sources,
@@ -103,8 +117,8 @@ bool HasSameText(const Original& original, const Variant& variant, diag::Sources
           ? output::ReadFile(original.file, bytes::kMaxMjcf, findings)
           : output::ReadMember(original.archive, original.file.string(), findings);
   if (!recorded) return false;
-  if (*recorded == variant.document.text) return true;
-  const std::string_view expected = variant.document.text;
+  const std::string_view expected = TextOf(original, variant);
+  if (*recorded == expected) return true;
   const auto [at, same] = std::ranges::mismatch(*recorded, expected);
   const auto number = static_cast<std::uint32_t>(1 + std::count(recorded->begin(), at, '\n'));
   const auto start = static_cast<std::size_t>(same - expected.begin());

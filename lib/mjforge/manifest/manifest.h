@@ -14,6 +14,7 @@
 
 #include "mjforge/bytes/bytes.h"
 #include "mjforge/diag/diag.h"
+#include "mjforge/manifest/placement.h"
 #include "mjforge/manifest/seal.h"
 #include "mjforge/mjcf/mjcf.h"
 #include "mjforge/model/model.h"
@@ -106,7 +107,10 @@ struct Record : mjcf::Provenance {
   OnInvalid on_invalid = OnInvalid::kFail;
   Status status = Status::kOk;
   std::vector<std::string> findings;  // JSON objects made by diag::RenderJson
-  std::string sha256;                 // hash of the file; empty: no file was written
+  /// Each object of the scene has a file of its own: `file` is the placement, and the objects are
+  /// among the assets. Masses, bounds and counts are those of the scene.
+  bool each = false;
+  std::string sha256;  // hash of the file; empty: no file was written
   // Assets that the file refers to: name in the file, SHA-256 of the asset.
   std::vector<std::pair<std::string, std::string>> assets;
 };

@@ -234,6 +234,10 @@ const std::array kFields = {
         "The bodies that found no room and that the spec allows to leave out (`fewer: true`)."),
     Field<&Record::target, FieldScope::kBatch>("target", kText,
                                                "The host that the file is written for."),
+    OptionalField<&Record::each, FieldScope::kBatch>(
+        "each", R"("enum": [true])",
+        "Present if each object of the scene has a file of its own: `file` is the placement, the "
+        "objects are among the `assets`, and masses, bounds and counts are those of the scene."),
     Field<&Record::validate, FieldScope::kBatch>(
         "validate", R"("enum": ["load", "none", "physics"])",
         "How the variant was checked: load, whether MuJoCo loads the file as intended; physics, "
@@ -257,7 +261,8 @@ const std::array kFields = {
                                    "SHA-256 of the file's bytes."),
     OptionalField<&Record::assets>(
         "assets", fmt::format(R"("type": "object", "additionalProperties": {{{}}})", kHash),
-        "The meshes and pictures that the file refers to, by their names in it, with the SHA-256 "
+        "The files that the file refers to (meshes, pictures, objects), by their names in it, with "
+        "the SHA-256 "
         "of their bytes; left out if there are none."),
 };
 

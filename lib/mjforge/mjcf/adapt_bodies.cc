@@ -142,7 +142,7 @@ bool CheckSingleRoot(const model::Object& object, const TargetRules& rules,
   findings.Add(
       Code::kTargetOneRoot, found->mark,
       fmt::format("{} takes objects of one root, but body '{}' is free", rules.name, found->name),
-      "make it an object of its own, or use --target mujoco, scene or mjx");
+      "write each object as a file of its own with --each, or use --target mujoco, scene or mjx");
   return false;
 }
 

@@ -27,6 +27,7 @@ struct Provenance {
   std::optional<std::uint64_t> place_seed;  // --place-seed
   std::uint64_t index = 0;
   std::string name;  // object's name; empty: the name of the spec
+  std::string part;  // object of the scene that is in this file (--each); empty: the whole scene
   std::string target;
   std::string assets_as;    // empty: inline
   std::string sampler;      // empty: random

@@ -85,6 +85,7 @@ bool ReadPair(std::string_view word, Provenance& provenance) {
   if (key == "spec") provenance.spec = *value;
   if (key == "sha256") provenance.spec_sha256 = *value;
   if (key == "name") provenance.name = *value;
+  if (key == "part") provenance.part = *value;
   if (key == "target") provenance.target = *value;
   if (key == "assets") provenance.assets_as = *value;
   if (key == "sampler") provenance.sampler = *value;
@@ -128,6 +129,7 @@ void AppendProvenance(const Provenance& provenance, MjcfDocument& document) {
   if (provenance.place_seed) AppendPair("place-seed", std::to_string(*provenance.place_seed), out);
   AppendPair("index", std::to_string(provenance.index), out);
   if (!provenance.name.empty()) AppendPair("name", provenance.name, out);
+  if (!provenance.part.empty()) AppendPair("part", provenance.part, out);
   if (!provenance.target.empty()) AppendPair("target", provenance.target, out);
   if (!provenance.assets_as.empty()) AppendPair("assets", provenance.assets_as, out);
   if (!provenance.sampler.empty()) AppendPair("sampler", provenance.sampler, out);

@@ -75,6 +75,7 @@ constexpr TargetRules kTargets[] = {
      .has_free_joint = false,
      .region_prefix = "reg_",
      .host_names = kRobosuiteNames,
+     .file_in_folder = "model.xml",
      .supports_sections = false,
      .supports_texture_sides = false},
     {.target = Target::kMjx,

@@ -62,6 +62,9 @@ struct TargetRules {
   std::string_view region_prefix = {};       // prefix of geoms that are regions
   std::span<const HostName> host_names = {};
 
+  /// File name in a folder for each object of a scene (--each); empty: OBJECT.xml.
+  std::string_view file_in_folder = {};
+
   bool repeats_start = false;  // a start at zero is written as a keyframe, too
 
   // Support for elements, which are otherwise dropped with a warning.

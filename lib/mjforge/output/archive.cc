@@ -193,6 +193,12 @@ std::string ArchiveReader::Start(std::size_t count) {
   return bytes;
 }
 
+// Returns true for a member in the asset folder of the archive or of a variant.
+static bool IsAsset(std::string_view member) {
+  return member.starts_with(mjcf::kAssetFolder) ||
+         member.find('/' + std::string(mjcf::kAssetFolder)) != member.npos;
+}
+
 bool IsObjectArchive(const std::filesystem::path& file) {
   std::string why_not;
   const std::optional<std::string> start = bytes::ReadStart(file, 1, why_not);
@@ -200,7 +206,7 @@ bool IsObjectArchive(const std::filesystem::path& file) {
   ArchiveReader reader(file);
   std::optional<std::string> member = reader.Next(why_not);
   if (!member) return why_not.empty();
-  while (member && member->starts_with(mjcf::kAssetFolder)) member = reader.Next(why_not);
+  while (member && IsAsset(*member)) member = reader.Next(why_not);
   return member && mjcf::ReadProvenance(reader.Start(kCommentBytes)).has_value();
 }
 

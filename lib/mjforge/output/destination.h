@@ -59,8 +59,13 @@ std::optional<std::uint64_t> ReadIndex(std::string_view digits);
 /// Number of files in a folder; files with larger indices go to subfolders, so that the path of a
 /// file depends only on its index.
 inline constexpr std::uint64_t kFilesPerFolder = 10'000;
+/// Endings of a variant's file, after VariantStem(): an object, and the placement of a scene whose
+/// objects have files of their own, beside it in a folder of the variant.
+inline constexpr std::string_view kObjectEnding = ".xml";
+inline constexpr std::string_view kPlacementEnding = "/placement.json";
 /// Returns the path of a variant's file within the folder: "hammer_000042.xml",
 /// "0020000/hammer_023456.xml".
-std::string PlaceInFolder(std::string_view name, std::uint64_t index);
+std::string PlaceInFolder(std::string_view name, std::uint64_t index,
+                          std::string_view ending = kObjectEnding);
 
 }  // namespace mjforge::output

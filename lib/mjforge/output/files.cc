@@ -11,6 +11,13 @@
 #include "mjforge/output/output.h"
 
 namespace mjforge::output {
+namespace {
+
+// Beginnings of the files of variants.
+constexpr std::string_view kObjectMark = "<!-- mjforge ";
+constexpr std::string_view kPlacementMark = R"({"mjforge":)";
+
+}  // namespace
 
 std::optional<std::string> ReadFile(const std::filesystem::path& file, std::uint64_t limit,
                                     diag::Findings& findings) {
@@ -57,10 +64,10 @@ bool MayReplace(const std::filesystem::path& file, std::string_view text, bool f
       file, force, kCommentBytes,
       [text](std::string_view opening) {
         // After a power cut, a file may end at any byte or contain zeros from there on.
-        constexpr std::string_view kMark = "<!-- mjforge ";
+        const std::string_view mark = text.starts_with('{') ? kPlacementMark : kObjectMark;
         const std::string_view left = opening.substr(0, opening.find('\0'));
         const bool is_cut = left.find("-->") == left.npos &&
-                            left.substr(0, kMark.size()) == kMark.substr(0, left.size());
+                            left.substr(0, mark.size()) == mark.substr(0, left.size());
         return is_cut || mjcf::ReadProvenance(opening).has_value() ||
                IsDamagedCopy(opening, text.substr(0, kCommentBytes));
       },

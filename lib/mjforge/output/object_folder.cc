@@ -59,6 +59,32 @@ std::optional<std::uint64_t> IndexOfFile(std::string_view file) {
   return ReadIndex(file.substr(start + 1, file.size() - start - 5));
 }
 
+namespace {
+
+// Removes the abandoned files in the folders of variants (--each) whose files `is_object` accepts.
+void RemoveAbandonedParts(const std::filesystem::path& folder,
+                          const std::function<bool(const std::string&)>& is_object) {
+  const auto is_any = [](const std::string&) { return true; };
+  std::error_code error;
+  std::filesystem::directory_iterator at(folder.empty() ? "." : folder, error);
+  for (; !error && at != std::filesystem::directory_iterator(); at.increment(error)) {
+    if (!is_object(at->path().filename().string() + std::string(kObjectEnding)) ||
+        !IsOwnFolder(at->path())) {
+      continue;
+    }
+    std::vector<std::filesystem::path> below = {at->path()};
+    std::error_code ignored;
+    for (std::filesystem::recursive_directory_iterator inner(at->path(), ignored);
+         !ignored && inner != std::filesystem::recursive_directory_iterator();
+         inner.increment(ignored)) {
+      if (IsOwnFolder(inner->path())) below.push_back(inner->path());
+    }
+    for (const std::filesystem::path& one : below) RemoveAbandonedIn(one, is_any);
+  }
+}
+
+}  // namespace
+
 void RemoveAbandoned(const std::set<std::filesystem::path>& files) {
   std::set<std::filesystem::path> folders;
   for (const std::filesystem::path& file : files) folders.insert(file.parent_path());
@@ -85,6 +111,7 @@ void RemoveAbandoned(const std::filesystem::path& folder, std::uint64_t first,
   }
   for (const std::filesystem::path& objects : folders) {
     RemoveAbandonedIn(objects, is_object);
+    RemoveAbandonedParts(objects, is_object);
     const std::filesystem::path assets = (objects / mjcf::kAssetFolder).parent_path();
     if (IsOwnFolder(assets)) RemoveAbandonedIn(assets, [](const std::string&) { return true; });
   }
@@ -154,8 +181,11 @@ void AddAssetChanged(const std::string& name, diag::Findings& findings) {
 // Returns true if an existing asset may be replaced by one with these bytes.
 bool ObjectFolder::IsOwn(const bytes::Asset& asset, std::string_view present,
                          std::string_view bytes, const std::string& sha256) const {
-  // The name of a generated asset contains a hash of its content.
-  if (asset.made) return IsDamagedCopy(present, bytes);
+  // The name of a generated asset contains a hash of its content, except for an object of a scene.
+  if (asset.made) {
+    return IsDamagedCopy(present, bytes) ||
+           mjcf::ReadProvenance(present.substr(0, kCommentBytes)).has_value();
+  }
   const auto kept = overwrite_.kept_assets.find(asset.name);
   if (kept != overwrite_.kept_assets.end()) return kept->second == sha256;
   return overwrite_.assets.contains(sha256) || overwrite_.assets.contains(bytes::Sha256Of(present));

@@ -1,0 +1,37 @@
+// The placement of a variant, placement.json: the files and poses of the objects of a scene.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "mjforge/mjcf/mjcf.h"
+#include "mjforge/model/model.h"
+
+namespace mjforge::manifest {
+
+/// An object of a scene, which has a file of its own.
+struct PlacedFile {
+  std::string name;
+  std::string file;  // relative to the placement
+  model::Pose pose;  // of its root body in the scene at the start
+  std::string at;    // region or site that it stands at; empty: it was not placed
+  bool is_free = false;
+  /// Joints besides a free root joint: name in the file, position at the start as in qpos.
+  std::vector<std::pair<std::string, sample::Numbers>> joints;
+};
+
+struct Placement {
+  mjcf::Provenance provenance;
+  std::vector<PlacedFile> objects;
+  std::vector<model::Element> options;  // MJCF's <option> of the scene; at most one
+};
+
+/// Returns the placement as JSON, with a line for each object.
+std::string PlacementText(const Placement& placement);
+
+/// Returns the JSON Schema of a placement, the text of schemas/placement.schema.json.
+std::string PlacementSchema();
+
+}  // namespace mjforge::manifest
