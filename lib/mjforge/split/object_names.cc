@@ -19,7 +19,11 @@ bool HasPrefixOf(std::string_view object, std::string_view name) {
 std::string ObjectNames::Of(std::string_view kind, const std::string& name) const {
   if (name.empty()) return name;
   if (kind.ends_with("body") && name == own_) return root_;
-  return prefix_ + (HasPrefixOf(own_, name) ? name.substr(own_.size() + 1) : name);
+  std::string stem = HasPrefixOf(own_, name) ? name.substr(own_.size() + 1) : name;
+  // Hosts that add the prefix `glass_0_` leave names alone that have it: part `glass_0_glass_0`,
+  // and what they derive from `glass_0`.
+  const bool looks_prefixed = prefix_.empty() && (stem == own_ || HasPrefixOf(own_, stem));
+  return (looks_prefixed ? "_" : prefix_) + stem;
 }
 
 std::string ObjectNames::OfAsset(std::string_view kind, const std::string& name) {
