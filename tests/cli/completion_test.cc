@@ -68,7 +68,7 @@ TEST_CASE_METHOD(CompletionTest, "values of options are completed where a list o
   CHECK(Words({"check", "--profile", "s"}) == "simready\n");
   CHECK(Words({"preview", "--background", "s"}) == "studio\n");
   CHECK(Words({"preview", "--layer", "col"}) == "collision\n");
-  CHECK(Words({"schema", ""}) == "object\nmanifest\n");
+  CHECK(Words({"schema", ""}) == "object\nmanifest\nplacement\n");
   CHECK(Words({"schema", "object", ""}).empty());
   // Numbers are not completed.
   CHECK(Ask({"generate", "-n", ""}) == ":\n");

@@ -49,10 +49,12 @@ TEST_CASE_METHOD(CrateTest, "schema prints the schemas that are checked in") {
   CHECK(Run({"schema", "object"}).out == Run({"schema"}).out);
   CHECK(Run({"schema", "manifest"}).out ==
         harness::ReadFile(harness::SourceFolder() / "schemas/manifest.schema.json"));
+  CHECK(Run({"schema", "placement"}).out ==
+        harness::ReadFile(harness::SourceFolder() / "schemas/placement.schema.json"));
   const auto result = Run({"schema", "other"});
   CHECK(result.status == 2);
   CHECK(result.err ==
-        "mjforge: error: WHICH: 'other' is not one of object, manifest\n"
+        "mjforge: error: WHICH: 'other' is not one of object, manifest, placement\n"
         "  hint: see 'mjforge schema --help'\n");
 }
 

@@ -34,7 +34,8 @@ if(build_type STREQUAL Release AND NOT mujoco)
     message(FATAL_ERROR "the installed program names ${source_folder}")
   endif()
 endif()
-foreach(file specs/tools/hammer.yaml schemas/object.schema.json schemas/manifest.schema.json)
+foreach(file specs/tools/hammer.yaml schemas/object.schema.json
+  schemas/manifest.schema.json schemas/placement.schema.json)
   expect_file(${work_folder}/prefix/share/mjforge/${file})
 endforeach()
 foreach(file LICENSE README.md CHANGELOG.md manual.md errors.md architecture.md make.md

@@ -16,33 +16,19 @@ import numpy as np
 import robosuite
 from robosuite.environments.manipulation.manipulation_env import ManipulationEnv
 from robosuite.models.arenas import EmptyArena
-from robosuite.models.objects import MujocoXMLObject
 from robosuite.models.tasks import ManipulationTask
 
 from report import check, expect, finish
 
+PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs/hosts.md"
 STEPS = 30  # of 50 ms
 MOVED = 0.002  # m
 TURNED = np.radians(2)
 JOINT = np.radians(5)  # the hinge leans on its limit, which is soft
 
 
-def words(numbers):
-    return " ".join(map(str, numbers))
-
-
-def read(folder, target):
-    """The placement and its objects, by name, at their poses."""
-    placement = json.loads((folder / "placement.json").read_text(encoding="utf-8"))
-    things = {}
-    for name, placed in placement["objects"].items():
-        # robocasa's MJCFObject is a MujocoXMLObject that leaves collision geoms alone.
-        things[name] = MujocoXMLObject(str(folder / placed["file"]), name=name,
-                                       joints="default" if placed["free"] else None,
-                                       duplicate_collision_geoms=target == "robosuite")
-        things[name].get_obj().set("pos", words(placed["pos"]))
-        things[name].get_obj().set("quat", words(placed["quat"]))
-    return placement["objects"], things
+# The example of the page, which defines read_scene().
+exec(PAGE.read_text(encoding="utf-8").split("```python\n")[1].split("```")[0])
 
 
 class Scene(ManipulationEnv):
@@ -81,8 +67,9 @@ def expect_poses(when, environment, placed, things):
                    f"{when} joint '{joint}' of '{name}' is at {now}, not {position}")
 
 
-def check_scene(folder, target):
-    placed, things = read(folder, target)
+def check_scene(folder):
+    placed = json.loads((folder / "placement.json").read_text(encoding="utf-8"))["objects"]
+    things = read_scene(folder)
     environment = Scene(things, robots="Panda", has_renderer=False, has_offscreen_renderer=False,
                         use_camera_obs=False, control_freq=20, seed=1)
     environment.reset()
@@ -97,5 +84,5 @@ def check_scene(folder, target):
 for target in ("robosuite", "robocasa"):
     for placement in sorted(pathlib.Path(sys.argv[1], "each", target).glob("*/placement.json")):
         check(f"robosuite {robosuite.__version__}, MuJoCo {mujoco.__version__}, {placement.parent.name} "
-              f"for {target} with a Panda", check_scene, placement.parent, target)
+              f"for {target} with a Panda", check_scene, placement.parent)
 finish()

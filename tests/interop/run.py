@@ -64,9 +64,9 @@ HOSTS = {
                       "`MujocoXMLObject`, its sampler, rest on a table; robocasa's rules for an object; "
                       "robosuite's own files, attached", alone=["robosuite"]),
     # Its environments run with MuJoCo before 3.10.
-    "robosuite-3.3": Host(["mujoco==3.3.7"] + ROBOSUITE, ["check_lift.py"],
+    "robosuite-3.3": Host(["mujoco==3.3.7"] + ROBOSUITE, ["check_lift.py", "check_scene.py"],
                           "the environment `Lift` with a Panda, in which four of the objects are the "
-                          "cube", alone=["robosuite==1.5.2"]),
+                          "cube; a scene of 11 objects beside a Panda, each a file (`--each`)", alone=["robosuite==1.5.2"]),
     "mjx": Host(["mujoco-mjx"], ["check_mjx.py"],
                 "a world with everything that it could touch, on the device"),
     # It needs what MuJoCo 4.0 no longer has.
@@ -125,6 +125,9 @@ def generate(program, folder, is_all):
                     raise
                 shutil.rmtree(folder / target / name, ignore_errors=True)
                 print(f"{target} cannot take {name}: it has free bodies", flush=True)
+    for target in ("robosuite", "robocasa"):
+        run([program, "generate", str(HERE / "scene.yaml"), "--each", "--target", target,
+             "-o", f"{folder / 'each' / target}/", "--quiet"])
     run([program, "generate", "hammer", "-n", "200", "-o", f"{folder / 'series'}/h_%02d.tar.zst",
          "--per-archive", "80", "--quiet"])
     return len(names)

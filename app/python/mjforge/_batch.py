@@ -87,6 +87,10 @@ class Batch:
             record = self._record_of(number, line)
             if record is None or record["status"] != "ok":
                 continue
+            if record.get("each"):
+                self._bad_manifest("the objects of its scenes are files of their own (--each), which "
+                                   "have no records to compare with", line=number, column=1)
+                return
             self.objects += 1
             if self._broken and record.get("archive") == self._broken:
                 continue

@@ -2,6 +2,8 @@
 
 #include "mjforge/manifest/placement.h"
 
+#include <cmath>
+
 #include "mjforge/diag/diag.h"
 #include "mjforge/expr/expr.h"
 
@@ -94,6 +96,11 @@ constexpr const char* kSchema = R"({
 }
 )";
 
+// Appends a number as MJCF files have it: values below 1e-15 are rounding errors of rotations.
+void AppendFlushed(std::string& out, double value) {
+  expr::AppendNumber(out, std::abs(value) < 1e-15 ? 0 : value);
+}
+
 // A single number is no list.
 void PutNumbers(Json& json, const sample::Numbers& numbers) {
   numbers.size() == 1 ? json.Value(numbers[0]) : json.Value(numbers);
@@ -135,7 +142,7 @@ void PutObject(Json& json, const PlacedFile& object) {
 
 std::string PlacementText(const Placement& placement) {
   const mjcf::Provenance& provenance = placement.provenance;
-  Json json(expr::AppendNumber);
+  Json json(AppendFlushed);
   json.StartObject();
   json.Member("mjforge", provenance.version);
   json.Member("name", provenance.name);
@@ -153,7 +160,7 @@ std::string PlacementText(const Placement& placement) {
   std::string text = json.Take();
   const char* before = "{\n";
   for (const PlacedFile& object : placement.objects) {
-    Json line(expr::AppendNumber, text + before);
+    Json line(AppendFlushed, text + before);
     line.Key(object.name);
     PutObject(line, object);
     text = line.Take();

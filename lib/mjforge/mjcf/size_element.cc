@@ -40,6 +40,48 @@ std::size_t CountCollidingGeoms(const model::Object& object, bool scene) {
   return geoms;
 }
 
+// Bounding box of a colliding geom, and the child of the world that its body belongs to.
+struct GeomBox {
+  model::Box3 box;
+  int tree;
+};
+
+// Returns the colliding geoms, sorted along x.
+std::vector<GeomBox> GeomBoxes(const model::Object& object) {
+  constexpr double kNear = 1e-3;  // m; placed bodies start at most 0.1 mm apart, and settle
+  const std::vector<model::Pose> X_WB = model::BodyPoses(object);
+  std::vector<int> trees(object.bodies.size());
+  std::vector<GeomBox> boxes;
+  for (std::size_t i = 0; i < object.bodies.size(); ++i) {
+    const model::Body& body = object.bodies[i];
+    trees[i] = body.parent < 0 ? static_cast<int>(i) : trees[static_cast<std::size_t>(body.parent)];
+    for (const model::Part& part : body.parts) {
+      if (part.role == model::Role::kVisual) continue;
+      model::Box3 box = model::BoundsOf(part.shape, X_WB[i] * part.X_BG);
+      box.min.array() -= kNear / 2;
+      box.max.array() += kNear / 2;
+      boxes.push_back({box, trees[i]});
+    }
+  }
+  std::ranges::sort(boxes, {}, [](const GeomBox& geom) { return geom.box.min.x(); });
+  return boxes;
+}
+
+/// Returns the number of pairs of geoms of different children of the world whose bounding boxes
+/// touch at the start: a geom can lie on many others, such as a box on planks.
+std::size_t CountTouchingPairs(const model::Object& object) {
+  const std::vector<GeomBox> boxes = GeomBoxes(object);
+  std::size_t pairs = 0;
+  for (auto a = boxes.begin(); a != boxes.end(); ++a) {
+    for (auto b = a + 1; b != boxes.end() && b->box.min.x() <= a->box.max.x(); ++b) {
+      const bool touch = (a->box.min.array() <= b->box.max.array()).all() &&
+                         (b->box.min.array() <= a->box.max.array()).all();
+      pairs += a->tree != b->tree && touch;
+    }
+  }
+  return pairs;
+}
+
 // Returns the maximum number of constraints without contacts.
 std::size_t CountConstraints(const model::Object& object) {
   std::size_t rows = 0;
@@ -70,6 +112,11 @@ double MostRows(double dofs) {
   return 4 * std::floor(rows / 4);
 }
 
+// Returns true if the world has several children: the root, and free bodies.
+bool HasSeveralTrees(const model::Object& object) {
+  return std::ranges::count(object.bodies, -1, &model::Body::parent) > 1;
+}
+
 void WriteSize(double njmax, double nconmax, double nstack, ElementWriter& writer) {
   writer.OpenElement("size");
   writer.WriteNumber("njmax", njmax);
@@ -85,7 +132,9 @@ void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer) 
   const std::size_t bodies = object.bodies.size();
   // Skip counting for small objects, which have few constraints.
   const std::size_t rows = bodies > 100 ? CountConstraints(object) : 0;
-  const std::size_t geoms = scene || bodies > 1 ? CountCollidingGeoms(object, scene) : 0;
+  std::size_t geoms = scene || bodies > 1 ? CountCollidingGeoms(object, scene) : 0;
+  // Two boxes make up to eight contacts, as many as two geoms otherwise.
+  if (HasSeveralTrees(object)) geoms = std::max(geoms, 2 * CountTouchingPairs(object));
   if (geoms <= kGeomsThatFit && rows <= kRowsThatFit && bodies <= kBodiesThatFit) return;
   const double dofs = CountDofs(object);
   const double most = MostRows(dofs);

@@ -79,10 +79,11 @@ bool HasUniqueNames(const model::Object& object, diag::Findings& findings) {
     add("body", body.name, body.mark);
     for (const model::Joint& joint : body.joints) add("joint", joint.name, joint.mark);
     for (const model::Site& site : body.sites) add("site", site.name, site.mark);
-    std::string_view last;  // a part that is split into two roles keeps its name
+    const model::Part* last = nullptr;  // a part that is split into two roles keeps its name
     for (const model::Part& part : body.parts) {
-      if (part.name != last) add("part", part.name, part.mark);
-      last = part.name;
+      const bool is_twin = last != nullptr && part.name == last->name && part.mark == last->mark;
+      if (!is_twin) add("part", part.name, part.mark);
+      last = &part;
     }
   }
   return is_good;

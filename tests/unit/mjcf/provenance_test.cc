@@ -17,6 +17,7 @@ void CheckSame(const Provenance& a, const Provenance& b) {
   CHECK(a.seed == b.seed);
   CHECK(a.index == b.index);
   CHECK(a.name == b.name);
+  CHECK(a.part == b.part);
   CHECK(a.target == b.target);
   CHECK(a.assets_as == b.assets_as);
   CHECK(a.sampler == b.sampler);
@@ -68,7 +69,7 @@ TEST_CASE("any provenance reads back from a valid comment as it was") {
     Provenance provenance{
         text(),       text(),   text(), {},     random() * (std::uint64_t{1} << 32) + random(),
         std::nullopt, random(), text(), text(), text(),
-        text(),       random()};
+        text(),       text(),   random()};
     if (i % 2 == 0) provenance.place_seed = random();
     for (auto n = random() % 4; n > 0; --n) provenance.settings.emplace_back(text(), text());
     MjcfDocument written;

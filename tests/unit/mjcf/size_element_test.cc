@@ -41,6 +41,7 @@ TEST_CASE("free bodies that lie on an object need room for their contacts, its o
       model::Body& body = object.bodies.emplace_back();
       body.name = "free" + std::to_string(object.bodies.size());
       body.parts = one.bodies[0].parts;
+      body.X_PB.p.z() = static_cast<double>(object.bodies.size());  // m; none touches another
       body.joints.emplace_back();
       body.mass_properties = one.bodies[0].mass_properties;
     }
@@ -56,6 +57,19 @@ TEST_CASE("free bodies that lie on an object need room for their contacts, its o
   CHECK(SizeOf(object, Target::kMujoco, parsed).attribute("nconmax").as_int() == 300 + 300);
   // A joint to the object is no contact.
   for (model::Body& body : object.bodies) body.parent = &body == &object.bodies[0] ? -1 : 0;
+  CHECK_FALSE(SizeOf(object, Target::kMujoco, parsed));
+}
+
+TEST_CASE("a free geom that lies on many others needs room for all of these contacts") {
+  model::Object object = Balls(20);  // they touch, but are one body
+  model::Body& body = object.bodies.emplace_back();
+  body.name = "board";
+  body.parts.push_back(hand_made::Solid("board", model::GeomType::kBox, {2, 0.1, 0.1},
+                                        {{2, 0, 0.2}, {1, 0, 0, 0}}, 3));
+  body.joints.emplace_back();
+  pugi::xml_document parsed;
+  CHECK(SizeOf(object, Target::kMujoco, parsed).attribute("nconmax").as_int() == 8 * 20);
+  body.X_PB.p.z() = 1;
   CHECK_FALSE(SizeOf(object, Target::kMujoco, parsed));
 }
 
