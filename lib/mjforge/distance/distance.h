@@ -28,7 +28,7 @@ Eigen::Vector3d Separation(const PlacedShape& a, const PlacedShape& b);
 /// Distance of two shapes, m; 0 if they overlap.
 double Distance(const PlacedShape& a, const PlacedShape& b);
 
-/// The same up to a limit, in a fraction of the time: if the distance exceeds the limit, returns a
+/// Distance of two shapes up to a limit, m, in a fraction of the time: a larger distance gives any
 /// number from the limit to the largest distance of their points.
 double DistanceUpTo(double limit, const PlacedShape& a, const PlacedShape& b);
 

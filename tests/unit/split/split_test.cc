@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "mjforge/assemble/assemble.h"
+
 namespace mjforge::split {
 namespace {
 
@@ -17,7 +19,7 @@ model::Object Scene(const std::string& body) {
   REQUIRE(spec != nullptr);
   auto values = sample::Sample(*spec, {.seed = 1}, sample::kRootStream, {}, findings);
   REQUIRE(values);
-  auto scene = model::Assembler().Assemble(*values, {.name = {}, .prefix = false}, findings);
+  auto scene = assemble::Assembler().Assemble(*values, {.name = {}, .prefix = false}, findings);
   for (const diag::Finding& finding : findings) UNSCOPED_INFO(finding.message);
   REQUIRE(scene);
   return *std::move(scene);
