@@ -57,7 +57,7 @@ TEST_CASE("the radius of any shape at any pose is its largest support across the
   const std::vector<Eigen::Vector2d> corners = {{0, 0}, {1, 0}, {0.5, 2}};
   const std::optional<TriangleMesh> mesh = solid::MakeConvexPrism(corners, 1);
   REQUIRE(mesh);
-  for (int i = 0; i < harness::Effort(300); ++i) {
+  for (int i = 0; i < harness::Effort(100); ++i) {
     Shape shape;
     shape.type = static_cast<GeomType>(i % 6);
     shape.size = {draw(0.01, 1), draw(0.01, 1), draw(0.01, 1)};

@@ -136,7 +136,7 @@ TEST_CASE("every position in a random region keeps the footprint inside, and the
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(-1, 1);
   int fitting = 0;
-  for (int i = 0; i < harness::Effort(1000); ++i) {
+  for (int i = 0; i < harness::Effort(300); ++i) {
     const Region region = AnyRegion(random);
     const Footprint footprint = AnyFootprint(random);
     Vector2d uv(uniform(random), uniform(random));
@@ -166,7 +166,7 @@ TEST_CASE("every position in a random region keeps the footprint inside, and the
     }
     CHECK(outside > 0);
   }
-  CHECK(fitting > harness::Effort(300));
+  CHECK(fitting > harness::Effort(90));
 }
 
 TEST_CASE("a share of the footprint may be outside") {

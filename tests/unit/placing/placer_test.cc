@@ -366,7 +366,7 @@ void CheckStands(const Table& table, int body, double clear, std::mt19937& rando
 TEST_CASE("random tries stand freely, and those that are blocked are") {
   std::mt19937 random(2);
   int counts[2] = {0, 0};
-  for (int scene = 0; scene < harness::Effort(50); ++scene) {
+  for (int scene = 0; scene < harness::Effort(20); ++scene) {
     Table table;
     if (scene % 2 == 1) table.region.type = model::RegionType::kDisc;
     if (scene % 2 == 1) table.region.half_size = {0.3, 0.3};
@@ -388,8 +388,8 @@ TEST_CASE("random tries stand freely, and those that are blocked are") {
       CHECK(LargestGap(own[0], other[0], random) < std::max(where.clear, 1e-9));
     }
   }
-  CHECK(counts[0] > harness::Effort(300));
-  CHECK(counts[1] > harness::Effort(100));
+  CHECK(counts[0] > harness::Effort(120));
+  CHECK(counts[1] > harness::Effort(40));
 }
 
 }  // namespace
