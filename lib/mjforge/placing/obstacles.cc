@@ -21,6 +21,15 @@ Eigen::AlignedBox3d BoxOf(std::span<const PlacedShape> shapes) {
   return box_W;
 }
 
+// Returns true if the boxes are farther apart than a distance.
+bool AreFarther(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b, double distance) {
+  // Most are apart along one axis.
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    if (a.min()(i) - b.max()(i) > distance || b.min()(i) - a.max()(i) > distance) return true;
+  }
+  return a.squaredExteriorDistance(b) > distance * distance;
+}
+
 // Returns true if the shape has no point above the support.
 bool IsBelow(const PlacedShape& placed, const Support& support) {
   const Vector3d top = distance::FarthestPoint(placed, support.up_W);
@@ -90,14 +99,14 @@ std::optional<Blocker> Obstacles::FindBlocker(std::span<const PlacedShape> shape
   const Eigen::AlignedBox3d box_W = BoxOf(shapes);
   for (const Group& group : groups_) {
     const double asked = std::max(clear, group.clear);
-    if (group.box_W.exteriorDistance(box_W) > asked) continue;
+    if (AreFarther(group.box_W, box_W, asked)) continue;
     for (const auto& [body, obstacle] : group.obstacles) {
       if (support.is_ignored && body == support.body) continue;
-      if (obstacle.box_W.exteriorDistance(box_W) > asked) continue;
+      if (AreFarther(obstacle.box_W, box_W, asked)) continue;
       const bool may_touch = asked > 0 && (body == support.body || IsBelow(obstacle, support));
       const double wanted = may_touch ? 0 : asked;
       for (const PlacedShape& placed : shapes) {
-        if (obstacle.box_W.exteriorDistance(placed.box_W) > wanted) continue;
+        if (AreFarther(obstacle.box_W, placed.box_W, wanted)) continue;
         const double distance = distance::DistanceUpTo(wanted, placed, obstacle);
         if (distance > 0 && distance >= wanted - kLengthRounding) continue;
         return Blocker{body, distance};
