@@ -125,6 +125,7 @@ def main():
     drum = folder / "drum.yaml"
     drum.write_text(DRUM)
     names = [entry["name"] for entry in json.loads(native.mjforge("catalogue", "--json"))]
+    names.remove("scenes/bin_pile")  # a pile depends on the last bits of MuJoCo
     check("the wheel needs no other library", needs_nothing_else, arm)
     check("the wheel has the licenses of the other", has_the_licenses, arm, native)
     check("the command of the wheel", has_the_command, arm)
