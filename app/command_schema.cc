@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, 3> kSchemas = {"object", "manifest", "pla
 
 Action AddSchema(CLI::App& command) {
   auto which = std::make_shared<std::string>("object");
-  command.add_option("WHICH", *which, "object (for specs, the default), manifest or placement")
+  command.add_option("WHICH", *which, "object (for specs, default), manifest, placement")
       ->option_text(" ")
       ->check(IsOneOf(kSchemas));
   return [which](Console&) {

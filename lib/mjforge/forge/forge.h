@@ -93,14 +93,12 @@ struct Variant {
   manifest::Record record;
   /// Null if the object could not be assembled.
   std::shared_ptr<const model::Object> object;
-  mjcf::MjcfDocument document;  // undefined if there is no object
-  /// With Options::each: placement.json, with the files of the objects among its assets.
-  std::optional<mjcf::MjcfDocument> placement;
+  mjcf::MjcfDocument document;                  // undefined if there is no object
+  std::optional<mjcf::MjcfDocument> placement;  // placement.json and its files, for Options::each
   diag::Findings findings;
 
   /// Returns the file of the variant, with the files that it refers to.
   const mjcf::MjcfDocument& output() const { return placement ? *placement : document; }
-
   bool ok() const { return record.status == manifest::Status::kOk; }
 };
 
@@ -113,10 +111,8 @@ struct Options {
   std::optional<std::uint64_t> place_seed = {};  // redraws the places alone
   mjcf::Target target = mjcf::Target::kMujoco;
   mjcf::AssetForm assets = mjcf::AssetForm::kInline;
-  /// Writes each object of a scene as a file of its own, for `target`, and their placement. The
-  /// document of the variant is then the whole scene for MuJoCo.
-  bool each = false;
-  std::string name;           // valid for CheckName; empty: the name of the spec
+  bool each = false;  // files of all objects of a scene; `document` is then the scene for MuJoCo
+  std::string name;   // valid for CheckName; empty: the name of the spec
   std::uint64_t attempt = 0;  // first attempt; earlier ones are not tried
   OnInvalid on_invalid = OnInvalid::kFail;
   sample::Method sampler = sample::Method::kRandom;
@@ -154,11 +150,9 @@ class Generator {
   /// Assembles the object of these parameters and writes its MJCF; returns false after an error.
   bool Build(sample::Evaluator& values, Variant& variant);
   void Validate(Variant& variant);
-  /// Divides a scene into parts_; returns false after an error.
+  // Divide a scene into objects, and write all or one of them; return false after an error.
   bool SplitScene(const model::Object& scene, Variant& variant);
-  /// Writes the objects of a scene and their placement; returns false after an error.
   bool WriteEach(Variant& variant);
-  /// Adapts and writes an object of a scene, and adds its file and its assets to the placement.
   bool WritePart(split::ScenePart& part, manifest::PlacedFile& placed, Variant& variant);
   /// Adds the hashes of the files that the object refers to; returns false if one cannot be read.
   bool HashAssets(Variant& variant);

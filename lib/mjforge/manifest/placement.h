@@ -15,7 +15,7 @@ namespace mjforge::manifest {
 struct PlacedFile {
   std::string name;
   std::string file;  // relative to the placement
-  model::Pose pose;  // of its root body in the scene at the start
+  model::Pose pose;  // pose of its root body in the scene at the start
   std::string at;    // region or site that it stands at; empty: it was not placed
   bool is_free = false;
   /// Joints besides a free root joint: name in the file, position at the start as in qpos.

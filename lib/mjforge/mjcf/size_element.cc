@@ -48,7 +48,7 @@ struct GeomBox {
 
 // Returns the colliding geoms, sorted along x.
 std::vector<GeomBox> GeomBoxes(const model::Object& object) {
-  constexpr double kNear = 1e-3;  // m; placed bodies start at most 0.1 mm apart, and settle
+  constexpr double kNear = 2e-4;  // m; placed bodies start at most 0.1 mm apart
   const std::vector<model::Pose> X_WB = model::BodyPoses(object);
   std::vector<int> trees(object.bodies.size());
   std::vector<GeomBox> boxes;
@@ -112,9 +112,10 @@ double MostRows(double dofs) {
   return 4 * std::floor(rows / 4);
 }
 
-// Returns true if the world has several children: the root, and free bodies.
-bool HasSeveralTrees(const model::Object& object) {
-  return std::ranges::count(object.bodies, -1, &model::Body::parent) > 1;
+// Returns true if any body was placed on others, which it touches at the start.
+bool HasPlacedBodies(const model::Object& object) {
+  return std::ranges::any_of(object.bodies,
+                             [](const model::Body& body) { return !body.stands_at.empty(); });
 }
 
 void WriteSize(double njmax, double nconmax, double nstack, ElementWriter& writer) {
@@ -133,8 +134,9 @@ void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer) 
   // Skip counting for small objects, which have few constraints.
   const std::size_t rows = bodies > 100 ? CountConstraints(object) : 0;
   std::size_t geoms = scene || bodies > 1 ? CountCollidingGeoms(object, scene) : 0;
-  // Two boxes make up to eight contacts, as many as two geoms otherwise.
-  if (HasSeveralTrees(object)) geoms = std::max(geoms, 2 * CountTouchingPairs(object));
+  // A geom lies on one other with four contacts; each further one that it touches may be a box on a
+  // box, which make up to eight.
+  if (HasPlacedBodies(object)) geoms = 2 * std::max(geoms, CountTouchingPairs(object)) - geoms;
   if (geoms <= kGeomsThatFit && rows <= kRowsThatFit && bodies <= kBodiesThatFit) return;
   const double dofs = CountDofs(object);
   const double most = MostRows(dofs);

@@ -60,15 +60,16 @@ TEST_CASE("free bodies that lie on an object need room for their contacts, its o
   CHECK_FALSE(SizeOf(object, Target::kMujoco, parsed));
 }
 
-TEST_CASE("a free geom that lies on many others needs room for all of these contacts") {
+TEST_CASE("a placed geom that lies on many others needs room for all of these contacts") {
   model::Object object = Balls(20);  // they touch, but are one body
   model::Body& body = object.bodies.emplace_back();
   body.name = "board";
+  body.stands_at = "pile.surface";
   body.parts.push_back(hand_made::Solid("board", model::GeomType::kBox, {2, 0.1, 0.1},
                                         {{2, 0, 0.2}, {1, 0, 0, 0}}, 3));
   body.joints.emplace_back();
   pugi::xml_document parsed;
-  CHECK(SizeOf(object, Target::kMujoco, parsed).attribute("nconmax").as_int() == 8 * 20);
+  CHECK(SizeOf(object, Target::kMujoco, parsed).attribute("nconmax").as_int() == 4 * (2 * 20 - 1));
   body.X_PB.p.z() = 1;
   CHECK_FALSE(SizeOf(object, Target::kMujoco, parsed));
 }
