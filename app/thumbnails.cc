@@ -43,6 +43,7 @@ bool Thumbnails::Open() {
 std::unique_ptr<picture::Subject> Thumbnails::Load(const manifest::Record& record) {
   if (record.file.empty()) return MakeAgain(record, {});
   if (!record.archive.empty()) return LoadFromArchive(record);
+  if (record.each) return MakeAgain(record, record.sha256);  // its file is the placement
   std::string why_not;
   std::error_code ignored;
   const std::filesystem::path file = manifest_.parent_path() / record.file;
