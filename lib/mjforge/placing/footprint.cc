@@ -16,7 +16,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kSlice = 1e-3;     // m; thickness of the slice whose shadow is the footprint
 constexpr int kOutlinePoints = 64;  // per whole turn
 constexpr int kGenerators = 256;    // lines on the side of a tilted cylinder
 constexpr int kCapsuleSteps = 32;
@@ -221,12 +220,12 @@ Polygon Footprint::Outline() const {
   return solid::ConvexPolygonOf(std::move(points));
 }
 
-Footprint FootprintOf(std::span<const distance::PlacedShape> shapes) {
+Footprint FootprintOf(std::span<const distance::PlacedShape> shapes, double height) {
   if (shapes.empty()) return Footprint({Disc()});
   double lowest = std::numeric_limits<double>::infinity();
   for (const distance::PlacedShape& placed : shapes)
     lowest = std::min(lowest, placed.box_W.min().z());
-  Slicer slicer(lowest + kSlice);
+  Slicer slicer(lowest + height);
   for (const distance::PlacedShape& placed : shapes) slicer.Add(placed);
   return Footprint(slicer.Discs());
 }

@@ -37,10 +37,13 @@ class Footprint {
   std::vector<Disc> discs_;
 };
 
-/// Returns the footprint of shapes in a frame whose z axis points up: the points within 1 mm of the
-/// lowest. Boxes, meshes, spheres, upright cylinders and level capsules are exact; other curved
+constexpr double kFootprintHeight = 1e-3;  // m, of the slice whose shadow is a footprint
+
+/// Returns the footprint of shapes in a frame whose z axis points up: the points within `height` of
+/// the lowest. Boxes, meshes, spheres, upright cylinders and level capsules are exact; other curved
 /// shapes have points of their outline, less than 0.1 mm inside of it for objects of everyday size.
 /// Without shapes, the footprint is the origin.
-Footprint FootprintOf(std::span<const distance::PlacedShape> shapes);
+Footprint FootprintOf(std::span<const distance::PlacedShape> shapes,
+                      double height = kFootprintHeight);
 
 }  // namespace mjforge::placing

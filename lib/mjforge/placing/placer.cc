@@ -59,10 +59,12 @@ Orientation Oriented(const model::Object& object, int body, const Eigen::Quatern
   return orientation;
 }
 
-// Returns true if a body as it is modelled has its centre of mass above its footprint.
+// Returns true if a body as it is modelled has its centre of mass above what touches the ground.
 bool IsStable(const model::Object& object, const Orientation& upright) {
+  constexpr double kTouching = 1e-4;  // m; a body tips onto parts that are higher
   const Vector2d center = MassBelow(object, upright.body).p_FCm.head<2>();
-  const Polygon outline = upright.footprint.Outline();
+  const Polygon outline =
+      FootprintOf(ShapesAt(upright.shapes, {Vector3d::Zero(), upright.q_LB}), kTouching).Outline();
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vector2d edge = outline[(i + 1) % outline.size()] - outline[i];
     const Vector2d to_center = center - outline[i];
