@@ -87,7 +87,9 @@ def draw(program, what, picture, joints, *options):
 
 
 def picture_name(spec):
-    return spec.split("/")[-1] + ".png"
+    """Scenes have the names of objects, so their pictures have the folder's name, too."""
+    folder, name = spec.split("/")
+    return f"{folder}_{name}.png" if folder == "scenes" else f"{name}.png"
 
 
 def requirements(spec):

@@ -33,7 +33,7 @@ TEST_CASE_METHOD(CrateTest, "every spec that catalogue names can be checked") {
   int count = 0;
   while (line < list.out.size()) {
     const std::string name = list.out.substr(line, list.out.find(' ', line) - line);
-    const auto result = Run({"check", name, "-q"});
+    const auto result = Run({"check", name, "-n", "5", "-q"});
     INFO(name << ": " << result.err);
     CHECK(result.status == 0);
     CHECK(result.err.empty());

@@ -69,13 +69,19 @@ void AddCookbook(Sources& wanted) {
   }
 }
 
+// Scenes have the names of objects, so their pictures have the folder's name, too.
+std::string PictureOf(const fs::path& spec) {
+  const std::string prefix = spec.parent_path() == "scenes" ? "scenes_" : "";
+  return prefix + spec.filename().string() + ".png";
+}
+
 // The pictures that there should be.
 Sources Wanted() {
   Sources wanted = {{"hero.png", {kHero.filename().string(), HashOf(kHero.string())}},
                     // A box of any material imports the library.
                     {"materials.png", {"primitives/box", HashOf("primitives/box")}}};
   for (const std::string& spec : BundledSpecs()) {
-    wanted[fs::path(spec).filename().string() + ".png"] = {spec, HashOf(spec)};
+    wanted[PictureOf(spec)] = {spec, HashOf(spec)};
   }
   AddCookbook(wanted);
   return wanted;
@@ -159,7 +165,7 @@ TEST_CASE("every bundled spec has its chapter and its picture on the page, and n
   const std::string text = harness::ReadFile(page);
   CHECK(text.find("](pictures/materials.png)") != text.npos);
   for (const std::string& spec : specs) {
-    const std::string picture = fs::path(spec).filename().string() + ".png";
+    const std::string picture = PictureOf(spec);
     INFO(spec);
     CHECK(text.find("](pictures/" + picture + ")") != text.npos);
     const json inspected = Ask({"inspect", spec, "--json"});

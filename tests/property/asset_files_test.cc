@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <limits>
 
-#include "harness/effort.h"
 #include "harness/source_folder.h"
 #include "mjforge/engine/engine.h"
 #include "purity.h"
@@ -168,7 +167,7 @@ TEST_CASE("every bundled spec compiles to the same with its meshes and textures 
     Loaded loaded(spec);
     Options options = Seeded(5);
     options.validation = Validation::kLoad;
-    files += CompareForms(loaded, options, static_cast<std::uint64_t>(harness::Effort(2)));
+    files += CompareForms(loaded, options, static_cast<std::uint64_t>(CasesOf(spec, 2)));
   }
   CHECK(files > 100);
 }
@@ -207,7 +206,7 @@ TEST_CASE("asset files are pure") {
     Loaded loaded(spec);
     Options options = Seeded(6);
     options.assets = mjcf::AssetForm::kFiles;
-    ComparePure(loaded, options, 0, harness::Effort(20));
+    ComparePure(loaded, options, 0, CasesOf(spec, 20));
   }
 }
 

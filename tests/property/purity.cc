@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "harness/effort.h"
 #include "harness/source_folder.h"
 
 namespace mjforge::forge {
@@ -105,6 +106,10 @@ std::vector<std::filesystem::path> BundledSpecs() {
     specs.push_back(folder / (name + ".yaml"));
   REQUIRE(specs.size() > 15);
   return specs;
+}
+
+int CasesOf(const std::filesystem::path& spec, int whole) {
+  return spec.parent_path().filename() == "scenes" ? 1 : harness::Effort(whole);
 }
 
 }  // namespace mjforge::forge

@@ -23,6 +23,10 @@ struct Loaded {
 /// Returns the files of all bundled specs.
 std::vector<std::filesystem::path> BundledSpecs();
 
+/// Returns the number of variants of a bundled spec to compare: `whole`, fewer under sanitizers,
+/// and 1 of a scene, which takes as long as ten objects.
+int CasesOf(const std::filesystem::path& spec, int whole);
+
 /// Returns options for variants that are not loaded in MuJoCo.
 Options Seeded(std::uint64_t seed);
 

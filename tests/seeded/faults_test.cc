@@ -100,8 +100,6 @@ TEST_CASE_METHOD(SeededTest, "physical checks find faults that are put into bund
 TEST_CASE("each physical check has a fault that it finds, but for those of MJCF files alone") {
   // Only an attached file can state an inertia.
   std::set<std::string> found = {"physics/inertia", "physics/center-of-mass"};
-  // No bundled spec has bodies that must stay where they start.
-  found.insert("physics/not-settled");
   for (const Fault& fault : Faults()) found.insert(fault.finds);
   for (const diag::CodeInfo& code : diag::AllCodes()) {
     if (!code.name.starts_with("physics/")) continue;
