@@ -66,7 +66,7 @@ void BM_PlaceBoxes(benchmark::State& state) {
   std::mt19937 random(7);
   int tries = 0;
   for (auto _ : state) {
-    // One in a hundred layouts of ten boxes has no place for the last one.
+    // About 1 % of the layouts of ten boxes have no place for the last box.
     while (!PlaceAll(object, *placer, random, tries)) continue;
   }
   state.counters["tries"] =

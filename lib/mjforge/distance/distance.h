@@ -28,8 +28,8 @@ Eigen::Vector3d Separation(const PlacedShape& a, const PlacedShape& b);
 /// Distance of two shapes, m; 0 if they overlap.
 double Distance(const PlacedShape& a, const PlacedShape& b);
 
-/// Distance of two shapes up to a limit, m, in a fraction of the time: a larger distance gives any
-/// number from the limit to the largest distance of their points.
+/// Distance of two shapes, m, if it is at most `limit`; otherwise some number between `limit` and
+/// the largest distance of their points, which takes a fraction of the time.
 double DistanceUpTo(double limit, const PlacedShape& a, const PlacedShape& b);
 
 /// Distance of two shapes, m. If they overlap, minus the penetration depth: the shortest
