@@ -10,7 +10,7 @@ import venv
 # compiler and a display, so that what its objects need is listed.
 PACKAGES = ["mujoco==3.3.7", "dm_control==1.0.34", "numpy==1.26.4", "numba==0.68.1",
             "scipy==1.17.1", "pillow==13.0.0", "opencv-python-headless==4.11.0.86",
-            "termcolor==3.3.0"]
+            "termcolor==3.3.0", "scene-synthesizer==1.15.0", "trimesh==5.2.0"]
 ALONE = ["robosuite==1.5.2"]
 
 

@@ -4,6 +4,7 @@ import datetime
 import os
 import pathlib
 import platform
+import subprocess
 
 PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs/performance.md"
 
@@ -20,6 +21,12 @@ def machine():
     system = platform.freedesktop_os_release()["PRETTY_NAME"]
     return (f"{field('/proc/cpuinfo', 'model name')}, {os.cpu_count()} cores, {memory:.0f} GB RAM,"
             f" {system}, Python {platform.python_version()}; {datetime.date.today()}")
+
+
+def version_of(program):
+    """"mjforge 0.1.0"."""
+    return subprocess.run([program, "--version"], check=True, capture_output=True,
+                          text=True).stdout.splitlines()[0]
 
 
 def as_text(head, rows):

@@ -8,21 +8,17 @@ BUILD holds app/mjforge and bench/mjforge_in_process; FOLDER gets the peers.
 docs/performance.md. Status 1 if a peer's object is not the same.
 """
 
-import json
-import os
 import pathlib
 import shutil
 import statistics
 import subprocess
 import sys
 import tempfile
-import time
 
 from install import install, version
 import page
+from processes import Peer, run_timed
 from report import report
-
-HERE = pathlib.Path(__file__).resolve().parent
 
 # Name: the bundled spec, and what is held so that all variants have the same parts.
 OBJECTS = {
@@ -37,33 +33,6 @@ PEERS = ["robosuite", "pymjcf", "mjspec"]
 REPETITIONS = 5
 SECONDS = 0.25  # that a measurement inside a process should take
 COMMAND_SECONDS = 2.0  # and one of the whole command, so that its start weighs little
-ENVIRONMENT = dict(os.environ, PYTHONDONTWRITEBYTECODE="1", PYTHONWARNINGS="ignore",
-                   MUJOCO_GL="disable", OMP_NUM_THREADS="1")
-
-
-class Peer:
-    """One of peer_*.py, kept running."""
-
-    def __init__(self, python, name):
-        self.name = name
-        self.process = subprocess.Popen([python, HERE / f"peer_{name}.py"], text=True,
-                                        stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                                        env=ENVIRONMENT)
-        self.rows = self.answer()["rows"]
-
-    def answer(self):
-        line = self.process.stdout.readline()
-        if not line:
-            sys.exit(f"peers: {self.name} broke off")
-        return json.loads(line)
-
-    def ask(self, **request):
-        print(json.dumps(request), file=self.process.stdin, flush=True)
-        return self.answer()
-
-    def close(self):
-        self.process.stdin.close()
-        self.process.wait()
 
 
 class Library:
@@ -97,17 +66,9 @@ class Command:
         folder = pathlib.Path(tempfile.mkdtemp(dir=self.scratch))
         command = self.generate(name, count, folder / "objects.tar", "--validate", validate,
                                 "-j", str(jobs))
-        start = time.perf_counter()
-        process = subprocess.Popen(command)
-        # Counts the children that the process itself has waited for.
-        _, status, usage = os.wait4(process.pid, 0)
-        wall = time.perf_counter() - start
-        process.returncode = os.waitstatus_to_exitcode(status)
-        if process.returncode != 0:
-            sys.exit(f"peers: {' '.join(map(str, command))}: status {process.returncode}")
+        seconds = run_timed(command)
         shutil.rmtree(folder)
-        cpu = usage.ru_utime + usage.ru_stime
-        return {"cpu": cpu / count * 1e6, "wall": wall / count * 1e6}
+        return {clock: s / count * 1e6 for clock, s in seconds.items()}
 
     def example(self, name):
         """A file of one variant."""
@@ -178,10 +139,8 @@ def run(rows, smoke):
 
 
 def versions(program):
-    ours = subprocess.run([program, "--version"], check=True, capture_output=True,
-                          text=True).stdout.splitlines()[0]
-    return (f"{ours}; robosuite {version('robosuite')}, dm_control {version('dm_control')},"
-            f" Python's mujoco {version('mujoco')}")
+    return (f"{page.version_of(program)}; robosuite {version('robosuite')},"
+            f" dm_control {version('dm_control')}, Python's mujoco {version('mujoco')}")
 
 
 def main():

@@ -42,10 +42,15 @@ def answer(request, rows, compiled):
     return measure(lambda: action(name), request["count"])
 
 
-def serve(rows, compiled):
-    """`rows`: by name, what makes an object; `compiled`: the same object's MjModel."""
+def answer_all(answer, rows=()):
+    """Answers each request by a function of it."""
     # Whatever a library prints must not come between the answers.
     answers, sys.stdout = sys.stdout, sys.stderr
     print(json.dumps({"rows": list(rows)}), file=answers, flush=True)
     for line in sys.stdin:
-        print(json.dumps(answer(json.loads(line), rows, compiled)), file=answers, flush=True)
+        print(json.dumps(answer(json.loads(line))), file=answers, flush=True)
+
+
+def serve(rows, compiled):
+    """`rows`: by name, what makes an object; `compiled`: the same object's MjModel."""
+    answer_all(lambda request: answer(request, rows, compiled), rows)
