@@ -148,6 +148,33 @@ TEST_CASE("the schema rejects structurally bad specs") {
   }
 }
 
+TEST_CASE("the placement's schema accepts a placement", "[schema]") {
+  const std::string yaml =
+      "mjforge: 1\nname: scene\njoints: none\nmjcf: {option: {cone: elliptic}}\n"
+      "parts: [{name: board, type: box, size: [1, 1, 1]}]\n"
+      "bodies:\n"
+      "  - {name: ball, joints: free, parts: [{name: b, type: sphere, size: 1}]}\n"
+      "  - {name: arm, parent: ball, joints: [{name: h, type: hinge, axis: [0, 0, 1]}],\n"
+      "     parts: [{name: a, type: sphere, size: 1}]}\n";
+  mjforge::diag::Sources sources;
+  mjforge::diag::Findings findings;
+  mjforge::forge::Recipe recipe;
+  recipe.spec = mjforge::spec::LoadSpecText("scene.yaml", yaml, ".", {}, sources, findings);
+  REQUIRE(recipe.spec != nullptr);
+  mjforge::forge::Options options;
+  options.each = true;
+  options.place_seed = 3;
+  mjforge::forge::Variant variant;
+  mjforge::forge::Generator(recipe, sources, options).Make(0, variant);
+  REQUIRE(variant.placement);
+  std::string why_not;
+  const bool accepted = Schema(mjforge::manifest::PlacementSchema())
+                            .Accepts(nlohmann::json::parse(variant.placement->text), why_not);
+  INFO(variant.placement->text << why_not);
+  CHECK(accepted);
+  CHECK(variant.placement->text.find(R"("option":{"cone":"elliptic"})") != std::string::npos);
+}
+
 TEST_CASE("the manifest's schema accepts the records of made and of failed variants", "[schema]") {
   Schema schema(mjforge::manifest::ManifestSchema());
   const std::string yaml =

@@ -183,7 +183,10 @@ bool Generator::Build(sample::Evaluator& values, Variant& variant) {
                           variant.findings);
   if (!object || !SettlePiles(*object, variant)) return false;
   if (options_.each && !SplitScene(*object, variant)) return false;
-  mjcf::Adapt(*object, target, variant.findings);
+  // With --each, warnings are about the files of the objects.
+  diag::Findings of_scene;
+  mjcf::Adapt(*object, target, options_.each ? of_scene : variant.findings);
+  if (of_scene.HasErrors()) variant.findings.Append(std::move(of_scene));
   variant.object = std::make_shared<const model::Object>(*std::move(object));
   if (variant.findings.HasErrors()) return false;
   mjcf::Provenance provenance = record;

@@ -152,11 +152,16 @@ void WarnOfLeftOut(const model::Element& element, std::string_view why, diag::Fi
                 "add it where the objects are put together");
 }
 
-// Reports elements that are in the file of no object. `option` is in the placement.
+// Reports elements that are in the file of no object.
 void ReportLeftOut(const Object& scene, const Owners& owners, diag::Findings& findings) {
   for (const model::Section& section : scene.sections) {
-    if (section.info->name == "option") continue;
     for (const model::Element& element : section.elements) {
+      if (section.info->name == "option") {
+        findings.Warn(Code::kTargetDropped, element.mark,
+                      "option belongs to the whole scene: it is only in placement.json",
+                      "set it where the objects are put together");
+        continue;
+      }
       const int owner = owners.Of(element);
       if (owner == kNoOwner) WarnOfLeftOut(element, "refers to several objects", findings);
       if (owner == kAnyOwner) WarnOfLeftOut(element, "belongs to the whole scene", findings);
