@@ -153,8 +153,9 @@ TEST_CASE("the placement's schema accepts a placement", "[schema]") {
       "mjforge: 1\nname: scene\njoints: none\nmjcf: {option: {cone: elliptic}}\n"
       "parts: [{name: board, type: box, size: [1, 1, 1]}]\n"
       "bodies:\n"
-      "  - {name: ball, joints: free, parts: [{name: b, type: sphere, size: 1}]}\n"
-      "  - {name: arm, parent: ball, joints: [{name: h, type: hinge, axis: [0, 0, 1]}],\n"
+      "  - {name: ball, joints: free, pos: [0, 0, 5], parts: [{name: b, type: sphere, size: 1}]}\n"
+      "  - {name: arm, parent: ball, pos: [3, 0, 0], joints: [{name: h, type: hinge, axis: [0, 0, "
+      "1]}],\n"
       "     parts: [{name: a, type: sphere, size: 1}]}\n";
   mjforge::diag::Sources sources;
   mjforge::diag::Findings findings;

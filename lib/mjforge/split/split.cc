@@ -157,7 +157,9 @@ void ReportLeftOut(const Object& scene, const Owners& owners, diag::Findings& fi
   for (const model::Section& section : scene.sections) {
     for (const model::Element& element : section.elements) {
       if (section.info->name == "option") {
-        findings.Warn(Code::kTargetDropped, element.mark,
+        // The options that a pile rests with are not in the spec.
+        const bool is_of_pile = !element.mark && !scene.piles.empty();
+        findings.Warn(Code::kTargetDropped, is_of_pile ? scene.piles[0].mark : element.mark,
                       "option belongs to the whole scene: it is only in placement.json",
                       "set it where the objects are put together");
         continue;

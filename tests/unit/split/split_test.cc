@@ -112,10 +112,9 @@ TEST_CASE("elements go to the object that they refer to, and those of several ar
                     "objname: ball}},\n"
                     "           {actuatorfrc: {name: force, actuator: table_motor}}]\n"
                     "  option: {timestep: 1ms}\n"));
-  CHECK(result.messages ==
-        Texts{"weld 'glue' refers to several objects: it is left out",
-              "clock 'time' belongs to the whole scene: it is left out",
-              "option belongs to the whole scene: it is only in placement.json"});
+  CHECK(result.messages == Texts{"option belongs to the whole scene: it is only in placement.json",
+                                 "weld 'glue' refers to several objects: it is left out",
+                                 "clock 'time' belongs to the whole scene: it is left out"});
   const auto sensors = [&](std::size_t part) {
     return model::ElementsOf(result.parts[part].object, "sensor");
   };
