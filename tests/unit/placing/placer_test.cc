@@ -282,6 +282,17 @@ TEST_CASE("a body that tips over as modelled stands in the nearest stable pose")
   CHECK(handle.y() > 0.9);
 }
 
+TEST_CASE("a body tips onto a part that is less than a millimetre above the ground") {
+  Table table;
+  // A grip, and a collar whose lower face is 0.5 mm higher; the centre of mass is between them.
+  const int driver = table.scene.Add(ShapeOf(GeomType::kBox, 0.005, 0.01, 0.01));
+  table.scene.AddPart(ShapeOf(GeomType::kBox, 0.02, 0.0095, 0.0095), At(0.1, 0, 0));
+  const PlaceResult result = table.Place(driver, table.Where());
+  REQUIRE(result.verdict == PlaceVerdict::kStands);
+  const Vector3d axis = result.X_SupportBody.q * Vector3d::UnitX();
+  CHECK(axis.z() == Approx(-0.0005 / 0.115).epsilon(0.01));
+}
+
 TEST_CASE("the distance that a standing body asks for holds for later ones") {
   Table table;
   table.Place(table.AddBox(0.05, 0.05, 0.05), table.Where(), 0.03);
