@@ -38,7 +38,7 @@ void AddOptions(std::vector<model::Section>& sections) {
   model::Element& option = found->elements.front();
   AddUnlessStated("cone", {}, "elliptic", option.attributes);
   AddUnlessStated("impratio", {10}, "", option.attributes);
-  AddUnlessStated("noslip_iterations", {5}, "", option.attributes);
+  AddUnlessStated("noslip_iterations", {20}, "", option.attributes);
   auto flag = std::ranges::find(option.children, "flag", &model::Element::tag);
   if (flag == option.children.end()) {
     flag = option.children.emplace(option.children.end());

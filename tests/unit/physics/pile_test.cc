@@ -22,10 +22,25 @@ Part BoxAt(const char* name, const Eigen::Vector3d& half, const Eigen::Vector3d&
   return part;
 }
 
+// Options with which boxes do not creep on each other.
+model::Element Option() {
+  model::Element option;
+  option.tag = "option";
+  option.attributes.resize(3);
+  option.attributes[0].name = "cone";
+  option.attributes[0].text = "elliptic";
+  option.attributes[1].name = "impratio";
+  option.attributes[1].numbers = {10};
+  option.attributes[2].name = "noslip_iterations";
+  option.attributes[2].numbers = {20};
+  return option;
+}
+
 // A box without a lid, 20 cm wide inside and 15 cm high, with `count` cubes of 4 cm to pile up.
 Object Crate(int count, double wall = 0.15) {
   Object object;
   object.name = "crate";
+  object.sections.push_back({spec::FindSection("option"), {Option()}});
   Body& root = object.bodies.emplace_back();
   root.name = "crate";
   root.mass_properties.mass = 5;
