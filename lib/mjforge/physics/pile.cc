@@ -4,10 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <exception>
 #include <new>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,17 +41,21 @@ class PileReport {
              static_checks::Reporter& reporter)
       : m_(m), d_(d), object_(object), pile_(pile), bodies_(bodies), reporter_(reporter) {}
 
-  void AddLeft(const model::Pose& X_WR) {
+  /// Returns true if a body left the region.
+  bool AddLeft(const model::Pose& X_WR) {
+    bool has_left = false;
     for (const PiledBody& body : bodies_) {
       const Eigen::Vector3d p_R = X_WR.Inverse() * VectorAt(d_.subtree_com, body.id);
       const double outside = model::DistanceOutside(pile_.region, p_R.head<2>());
       if (outside <= kEdge && p_R.z() > 0) continue;
+      has_left = true;
       reporter_.Error(Code::kPhysicsPileLeft, pile_.mark,
                       outside > kEdge ? fmt::format("'{}' lies {} mm outside of '{}'", NameOf(body),
                                                     RoundedText(1000 * outside), pile_.at)
                                       : fmt::format("'{}' lies below '{}'", NameOf(body), pile_.at),
                       "pile up fewer or smaller bodies, or in a deeper region");
     }
+    return has_left;
   }
 
   void AddMoving() {
@@ -225,8 +227,8 @@ void PileSettler::Impl::Try(std::size_t release, mjModel& m, const std::vector<i
     return;
   }
   PileReport report(m, *end, object, pile, bodies, reporter);
-  report.AddLeft(X_WR);
-  if (!rests) report.AddMoving();
+  // A body that left may still fall.
+  if (!report.AddLeft(X_WR) && !rests) report.AddMoving();
   report.AddDeep();
   for (const PiledBody& body : bodies) TakeStart(m, *end, ids, body.id, object);
 }

@@ -17,10 +17,10 @@ class PileSettler {
   PileSettler& operator=(const PileSettler&) = delete;
 
   /// Simulates object.piles with the options of the object. Bodies are released one after the other
-  /// from rest, each from a pose that touches nothing; all other bodies are held at their start.
-  /// Replaces the start of the bodies, and of the joints below them, by the rest. Adds a finding
-  /// for each body that left its region, moves after Pile::time, or is too deep in another. Returns
-  /// false after an error.
+  /// from rest, each from a pose that touches nothing; all other bodies are held at their start. Up
+  /// to four releases are tried. Replaces the start of the bodies, and of the joints below them, by
+  /// the rest. Adds a finding for each body that left its region, moves after Pile::time, or is too
+  /// deep in another. Returns false after an error.
   bool Settle(model::Object& object, diag::Findings& findings);
 
  private:
