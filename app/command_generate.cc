@@ -131,8 +131,7 @@ void AddGenerateOptions(CLI::App& command, GenerateOptions& options) {
   command.add_option("--name", options.request.variant.name, "The object's name; ${index} allowed")
       ->option_text("TEXT");
   AddWord(command, "--target", options.target, mjcf::TargetNames(), "For");
-  command.add_flag("--each", options.request.variant.each,
-                   "Each object of a scene as a file");
+  command.add_flag("--each", options.request.variant.each, "Each object of a scene as a file");
   AddWord(command, "--assets", options.assets, mjcf::kAssetForms, "Meshes and textures");
   AddWord(command, "--validate", options.validate, manifest::kValidations, "MuJoCo's verdict");
   AddProfile(command, options.spec.settings, [&options] { options.validate = "physics"; });

@@ -67,8 +67,8 @@ TEST_CASE("any provenance reads back from a valid comment as it was") {
   };
   for (int i = 0; i < 2000; ++i) {
     Provenance provenance{
-        text(),       text(),   text(), {},     random() * (std::uint64_t{1} << 32) + random(),
-        std::nullopt, random(), text(), text(), text(),
+        text(),       text(),   text(),  {},     random() * (std::uint64_t{1} << 32) + random(),
+        std::nullopt, random(), text(),  text(), text(),
         text(),       text(),   random()};
     if (i % 2 == 0) provenance.place_seed = random();
     for (auto n = random() % 4; n > 0; --n) provenance.settings.emplace_back(text(), text());
