@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 const fs::path kPictures = kRoot / "docs/pictures";
-const fs::path kHero = kPictures / "hero.yaml";
+const std::string kHero = "scenes/set_table";
 constexpr const char* kRemedy = "`./dev pictures` makes them again";
 
 // What a picture is of.
@@ -77,7 +77,7 @@ std::string PictureOf(const fs::path& spec) {
 
 // The pictures that there should be.
 Sources Wanted() {
-  Sources wanted = {{"hero.png", {kHero.filename().string(), HashOf(kHero.string())}},
+  Sources wanted = {{"hero.png", {kHero, HashOf(kHero)}},
                     // A box of any material imports the library.
                     {"materials.png", {"primitives/box", HashOf("primitives/box")}}};
   for (const std::string& spec : BundledSpecs()) {
