@@ -12,8 +12,8 @@ namespace {
 
 // The default nconmax is 100 contacts; a geom flat on the floor makes at most four.
 constexpr std::size_t kGeomsThatFit = 24;
-// Contacts of many geoms: few geoms of a large scene touch others. Those of a stack of dishes,
-// whose walls are convex pieces, have one each.
+// Contacts of many geoms: few geoms of a large scene touch others. In a stack of dishes, whose
+// walls are convex pieces, each piece has one contact.
 constexpr double kContactsOfManyGeoms = 300;  // in addition to one per geom
 // The default njmax is 500 constraints, including contacts.
 constexpr std::size_t kRowsThatFit = 300;
