@@ -84,6 +84,11 @@ class Variants(unittest.TestCase):
             self.assertEqual(pickle.loads(pickle.dumps(moved))[3].xml_bytes, there.xml_bytes)
         self.assertEqual(mjforge.Spec(BALL).variants()[0].places, [])
 
+    def test_bundled_scenes_have_places(self):
+        desk = mjforge.Spec("scenes/desk").variants()[3]
+        self.assertIn("table.surface", [place["at"] for place in desk.places])
+        self.assertIn('name="desk_laptop"', desk.xml)
+
     def test_files_of_the_spec_are_among_them(self):
         with tempfile.TemporaryDirectory() as folder:
             mesh = pathlib.Path(folder, "roof.obj")
