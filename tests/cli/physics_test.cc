@@ -182,12 +182,13 @@ TEST_CASE_METHOD(PhysicsTest, "thresholds of a file are those of checks, and nee
   CHECK(parameter.err.find("'size' is not a threshold of a check") != std::string::npos);
 }
 
-TEST_CASE_METHOD(PhysicsTest, "every bundled spec behaves") {
+TEST_CASE_METHOD(PhysicsTest, "every bundled object behaves") {
   const auto catalogue = Run({"catalogue", "--json"});
   REQUIRE(catalogue.status == 0);
   for (const json& item : json::parse(catalogue.out)) {
     const std::string name = item["name"];
     CAPTURE(name);
+    if (name.starts_with("scenes/")) continue;  // takes seconds: `./dev physics`
     const auto result = Run({"check", name, "-n", "2", "--physics", "-q"});
     CHECK(result.err.empty());
     CHECK(result.status == 0);

@@ -10,10 +10,12 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "docs/page.h"
 #include "harness/command.h"
+#include "harness/quick_settings.h"
 #include "harness/source_folder.h"
 #include "harness/temporary_folder.h"
 
@@ -36,7 +38,7 @@ struct Source {
 };
 using Sources = std::map<std::string, Source>;  // by the picture's name
 
-json Ask(const std::vector<std::string>& arguments) {
+json Ask(std::vector<std::string> arguments) {
   const harness::CommandResult result =
       harness::Command{.program = harness::MjforgeProgram(), .arguments = arguments}.Run();
   INFO(result.err);
@@ -44,8 +46,14 @@ json Ask(const std::vector<std::string>& arguments) {
   return json::parse(result.out);
 }
 
+json Inspect(const std::string& spec) {
+  std::vector<std::string> arguments = {"inspect", spec, "--json"};
+  for (std::string& option : harness::QuickOptions(spec)) arguments.push_back(std::move(option));
+  return Ask(std::move(arguments));
+}
+
 std::string HashOf(const std::string& spec) {
-  return Ask({"inspect", spec, "--json"}).at("spec_sha256").get<std::string>();
+  return Inspect(spec).at("spec_sha256").get<std::string>();
 }
 
 std::vector<std::string> BundledSpecs() {
@@ -168,7 +176,7 @@ TEST_CASE("every bundled spec has its chapter and its picture on the page, and n
     const std::string picture = PictureOf(spec);
     INFO(spec);
     CHECK(text.find("](pictures/" + picture + ")") != text.npos);
-    const json inspected = Ask({"inspect", spec, "--json"});
+    const json inspected = Inspect(spec);
     CHECK(text.find(inspected.at("description").get<std::string>()) != text.npos);
     for (const json& parameter : inspected.at("parameters")) {
       CHECK(text.find("| `" + parameter.at("name").get<std::string>() + "` |") != text.npos);

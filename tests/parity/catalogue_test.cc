@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "harness/effort.h"
+#include "harness/quick_settings.h"
 #include "harness/source_folder.h"
 #include "mjforge/diag/diag.h"
 #include "mjforge/forge/forge.h"
@@ -140,11 +141,11 @@ TEST_CASE("every bundled spec is documented and makes different, valid objects")
         CHECK(parameter.doc != "");
         CHECK((parameter.unit != "") == (parameter.value.type == expr::Type::kNumber));
       }
-      // A scene takes as long as ten objects, and a pile of all its things seconds.
-      const int whole = name.starts_with("scenes/") ? 5 : 100;
+      const int whole = name.starts_with("scenes/") ? 3 : 100;  // takes as long as ten objects
       const auto count = static_cast<std::uint64_t>(harness::Effort(whole, 3));
       std::vector<spec::Setting> settings;
-      if (name == "scenes/bin_pile") settings.push_back({"kinds", "1"});
+      for (const auto& [parameter, value] : harness::QuickSettings(name))
+        settings.push_back({.name = parameter, .text = value});
       CHECK(Texts(name, count, settings).size() == count);
     }
   }

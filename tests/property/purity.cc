@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "harness/effort.h"
+#include "harness/quick_settings.h"
 #include "harness/source_folder.h"
 
 namespace mjforge::forge {
@@ -41,8 +42,8 @@ Loaded::Loaded(const std::filesystem::path& file) {
   diag::Findings findings;
   spec::LoadOptions options;
   options.search_path = {harness::SourceFolder() / "specs"};
-  // A pile of all its things takes seconds.
-  if (file.stem() == "bin_pile") options.settings.push_back({"kinds", "1"});
+  for (const auto& [name, value] : harness::QuickSettings(file.string()))
+    options.settings.push_back({.name = name, .text = value});
   auto loaded = LoadRecipe(file, options, sources, findings);
   std::string messages;
   for (const diag::Finding& finding : findings) messages += finding.message + "\n";

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/physics/probe_bodies.h"
@@ -43,11 +44,14 @@ bool PileSimulation::Run() {
     if (is_piled) m_.dof_damping[dof] += m_.dof_M0[dof] / kDampingTime;
   }
   m_.opt.timestep = std::min(timestep, kDampedTimestep);
+  // Damped bodies do not creep.
+  const int noslip_iterations = std::exchange(m_.opt.noslip_iterations, 0);
   ReleaseAll();
   const double end = d_.time + pile_.time;
   SlowDown(end - pile_.time / 2);
   std::ranges::copy(damping, m_.dof_damping);
   m_.opt.timestep = timestep;
+  m_.opt.noslip_iterations = noslip_iterations;
   const bool rests = StaysAtRest(end);
   mj_forward(&m_, &d_);
   return rests;
@@ -144,7 +148,8 @@ void PileSimulation::Release(const PiledBody& body) {
 }
 
 bool PileSimulation::Touches(const PiledBody& body) {
-  mj_fwdPosition(&m_, &d_);
+  mj_kinematics(&m_, &d_);
+  mj_collision(&m_, &d_);
   return std::any_of(d_.contact, d_.contact + d_.ncon, [&](const mjContact& contact) {
     return IsIn(m_.geom_bodyid[contact.geom1], body) != IsIn(m_.geom_bodyid[contact.geom2], body);
   });
