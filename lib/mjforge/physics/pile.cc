@@ -139,6 +139,15 @@ std::vector<int> IdsOf(const model::Object& object) {
   return ids;
 }
 
+/// Puts the bodies of a pile far from each other, because an object gets room for the contacts of
+/// its start, and all bodies of a pile are in each other before it is simulated.
+void Separate(const model::Pile& pile, model::Object& object) {
+  constexpr double kApart = 100;  // m
+  double height = 0;
+  for (const auto& item : pile.items)
+    object.bodies[static_cast<std::size_t>(item.body)].X_PB.p.z() += height += kApart;
+}
+
 /// Returns the bodies of a pile in the order of their release. Needs the poses of mj_kinematics and
 /// mj_comPos.
 std::vector<PiledBody> BodiesOf(const mjModel& m, const mjData& d, const model::Pile& pile,
@@ -184,6 +193,7 @@ void TakeStart(const mjModel& m, const mjData& d, const std::vector<int>& ids, i
 
 void PileSettler::Impl::Settle(model::Object& object, const model::Pile& pile,
                                diag::Findings& findings) {
+  Separate(pile, object);
   mjcf::MjcfDocument document;
   mjcf::WriteMjcf(object, mjcf::Target::kMujoco, {}, document);
   const engine::Loaded loaded = engine.LoadText(document.text, document.assets);
