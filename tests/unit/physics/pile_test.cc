@@ -43,7 +43,7 @@ Object Crate(int count, double wall = 0.15) {
   object.sections.push_back({spec::FindSection("option"), {Option()}});
   Body& root = object.bodies.emplace_back();
   root.name = "crate";
-  root.mass_properties.mass = 5;
+  root.mass_properties.mass = 200;
   root.parts.push_back(BoxAt("floor", {0.11, 0.11, 0.005}, {0, 0, -0.005}, 1));
   const double half = wall / 2;
   root.parts.push_back(BoxAt("left", {0.005, 0.11, half}, {-0.105, 0, half}, 1));
@@ -117,7 +117,7 @@ TEST_CASE("a pile that needs more time is reported with its fastest body") {
 
 TEST_CASE("a heavy body on a light one sinks into it") {
   Object object = Crate(2);
-  object.bodies[2].parts[0].mass = object.bodies[2].mass_properties.mass = 100;
+  object.bodies[2].parts[0].mass = object.bodies[2].mass_properties.mass = 200;
   object.piles.front().is_big_first = false;
   for (model::Pile::Item& item : object.piles.front().items) item = {item.body};
   diag::Findings findings;
