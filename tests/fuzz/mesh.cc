@@ -8,8 +8,8 @@ namespace mjforge::fuzz {
 void Run(Input input) {
   const bool is_obj = input.Bit();
   std::string why_not;
-  const std::optional<assemble::MeshFile> file =
-      is_obj ? assemble::ParseObj(input.Rest(), why_not) : assemble::ParseStl(input.Rest(), why_not);
+  const std::optional<assemble::MeshFile> file = is_obj ? assemble::ParseObj(input.Rest(), why_not)
+                                                        : assemble::ParseStl(input.Rest(), why_not);
   Must(file || !why_not.empty(), "a mesh is refused without a reason");
   if (!file) return;
   const model::TriangleMesh& mesh = file->mesh;

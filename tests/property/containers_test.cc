@@ -9,9 +9,9 @@
 #include <catch2/catch.hpp>
 
 #include "harness/source_folder.h"
+#include "mjforge/assemble/assemble.h"
 #include "mjforge/engine/engine.h"
 #include "mjforge/mjcf/mjcf.h"
-#include "mjforge/assemble/assemble.h"
 #include "mjforge/model/model.h"
 #include "mjforge/sample/sample.h"
 #include "mjforge/spec/spec.h"

@@ -71,7 +71,7 @@ class Configurations {
   /// Returns the joint with that name; null if there is none.
   const model::Joint* FindJoint(std::string_view name) const;
   /// Returns the distance of a hinge or slide from its zero to its start, rad or m.
-  double Displacement(std::string_view joint) const;
+  double Displacement(std::string_view name) const;
   /// Returns the element of the section `tendon` with that name; null if there is none.
   const model::Element* FindTendon(std::string_view name) const;
 
