@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "mjforge/mjcf/sections.h"
@@ -12,9 +13,7 @@ namespace {
 
 // The default nconmax is 100 contacts; a geom flat on the floor makes at most four.
 constexpr std::size_t kGeomsThatFit = 24;
-// Contacts of many geoms: few geoms of a large scene touch others. In a stack of dishes, whose
-// walls are convex pieces, each piece has one contact.
-constexpr double kContactsOfManyGeoms = 300;  // in addition to one per geom
+constexpr double kContactsOfManyPairs = 300;  // in addition to two per pair
 // The default njmax is 500 constraints, including contacts.
 constexpr std::size_t kRowsThatFit = 300;
 // MuJoCo lists pairs of bodies that might touch on a stack whose default size grows with the square
@@ -25,19 +24,31 @@ constexpr std::size_t kBodiesThatFit = 1'000;
 constexpr double kMatrixBytes = 1.9e9;
 constexpr double kMostStack = 1.2e8;  // numbers; 1 GB
 
-/// Returns the number of colliding geoms that can lie on other geoms: all in a scene, and otherwise
-/// those of free bodies.
-std::size_t CountCollidingGeoms(const model::Object& object, bool scene) {
-  std::vector<bool> lies(object.bodies.size());
-  std::size_t geoms = 0;
+/// Returns the number of colliding geoms that can lie on others, for each child of the world: all
+/// in a scene, and otherwise those of free bodies.
+std::vector<std::size_t> CountLyingGeoms(const model::Object& object, bool scene) {
+  std::vector<std::size_t> trees(object.bodies.size());
+  std::vector<std::size_t> geoms(object.bodies.size());
   for (std::size_t i = 0; i < object.bodies.size(); ++i) {
     const model::Body& body = object.bodies[i];
-    const bool is_root = body.parent < 0;
-    lies[i] = scene || (is_root ? i > 0 : lies[static_cast<std::size_t>(body.parent)]);
-    if (!lies[i]) continue;
-    for (const model::Part& part : body.parts) geoms += part.role != model::Role::kVisual;
+    trees[i] = body.parent < 0 ? i : trees[static_cast<std::size_t>(body.parent)];
+    if (trees[i] == 0 && !scene) continue;
+    for (const model::Part& part : body.parts) geoms[trees[i]] += part.role != model::Role::kVisual;
   }
   return geoms;
+}
+
+/// Returns room for contacts: four for a geom that lies flat. Of the many pieces of a dish or a
+/// drawer few lie flat, and each further one has one contact, as in a stack of bowls.
+double ContactsOf(const std::vector<std::size_t>& geoms) {
+  constexpr double kFlat = 24;         // contacts of flat geoms, in addition to one per geom
+  constexpr double kFlatOfRoot = 300;  // the same for the root, which may be large
+  double contacts = 0;
+  for (std::size_t i = 0; i < geoms.size(); ++i) {
+    const auto count = static_cast<double>(geoms[i]);
+    contacts += std::min(4 * count, count + (i == 0 ? kFlatOfRoot : kFlat));
+  }
+  return contacts;
 }
 
 // Bounding box of a colliding geom, and the child of the world that its body belongs to.
@@ -133,18 +144,22 @@ void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer) 
   const std::size_t bodies = object.bodies.size();
   // Skip counting for small objects, which have few constraints.
   const std::size_t rows = bodies > 100 ? CountConstraints(object) : 0;
-  std::size_t geoms = scene || bodies > 1 ? CountCollidingGeoms(object, scene) : 0;
-  // A geom lies on one other with four contacts; each further one that it touches may be a box on a
-  // box, which make up to eight.
-  if (HasPlacedBodies(object)) geoms = 2 * std::max(geoms, CountTouchingPairs(object)) - geoms;
-  if (geoms <= kGeomsThatFit && rows <= kRowsThatFit && bodies <= kBodiesThatFit) return;
+  std::vector<std::size_t> lying;
+  if (scene || bodies > 1) lying = CountLyingGeoms(object, scene);
+  const std::size_t geoms = std::accumulate(lying.begin(), lying.end(), std::size_t{0});
+  // Pairs in addition to one for each geom.
+  std::size_t more = 0;
+  if (HasPlacedBodies(object)) more = std::max(geoms, CountTouchingPairs(object)) - geoms;
+  if (geoms + 2 * more <= kGeomsThatFit && rows <= kRowsThatFit && bodies <= kBodiesThatFit) return;
   const double dofs = CountDofs(object);
   const double most = MostRows(dofs);
-  // A geom has up to four contacts, a contact four pyramid edges (condim 3).
+  // A contact has four pyramid edges (condim 3).
   double contacts = scene ? 100 : 0;
-  if (geoms > kGeomsThatFit) {
-    const auto count = static_cast<double>(geoms);
-    contacts = std::min({4 * count, count + kContactsOfManyGeoms, most / 4});
+  if (geoms + 2 * more > kGeomsThatFit) {
+    // A box on a box makes up to eight contacts; of many pairs most are pieces that barely touch.
+    const auto pairs = static_cast<double>(more);
+    contacts = ContactsOf(lying) + std::min(8 * pairs, 2 * pairs + kContactsOfManyPairs);
+    contacts = std::min(contacts, most / 4);
   }
   const double njmax = std::min(4 * contacts + static_cast<double>(rows) + (scene ? 0 : 500), most);
   double nstack = 0;  // 0: MuJoCo's default

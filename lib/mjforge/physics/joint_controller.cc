@@ -301,9 +301,11 @@ void JointController::Measure(std::vector<JointDrive>& drives) {
       drive.highest = std::max(drive.highest, value);
     }
     for (const auto& [bodies, depth] : depths) {
+      const auto initial = initial_depths_.find(bodies);
+      const double deeper = depth - (initial != initial_depths_.end() ? initial->second : 0);
       if (!AreOneTree(bodies)) {
         if (drive.moved[Index(bodies.first)] || drive.moved[Index(bodies.second)])
-          NoteFreeBody(bodies, depth, *drive.driven);
+          NoteFreeBody(bodies, deeper, *drive.driven);
         continue;
       }
       // If several joints are driven, a pair of bodies belongs to the joint that moves one of them.
@@ -311,8 +313,6 @@ void JointController::Measure(std::vector<JointDrive>& drives) {
           drives.size() == 1
               ? m_.body_rootid[bodies.first] == m_.body_rootid[m_.jnt_bodyid[drive.path.joint]]
               : drive.moved[Index(bodies.first)] || drive.moved[Index(bodies.second)];
-      const auto initial = initial_depths_.find(bodies);
-      const double deeper = depth - (initial != initial_depths_.end() ? initial->second : 0);
       if (!is_own || deeper <= drive.driven->measured.penetration) continue;
       drive.driven->measured.penetration = deeper;
       drive.driven->body1 = compiled::NameOf(m_, mjOBJ_BODY, bodies.first);

@@ -57,7 +57,8 @@ class JointController {
   void Reset();
   /// Penetration depths of pairs of bodies, m.
   std::map<Bodies, double> DepthsNow() const;
-  /// Returns false for a body and a free body, which a drive holds in place.
+  /// Returns false if one of two bodies is of the world or of a free body, which a drive holds in
+  /// place.
   bool AreOneTree(const Bodies& bodies) const;
   void NoteFreeBody(const Bodies& bodies, double depth, DrivenJoint& driven) const;
   void DriveAll(std::vector<JointDrive>& drives);

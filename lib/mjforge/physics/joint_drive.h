@@ -21,7 +21,7 @@ struct DrivenJoint {
   /// Names of the two bodies of the joint's tree with the deepest penetration; empty: none.
   std::string body1;
   std::string body2;
-  double free_depth = 0;  // m, of the deepest penetration of a free body
+  double free_depth = 1e-4;  // m, of the deepest penetration of a free body; less is touching
   std::pair<std::string, std::string> free_pair;
   double where = 0;    // position of the joint at that penetration, rad or m
   double outside = 0;  // distance of the start from the range, rad or m

@@ -86,8 +86,8 @@ class PileReport {
     const int second = m_.geom_bodyid[deepest->geom2];
     reporter_.Error(
         Code::kPhysicsPileDeep, pile_.mark,
-        fmt::format("in the pile in '{}', '{}' ({} kg) and '{}' ({} kg) are {} mm in each other",
-                    pile_.at, OwnName(first), RoundedText(MassOfTree(first)), OwnName(second),
+        fmt::format("in the pile in '{}', '{}' ({} kg) and '{}' ({} kg) overlap by {} mm", pile_.at,
+                    OwnName(first), RoundedText(MassOfTree(first)), OwnName(second),
                     RoundedText(MassOfTree(second)), RoundedText(-1000 * deepest->dist)),
         "make the masses more alike, or the contacts harder: a smaller solref, solimp closer to 1");
   }
@@ -121,8 +121,9 @@ struct PileSettler::Impl {
 
   /// Tries releases until one has no fault; adds the faults of the last one.
   void Settle(model::Object& object, const model::Pile& pile, diag::Findings& findings);
-  /// Simulates one release, and takes the start of the bodies from it.
-  void Try(std::size_t release, mjModel& m, const std::vector<int>& ids, model::Object& object,
+  /// Simulates one release, and takes the start of the bodies from it. Returns false, and takes
+  /// nothing, if the simulation diverges.
+  bool Try(std::size_t release, mjModel& m, const std::vector<int>& ids, model::Object& object,
            const model::Pile& pile, static_checks::Reporter& reporter);
 };
 
@@ -139,13 +140,15 @@ std::vector<int> IdsOf(const model::Object& object) {
   return ids;
 }
 
-/// Puts the bodies of a pile far from each other, because an object gets room for the contacts of
-/// its start, and all bodies of a pile are in each other before it is simulated.
-void Separate(const model::Pile& pile, model::Object& object) {
+/// Puts the bodies of all piles far from each other, because an object gets room for the contacts
+/// of its start, and all bodies of a pile are in each other before it is simulated.
+void Separate(model::Object& object) {
   constexpr double kApart = 100;  // m
   double height = 0;
-  for (const auto& item : pile.items)
-    object.bodies[static_cast<std::size_t>(item.body)].X_PB.p.z() += height += kApart;
+  for (const model::Pile& pile : object.piles) {
+    for (const auto& item : pile.items)
+      object.bodies[static_cast<std::size_t>(item.body)].X_PB.p.z() += height += kApart;
+  }
 }
 
 /// Returns the bodies of a pile in the order of their release. Needs the poses of mj_kinematics and
@@ -193,7 +196,6 @@ void TakeStart(const mjModel& m, const mjData& d, const std::vector<int>& ids, i
 
 void PileSettler::Impl::Settle(model::Object& object, const model::Pile& pile,
                                diag::Findings& findings) {
-  Separate(pile, object);
   mjcf::MjcfDocument document;
   mjcf::WriteMjcf(object, mjcf::Target::kMujoco, {}, document);
   const engine::Loaded loaded = engine.LoadText(document.text, document.assets);
@@ -208,13 +210,17 @@ void PileSettler::Impl::Settle(model::Object& object, const model::Pile& pile,
   for (std::size_t release = 0; release < std::min(kMostTries, pile.items.size()); ++release) {
     faults.clear();
     static_checks::Reporter reporter(object.checks, faults);
-    Try(release, *loaded.model, ids, object, pile, reporter);
+    if (!Try(release, *loaded.model, ids, object, pile, reporter)) {
+      faults.Add(Code::kPhysicsUnstable, pile.mark,
+                 fmt::format("the simulation of the pile in '{}' diverges", pile.at),
+                 "use a smaller timestep, or softer contacts");
+    }
     if (!faults.HasErrors()) break;
   }
   for (const diag::Finding& fault : faults) findings.Add(fault);
 }
 
-void PileSettler::Impl::Try(std::size_t release, mjModel& m, const std::vector<int>& ids,
+bool PileSettler::Impl::Try(std::size_t release, mjModel& m, const std::vector<int>& ids,
                             model::Object& object, const model::Pile& pile,
                             static_checks::Reporter& reporter) {
   std::vector<PiledBody> bodies;
@@ -230,21 +236,18 @@ void PileSettler::Impl::Try(std::size_t release, mjModel& m, const std::vector<i
            pile.region.X_BR;
     return PileSimulation(m, d, pile, bodies, X_WR).Run();
   });
-  if (HasDiverged(*end)) {
-    reporter.Error(Code::kPhysicsUnstable, pile.mark,
-                   fmt::format("the simulation of the pile in '{}' diverges", pile.at),
-                   "use a smaller timestep, or softer contacts");
-    return;
-  }
+  if (HasDiverged(*end)) return false;
   PileReport report(m, *end, object, pile, bodies, reporter);
   // A body that left may still fall.
   if (!report.AddLeft(X_WR) && !rests) report.AddMoving();
   report.AddDeep();
   for (const PiledBody& body : bodies) TakeStart(m, *end, ids, body.id, object);
+  return true;
 }
 
 bool PileSettler::Settle(model::Object& object, diag::Findings& findings) {
   const std::size_t before = findings.size();
+  Separate(object);
   for (const model::Pile& pile : object.piles) {
     try {
       impl_->Settle(object, pile, findings);

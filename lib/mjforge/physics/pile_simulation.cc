@@ -27,7 +27,7 @@ constexpr double kFall = 0.05;        // s, in which a released body gets faster
 constexpr double kPatience = 0.5;     // s
 constexpr double kSlowSpeed = 0.01;   // m/s, at which damping ends
 constexpr double kSlowTime = 0.1;     // s, for which all bodies must be that slow
-constexpr double kRestTime = 1;       // s, without damping
+constexpr double kRestTime = 1;       // s, without damping; less if the pile has little time
 constexpr double kRestMotion = 5e-4;  // m, by which a body at rest may creep in kRestTime
 constexpr double kRestTurn = 0.008;   // rad, by which a body at rest may turn in kRestTime
 
@@ -181,12 +181,13 @@ void PileSimulation::SlowDown(double end) {
 
 /// Simulates until no body moves for a while, and returns true if that happens before the end.
 bool PileSimulation::StaysAtRest(double end) {
+  const double rest = std::min(kRestTime, pile_.time / 3);
   std::vector<model::Pose> before = Poses();
   double since = d_.time;
   while (CanGoOn() && d_.time < end) {
     Step();
-    if (d_.time - since < kRestTime) continue;
-    if (AreAt(before)) return true;
+    if (d_.time - since < rest) continue;
+    if (AreAt(before, rest / kRestTime)) return true;
     before = Poses();
     since = d_.time;
   }
@@ -202,12 +203,12 @@ std::vector<model::Pose> PileSimulation::Poses() const {
   return poses;
 }
 
-/// Returns true if no body has moved from a pose, but for a slow creep.
-bool PileSimulation::AreAt(const std::vector<model::Pose>& before) const {
+/// Returns true if no body has moved from a pose, but for a slow creep in this share of kRestTime.
+bool PileSimulation::AreAt(const std::vector<model::Pose>& before, double share) const {
   const std::vector<model::Pose> now = Poses();
   for (std::size_t i = 0; i < now.size(); ++i) {
-    if ((now[i].p - before[i].p).norm() > kRestMotion) return false;
-    if (now[i].q.angularDistance(before[i].q) > kRestTurn) return false;
+    if ((now[i].p - before[i].p).norm() > share * kRestMotion) return false;
+    if (now[i].q.angularDistance(before[i].q) > share * kRestTurn) return false;
   }
   return true;
 }

@@ -47,7 +47,7 @@ class PileSimulation {
   void SlowDown(double end);
   bool StaysAtRest(double end);
   std::vector<model::Pose> Poses() const;
-  bool AreAt(const std::vector<model::Pose>& before) const;
+  bool AreAt(const std::vector<model::Pose>& before, double share) const;
 
   mjModel& m_;
   mjData& d_;

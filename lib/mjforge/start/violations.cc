@@ -46,8 +46,9 @@ class ViolationFinder {
     for (std::size_t i = second == nullptr ? 1 : c.size(); i-- > 0;) wanted = wanted * x + c[i];
     const double amount = std::abs(configurations_.Displacement(first->name) - wanted);
     Report(equality, amount, first->type == "slide",
-           fmt::format("joint '{}' belongs at {}", first->name,
-                       expr::NumberText(model::ZeroPosition(*first)[0] + wanted)));
+           fmt::format("joint '{}' belongs at {} {}", first->name,
+                       expr::NumberText(model::ZeroPosition(*first)[0] + wanted),
+                       first->type == "slide" ? "m" : "rad"));
   }
 
   // A connect holds its anchor, a point of the first body, together. A weld has an anchor in the
@@ -62,7 +63,11 @@ class ViolationFinder {
       anchor = zero.Inverse() * anchor;
     } else if (relpose.size() == 7) {
       const Eigen::Quaterniond q(relpose[3], relpose[4], relpose[5], relpose[6]);
-      if (q.norm() > 0) wanted = {Eigen::Vector3d(relpose.data()), q.normalized()};
+      // The position in `relpose` is that of the anchor.
+      if (q.norm() > 0) {
+        wanted.q = q.normalized();
+        wanted.p = Eigen::Vector3d(relpose.data()) - wanted.q * anchor;
+      }
     }
     if (DistanceOf(X_12, zero, anchor) + X_12.q.angularDistance(zero.q) < kUnmoved) return;
     const sample::Numbers torque = NumbersOf(equality.attributes, "torquescale");

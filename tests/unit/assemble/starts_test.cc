@@ -183,7 +183,8 @@ TEST_CASE("a start that violates an equality of joints is an error") {
   };
   CHECK(Assembling(coupled("1")).findings().empty());
   CHECK(OnlyFinding(coupled("0.5")) ==
-        "8:20 the start violates equality 'thing_gear' by 0.5 rad (joint 'thing_jb' belongs at 1)");
+        "8:20 the start violates equality 'thing_gear' by 0.5 rad (joint 'thing_jb' belongs at 1 "
+        "rad)");
 }
 
 TEST_CASE("a start that violates a connect or a weld is an error") {
@@ -202,6 +203,10 @@ TEST_CASE("a start that violates a connect or a weld is an error") {
         "8:20 the start violates equality 'thing_pin' by 4000 mm (give the joints of both bodies "
         "their starts)");
   CHECK(Assembling(linked(weld, "{ja: 0.5, jb: 0.5}")).findings().empty());
+  // The position in `relpose` is that of the anchor.
+  const std::string anchored =
+      "{weld: {name: glue, body1: a, body2: b, anchor: [0, 2, 0], relpose: [0, 2, 0, 1, 0, 0, 0]}}";
+  CHECK(Assembling(linked(anchored, "{ja: 0.5, jb: 0.5}")).findings().empty());
   CHECK(OnlyFinding(linked(weld, "{ja: 0.5}")) ==
         "8:20 the start violates equality 'thing_glue' by 0.5 rad (give the joints of both bodies "
         "their starts)");

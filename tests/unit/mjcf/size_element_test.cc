@@ -54,7 +54,11 @@ TEST_CASE("free bodies that lie on an object need room for their contacts, its o
   CHECK(size.attribute("nconmax").as_int() == 4 * 26);
   CHECK(size.attribute("njmax").as_int() == 4 * 4 * 26 + 500);
   add_free(137);
-  CHECK(SizeOf(object, Target::kMujoco, parsed).attribute("nconmax").as_int() == 300 + 300);
+  CHECK(SizeOf(object, Target::kMujoco, parsed).attribute("nconmax").as_int() == 4 * 300);
+  // Few pieces of a dish lie flat.
+  object.bodies.resize(3);
+  for (int i = 0; i < 40; ++i) object.bodies[1].parts.push_back(object.bodies[1].parts[0]);
+  CHECK(SizeOf(object, Target::kMujoco, parsed).attribute("nconmax").as_int() == 42 + 24 + 4 * 2);
   // A joint to the object is no contact.
   for (model::Body& body : object.bodies) body.parent = &body == &object.bodies[0] ? -1 : 0;
   CHECK_FALSE(SizeOf(object, Target::kMujoco, parsed));
