@@ -76,7 +76,9 @@ std::optional<Original> FromFile(const std::filesystem::path& file, diag::Findin
   if (!provenance) {
     findings.Add(diag::Code::kOutputBadManifest, {},
                  fmt::format("'{}' does not start with mjforge's comment", file.string()),
-                 "only files that mjforge wrote can be replayed");
+                 file.string().ends_with(output::kPlacementEnding)
+                     ? "replay MANIFEST:INDEX, or the file of an object"
+                     : "only files that mjforge wrote can be replayed");
     return std::nullopt;
   }
   Original original;
