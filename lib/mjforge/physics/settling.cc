@@ -67,10 +67,11 @@ class SettlingSimulation {
   }
 
  private:
-  /// Returns the pose of the centre of mass of a tree, in the frame of the reference body.
+  /// Returns the pose of the centre of mass of a body, without bodies that joints attach to it, such
+  /// as a lid that falls shut, in the frame of the reference body.
   model::Pose PoseOf(int body) const {
     const auto turn = [&](int of) { return compiled::QuaternionAt(d_.xquat, of); };
-    const model::Pose X_WB = {compiled::VectorAt(d_.subtree_com, body), turn(body)};
+    const model::Pose X_WB = {compiled::VectorAt(d_.xipos, body), turn(body)};
     const model::Pose X_WR = {compiled::VectorAt(d_.xpos, reference_), turn(reference_)};
     return X_WR.Inverse() * X_WB;
   }
