@@ -120,6 +120,17 @@ void PlaceNames::ReportBody(std::string_view owner, std::string_view name, diag:
                diag::DidYouMean(name, names));
 }
 
+std::vector<std::string_view> PlaceNames::TargetsOn(int index) const {
+  const model::Body& body = object_.bodies[static_cast<std::size_t>(index)];
+  std::vector<std::string_view> names;
+  for (const model::Region& region : body.regions) names.push_back(region.name);
+  for (const model::Site& site : body.sites)
+    names.push_back(Without(site.name, {body.name + "_", scope_.prefix}));
+  std::ranges::sort(names);
+  names.erase(std::unique(names.begin(), names.end()), names.end());  // regions are sites, too
+  return names;
+}
+
 void PlaceNames::ReportTarget(std::string_view owner, std::string_view name, diag::SourceMark mark,
                               diag::Findings& findings) const {
   const std::size_t dot = name.rfind('.');
@@ -128,13 +139,16 @@ void PlaceNames::ReportTarget(std::string_view owner, std::string_view name, dia
   const std::optional<int> index = FindBody(body_name);
   if (!index) return ReportBody(owner, body_name, mark, findings);
   const std::string_view last = is_root ? name : name.substr(dot + 1);
-  const model::Body& body = object_.bodies[static_cast<std::size_t>(*index)];
-  std::vector<std::string_view> names;
-  for (const model::Region& region : body.regions) names.push_back(region.name);
-  for (const model::Site& site : body.sites)
-    names.push_back(Without(site.name, {body.name + "_", scope_.prefix}));
-  std::ranges::sort(names);
-  names.erase(std::unique(names.begin(), names.end()), names.end());  // regions are sites, too
+  if (const std::optional<int> other = is_root ? FindBody(name) : std::nullopt) {
+    const std::vector<std::string_view> places = TargetsOn(*other);
+    findings.Add(
+        Code::kModelUnknownReference, mark,
+        fmt::format("place of {}: {} is a body, not a region or a site", owner, Quoted(name)),
+        places.empty() ? "give it one with `regions:`"
+                       : fmt::format("such as {}.{}", name, places.front()));
+    return;
+  }
+  std::vector<std::string_view> names = TargetsOn(*index);
   std::string hint = diag::DidYouMean(last, std::span<const std::string_view>(names));
   if (names.empty()) {
     hint = "give it one with `regions:`";

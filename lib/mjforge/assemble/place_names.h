@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 #include "mjforge/assemble/scope.h"
 
@@ -47,6 +48,9 @@ class PlaceNames {
                     diag::Findings& findings) const;
 
  private:
+  /// Returns the names of the regions and sites of a body, without its own name.
+  std::vector<std::string_view> TargetsOn(int index) const;
+
   /// Returns the names between dots, without that of the spec itself in front.
   std::vector<std::string_view> PathOf(std::string_view name) const;
 

@@ -38,8 +38,8 @@ std::vector<std::size_t> CountLyingGeoms(const model::Object& object, bool scene
   return geoms;
 }
 
-/// Returns room for contacts: four for a geom that lies flat. Of the many pieces of a dish or a
-/// drawer few lie flat, and each further one has one contact, as in a stack of bowls.
+/// Returns room for contacts: four for a geom that lies flat. Few of the many pieces of a dish or a
+/// drawer lie flat, and each further piece has one contact, as in a stack of bowls.
 double ContactsOf(const std::vector<std::size_t>& geoms) {
   constexpr double kFlat = 24;         // contacts of flat geoms, in addition to one per geom
   constexpr double kFlatOfRoot = 300;  // the same for the root, which may be large

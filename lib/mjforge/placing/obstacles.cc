@@ -103,7 +103,8 @@ std::optional<Blocker> Obstacles::FindBlocker(std::span<const PlacedShape> shape
     for (const auto& [body, obstacle] : group.obstacles) {
       if (support.is_ignored && body == support.body) continue;
       if (AreFarther(obstacle.box_W, box_W, asked)) continue;
-      const bool may_touch = asked > 0 && (body == support.body || IsBelow(obstacle, support));
+      const bool may_touch = asked > 0 && (body == support.body || IsBelow(obstacle, support) ||
+                                           std::ranges::count(support.below, body) > 0);
       const double wanted = may_touch ? 0 : asked;
       for (const PlacedShape& placed : shapes) {
         if (AreFarther(obstacle.box_W, placed.box_W, wanted)) continue;

@@ -26,6 +26,8 @@ struct Support {
   Eigen::Vector3d p_W;      // a point of the plane
   Eigen::Vector3d up_W;     // its normal
   bool is_ignored = false;  // the body may overlap
+  /// Placed bodies that the body stands on, directly or not, such as the lower bowls of a stack.
+  std::vector<int> below = {};
 };
 
 /// An obstacle that is too near.

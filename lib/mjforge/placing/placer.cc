@@ -147,7 +147,16 @@ class RegionTry {
   }
 
  private:
-  Support SupportPlane() const { return {where_.support, X_WR_.p, X_WR_.q * Vector3d::UnitZ()}; }
+  Support SupportPlane() const {
+    Support support{where_.support, X_WR_.p, X_WR_.q * Vector3d::UnitZ()};
+    const auto at = [&](int body) -> const model::Body& {
+      return object_.bodies[static_cast<std::size_t>(body)];
+    };
+    for (int body = where_.support; body >= 0 && !at(body).stands_at.empty();
+         body = at(body).parent)
+      support.below.push_back(body);
+    return support;
+  }
 
   // If the body faces a point, its heading depends on its position, which depends on its heading.
   Stance FindStance() const {

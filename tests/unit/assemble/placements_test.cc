@@ -236,6 +236,8 @@ TEST_CASE("findings of places") {
   CHECK(finding(Ball("name: a, place: {at: table.x}")) ==
         "10:27 place of body 'a': body 'table' has no region and no site 'x' (it has hook, "
         "surface)");
+  CHECK(finding(Ball("name: a, place: {at: table}")) ==
+        "10:27 place of body 'a': 'table' is a body, not a region or a site (such as table.hook)");
   CHECK(finding(Ball("name: a, place: {at: table.surface, facing: b}") +
                 Ball("name: b, place: {at: table.surface}")) ==
         "10:50 body 'a' is placed before 'b' (write the entry of 'b' before that of 'a')");

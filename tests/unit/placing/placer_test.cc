@@ -111,6 +111,26 @@ TEST_CASE("a body stands at a gap beside another, as that body's front says") {
   CHECK(std::abs(YawOf(turned) - M_PI / 2) < 1e-9);
 }
 
+TEST_CASE("a stack may touch a body below that asks for distance") {
+  Table table;
+  Region top = BoxRegion(0.02, 0.02, 0.002);
+  top.margin = -0.1;
+  const int lowest = table.AddBox(0.05, 0.05, 0.002);
+  table.scene.AddPart(ShapeOf(GeomType::kBox, 0.002, 0.05, 0.05), At(0.07, 0, 0.05));  // a wall
+  table.Place(lowest, table.Where(), 0.03);
+  int below = lowest;
+  for (int i = 0; i < 2; ++i) {
+    table.scene.body(below).stands_at = "below";
+    PlaceTry where = table.Where();
+    where.support = below;
+    where.region = &top;
+    const int body = table.AddBox(0.05, 0.05, 0.002);
+    table.scene.body(body).parent = below;
+    CHECK(table.Place(body, where).verdict == PlaceVerdict::kStands);
+    below = body;
+  }
+}
+
 TEST_CASE("the front of a body faces a point or looks along a direction") {
   Table table;
   const int box = table.AddBox(0.05, 0.02, 0.05);
