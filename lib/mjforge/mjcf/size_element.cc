@@ -41,8 +41,9 @@ std::vector<std::size_t> CountLyingGeoms(const model::Object& object, bool scene
 /// Returns room for contacts: four for a geom that lies flat. Few of the many pieces of a dish or a
 /// drawer lie flat, and each further piece has one contact, as in a stack of bowls.
 double ContactsOf(const std::vector<std::size_t>& geoms) {
-  constexpr double kFlat = 24;         // contacts of flat geoms, in addition to one per geom
-  constexpr double kFlatOfRoot = 300;  // the same for the root, which may be large
+  // Contacts of flat geoms, in addition to one per geom; the root may be large.
+  constexpr double kFlat = 24;
+  constexpr double kFlatOfRoot = 300;
   double contacts = 0;
   for (std::size_t i = 0; i < geoms.size(); ++i) {
     const auto count = static_cast<double>(geoms[i]);

@@ -49,8 +49,8 @@ class Obstacles {
                                      const Support& support) const;
 
   /// Returns the radius to which a cylinder can be widened until it touches an obstacle, at most
-  /// `most`, m; 0 if its axis touches one. The supporting body, and what is wholly below the
-  /// support, are no obstacles.
+  /// `most`, m; 0 if one is nearer than 1 mm to its axis. The supporting body, and what is wholly
+  /// below the support, are no obstacles.
   double FreeRadius(const model::Pose& X_WCylinder, double half_height, double most,
                     const Support& support) const;
 
