@@ -56,7 +56,8 @@ void ReportCrowded(const NoRoom& what, const Misses& misses, diag::Finding& find
     finding.message +=
         fmt::format(", {}: it needs {}", SizeOf(*what.region), Sizes(misses.footprint));
     if (what.clear > 0) finding.message += fmt::format(" and {} cm around it", Cm(what.clear));
-    finding.message += fmt::format("; the widest gap is {} cm across", Cm(what.widest_gap));
+    finding.message += fmt::format("; the widest gap is {} cm across",
+                                   Cm(std::floor(1000 * what.widest_gap) / 1000));
     if (what.instances > 1) {
       finding.message +=
           fmt::format("; {} of {} have found a place", what.standing, what.instances);

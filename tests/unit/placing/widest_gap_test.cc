@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 using model::GeomType;
 
-constexpr double kPrecision = 2e-4;  // m, of a diameter
+constexpr double kPrecision = 2e-3;  // m, of a diameter
 
 // Returns the widest gap of an area at the height 0 for a body of this height.
 double GapOf(const model::Region& region, const Scene& scene, double height = 0.1) {
