@@ -26,7 +26,7 @@ WITH_MUJOCO = {"mjcf"}
 
 SMOKE_SECONDS = 6
 # A run that takes longer is a bug: no input is longer than this, and sanitizers cost tenfold.
-TIMEOUT_SECONDS = 20
+TIMEOUT_SECONDS = 40
 SLOW_MS = 300  # to begin with
 MEMORY_MB = 2560
 MOST_BYTES = {"seal": 2000, "expression": 400, "spec": 4000, "mjcf": 8000}

@@ -66,11 +66,12 @@ PlacedShape CylinderAt(const model::Pose& X_WG, double radius, double half_heigh
 // conservative advancement, because the distance shrinks by no more than the radius grows.
 double FreeRadiusBeside(const PlacedShape& fixed, const model::Pose& X_WCylinder,
                         double half_height, double most) {
+  constexpr double kNear = 1e-5;   // m
   constexpr double kLeast = 1e-3;  // m; libccd is not reliable with thinner cylinders
   double radius = kLeast;
   for (int i = 0; i < kMostSteps; ++i) {
     const double distance = distance::Distance(CylinderAt(X_WCylinder, radius, half_height), fixed);
-    if (distance <= kTouch) return radius > kLeast ? radius : 0;
+    if (distance <= kNear) return radius > kLeast ? radius : 0;
     radius += distance;
     if (radius >= most) return most;
   }

@@ -18,7 +18,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kPrecision = 5e-4;  // m, of the radius
-constexpr int kMostSquares = 2'000;
+constexpr int kMostSquares = 1'000;
 const std::array kCorners = {Vector2d(-1, -1), Vector2d(1, -1), Vector2d(1, 1), Vector2d(-1, 1)};
 
 // A square of the plane of the region, and the radius of the largest free disc around its middle.
