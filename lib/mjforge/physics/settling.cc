@@ -67,8 +67,8 @@ class SettlingSimulation {
   }
 
  private:
-  /// Returns the pose of the centre of mass of a body, without bodies that joints attach to it, such
-  /// as a lid that falls shut, in the frame of the reference body.
+  /// Returns the pose of the centre of mass of a body, without bodies that joints attach to it,
+  /// such as a lid that falls shut, in the frame of the reference body.
   model::Pose PoseOf(int body) const {
     const auto turn = [&](int of) { return compiled::QuaternionAt(d_.xquat, of); };
     const model::Pose X_WB = {compiled::VectorAt(d_.xipos, body), turn(body)};
