@@ -118,9 +118,8 @@ def generate(program, folder, is_all):
     for target, (_, options) in SETS.items():
         for name in names:
             scene = name.startswith("scenes/")
-            if scene and target == "mjx":
-                print(f"mjx does not get {name}: it reserves memory for all pairs of geoms", flush=True)
-                continue
+            if scene and target not in ("mujoco", "files"):
+                continue  # several roots; MJX would reserve memory for all pairs of geoms
             try:
                 count = min(count_of(target, is_all), 2) if scene else count_of(target, is_all)
                 run([program, "generate", name, "-n", str(count), *options,
