@@ -31,8 +31,7 @@ bool IsLoose(const model::Object& object, std::size_t index) {
   auto i = static_cast<int>(index);
   while (i > 0) {
     const model::Body& body = object.bodies[static_cast<std::size_t>(i)];
-    if (std::ranges::find(body.joints, "free", &model::Joint::type) != body.joints.end())
-      return true;
+    if (model::FreeJointOf(body) != nullptr) return true;
     i = body.parent;
   }
   return i < 0;

@@ -2,8 +2,6 @@
 
 #include "mjforge/assemble/free_bodies.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "mjforge/model/model.h"
@@ -11,16 +9,11 @@
 namespace mjforge::assemble {
 namespace {
 
-const model::Joint* FreeJointOf(const model::Body& body) {
-  const auto found = std::ranges::find(body.joints, "free", &model::Joint::type);
-  return found == body.joints.end() ? nullptr : &*found;
-}
-
 // Returns the nearest ancestor that has joints and is not free; null if there is none.
 const model::Body* MovingParent(const std::vector<model::Body>& bodies, int parent) {
   for (; parent >= 0; parent = bodies[static_cast<std::size_t>(parent)].parent) {
     const model::Body& body = bodies[static_cast<std::size_t>(parent)];
-    if (!body.joints.empty() && FreeJointOf(body) == nullptr) return &body;
+    if (!body.joints.empty() && model::FreeJointOf(body) == nullptr) return &body;
   }
   return nullptr;
 }
@@ -52,7 +45,7 @@ bool MayBeFree(const std::vector<model::Body>& bodies, const model::Body& body,
 void ReleaseFreeBodies(std::vector<model::Body>& bodies, diag::Findings& findings) {
   std::vector<std::size_t> released;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const model::Joint* joint = FreeJointOf(bodies[i]);
+    const model::Joint* joint = model::FreeJointOf(bodies[i]);
     if (joint == nullptr || !MayBeFree(bodies, bodies[i], *joint, findings)) continue;
     if (i > 0) released.push_back(i);  // the root already is a child of the world
   }

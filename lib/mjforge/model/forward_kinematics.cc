@@ -24,6 +24,11 @@ std::size_t VelocityCount(const Joint& joint) {
   return joint.type == "ball" ? 3 : 1;
 }
 
+const Joint* FreeJointOf(const Body& body) {
+  const auto found = std::ranges::find(body.joints, "free", &Joint::type);
+  return found == body.joints.end() ? nullptr : &*found;
+}
+
 // Source: mj_kinematics of MuJoCo 2.2 (src/engine/engine_core_smooth.c).
 Pose JointMotion(const Joint& joint, const sample::Numbers& from, const sample::Numbers& to) {
   if (from.empty()) return to.empty() ? Pose() : JointMotion(joint, ZeroPosition(joint), to);

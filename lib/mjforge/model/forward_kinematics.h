@@ -19,6 +19,9 @@ sample::Numbers ZeroPosition(const Joint& joint);
 /// Returns the count of numbers that a joint has in qvel.
 std::size_t VelocityCount(const Joint& joint);
 
+/// Returns the free joint of a body; null if the body has none.
+const Joint* FreeJointOf(const Body& body);
+
 /// Returns the motion of the body of a hinge, slide or ball joint when the joint moves from one
 /// position to another: X_B0B1, the pose of the body after the motion in its frame before the
 /// motion. Positions are as in qpos; an empty one is ZeroPosition().

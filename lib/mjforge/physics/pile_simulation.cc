@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/physics/probe_bodies.h"
@@ -37,23 +36,21 @@ bool PileSimulation::Run() {
   Hold();
   Park();
   const std::vector<mjtNum> damping(m_.dof_damping, m_.dof_damping + m_.nv);
-  const double timestep = m_.opt.timestep;
+  const mjOption options = m_.opt;
   for (int dof = 0; dof < m_.nv; ++dof) {
     const bool is_piled = std::ranges::any_of(
         bodies_, [&](const PiledBody& piled) { return IsIn(m_.dof_bodyid[dof], piled); });
     if (is_piled) m_.dof_damping[dof] += m_.dof_M0[dof] / kDampingTime;
   }
-  m_.opt.timestep = std::min(timestep, kDampedTimestep);
+  m_.opt.timestep = std::min(m_.opt.timestep, kDampedTimestep);
   // Damped bodies need no exact forces, which cost more than half of the time, and do not creep.
-  const int noslip_iterations = std::exchange(m_.opt.noslip_iterations, 0);
-  const int solver = std::exchange(m_.opt.solver, int{mjSOL_CG});
+  m_.opt.noslip_iterations = 0;
+  m_.opt.solver = mjSOL_CG;
   ReleaseAll();
   const double end = d_.time + pile_.time;
   SlowDown(end - pile_.time / 2);
   std::ranges::copy(damping, m_.dof_damping);
-  m_.opt.timestep = timestep;
-  m_.opt.noslip_iterations = noslip_iterations;
-  m_.opt.solver = solver;
+  m_.opt = options;
   const bool rests = StaysAtRest(end);
   mj_forward(&m_, &d_);
   return rests;

@@ -8,8 +8,8 @@
 namespace mjforge::placing {
 
 /// Returns the diameter of the largest disc within the region and its margin above which nothing
-/// stands up to `height`, m, to a millimetre; 0 if there is none. X_WR is the pose of
-/// the region. The body that has the region is no obstacle.
+/// stands up to `height`, m, to a millimetre; 0 if there is none. X_WR is the pose of the region.
+/// The body that has the region is no obstacle.
 double WidestGap(const model::Region& region, const model::Pose& X_WR, double height,
                  const Obstacles& obstacles, const Support& support);
 

@@ -15,10 +15,6 @@ int Join(int a, int b) {
 
 }  // namespace
 
-bool IsFree(const model::Body& body) {
-  return std::ranges::count(body.joints, "free", &model::Joint::type) > 0;
-}
-
 Owners::Owners(const model::Object& scene) : scene_(scene), bodies_(scene.bodies.size(), kNoOwner) {
   AddRoots();
   AddNames();

@@ -15,9 +15,6 @@ namespace mjforge::split {
 inline constexpr int kNoOwner = -1;   // the empty root, or elements of several objects
 inline constexpr int kAnyOwner = -2;  // the element refers to nothing that an object has
 
-/// Returns true for a body with a free joint.
-bool IsFree(const model::Body& body);
-
 /// The objects of a scene; see Split() for the rule where one begins.
 class Owners {
  public:

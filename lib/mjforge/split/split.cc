@@ -215,7 +215,7 @@ std::optional<std::vector<ScenePart>> Split(const Object& scene, const SplitOpti
     part.object = Extraction(scene, owners, static_cast<int>(i), std::move(new_names))(name);
     part.X_WO = X_WB[root];
     part.at = body.stands_at;
-    part.is_free = IsFree(body);
+    part.is_free = model::FreeJointOf(body) != nullptr;
     is_good &= HasUniqueNames(part.object, findings);
   }
   if (!is_good) return std::nullopt;
