@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "mjforge/mjcf/sections.h"
@@ -14,6 +16,7 @@ namespace {
 // The default nconmax is 100 contacts; a geom flat on the floor makes at most four.
 constexpr std::size_t kGeomsThatFit = 24;
 constexpr double kContactsOfManyPairs = 300;  // in addition to two per pair
+constexpr double kSpareContacts = 50;         // contacts come and go while placed bodies settle
 // The default njmax is 500 constraints, including contacts.
 constexpr std::size_t kRowsThatFit = 300;
 // MuJoCo lists pairs of bodies that might touch on a stack whose default size grows with the square
@@ -24,16 +27,25 @@ constexpr std::size_t kBodiesThatFit = 1'000;
 constexpr double kMatrixBytes = 1.9e9;
 constexpr double kMostStack = 1.2e8;  // numbers; 1 GB
 
+/// Returns for each body the index of the child of the world that it is or is below.
+std::vector<std::size_t> TreesOf(const model::Object& object) {
+  std::vector<std::size_t> trees(object.bodies.size());
+  for (std::size_t i = 0; i < trees.size(); ++i) {
+    const int parent = object.bodies[i].parent;
+    trees[i] = parent < 0 ? i : trees[static_cast<std::size_t>(parent)];
+  }
+  return trees;
+}
+
 /// Returns the number of colliding geoms that can lie on others, for each child of the world: all
 /// in a scene, and otherwise those of free bodies.
 std::vector<std::size_t> CountLyingGeoms(const model::Object& object, bool scene) {
-  std::vector<std::size_t> trees(object.bodies.size());
-  std::vector<std::size_t> geoms(object.bodies.size());
-  for (std::size_t i = 0; i < object.bodies.size(); ++i) {
-    const model::Body& body = object.bodies[i];
-    trees[i] = body.parent < 0 ? i : trees[static_cast<std::size_t>(body.parent)];
+  const std::vector<std::size_t> trees = TreesOf(object);
+  std::vector<std::size_t> geoms(trees.size());
+  for (std::size_t i = 0; i < trees.size(); ++i) {
     if (trees[i] == 0 && !scene) continue;
-    for (const model::Part& part : body.parts) geoms[trees[i]] += part.role != model::Role::kVisual;
+    for (const model::Part& part : object.bodies[i].parts)
+      geoms[trees[i]] += part.role != model::Role::kVisual;
   }
   return geoms;
 }
@@ -55,19 +67,17 @@ double ContactsOf(const std::vector<std::size_t>& geoms) {
 // Bounding box of a colliding geom, and the child of the world that its body belongs to.
 struct GeomBox {
   model::Box3 box;
-  int tree;
+  std::size_t tree;
 };
 
 // Returns the colliding geoms, sorted along x.
 std::vector<GeomBox> GeomBoxes(const model::Object& object) {
   constexpr double kNear = 2e-4;  // m; placed bodies start at most 0.1 mm apart
   const std::vector<model::Pose> X_WB = model::BodyPoses(object);
-  std::vector<int> trees(object.bodies.size());
+  const std::vector<std::size_t> trees = TreesOf(object);
   std::vector<GeomBox> boxes;
-  for (std::size_t i = 0; i < object.bodies.size(); ++i) {
-    const model::Body& body = object.bodies[i];
-    trees[i] = body.parent < 0 ? static_cast<int>(i) : trees[static_cast<std::size_t>(body.parent)];
-    for (const model::Part& part : body.parts) {
+  for (std::size_t i = 0; i < trees.size(); ++i) {
+    for (const model::Part& part : object.bodies[i].parts) {
       if (part.role == model::Role::kVisual) continue;
       model::Box3 box = model::BoundsOf(part.shape, X_WB[i] * part.X_BG);
       box.min.array() -= kNear / 2;
@@ -80,18 +90,25 @@ std::vector<GeomBox> GeomBoxes(const model::Object& object) {
 }
 
 /// Returns the number of pairs of geoms of different children of the world whose bounding boxes
-/// touch at the start: a geom can lie on many others, such as a box on planks.
+/// touch at the start: a geom can lie on many others, such as a box on planks. Boxes of the pieces
+/// of nested bowls touch many others, but the pieces only about one: two children of the world have
+/// at most as many pairs as geoms.
 std::size_t CountTouchingPairs(const model::Object& object) {
   const std::vector<GeomBox> boxes = GeomBoxes(object);
-  std::size_t pairs = 0;
+  std::map<std::size_t, std::size_t> geoms;
+  for (const GeomBox& geom : boxes) ++geoms[geom.tree];
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> pairs;
   for (auto a = boxes.begin(); a != boxes.end(); ++a) {
     for (auto b = a + 1; b != boxes.end() && b->box.min.x() <= a->box.max.x(); ++b) {
       const bool touch = (a->box.min.array() <= b->box.max.array()).all() &&
                          (b->box.min.array() <= a->box.max.array()).all();
-      pairs += a->tree != b->tree && touch;
+      if (a->tree != b->tree && touch) ++pairs[std::minmax(a->tree, b->tree)];
     }
   }
-  return pairs;
+  std::size_t sum = 0;
+  for (const auto& [trees, count] : pairs)
+    sum += std::min(count, geoms[trees.first] + geoms[trees.second]);
+  return sum;
 }
 
 // Returns the maximum number of constraints without contacts.
@@ -150,7 +167,8 @@ void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer) 
   const std::size_t geoms = std::accumulate(lying.begin(), lying.end(), std::size_t{0});
   // Pairs in addition to one for each geom.
   std::size_t more = 0;
-  if (HasPlacedBodies(object)) more = std::max(geoms, CountTouchingPairs(object)) - geoms;
+  const bool placed = HasPlacedBodies(object);
+  if (placed) more = std::max(geoms, CountTouchingPairs(object)) - geoms;
   if (geoms + 2 * more <= kGeomsThatFit && rows <= kRowsThatFit && bodies <= kBodiesThatFit) return;
   const double dofs = CountDofs(object);
   const double most = MostRows(dofs);
@@ -160,6 +178,7 @@ void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer) 
     // A box on a box makes up to eight contacts; of many pairs most are pieces that barely touch.
     const auto pairs = static_cast<double>(more);
     contacts = ContactsOf(lying) + std::min(8 * pairs, 2 * pairs + kContactsOfManyPairs);
+    if (placed) contacts += kSpareContacts;
     contacts = std::min(contacts, most / 4);
   }
   const double njmax = std::min(4 * contacts + static_cast<double>(rows) + (scene ? 0 : 500), most);

@@ -73,9 +73,26 @@ TEST_CASE("a placed geom that lies on many others needs room for all of these co
                                         {{2, 0, 0.2}, {1, 0, 0, 0}}, 3));
   body.joints.emplace_back();
   pugi::xml_document parsed;
-  CHECK(SizeOf(object, Target::kMujoco, parsed).attribute("nconmax").as_int() == 4 * (2 * 20 - 1));
+  CHECK(SizeOf(object, Target::kMujoco, parsed).attribute("nconmax").as_int() ==
+        4 * (2 * 20 - 1) + 50);
   body.X_PB.p.z() = 1;
   CHECK_FALSE(SizeOf(object, Target::kMujoco, parsed));
+}
+
+TEST_CASE("two placed bodies have at most as many pairs of touching geoms as geoms") {
+  model::Object object = Balls(30);
+  model::Body& body = object.bodies.emplace_back();
+  body = object.bodies[0];
+  body.name = "nested";
+  body.stands_at = "pile.surface";
+  body.joints.emplace_back();
+  // All balls of one body touch all balls of the other one.
+  for (model::Body& each : object.bodies)
+    for (model::Part& part : each.parts) part.X_BG.p.x() = 0;
+  pugi::xml_document parsed;
+  // 30 + 24 contacts of the second body, eight for each of the pairs beyond its geoms, and spare.
+  const int contacts = 30 + 24 + 8 * (60 - 30) + 50;
+  CHECK(SizeOf(object, Target::kMujoco, parsed).attribute("nconmax").as_int() == contacts);
 }
 
 TEST_CASE("a size is one that MuJoCo 2.2 can address") {
