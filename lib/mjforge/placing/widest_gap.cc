@@ -52,7 +52,8 @@ struct Place {
 Square SquareAt(const Vector2d& middle, double half, const Place& in) {
   const double inside = -model::DistanceOutside(in.region, middle) - in.region.margin;
   if (inside <= 0) return {middle, half, inside};
-  const model::Pose X_RC{{middle.x(), middle.y(), kContactGap + in.half_height}, {}};
+  model::Pose X_RC;
+  X_RC.p = {middle.x(), middle.y(), kContactGap + in.half_height};
   return {middle, half,
           in.obstacles.FreeRadius(in.X_WR * X_RC, in.half_height, inside, in.support)};
 }
