@@ -31,6 +31,7 @@ constexpr KeyedMember<model::Checks, double> kNumbers[] = {
     {"joint_reach", &model::Checks::joint_reach},
     {"joint_penetration", &model::Checks::joint_penetration},
     {"joint_return", &model::Checks::joint_return},
+    {"equality_error", &model::Checks::equality_error},
     {"hinge_range", &model::Checks::hinge_range},
     {"slide_range", &model::Checks::slide_range},
     {"overlap", &model::Checks::overlap},

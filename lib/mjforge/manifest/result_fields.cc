@@ -33,6 +33,10 @@ constexpr JsonMember<Result::Joint> kJoint[] = {{"name", &Result::Joint::name},
                                                 {"penetration", &Result::Joint::penetration},
                                                 {"return_error", &Result::Joint::return_error}};
 
+constexpr JsonMember<Result::Equality> kEquality[] = {{"name", &Result::Equality::name},
+                                                      {"error", &Result::Equality::error},
+                                                      {"share", &Result::Equality::share}};
+
 constexpr JsonMember<Result::Stability> kStability[] = {{"angle", &Result::Stability::angle},
                                                         {"energy", &Result::Stability::energy}};
 
@@ -64,6 +68,7 @@ constexpr JsonMember<Result::SimReady> kSimReady[] = {
 template <typename AnyResult, typename Use>
 void ForEachPart(AnyResult& result, const Use& use) {
   use("joints", result.joints, kJoint);
+  use("equalities", result.equalities, kEquality);
   use("stability", result.stability, kStability);
   use("holds", result.holds, kHolding);
   use("settled", result.settled, kSettling);

@@ -126,6 +126,7 @@ struct Checks {
   double joint_reach = 0.9;                // share of the range
   double joint_penetration = 0.001;        // m
   double joint_return = 0.05;              // share of the range
+  double equality_error = 0.02;            // share of the way of joint 1, or of the object's size
   double hinge_range = 6.283185307179586;  // rad, widest range of an uncoupled hinge
   double slide_range = 3;                  // longest range of an uncoupled slide / longest side
   // Numbers that need no simulation.

@@ -80,6 +80,10 @@ enum class Role { kBoth, kCollision, kVisual };
 struct Part {
   std::string name;
   std::string piece_of;  // name of the shape that this part is a piece of; otherwise empty
+
+  /// Returns the full name of the part in the spec that this part is, or is a piece of.
+  const std::string& NameInSpec() const { return piece_of.empty() ? name : piece_of; }
+
   Role role = Role::kBoth;
   Shape shape;
   int mesh = -1;  // index in Object::meshes

@@ -13,9 +13,12 @@
 
 #include "mjforge/expr/expr.h"
 #include "mjforge/physics/drop.h"
+#include "mjforge/physics/element_marks.h"
+#include "mjforge/physics/equality_check.h"
 #include "mjforge/physics/joint_checks.h"
-#include "mjforge/physics/joint_couplings.h"
 #include "mjforge/physics/joint_drive.h"
+#include "mjforge/physics/joint_effort.h"
+#include "mjforge/physics/joint_ranges.h"
 #include "mjforge/physics/joint_rest.h"
 #include "mjforge/physics/parent_penetration.h"
 #include "mjforge/physics/simready.h"
@@ -35,7 +38,6 @@ constexpr const char* kHarderContacts = "use harder contacts: a smaller solref, 
 constexpr const char* kMakeRoom = "make room, use another `pose`, or add `contact: exclude`";
 constexpr const char* kInTheWay = "use a shorter range, make room, or add `contact: exclude`";
 
-constexpr double kSameRange = 1e-6;  // rounding: limit and range may come from the same parameter
 constexpr double kDegrees = 180 / std::numbers::pi;
 
 // Limits of timesteps and of their number. MuJoCo accepts any timestep, but results are useless if
@@ -67,7 +69,8 @@ class Behaviour {
          FindJointsOffRange(m_, *end_, object_.name, reporter_.checks()))
       ReportOffRange(off_range);
     CheckStability(result);
-    CheckRanges();
+    CheckRanges(m_, object_, mark_, reporter_);
+    CheckEfforts(m_, workspace_, object_, mark_, reporter_);
     for (const UnsupportedLink& link : FindUnsupportedLinks(m_, workspace_.For(m_)))
       ReportUnsupported(link);
     const DriveResults drives =
@@ -81,6 +84,7 @@ class Behaviour {
       result.joints.push_back(driven.measured);
       ReportJoint(driven);
     }
+    CheckEqualities(m_, workspace_, object_, mark_, reporter_, result);
     if (reporter_.checks().simready)
       CheckSimReady(m_, workspace_, drives, object_.name, mark_, reporter_, result);
   }
@@ -179,36 +183,6 @@ class Behaviour {
               "softer spring");
   }
 
-  /// Reports ranges that real joints do not have.
-  void CheckRanges() {
-    const model::Checks& checks = reporter_.checks();
-    const JointCouplings couplings(m_);
-    const model::Box3& box = object_.bounds.aabb;
-    const double size = box.empty() ? 0 : (box.max - box.min).maxCoeff();
-    for (int joint = 0; joint < m_.njnt; ++joint) {
-      if (m_.jnt_limited[joint] == 0 || couplings.IsCoupled(joint)) continue;
-      const std::string name = JointName(joint);
-      const double range =
-          (m_.jnt_range[2 * joint + 1] - m_.jnt_range[2 * joint]) * (1 - kSameRange);
-      if (m_.jnt_type[joint] == mjJNT_HINGE && range > checks.hinge_range) {
-        const ExceededLimit beyond(kDegrees * range, kDegrees * checks.hinge_range);
-        reporter_.Warning(Code::kPhysicsJointRange, MarkOf(name),
-                          fmt::format("joint '{}' turns by {} deg, more than {} deg", name,
-                                      beyond.value, beyond.limit),
-                          "angles are in radians; a screw or a valve sets checks.hinge_range");
-      }
-      if (m_.jnt_type[joint] == mjJNT_SLIDE && range > checks.slide_range * size && size > 0) {
-        const ExceededLimit beyond(1000 * range, 1000 * checks.slide_range * size);
-        reporter_.Warning(
-            Code::kPhysicsJointRange, MarkOf(name),
-            fmt::format("joint '{}' slides by {} mm, more than {} mm, {} times the "
-                        "object's size",
-                        name, beyond.value, beyond.limit, RoundedText(checks.slide_range)),
-            "lengths are in metres; a crane sets checks.slide_range");
-      }
-    }
-  }
-
   void ReportInitialPenetration(const InitialPenetration& initial) {
     if (!(initial.depth > reporter_.checks().joint_penetration)) return;
     reporter_.Error(Code::kPhysicsJointCollides,
@@ -230,6 +204,16 @@ class Behaviour {
 
   void ReportParentPenetration(const ParentPenetration& penetration) {
     const std::string name = JointName(penetration.joint);
+    if (!penetration.is_added) {
+      reporter_.Warning(
+          Code::kPhysicsJointPasses, MarkOf(name),
+          fmt::format("body '{}' is {} mm in its parent '{}' where joint '{}' starts; MuJoCo does "
+                      "not let the two collide",
+                      BodyName(penetration.body), RoundedText(1000 * penetration.depth),
+                      BodyName(penetration.parent), name),
+          "make room; if it may be so, say how deep in an entry of `checks.joints`");
+      return;
+    }
     reporter_.Warning(
         Code::kPhysicsJointPasses, MarkOf(name),
         fmt::format("joint '{}' moves body '{}' {} mm into its parent '{}', at {}; MuJoCo does "
@@ -358,11 +342,7 @@ class Behaviour {
 
   diag::SourceMark MarkOf(int joint) const { return MarkOf(JointName(joint)); }
   diag::SourceMark MarkOf(const std::string& joint) const {
-    for (const model::Body& body : object_.bodies) {
-      const auto found = std::ranges::find(body.joints, joint, &model::Joint::name);
-      if (found != body.joints.end() && found->mark) return found->mark;
-    }
-    return mark_;
+    return JointMark(object_, joint, mark_);
   }
 
   void ErrorOf(const Result::Joint& joint, Code code, std::string message, const char* hint = "") {

@@ -105,6 +105,8 @@ class GraspSimulation {
     damped.reset();
     const GraspOutcome grip = joint_ ? Pull(*joint_) : Lift();
     if (grip != GraspOutcome::kHeld) return grip;
+    // Without gravity, so that an object wider than the grip does not come to lie on the fingers.
+    Gravity().setZero();
     gripper_.Press(d_, -grasping_.force);
     if (!StepFor(kOpen)) return GraspOutcome::kDiverged;
     return apart_ == 0 ? GraspOutcome::kStuck : GraspOutcome::kHeld;

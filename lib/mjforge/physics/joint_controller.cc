@@ -48,8 +48,8 @@ Setpoint SmoothMove(double time, double duration) {
 
 }  // namespace
 
-JointController::JointController(mjModel& m, mjData& d)
-    : m_(m), d_(d), couplings_(m), inertia_(Index(m.nv)), stepper_(m, d) {}
+JointController::JointController(mjModel& m, mjData& d, CoupledJoints coupled)
+    : m_(m), d_(d), coupled_(coupled), couplings_(m), inertia_(Index(m.nv)), stepper_(m, d) {}
 
 void JointController::Begin(std::span<const mjtNum> start) {
   start_.assign(start.begin(), start.end());
@@ -72,6 +72,8 @@ std::vector<DrivenJoint> JointController::Run(std::span<const int> joints) {
     all[i].joint = joints[i];
     all[i].measured.name = compiled::NameOf(m_, mjOBJ_JOINT, joints[i]);
     paths.push_back(PathsOf(m_, joints[i], start_));
+    if (coupled_ == CoupledJoints::kFree)
+      for (JointPath& path : paths.back()) path.push = 0;  // limits are not tested
     most = std::max(most, paths.back().size());
   }
   for (std::size_t k = 0; k < most; ++k) {
@@ -150,7 +152,10 @@ void JointController::Finish(const JointDrive& drive) {
   const JointPath& path = drive.path;
   const double reached = std::min(drive.highest, path.high) - std::max(drive.lowest, path.low);
   Result::Joint& measured = drive.driven->measured;
-  if (path.range() > 0)
+  // A joint without a range that something couples to others, such as the rocker of a linkage, need
+  // not make the full turn that is tried.
+  const bool has_own_range = path.limited || !couplings_.IsCoupled(path.joint);
+  if (path.range() > 0 && has_own_range)
     measured.reach = std::min(measured.reach, std::max(reached, 0.0) / path.range());
   if (path.limited) {
     measured.overshoot =
@@ -233,6 +238,7 @@ std::optional<Setpoint> JointController::SetpointOfOther(const std::vector<Joint
                                                          int joint,
                                                          const Setpoint& progress) const {
   if (!couplings_.IsCoupled(joint)) return Setpoint{StartOf(joint), 0, 0};
+  if (coupled_ == CoupledJoints::kFree) return std::nullopt;
   for (const JointDrive& drive : drives) {
     const auto setpoint = couplings_.SetpointOf(joint, drive.path.joint, Target(drive, progress));
     if (setpoint) return setpoint;
@@ -295,6 +301,7 @@ void JointController::Measure(std::vector<JointDrive>& drives) {
   const std::map<Bodies, double> depths = DepthsNow();
   for (JointDrive& drive : drives) {
     drive.driven->has_diverged = drive.driven->has_diverged || has_diverged;
+    MeasureEqualities(*drive.driven);
     const double value = Value(drive.path);
     if (drive.counts) {
       drive.lowest = std::min(drive.lowest, value);
@@ -319,6 +326,15 @@ void JointController::Measure(std::vector<JointDrive>& drives) {
       drive.driven->body2 = compiled::NameOf(m_, mjOBJ_BODY, bodies.second);
       drive.driven->where = value;
     }
+  }
+}
+
+void JointController::MeasureEqualities(DrivenJoint& driven) const {
+  driven.equality_errors.resize(Index(m_.neq));
+  for (int row = 0; row < d_.nefc; ++row) {
+    if (d_.efc_type[row] != mjCNSTR_EQUALITY) continue;
+    double& error = driven.equality_errors[Index(d_.efc_id[row])];
+    error = std::max(error, std::abs(d_.efc_pos[row]));
   }
 }
 

@@ -17,11 +17,16 @@
 
 namespace mjforge::physics {
 
-/// Drives joints of a model without gravity and with held roots. `m` and its data `d` must outlive
-/// this object.
+/// Motion of joints that equalities and tendons couple to a driven one.
+enum class CoupledJoints {
+  kDriven,  // along with it, where an equality says how
+  kFree,    // by nothing but the equality or tendon
+};
+
+/// Drives joints of a model with held roots. `m` and its data `d` must outlive this object.
 class JointController {
  public:
-  JointController(mjModel& m, mjData& d);
+  JointController(mjModel& m, mjData& d, CoupledJoints coupled);
 
   const JointCouplings& couplings() const { return couplings_; }
 
@@ -79,9 +84,11 @@ class JointController {
   double Force(int dof, double error, double speed, double acceleration) const;
   double Value(const JointPath& path) const;
   void Measure(std::vector<JointDrive>& drives);
+  void MeasureEqualities(DrivenJoint& driven) const;
 
   mjModel& m_;
   mjData& d_;
+  CoupledJoints coupled_;
   JointCouplings couplings_;
   std::vector<mjtNum> start_;                // nq
   std::map<Bodies, double> initial_depths_;  // m, at the start positions

@@ -7,6 +7,7 @@
 
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/engine/engine.h"
+#include "mjforge/physics/held_model.h"
 #include "mjforge/physics/joint_checks.h"
 #include "mjforge/physics/joint_controller.h"
 #include "mjforge/physics/joint_paths.h"
@@ -14,33 +15,13 @@
 namespace mjforge::physics {
 namespace {
 
-// Armature of a held free body, as a multiple of its mass.
-constexpr double kHeldRootMass = 1e6;
-
-/// Returns a copy of the model without gravity, passive forces and floor, whose roots are held.
-engine::Model HeldModel(const mjModel& model) {
-  engine::Model held(mj_copyModel(nullptr, &model));
-  mjModel& m = *held;
-  // Springs, friction and actuators do not limit the range of a joint.
-  m.opt.disableflags |=
-      mjDSBL_GRAVITY | engine::kDisablePassive | mjDSBL_FRICTIONLOSS | mjDSBL_ACTUATION;
+/// Returns a held copy of the model without gravity and passive forces, which do not limit the
+/// range of a joint.
+engine::Model WeightlessModel(const mjModel& model) {
+  engine::Model held = HeldModel(model);
+  held->opt.disableflags |= mjDSBL_GRAVITY | engine::kDisablePassive | mjDSBL_FRICTIONLOSS;
   // MuJoCo integrates damping implicitly even if passive forces are disabled.
-  std::fill_n(m.dof_damping, m.nv, 0.0);
-  for (int i = 0; i < m.njnt; ++i) {
-    if (m.jnt_type[i] != mjJNT_FREE) continue;
-    const int body = m.jnt_bodyid[i];
-    double size = 0;
-    for (int geom = 0; geom < m.ngeom; ++geom) {
-      if (m.body_rootid[m.geom_bodyid[geom]] == body) size = std::max(size, m.geom_rbound[geom]);
-    }
-    const double mass = kHeldRootMass * m.body_subtreemass[body];
-    for (int k = 0; k < 6; ++k)
-      m.dof_armature[m.jnt_dofadr[i] + k] += k < 3 ? mass : mass * size * size;
-  }
-  for (int i = 0; i < m.ngeom; ++i) {
-    if (m.geom_bodyid[i] == 0 && m.geom_type[i] == mjGEOM_PLANE)
-      m.geom_contype[i] = m.geom_conaffinity[i] = 0;
-  }
+  std::fill_n(held->dof_damping, held->nv, 0.0);
   return held;
 }
 
@@ -52,8 +33,8 @@ DriveResults DriveJoints(const mjModel& m, mjData& d, std::string_view object,
   const JointChecks entries(m, object, checks);
   const std::vector<int> others = entries.Others();
   if (!checks.drive || (others.empty() && checks.joints.empty())) return drives;
-  const engine::Model held = HeldModel(m);
-  JointController controller(*held, d);
+  const engine::Model held = WeightlessModel(m);
+  JointController controller(*held, d, CoupledJoints::kDriven);
   const auto begin = [&](std::span<const mjtNum> start, const model::JointCheck* check) {
     controller.Begin(start);
     for (InitialPenetration& penetration : controller.InitialPenetrations()) {

@@ -23,8 +23,9 @@ struct DrivenJoint {
   std::string body2;
   double free_depth = 1e-4;  // m, of the deepest penetration of a free body; less is touching
   std::pair<std::string, std::string> free_pair;
-  double where = 0;    // position of the joint at that penetration, rad or m
-  double outside = 0;  // distance of the start from the range, rad or m
+  double where = 0;                     // position of the joint at that penetration, rad or m
+  double outside = 0;                   // distance of the start from the range, rad or m
+  std::vector<double> equality_errors;  // for each equality constraint, the largest, m or rad
   bool has_diverged = false;
 };
 

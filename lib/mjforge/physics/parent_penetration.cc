@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <span>
 
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/engine/engine.h"
 #include "mjforge/physics/joint_checks.h"
+#include "mjforge/physics/joint_paths.h"
 #include "mjforge/physics/stepper.h"
 
 namespace mjforge::physics {
@@ -31,12 +33,22 @@ class UnfilteredModel {
   /// Returns the number of positions to try in the range of a joint that moves a body.
   int Positions(int joint, int body, double range) const {
     double way = range;
-    if (m_->jnt_type[joint] == mjJNT_HINGE) way *= Reach(joint, body);
+    if (m_->jnt_type[joint] != mjJNT_SLIDE) way *= Reach(joint, body);
     return std::clamp(static_cast<int>(std::ceil(way / kSpacing)), kFewestPositions,
                       kMostPositions);
   }
 
-  void Move(int joint, double position) { data_->qpos[m_->jnt_qposadr[joint]] = position; }
+  /// Moves the joint of a path; the position is relative to qpos0.
+  void Move(const JointPath& path, double position) {
+    const int at = m_->jnt_qposadr[path.joint];
+    if (m_->jnt_type[path.joint] == mjJNT_BALL) {
+      std::ranges::copy(
+          compiled::BallAt(*m_, path.joint, Eigen::Vector3d::Unit(path.axis), position),
+          data_->qpos + at);
+    } else {
+      data_->qpos[at] = m_->qpos0[at] + position;
+    }
+  }
 
   /// Returns the penetration depth of a body, with all bodies welded to it, and its parent, m.
   double Depth(int body, int parent) {
@@ -104,8 +116,7 @@ class ParentPenetrationSearch {
     std::vector<ParentPenetration> found;
     const auto try_joint = [&](int joint, std::span<const mjtNum> start,
                                const model::JointCheck* check) {
-      const std::optional<ParentPenetration> penetration = PenetrationOf(joint, start, check);
-      if (penetration) found.push_back(*penetration);
+      std::ranges::copy(PenetrationsOf(joint, start, check), std::back_inserter(found));
     };
     for (const int joint : entries_.Others()) try_joint(joint, compiled::StartOf(m_), nullptr);
     for (const model::JointCheck& check : checks_.joints) {
@@ -117,28 +128,40 @@ class ParentPenetrationSearch {
   }
 
  private:
-  std::optional<ParentPenetration> PenetrationOf(int joint, std::span<const mjtNum> start,
-                                                 const model::JointCheck* check) {
+  /// Returns the penetration at the start and the one that the joint adds, if they are too deep.
+  std::vector<ParentPenetration> PenetrationsOf(int joint, std::span<const mjtNum> start,
+                                                const model::JointCheck* check) {
     const int body = m_.body_weldid[m_.jnt_bodyid[joint]];
     const int parent = m_.body_weldid[m_.body_parentid[body]];
-    const std::optional<compiled::JointRange> range = compiled::RangeOf(m_, joint);
+    const std::vector<JointPath> paths = PathsOf(m_, joint, start);
     // Contacts with the world are not ignored, so that parents in the world need no check.
-    if (parent == 0 || m_.jnt_type[joint] == mjJNT_BALL || !range) return std::nullopt;
-    ParentPenetration deepest{.joint = joint, .body = body, .parent = parent, .check = check};
+    if (parent == 0 || paths.empty()) return {};
     unfiltered_.Put(start);
-    const double usual = unfiltered_.Depth(body, parent);
-    const int positions = unfiltered_.Positions(joint, body, range->high - range->low);
-    for (int i = 0; i < positions; ++i) {
-      const double at = range->low + (range->high - range->low) * i / (positions - 1);
-      unfiltered_.Move(joint, at);
-      const double depth = unfiltered_.Depth(body, parent) - usual;
-      if (depth <= deepest.depth) continue;
-      deepest.depth = depth;
-      deepest.where = at;
-    }
+    ParentPenetration at_start{.joint = joint, .body = body, .parent = parent, .check = check};
+    at_start.depth = unfiltered_.Depth(body, parent);
+    ParentPenetration added = at_start;
+    added.is_added = true;
+    added.depth = 0;
+    for (const JointPath& path : paths) TryPositions(path, at_start.depth, added);
     const double most = check != nullptr ? check->penetration.value_or(checks_.joint_penetration)
                                          : checks_.joint_penetration;
-    return deepest.depth > most ? std::optional(deepest) : std::nullopt;
+    std::vector<ParentPenetration> found;
+    for (const ParentPenetration& penetration : {at_start, added})
+      if (penetration.depth > most) found.push_back(penetration);
+    return found;
+  }
+
+  void TryPositions(const JointPath& path, double usual, ParentPenetration& deepest) {
+    const int positions = unfiltered_.Positions(path.joint, deepest.body, path.range());
+    for (int i = 0; i < positions; ++i) {
+      const double at = path.low + path.range() * i / (positions - 1);
+      unfiltered_.Move(path, at);
+      const double depth = unfiltered_.Depth(deepest.body, deepest.parent) - usual;
+      if (depth <= deepest.depth) continue;
+      deepest.depth = depth;
+      deepest.where =
+          compiled::HasOneNumber(m_, path.joint) ? m_.qpos0[m_.jnt_qposadr[path.joint]] + at : at;
+    }
   }
 
   const mjModel& m_;

@@ -11,21 +11,22 @@
 
 namespace mjforge::physics {
 
-/// Deepest penetration of a body into its parent over the range of a joint. MuJoCo ignores contacts
-/// of parent and child, so that nothing stops the joint.
+/// Deepest penetration of a body into its parent, at the start or over the range of a joint. MuJoCo
+/// ignores contacts of parent and child, so that nothing stops the joint.
 struct ParentPenetration {
   int joint = 0;
   int body = 0;
   int parent = 0;
-  double depth = 0;                          // m, more than at the start position
-  double where = 0;                          // position of the joint, rad or m
+  bool is_added = false;                     // by the motion of the joint, to that at the start
+  double depth = 0;                          // m
+  double where = 0;                          // position of the joint, rad or m, if it is added
   const model::JointCheck* check = nullptr;  // entry of checks.joints that names the joint
 };
 
-/// Returns the hinges and slides that move a body more than `joint_penetration` into its parent.
-/// Tries 8 to 40 positions of each joint, if possible 2 mm apart, with other joints at their start
-/// positions or at those of an entry of checks.joints. `object` is the object's name. May throw
-/// std::exception.
+/// Returns the bodies that are more than `joint_penetration` in their parents, and the joints that
+/// move them that much deeper. Tries 8 to 40 positions of each joint, of a ball joint about each
+/// axis, if possible 2 mm apart, with other joints at their start positions or at those of an entry
+/// of checks.joints. `object` is the object's name. May throw std::exception.
 std::vector<ParentPenetration> FindParentPenetrations(const mjModel& m, Workspace& workspace,
                                                       std::string_view object,
                                                       const model::Checks& checks);

@@ -78,6 +78,7 @@ void Round(Result& result) {
   }
   for (Result::Joint& joint : result.joints)
     round(joint.overshoot, joint.reach, joint.penetration, joint.return_error);
+  for (Result::Equality& equality : result.equalities) round(equality.error, equality.share);
 }
 
 /// Returns true if a model has free bodies but no plane.
@@ -138,6 +139,7 @@ std::optional<Result> Laboratory::Impl::Examine(mjModel& m, const model::Object&
     Result result;
     CheckBehaviour(m, workspace, object, mark, reporter, result);
     result.overlap = static_checks::CheckProportions(object, mark, reporter);
+    static_checks::CheckContacts(object, reporter);
     const std::span<const mjtNum> start = compiled::StartOf(m);
     const auto test = [&](const std::string& with_probes, void (*check)(const ProbeTest&)) {
       const engine::Loaded loaded = load(with_probes);

@@ -28,6 +28,15 @@ struct Result {
     double return_error = 0;  // final distance from the start, rad or m
     bool operator==(const Joint&) const = default;
   };
+  /// An equality constraint while the joints that it couples are driven, under their weight.
+  struct Equality {
+    std::string name;
+    double error = 0;  // largest, m or rad
+    /// The error as a share of the way of joint 1, or, unless the equality is one of joints, of the
+    /// model's size.
+    double share = 0;
+    bool operator==(const Equality&) const = default;
+  };
   /// Least tilt, in any direction, at which the resting object topples.
   struct Stability {
     double angle = 0;   // rad
@@ -90,6 +99,7 @@ struct Result {
   int nefc = 0;            // largest number of constraint rows in a step
   double overlap = 0;      // share of the mass that is counted twice
   std::vector<Joint> joints;
+  std::vector<Equality> equalities;
   std::optional<Stability> stability;  // only of an object that rests alone on a level floor
   // Results of tests that the checks ask for.
   std::optional<Holding> holds;

@@ -783,6 +783,10 @@ constexpr FieldInfo kChecksFields[] = {
     Number("joint_return", "", AtLeast(0), "0.05",
            "How far from where it began a joint may end, as a share of its range."),
     Number(
+        "equality_error", "", AtLeast(0), "0.02",
+        "How far an equality may be from zero while its joints are driven, as a share of the way "
+        "of its first joint; of a weld or a loop, of the object's size."),
+    Number(
         "hinge_range", "rad", AtLeast(0), "360deg",
         "Widest range of a hinge that nothing is coupled to. An equality of bodies, and a tendon "
         "over sites, couple all joints."),

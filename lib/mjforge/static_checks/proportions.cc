@@ -50,11 +50,6 @@ Eigen::Vector2d SidesOf(const model::Shape& shape) {
   return {sides.minCoeff(), sides.maxCoeff()};
 }
 
-/// Returns the full name of the part in the spec that a part is, or is a piece of.
-const std::string& NameOf(const model::Part& part) {
-  return part.piece_of.empty() ? part.name : part.piece_of;
-}
-
 std::string WithMore(std::size_t more) {
   return more > 0 ? fmt::format(" with {} more", more) : std::string();
 }
@@ -133,11 +128,11 @@ class Proportions {
   }
 
   std::string_view OwnName(const model::Part& part) const {
-    return static_checks::OwnName(NameOf(part), object_.name);
+    return static_checks::OwnName(part.NameInSpec(), object_.name);
   }
 
   bool IsNamed(const model::Part& part, std::string_view name) const {
-    return name == OwnName(part) || name == NameOf(part);
+    return name == OwnName(part) || name == part.NameInSpec();
   }
 
   bool HasPart(std::string_view name) const {
@@ -187,8 +182,8 @@ class Proportions {
         thin.insert(solid.piece_of);
         const ExceededLimit beyond(1000 * sides.x(), 1000 * thickness);
         reporter_.Warning(Code::kPhysicsThin, solid.mark,
-                          fmt::format("part '{}' is {} mm thin, less than {} mm", NameOf(solid),
-                                      beyond.value, beyond.limit),
+                          fmt::format("part '{}' is {} mm thin, less than {} mm",
+                                      solid.NameInSpec(), beyond.value, beyond.limit),
                           "contacts push through thin parts; make it thicker, or set `role: "
                           "visual`");
       }
@@ -224,7 +219,7 @@ class Proportions {
     }
     for (const model::Part& solid : solids.parts) {
       if (solid.is_shell) continue;
-      check("part", NameOf(solid), solid.mass, model::Volume(solid.shape),
+      check("part", solid.NameInSpec(), solid.mass, model::Volume(solid.shape),
             Limit(solid, &model::PartCheck::density, usual), solid.mark);
     }
   }
@@ -270,8 +265,8 @@ class Proportions {
           Code::kPhysicsOverlap, solids.parts[overlap.second].mark,
           fmt::format("{:.2g} % of the mass of body '{}' is counted twice, most of it where part "
                       "'{}' is inside part '{}'",
-                      100 * share, body.name, NameOf(solids.parts[overlap.second]),
-                      NameOf(solids.parts[overlap.first])),
+                      100 * share, body.name, solids.parts[overlap.second].NameInSpec(),
+                      solids.parts[overlap.first].NameInSpec()),
           "make them meet at their faces, or lower a density");
     }
     return overlap.mass;
@@ -288,8 +283,8 @@ class Proportions {
           Code::kPhysicsLoose, loose.mark,
           fmt::format("part '{}'{} of body '{}' is loose: {} mm from the nearest other part, '{}', "
                       "more than {} mm",
-                      NameOf(loose), WithMore(groups[i].size() - 1), body.name, distance.value,
-                      NameOf(*placed[nearest.index].part), distance.limit));
+                      loose.NameInSpec(), WithMore(groups[i].size() - 1), body.name, distance.value,
+                      placed[nearest.index].part->NameInSpec(), distance.limit));
     }
   }
 

@@ -19,8 +19,7 @@ void ShareMasses(const model::Body& body, std::vector<model::Part>& parts) {
   // Exactly one part of a shape carries the shape's mass: its visual part or, without one, one of
   // the convex pieces for collisions.
   std::map<std::string_view, double> masses;
-  for (const model::Part& part : body.parts)
-    masses[part.piece_of.empty() ? part.name : part.piece_of] += part.mass;
+  for (const model::Part& part : body.parts) masses[part.NameInSpec()] += part.mass;
   for (model::Part& part : parts) {
     if (part.piece_of.empty()) continue;
     part.mass = masses[part.piece_of] * model::Volume(part.shape) / volumes[part.piece_of];

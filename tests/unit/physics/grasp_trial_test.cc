@@ -38,6 +38,15 @@ TEST_CASE("jaws hold what their friction carries, and no more") {
   for (const Result::Grasp& grasp : lost.result->grasps) CHECK_FALSE(grasp.held);
 }
 
+TEST_CASE("an object wider than its grip is let go, too") {
+  // As the jaws open, a motor wider than they do would come to lie on the fingers.
+  const Examined drill = Examine(Free(0.5, R"(<geom type="box" size="0.09 0.09 0.09" mass="0.7"/>
+                   <geom type="box" size="0.02 0.015 0.07" pos="0 0 -0.16" mass="0.15"/>
+                   <site name="grasp" pos="0 0 -0.17"/>)"),
+                                 {}, Grasped());
+  CHECK(drill.Codes().empty());
+}
+
 TEST_CASE("jaws do not close on what is wider than they open") {
   CHECK(Examine(Cube(0.04), {}, Grasped()).Codes() == Strings{"error physics/not-grasped"});
   CHECK(Examine(Cube(0.04), {}, Grasped(30, 0.1)).Codes().empty());

@@ -1,0 +1,24 @@
+// Places of joints and other elements of an object in its spec.
+#include "mjforge/physics/element_marks.h"
+
+#include <algorithm>
+
+namespace mjforge::physics {
+
+diag::SourceMark JointMark(const model::Object& object, std::string_view name,
+                           diag::SourceMark usual) {
+  for (const model::Body& body : object.bodies) {
+    const auto found = std::ranges::find(body.joints, name, &model::Joint::name);
+    if (found != body.joints.end() && found->mark) return found->mark;
+  }
+  return usual;
+}
+
+diag::SourceMark ElementMark(const model::Object& object, std::string_view section,
+                             std::string_view name, diag::SourceMark usual) {
+  const auto elements = model::ElementsOf(object, section);
+  const auto found = std::ranges::find(elements, name, &model::Element::name);
+  return found != elements.end() && found->mark ? found->mark : usual;
+}
+
+}  // namespace mjforge::physics

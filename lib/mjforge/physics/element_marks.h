@@ -1,0 +1,20 @@
+// Places of joints and other elements of an object in its spec.
+#pragma once
+
+#include <string_view>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/model/model.h"
+
+namespace mjforge::physics {
+
+/// Returns the place of the joint with this full name; `usual` if it has none.
+diag::SourceMark JointMark(const model::Object& object, std::string_view name,
+                           diag::SourceMark usual);
+
+/// Returns the place of the element of a section ("actuator") with this full name; `usual` if it
+/// has none.
+diag::SourceMark ElementMark(const model::Object& object, std::string_view section,
+                             std::string_view name, diag::SourceMark usual);
+
+}  // namespace mjforge::physics

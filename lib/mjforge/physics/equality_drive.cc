@@ -1,0 +1,187 @@
+// Errors of equality constraints while the joints that they couple are driven.
+#include "mjforge/physics/equality_drive.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "mjforge/compiled/compiled.h"
+#include "mjforge/engine/engine.h"
+#include "mjforge/physics/held_model.h"
+#include "mjforge/physics/joint_checks.h"
+#include "mjforge/physics/joint_controller.h"
+#include "mjforge/physics/joint_paths.h"
+
+namespace mjforge::physics {
+namespace {
+
+using compiled::Index;
+
+/// Equality constraints of a model, and the joints that they couple.
+class Equalities {
+ public:
+  explicit Equalities(const mjModel& m) : m_(m) {}
+
+  /// Returns true for an active equality of two joints.
+  bool IsOfJoints(int equality) const {
+    return IsActive(equality) && m_.eq_type[equality] == mjEQ_JOINT && m_.eq_obj2id[equality] >= 0;
+  }
+
+  /// Returns true if driving a joint tells whether the equality holds.
+  bool IsTestedBy(int equality, int joint) const {
+    if (!IsActive(equality) || !compiled::HasOneNumber(m_, joint)) return false;
+    const int first = m_.eq_obj1id[equality];
+    const int second = m_.eq_obj2id[equality];
+    switch (m_.eq_type[equality]) {
+      case mjEQ_JOINT:
+        return second >= 0 && (joint == second || (joint == first && IsLinear(equality)));
+      case mjEQ_TENDON:
+        return IsLimited(joint) && (IsWrapped(first, joint) || IsWrapped(second, joint));
+      case mjEQ_CONNECT:
+      case mjEQ_WELD:
+        return IsLimited(joint) && (Moves(joint, first) || Moves(joint, second));
+      default:
+        return false;
+    }
+  }
+
+  /// Returns the length that errors are compared with, m or rad: how far joint 1 moves as joint 2
+  /// goes from end to end, or the size of the model.
+  double ScaleOf(int equality) const {
+    if (!IsOfJoints(equality)) return m_.stat.extent;
+    const auto [low, high] = PositionsOf(equality);
+    return high - low;
+  }
+
+  /// Returns how far joint 1 is asked to be outside its range, m or rad.
+  double OutsideOf(int equality) const {
+    const int joint = m_.eq_obj1id[equality];
+    if (!IsOfJoints(equality) || !IsLimited(joint)) return 0;
+    const auto [low, high] = PositionsOf(equality);
+    const double zero = m_.qpos0[m_.jnt_qposadr[joint]];
+    return std::max(
+        {0.0, m_.jnt_range[2 * joint] - zero - low, high - (m_.jnt_range[2 * joint + 1] - zero)});
+  }
+
+  /// Returns true if MuJoCo makes the equality more than twice as soft as it would be with the
+  /// joints exchanged: the inverse inertia that scales its softness leaves out the slope.
+  /// Source: mj_diagApprox of MuJoCo 2.2 (src/engine/engine_core_constraint.c).
+  bool IsReversed(int equality) const {
+    if (!IsOfJoints(equality) || !IsLinear(equality)) return false;
+    const double slope = m_.eq_data[mjNEQDATA * equality + 1];
+    const double first = InverseInertiaOf(m_.eq_obj1id[equality]);
+    const double second = InverseInertiaOf(m_.eq_obj2id[equality]);
+    return first + second > 2 * (first + slope * slope * second);
+  }
+
+ private:
+  bool IsActive(int equality) const { return (m_.*engine::kEqualityActive)[equality] != 0; }
+  bool IsLimited(int joint) const { return m_.jnt_limited[joint] != 0; }
+  bool IsWrapped(int tendon, int joint) const {
+    if (tendon < 0) return false;
+    for (int i = m_.tendon_adr[tendon]; i < m_.tendon_adr[tendon] + m_.tendon_num[tendon]; ++i) {
+      if (m_.wrap_type[i] == mjWRAP_JOINT && m_.wrap_objid[i] == joint) return true;
+      if (m_.wrap_type[i] == mjWRAP_SITE && Moves(joint, m_.site_bodyid[m_.wrap_objid[i]]))
+        return true;
+    }
+    return false;
+  }
+  bool Moves(int joint, int body) const {
+    while (body > m_.jnt_bodyid[joint]) body = m_.body_parentid[body];
+    return body == m_.jnt_bodyid[joint];
+  }
+
+  bool IsLinear(int equality) const {
+    const mjtNum* poly = m_.eq_data + mjNEQDATA * equality;
+    return poly[1] != 0 && poly[2] == 0 && poly[3] == 0 && poly[4] == 0;
+  }
+
+  double InverseInertiaOf(int joint) const { return m_.dof_invweight0[m_.jnt_dofadr[joint]]; }
+
+  /// Returns the lowest and the highest position, relative to qpos0, that an equality asks of joint
+  /// 1; of a joint 2 without a range as joint 1 goes from end to end.
+  std::pair<double, double> PositionsOf(int equality) const {
+    constexpr int kSteps = 50;
+    const int second = m_.eq_obj2id[equality];
+    const std::vector<JointPath> paths = PathsOf(m_, second, compiled::StartOf(m_));
+    if (paths.empty()) {
+      const std::vector<JointPath> own = PathsOf(m_, m_.eq_obj1id[equality], compiled::StartOf(m_));
+      return own.empty() ? std::pair(0.0, 0.0) : std::pair(own[0].low, own[0].high);
+    }
+    const mjtNum* poly = m_.eq_data + mjNEQDATA * equality;
+    std::pair<double, double> ends = {mjMAXVAL, -mjMAXVAL};
+    for (int i = 0; i <= kSteps; ++i) {
+      const double x = paths[0].low + paths[0].range() * i / kSteps;
+      const double y = poly[0] + x * (poly[1] + x * (poly[2] + x * (poly[3] + x * poly[4])));
+      ends = {std::min(ends.first, y), std::max(ends.second, y)};
+    }
+    return ends;
+  }
+
+  const mjModel& m_;
+};
+
+/// Returns the joints to drive, in order, without those that the spec says not to drive.
+std::vector<int> TestingJoints(const mjModel& m, const Equalities& equalities,
+                               std::string_view object, const model::Checks& checks) {
+  const JointChecks entries(m, object, checks);
+  std::vector<int> joints;
+  for (int joint = 0; joint < m.njnt; ++joint) {
+    bool is_testing = false;
+    for (int i = 0; i < m.neq; ++i) is_testing |= equalities.IsTestedBy(i, joint);
+    const bool is_skipped = std::ranges::any_of(checks.joints, [&](const model::JointCheck& check) {
+      return !check.skip.empty() && entries.Names(check, joint);
+    });
+    if (is_testing && !is_skipped && !PathsOf(m, joint, compiled::StartOf(m)).empty())
+      joints.push_back(joint);
+  }
+  return joints;
+}
+
+/// Drives a joint without its own friction, damping and spring, which a hand would overcome.
+DrivenJoint Drive(mjModel& m, mjData& d, int joint) {
+  const int dof = m.jnt_dofadr[joint];
+  double* const own[] = {m.dof_damping + dof, m.dof_frictionloss + dof, m.jnt_stiffness + joint};
+  double saved[std::size(own)];
+  for (std::size_t i = 0; i < std::size(own); ++i) saved[i] = std::exchange(*own[i], 0.0);
+  JointController controller(m, d, CoupledJoints::kFree);
+  controller.Begin(compiled::StartOf(m));
+  DrivenJoint driven = controller.Run(std::span(&joint, 1)).front();
+  for (std::size_t i = 0; i < std::size(own); ++i) *own[i] = saved[i];
+  return driven;
+}
+
+}  // namespace
+
+std::vector<EqualityDrive> DriveEqualities(const mjModel& m, mjData& d, std::string_view object,
+                                           const model::Checks& checks) {
+  std::vector<EqualityDrive> drives;
+  const Equalities equalities(m);
+  const std::vector<int> joints = TestingJoints(m, equalities, object, checks);
+  if (!checks.drive || joints.empty()) return drives;
+  const engine::Model held = HeldModel(m);
+  for (const int joint : joints) {
+    const DrivenJoint driven = Drive(*held, d, joint);
+    for (int i = 0; i < m.neq; ++i) {
+      if (!equalities.IsTestedBy(i, joint) || driven.has_diverged) continue;
+      auto found = std::ranges::find(drives, i, &EqualityDrive::equality);
+      if (found == drives.end()) {
+        found = drives.insert(found, {.equality = i, .measured = {}, .driven = joint});
+        found->measured.name = compiled::NameOf(m, mjOBJ_EQUALITY, i);
+        found->outside = equalities.OutsideOf(i);
+        found->is_reversed = equalities.IsReversed(i);
+      }
+      const double error = driven.equality_errors[Index(i)];
+      if (error <= found->measured.error) continue;
+      found->driven = joint;
+      found->measured.error = error;
+      const double scale = equalities.ScaleOf(i);
+      found->measured.share = scale > 0 ? error / scale : 0;
+    }
+  }
+  std::ranges::sort(drives, {}, &EqualityDrive::equality);
+  return drives;
+}
+
+}  // namespace mjforge::physics

@@ -1,0 +1,33 @@
+// Errors of equality constraints while the joints that they couple are driven.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include <mujoco/mujoco.h>
+
+#include "mjforge/model/model.h"
+#include "mjforge/physics/physics.h"
+
+namespace mjforge::physics {
+
+/// An equality constraint and its largest error.
+struct EqualityDrive {
+  int equality = 0;
+  Result::Equality measured;
+  int driven = 0;  // the joint that was driven when the error was largest
+  /// Joint 1 of an equality of joints is asked to be this far outside its range, rad or m, when
+  /// joint 2 is at an end of its own one.
+  double outside = 0;
+  /// The equality would be stiff if joint 1 and joint 2 were exchanged.
+  bool is_reversed = false;
+};
+
+/// Drives each joint that an active equality couples and that has a range, and both joints of an
+/// equality of joints, as DriveJoints() does, but under the weight of the object and against the
+/// friction of the other joints, which only the equalities move. `object` is the object's name, `d`
+/// the model's data. May throw std::exception.
+std::vector<EqualityDrive> DriveEqualities(const mjModel& m, mjData& d, std::string_view object,
+                                           const model::Checks& checks);
+
+}  // namespace mjforge::physics

@@ -1,0 +1,36 @@
+// Copy of a model whose free bodies are held in place, and which has no floor.
+#include "mjforge/physics/held_model.h"
+
+#include <algorithm>
+
+namespace mjforge::physics {
+namespace {
+
+// Armature of a held free body, as a multiple of its mass.
+constexpr double kHeldRootMass = 1e6;
+
+}  // namespace
+
+engine::Model HeldModel(const mjModel& model) {
+  engine::Model held(mj_copyModel(nullptr, &model));
+  mjModel& m = *held;
+  m.opt.disableflags |= mjDSBL_ACTUATION;
+  for (int i = 0; i < m.njnt; ++i) {
+    if (m.jnt_type[i] != mjJNT_FREE) continue;
+    const int body = m.jnt_bodyid[i];
+    double size = 0;
+    for (int geom = 0; geom < m.ngeom; ++geom) {
+      if (m.body_rootid[m.geom_bodyid[geom]] == body) size = std::max(size, m.geom_rbound[geom]);
+    }
+    const double mass = kHeldRootMass * m.body_subtreemass[body];
+    for (int k = 0; k < 6; ++k)
+      m.dof_armature[m.jnt_dofadr[i] + k] += k < 3 ? mass : mass * size * size;
+  }
+  for (int i = 0; i < m.ngeom; ++i) {
+    if (m.geom_bodyid[i] == 0 && m.geom_type[i] == mjGEOM_PLANE)
+      m.geom_contype[i] = m.geom_conaffinity[i] = 0;
+  }
+  return held;
+}
+
+}  // namespace mjforge::physics

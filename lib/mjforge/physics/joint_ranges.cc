@@ -1,0 +1,54 @@
+// Check of ranges that real joints do not have.
+#include "mjforge/physics/joint_ranges.h"
+
+#include <numbers>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "mjforge/compiled/compiled.h"
+#include "mjforge/expr/expr.h"
+#include "mjforge/physics/element_marks.h"
+#include "mjforge/physics/joint_couplings.h"
+
+namespace mjforge::physics {
+namespace {
+
+using diag::Code;
+using expr::ExceededLimit;
+
+constexpr double kSameRange = 1e-6;  // rounding: limit and range may come from the same parameter
+
+}  // namespace
+
+void CheckRanges(const mjModel& m, const model::Object& object, diag::SourceMark mark,
+                 static_checks::Reporter& reporter) {
+  constexpr double kDegrees = 180 / std::numbers::pi;
+  const model::Checks& checks = reporter.checks();
+  const JointCouplings couplings(m);
+  const model::Box3& box = object.bounds.aabb;
+  const double size = box.empty() ? 0 : (box.max - box.min).maxCoeff();
+  for (int joint = 0; joint < m.njnt; ++joint) {
+    if (m.jnt_limited[joint] == 0 || couplings.IsCoupled(joint)) continue;
+    const std::string name = compiled::NameOf(m, mjOBJ_JOINT, joint);
+    const double range = (m.jnt_range[2 * joint + 1] - m.jnt_range[2 * joint]) * (1 - kSameRange);
+    if (m.jnt_type[joint] == mjJNT_HINGE && range > checks.hinge_range) {
+      const ExceededLimit beyond(kDegrees * range, kDegrees * checks.hinge_range);
+      reporter.Warning(Code::kPhysicsJointRange, JointMark(object, name, mark),
+                       fmt::format("joint '{}' turns by {} deg, more than {} deg", name,
+                                   beyond.value, beyond.limit),
+                       "angles are in radians; a screw or a valve sets checks.hinge_range");
+    }
+    if (m.jnt_type[joint] == mjJNT_SLIDE && range > checks.slide_range * size && size > 0) {
+      const ExceededLimit beyond(1000 * range, 1000 * checks.slide_range * size);
+      reporter.Warning(
+          Code::kPhysicsJointRange, JointMark(object, name, mark),
+          fmt::format("joint '{}' slides by {} mm, more than {} mm, {} times the "
+                      "object's size",
+                      name, beyond.value, beyond.limit, expr::RoundedText(checks.slide_range)),
+          "lengths are in metres; a crane sets checks.slide_range");
+    }
+  }
+}
+
+}  // namespace mjforge::physics

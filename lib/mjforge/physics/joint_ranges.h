@@ -1,0 +1,17 @@
+// Check of ranges that real joints do not have.
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include "mjforge/model/model.h"
+#include "mjforge/static_checks/static_checks.h"
+
+namespace mjforge::physics {
+
+/// Warns of hinges with a range above checks.hinge_range, and of slides with one above
+/// checks.slide_range times the object's longest side, unless they are coupled to other joints.
+/// Findings about joints without a place point at `mark`.
+void CheckRanges(const mjModel& m, const model::Object& object, diag::SourceMark mark,
+                 static_checks::Reporter& reporter);
+
+}  // namespace mjforge::physics
