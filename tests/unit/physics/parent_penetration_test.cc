@@ -48,7 +48,7 @@ TEST_CASE("a ball joint is turned about each axis") {
   const Strings unlimited = Passes(Examine(Lamp("")));
   REQUIRE(unlimited.size() == 1);
   INFO(unlimited[0]);
-  CHECK(unlimited[0].starts_with("joint 'socket' moves body 'head' 54"));
+  CHECK(unlimited[0].starts_with("joint 'socket' moves body 'head' "));
   CHECK(Passes(Examine(Lamp(R"(limited="true" range="0 1.2")"))).empty());
 }
 
