@@ -92,10 +92,7 @@ class Equalities {
     return body == m_.jnt_bodyid[joint];
   }
 
-  bool IsLinear(int equality) const {
-    const mjtNum* poly = m_.eq_data + mjNEQDATA * equality;
-    return poly[1] != 0 && poly[2] == 0 && poly[3] == 0 && poly[4] == 0;
-  }
+  bool IsLinear(int equality) const { return JointEqualityAt(m_, equality).IsLinear(); }
 
   double InverseInertiaOf(int joint) const { return m_.dof_invweight0[m_.jnt_dofadr[joint]]; }
 
@@ -109,11 +106,11 @@ class Equalities {
       const std::vector<JointPath> own = PathsOf(m_, m_.eq_obj1id[equality], compiled::StartOf(m_));
       return own.empty() ? std::pair(0.0, 0.0) : std::pair(own[0].low, own[0].high);
     }
-    const mjtNum* poly = m_.eq_data + mjNEQDATA * equality;
+    const JointEquality joints = JointEqualityAt(m_, equality);
     std::pair<double, double> ends = {mjMAXVAL, -mjMAXVAL};
     for (int i = 0; i <= kSteps; ++i) {
       const double x = paths[0].low + paths[0].range() * i / kSteps;
-      const double y = poly[0] + x * (poly[1] + x * (poly[2] + x * (poly[3] + x * poly[4])));
+      const double y = joints.At(x);
       ends = {std::min(ends.first, y), std::max(ends.second, y)};
     }
     return ends;

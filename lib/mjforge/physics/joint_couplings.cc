@@ -7,16 +7,20 @@
 
 namespace mjforge::physics {
 
-bool JointCouplings::JointEquality::IsLinear() const {
+bool JointEquality::IsLinear() const {
   return poly[1] != 0 && poly[2] == 0 && poly[3] == 0 && poly[4] == 0;
 }
 
-double JointCouplings::JointEquality::At(double value) const {
+double JointEquality::At(double value) const {
   return poly[0] + value * (poly[1] + value * (poly[2] + value * (poly[3] + value * poly[4])));
 }
 
-double JointCouplings::JointEquality::SlopeAt(double value) const {
+double JointEquality::SlopeAt(double value) const {
   return poly[1] + value * (2 * poly[2] + value * (3 * poly[3] + value * 4 * poly[4]));
+}
+
+JointEquality JointEqualityAt(const mjModel& m, int equality) {
+  return {m.eq_obj1id[equality], m.eq_obj2id[equality], m.eq_data + mjNEQDATA * equality};
 }
 
 JointCouplings::JointCouplings(const mjModel& m) : coupled_(static_cast<std::size_t>(m.njnt)) {
@@ -32,7 +36,7 @@ JointCouplings::JointCouplings(const mjModel& m) : coupled_(static_cast<std::siz
     couple(m.eq_obj1id[i]);
     couple(m.eq_obj2id[i]);
     if (m.eq_obj2id[i] >= 0 && (m.*engine::kEqualityActive)[i] != 0)
-      equalities_.push_back({m.eq_obj1id[i], m.eq_obj2id[i], m.eq_data + mjNEQDATA * i});
+      equalities_.push_back(JointEqualityAt(m, i));
   }
   for (int i = 0; i < m.nwrap; ++i) {
     if (m.wrap_type[i] == mjWRAP_JOINT) couple(m.wrap_objid[i]);

@@ -15,6 +15,20 @@ struct Setpoint {
   double acceleration = 0;  // 1/s^2
 };
 
+/// Equality of two joints: y = poly(x), relative to the model's reference pose (qpos0).
+struct JointEquality {
+  int y = 0;  // joint 1
+  int x = 0;  // joint 2
+  const mjtNum* poly = nullptr;
+
+  bool IsLinear() const;
+  double At(double value) const;
+  double SlopeAt(double value) const;
+};
+
+/// Returns an equality of joints of a model, which has a joint 2.
+JointEquality JointEqualityAt(const mjModel& m, int equality);
+
 /// Joints of a model that move along with others. `m` must outlive this object.
 class JointCouplings {
  public:
@@ -29,17 +43,6 @@ class JointCouplings {
   std::optional<Setpoint> SetpointOf(int joint, int driven, const Setpoint& target) const;
 
  private:
-  /// Equality of two joints: y = poly(x).
-  struct JointEquality {
-    int y = 0;
-    int x = 0;
-    const mjtNum* poly = nullptr;
-
-    bool IsLinear() const;
-    double At(double value) const;
-    double SlopeAt(double value) const;
-  };
-
   std::vector<bool> coupled_;
   std::vector<JointEquality> equalities_;
 };

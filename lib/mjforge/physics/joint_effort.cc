@@ -220,11 +220,11 @@ class Efforts {
     double lever = kShortestLever;
     for (int geom = 0; geom < m_.ngeom; ++geom) {
       if (!moved[Index(m_.geom_bodyid[geom])] || !compiled::Collides(m_, geom)) continue;
-      const model::Box3 box = compiled::GeomBox(m_, geom, compiled::GeomPose(d_, geom));
+      const model::Box3 bounds = compiled::GeomBox(m_, geom, compiled::GeomPose(d_, geom));
+      const Eigen::AlignedBox3d box(bounds.min, bounds.max);
       for (int corner = 0; corner < 8; ++corner) {
-        const Eigen::Vector3d point((corner & 1) != 0 ? box.max.x() : box.min.x(),
-                                    (corner & 2) != 0 ? box.max.y() : box.min.y(),
-                                    (corner & 4) != 0 ? box.max.z() : box.min.z());
+        const Eigen::Vector3d point =
+            box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner));
         lever = std::max(lever, axis.cross(point - anchor).norm());
       }
     }

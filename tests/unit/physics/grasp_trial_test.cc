@@ -39,7 +39,7 @@ TEST_CASE("jaws hold what their friction carries, and no more") {
 }
 
 TEST_CASE("an object wider than its grip is let go, too") {
-  // As the jaws open, a motor wider than they do would come to lie on the fingers.
+  // A motor wider than the open jaws would come to lie on the fingers.
   const Examined drill = Examine(Free(0.5, R"(<geom type="box" size="0.09 0.09 0.09" mass="0.7"/>
                    <geom type="box" size="0.02 0.015 0.07" pos="0 0 -0.16" mass="0.15"/>
                    <site name="grasp" pos="0 0 -0.17"/>)"),
