@@ -63,9 +63,9 @@ void CheckEqualities(const mjModel& m, Workspace& workspace, const model::Object
   for (const EqualityDrive& drive : DriveEqualities(m, workspace.For(m), object.name, checks)) {
     result.equalities.push_back(drive.measured);
     if (!(drive.measured.share > checks.equality_error)) continue;
-    reporter.Warning(diag::Code::kPhysicsEqualitySlips,
-                     ElementMark(object, "equality", drive.measured.name, mark),
-                     MessageOf(m, drive), RemedyOf(m, drive));
+    reporter.Error(diag::Code::kPhysicsEqualitySlips,
+                   ElementMark(object, "equality", drive.measured.name, mark), MessageOf(m, drive),
+                   RemedyOf(m, drive));
   }
 }
 

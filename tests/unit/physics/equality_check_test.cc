@@ -33,7 +33,7 @@ const Result::Equality& OnlyEquality(const Examined& examined) {
 }
 
 const diag::Finding& OnlyFinding(const Examined& examined) {
-  CHECK(examined.Codes() == Strings{"warning physics/equality-slips"});
+  CHECK(examined.Codes() == Strings{"error physics/equality-slips"});
   REQUIRE(examined.findings.begin() != examined.findings.end());
   return *examined.findings.begin();
 }

@@ -168,7 +168,7 @@ TEST_CASE("a screw is driven through what it makes turn") {
   REQUIRE(jar.result->joints.size() == 2);
   for (const Result::Joint& joint : jar.result->joints) CHECK(joint.reach > 0.95);
   // The softness of this equality is another test's subject.
-  CHECK(jar.Codes() == Strings{"warning physics/equality-slips"});
+  CHECK(jar.Codes() == Strings{"error physics/equality-slips"});
 }
 
 TEST_CASE("a ball joint turns about each of its axes up to its range") {
