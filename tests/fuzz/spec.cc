@@ -59,7 +59,8 @@ void Run(Input input) {
   Word(findings, sources);
   Must((recipe.spec == nullptr) == findings.HasErrors(), "no spec and no error, or both");
   if (recipe.spec == nullptr) return;
-  // A region without room costs a thousand tries. A hundred attempts would take 20 s with sanitizers.
+  // A region without room costs a thousand tries. A hundred attempts would take 20 s with
+  // sanitizers.
   if (recipe.spec->has_place) options.on_invalid = forge::OnInvalid::kFail;
   for (const auto& [name, text] : recipe.spec->settings) recipe.settings.emplace_back(name, text);
   MakeVariants(recipe, sources, options);

@@ -12,11 +12,14 @@
 
 #include "mjforge/assemble/assemble.h"
 #include "mjforge/assemble/attacher.h"
+#include "mjforge/assemble/chains.h"
+#include "mjforge/assemble/couplings.h"
 #include "mjforge/assemble/materials.h"
 #include "mjforge/assemble/references.h"
 #include "mjforge/assemble/regions.h"
 #include "mjforge/assemble/repetition.h"
 #include "mjforge/assemble/sections.h"
+#include "mjforge/assemble/starts.h"
 
 namespace mjforge::assemble {
 
@@ -30,9 +33,6 @@ class Assembly {
         left_out_(left_out),
         repetition_(findings),
         assets_(assembler, object_, findings),
-        references_(object_, findings),
-        materials_(object_, assets_, findings),
-        sections_(object_, repetition_, references_, findings),
         attacher_({assembler.attachments(), object_, assets_, materials_, sections_, references_,
                    bodies_},
                   findings) {}
@@ -75,6 +75,13 @@ class Assembly {
   // bodies.cc
   void AddBodies(Scope& scope);
   void AddBody(Scope& scope, const spec::BodyEntry& entry, sample::StreamId bodies);
+  void AddBody(Scope& scope, const spec::BodyEntry& entry, const std::string& name,
+               sample::StreamId bodies, const Link& link);
+  /// Adds the entry's elements to the last body, and returns its bounds if they are needed.
+  model::Bounds AddContents(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
+                            const std::string& name, const Link& link);
+  void AddJointsOf(Scope& scope, const spec::BodyEntry& entry, const Link& link,
+                   sample::StreamId path);
   /// Adds the content of the entry to the body `index`, the last one.
   void Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
             const std::string& name, std::size_t index, sample::StreamId path);
@@ -94,13 +101,6 @@ class Assembly {
   void Finish(Scope& scope);  // finish.cc
 
   // positions.cc
-  /// A joint's position in `pose:` or `at:`.
-  struct RequestedPosition {
-    std::string joint;  // full name
-    std::string shown;  // name in the spec
-    sample::Numbers numbers;
-    diag::SourceMark mark;
-  };
   /// Returns the position as in qpos; nothing, and a finding, if the joint cannot have it. `what`
   /// names the key in messages.
   std::optional<sample::Numbers> ToQpos(std::string_view what, const RequestedPosition& position,
@@ -108,17 +108,6 @@ class Assembly {
   void ReportUnknownJoint(std::string_view what, const RequestedPosition& position);
 
   // starts.cc
-  /// A start state in `pose:`, or `start:` of a joint.
-  struct RequestedStart {
-    std::string_view key = "pose";
-    RequestedPosition position;           // its joint may be the name of an actuator
-    std::optional<Eigen::Vector3d> p;     // only for a free body
-    std::optional<Eigen::Quaterniond> q;  // only for a free body
-    sample::Numbers velocity = {};
-    bool is_actuator = false;
-    std::optional<double> ctrl = {};
-    std::optional<double> act = {};
-  };
   /// Reads `pose:` of a spec into starts_.
   void ReadStarts(Scope& scope);
   void ReadStart(Scope& scope, const spec::Entry& entry, sample::StreamId pose);
@@ -182,9 +171,10 @@ class Assembly {
   std::set<std::string>& left_out_;
   Repetition repetition_;
   Assets assets_;
-  References references_;
-  Materials materials_;
-  Sections sections_;
+  References references_{object_, findings_};
+  Materials materials_{object_, assets_, findings_};
+  Sections sections_{object_, repetition_, references_, findings_};
+  Couplings couplings_{sections_, references_};
   Attacher attacher_;
   const spec::ObjectSpec* spec_ = nullptr;       // the outermost spec
   std::size_t current_body_ = 0;                 // index of the body that elements are added to

@@ -53,44 +53,88 @@ void Assembly::AddBodies(Scope& scope) {
 }
 
 void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, sample::StreamId bodies) {
-  if (!HasRoomFor("bodies", object_.bodies.size(), entry.head.mark)) return;
   const std::optional<std::string> name = ReadName(scope, entry.head, bodies, findings_);
   if (!name || left_out_.contains(scope.prefix + *name)) return;
-  const sample::StreamId path = sample::Child(bodies, std::string_view(*name));
-  FieldReader reader(scope.values, findings_, "body", *name, path);
+  const spec::Entry* links = entry.head.FindChild(spec::kChainElement);
+  if (links == nullptr) {
+    AddBody(scope, entry, *name, bodies, {});
+    return;
+  }
+  FieldReader reader(scope.values, findings_, "body", *name,
+                     sample::Child(bodies, std::string_view(*name)));
+  const std::optional<Chain> chain = ReadChain(reader, *links);
+  if (!chain) return;
+  Link link = {.chain = &*chain};
+  for (; link.number < chain->links && !is_full_; ++link.number) {
+    const int index = static_cast<int>(object_.bodies.size());
+    AddBody(scope, entry, fmt::format("{}_{}", *name, link.number), bodies, link);
+    link.previous = index;
+  }
+}
+
+void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, const std::string& name,
+                       sample::StreamId bodies, const Link& link) {
+  if (!HasRoomFor("bodies", object_.bodies.size(), entry.head.mark)) return;
+  const sample::StreamId path = sample::Child(bodies, std::string_view(name));
+  FieldReader reader(scope.values, findings_, "body", name, path);
   const std::size_t index = object_.bodies.size();
   {
     model::Body& body = object_.bodies.emplace_back();
-    body.name = scope.prefix + *name;
+    body.name = scope.prefix + name;
     body.mark = entry.head.mark;
   }
+  const bool is_inner_link = link.number > 0;
   // A body without a valid parent is still checked for other errors. A body with `place:` belongs
   // to the world until PlaceBodies finds its parent.
-  if (!entry.place) object_.bodies[index].parent = ParentOf(scope, reader, entry.head);
+  if (is_inner_link)
+    object_.bodies[index].parent = link.previous;
+  else if (!entry.place)
+    object_.bodies[index].parent = ParentOf(scope, reader, entry.head);
   bodies_.emplace(object_.bodies[index].name, static_cast<int>(index));
 
-  // The parts, sites and joints that follow belong to this body.
+  const model::Bounds bounds = AddContents(scope, entry, reader, name, link);
+  if (is_inner_link)
+    object_.bodies[index].X_PB.p = -link.chain->pitch * Eigen::Vector3d::UnitZ();
+  else if (!entry.place)
+    PlaceBody(scope, reader, entry.head, bounds, object_.bodies[index]);
+}
+
+model::Bounds Assembly::AddContents(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
+                                    const std::string& name, const Link& link) {
+  // The parts, sites and joints that follow belong to the last body.
+  const std::size_t index = object_.bodies.size() - 1;
+  const sample::StreamId path = reader.path();
   const bool by_corner = scope.places_corners();
   const std::size_t outer = std::exchange(current_body_, index);
   const model::Pose X_BS = std::exchange(scope.X_BS, model::Pose());
   const auto total_size = std::exchange(scope.total_size, std::nullopt);
-  Fill(scope, entry, reader, *name, index, path);
+  const std::string prefix = scope.prefix;
+  Fill(scope, entry, reader, name, index, path);
   model::Bounds bounds;
   if (by_corner || entry.first_property >= 0) bounds = model::SubtreeBounds(object_.bodies, index);
   SetProperties(scope, entry, bounds, index);
+  if (link.chain != nullptr) scope.prefix += name + "_";
   AddSites(scope, entry.sites, sample::Child(path, "sites"));
-  AddRegions(scope, entry.regions, *name + "_", sample::Child(path, "regions"));
+  AddRegions(scope, entry.regions, name + "_", sample::Child(path, "regions"));
   AddViews(scope, entry.views, path);
-  AddJoints(scope, entry.joints, sample::Child(path, "joints"));
-  if (entry.is_free) {
-    model::Joint& joint = object_.bodies[index].joints.emplace_back();
-    joint.name = object_.bodies[index].name + "_joint0";
-  }
+  scope.prefix = prefix;
+  AddJointsOf(scope, entry, link, path);
   ReadAttributes(reader, entry.head, object_.bodies[index].attributes);
   current_body_ = outer;
   scope.X_BS = X_BS;
   scope.total_size = total_size;
-  if (!entry.place) PlaceBody(scope, reader, entry.head, bounds, object_.bodies[index]);
+  return bounds;
+}
+
+// The first link of a chain has the joints of the entry, if it has any.
+void Assembly::AddJointsOf(Scope& scope, const spec::BodyEntry& entry, const Link& link,
+                           sample::StreamId path) {
+  if (link.chain != nullptr && (link.number > 0 || (entry.joints.empty() && !entry.is_free))) {
+    body().joints = JointsOfLink(*link.chain, body().name, entry.head.mark);
+    return;
+  }
+  AddJoints(scope, entry.joints, sample::Child(path, "joints"));
+  if (entry.is_free) body().joints.emplace_back().name = body().name + "_joint0";
 }
 
 void Assembly::Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
@@ -114,7 +158,10 @@ void Assembly::Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& rea
     if (part_count_ > 0) HasRoomFor("parts", part_count_ - 1, entry.head.mark);
   } else {
     const sample::StreamId outer = std::exchange(scope.parts, sample::Child(path, "parts"));
+    const std::string prefix = scope.prefix;
+    if (entry.head.FindChild(spec::kChainElement) != nullptr) scope.prefix += name + "_";
     AddParts(scope, entry.parts, model::Pose());
+    scope.prefix = prefix;
     scope.parts = outer;
   }
   assets_.SumMass(object_.bodies[index]);

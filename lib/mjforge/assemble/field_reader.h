@@ -26,6 +26,9 @@ class FieldReader {
     return child;
   }
 
+  /// Returns the stream of the element.
+  sample::StreamId path() const { return path_; }
+
   std::optional<double> Number(const spec::Field& field);
   bool Numbers(const spec::Field& field, sample::Numbers& out);
   /// Returns the numbers of a field that must have exactly N numbers.

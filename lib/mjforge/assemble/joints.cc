@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -68,6 +69,14 @@ bool ReadRange(FieldReader& reader, const spec::Entry& entry, model::Joint& join
   return true;
 }
 
+// Returns the endings of the names of the joints that an entry makes.
+std::span<const std::string_view> JointEndings(bool is_screw) {
+  static constexpr std::string_view kOfScrew[] = {"_rise", "_turn"};
+  static constexpr std::string_view kOfJoint[] = {""};
+  if (is_screw) return kOfScrew;
+  return kOfJoint;
+}
+
 }  // namespace
 
 void Assembly::AddRootJoints(Scope& scope) {
@@ -97,7 +106,10 @@ void Assembly::MarkRootJointsRemoved(Scope& scope) {
   for (const spec::Entry& entry : spec.joints) {
     repetition_.ForEach(entry, scope.values, scope.values.root(), [&] {
       const auto name = ReadName(scope, entry, scope.values.root(), findings_);
-      if (name) references_.MarkRemoved(scope.prefix + *name, origin);
+      if (!name) return;
+      const bool is_screw = entry.FindChild(spec::kScrewElement) != nullptr;
+      for (const std::string_view end : JointEndings(is_screw))
+        references_.MarkRemoved(scope.prefix + *name + std::string(end), origin);
     });
   }
 }
@@ -124,6 +136,12 @@ void Assembly::AddJoint(Scope& scope, const spec::Entry& entry, sample::StreamId
   good &= ReadRange(reader, entry, joint);
   good &= ReadAttributes(reader, entry, joint.attributes);
   if (!good) return;
+  if (const spec::Entry* screw = entry.FindChild(spec::kScrewElement)) {
+    couplings_.AddScrew(scope, reader, *screw, std::move(joint), body());
+    return;
+  }
+  if (const spec::Entry* couple = entry.FindChild(spec::kCoupleElement))
+    couplings_.AddCouple(scope, reader, *couple, joint);
   if (const spec::Field* field = entry.Find(Key::kStart)) {
     RequestedStart& start = starts_.emplace_back();
     start.key = "start";

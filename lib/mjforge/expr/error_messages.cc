@@ -206,8 +206,10 @@ Error TextAgainst(const Token& token) {
 }
 
 Error TextBeside(const Token& token) {
-  return WrongType(token,
-                   fmt::format("'{}' is text; the other side of the choice is not", token.text));
+  Error error = WrongType(
+      token, fmt::format("'{}' is text; the other side of the choice is not", token.text));
+  error.hint = "a text with numbers can be a value of `let:`, as in {above: \"link_${i - 1}\"}";
+  return error;
 }
 
 Error WrongCount(const Token& function, int arity, int count, std::string_view usage) {

@@ -49,7 +49,13 @@ Setpoint SmoothMove(double time, double duration) {
 }  // namespace
 
 JointController::JointController(mjModel& m, mjData& d, CoupledJoints coupled)
-    : m_(m), d_(d), coupled_(coupled), couplings_(m), inertia_(Index(m.nv)), stepper_(m, d) {}
+    : m_(m),
+      d_(d),
+      coupled_(coupled),
+      couplings_(m),
+      added_inertia_(Index(m.nv)),
+      accelerations_(Index(m.nv)),
+      stepper_(m, d) {}
 
 void JointController::Begin(std::span<const mjtNum> start) {
   start_.assign(start.begin(), start.end());
@@ -115,7 +121,7 @@ void JointController::DriveAll(std::vector<JointDrive>& drives) {
     std::copy_n(m_.qpos0 + at, 4, d_.qpos + at);
   }
   mj_forward(&m_, &d_);
-  for (int i = 0; i < m_.nv; ++i) inertia_[Index(i)] = engine::DofInertia(m_, d_, i);
+  std::ranges::fill(added_inertia_, 0.0);
   for (JointDrive& drive : drives) Start(drive);
   const auto move = [&](double JointDrive::*from, double JointPath::*end, double sign) {
     for (JointDrive& drive : drives) {
@@ -138,7 +144,7 @@ void JointController::DriveAll(std::vector<JointDrive>& drives) {
 void JointController::Start(JointDrive& drive) {
   const JointPath& path = drive.path;
   const int dof = m_.jnt_dofadr[path.joint] + path.axis;
-  inertia_[Index(dof)] = InertiaOf(dof);
+  added_inertia_[Index(dof)] = AddedInertiaOf(dof);
   drive.driven->range = std::max(drive.driven->range, path.range());
   drive.driven->outside = std::max({0.0, path.low - path.start, path.start - path.high});
   // The limits of a joint that starts outside its range first push it into the range.
@@ -194,10 +200,9 @@ void JointController::Move(std::vector<JointDrive>& drives) {
   }
 }
 
-/// Returns the inertia that a force on a degree of freedom must move: the larger of that with all
-/// other joints held, and that including bodies that equalities and tendons couple to it, such as
-/// the lift of a screw. Measures the latter with a test force.
-double JointController::InertiaOf(int dof) {
+/// Returns the inertia that equalities and tendons add to a degree of freedom, such as the lift to
+/// that of a screw. Measures it with a test force.
+double JointController::AddedInertiaOf(int dof) {
   const double held = engine::DofInertia(m_, d_, dof);
   const double force = held;  // for an acceleration of about 1
   mj_forward(&m_, &d_);
@@ -209,22 +214,36 @@ double JointController::InertiaOf(int dof) {
     gained = std::max(gained, sign * (d_.qacc[dof] - idle));
   }
   d_.qfrc_applied[dof] = 0;
-  return gained > 0 ? std::max(held, force / gained) : held;
+  return gained > 0 ? std::max(force / gained - held, 0.0) : 0;
 }
 
 void JointController::SetForces(const std::vector<JointDrive>& drives, const Setpoint& progress) {
-  std::fill_n(d_.qfrc_applied, m_.nv, 0.0);
+  std::ranges::fill(accelerations_, std::nullopt);
   for (int joint = 0; joint < m_.njnt; ++joint) {
     if (m_.jnt_type[joint] == mjJNT_FREE) continue;
     const auto drive =
         std::ranges::find(drives, joint, [](const JointDrive& r) { return r.path.joint; });
     if (drive != drives.end()) {
       const JointPath& path = drive->path;
-      Push(joint, path.axis, Errors(joint, path.axis, Target(*drive, progress).position),
-           kMostError * path.range(), Target(*drive, progress));
+      Correct(joint, path.axis, Errors(joint, path.axis, Target(*drive, progress).position),
+              kMostError * path.range(), Target(*drive, progress));
     } else if (const std::optional<Setpoint> held = SetpointOfOther(drives, joint, progress)) {
-      Push(joint, 0, ErrorsOfHeld(joint, held->position), kMostHeldError, *held);
+      Correct(joint, 0, ErrorsOfHeld(joint, held->position), kMostHeldError, *held);
     }
+  }
+  ApplyForces();
+}
+
+/// Applies the forces that give the wanted accelerations to the joints: inverse dynamics with the
+/// whole mass matrix, because links of a chain feel the forces on the other links.
+void JointController::ApplyForces() {
+  std::vector<mjtNum> wanted(Index(m_.nv));
+  for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = accelerations_[i].value_or(0);
+  mj_mulM(&m_, &d_, d_.qfrc_applied, wanted.data());
+  for (int i = 0; i < m_.nv; ++i) {
+    const std::optional<double>& acceleration = accelerations_[Index(i)];
+    d_.qfrc_applied[i] =
+        acceleration ? d_.qfrc_applied[i] + added_inertia_[Index(i)] * *acceleration : 0;
   }
 }
 
@@ -246,16 +265,16 @@ std::optional<Setpoint> JointController::SetpointOfOther(const std::vector<Joint
   return std::nullopt;
 }
 
-/// Applies forces that correct the errors, clamped to `most`. About the other axes of a ball joint
-/// the setpoint is at rest.
-void JointController::Push(int joint, int axis, const std::array<double, 3>& errors, double most,
-                           const Setpoint& setpoint) {
+/// Asks for accelerations that correct the errors, clamped to `most`. About the other axes of a
+/// ball joint the setpoint is at rest.
+void JointController::Correct(int joint, int axis, const std::array<double, 3>& errors, double most,
+                              const Setpoint& setpoint) {
   const int dofs = m_.jnt_type[joint] == mjJNT_BALL ? 3 : 1;
   for (int i = 0; i < dofs; ++i) {
     const int dof = m_.jnt_dofadr[joint] + i;
     const double error = std::clamp(errors[Index(i)], -most, most);
-    d_.qfrc_applied[dof] =
-        Force(dof, error, i == axis ? setpoint.speed : 0, i == axis ? setpoint.acceleration : 0);
+    accelerations_[Index(dof)] = Acceleration(dof, error, i == axis ? setpoint.speed : 0,
+                                              i == axis ? setpoint.acceleration : 0);
   }
 }
 
@@ -284,11 +303,10 @@ double JointController::StartOf(int joint) const {
   return start_[Index(at)] - m_.qpos0[at];
 }
 
-double JointController::Force(int dof, double error, double speed, double acceleration) const {
+double JointController::Acceleration(int dof, double error, double speed,
+                                     double acceleration) const {
   // Critical damping.
-  const double wanted =
-      acceleration + 2 * kStiffness * (speed - d_.qvel[dof]) + kStiffness * kStiffness * error;
-  return inertia_[Index(dof)] * wanted;
+  return acceleration + 2 * kStiffness * (speed - d_.qvel[dof]) + kStiffness * kStiffness * error;
 }
 
 /// Returns the position of the joint along the path, relative to the model's reference pose.

@@ -71,17 +71,18 @@ class JointController {
   void Finish(const JointDrive& drive);
   /// Makes one move of each path.
   void Move(std::vector<JointDrive>& drives);
-  double InertiaOf(int dof);
+  double AddedInertiaOf(int dof);
   void SetForces(const std::vector<JointDrive>& drives, const Setpoint& progress);
+  void ApplyForces();
   static Setpoint Target(const JointDrive& drive, const Setpoint& progress);
   std::optional<Setpoint> SetpointOfOther(const std::vector<JointDrive>& drives, int joint,
                                           const Setpoint& progress) const;
-  void Push(int joint, int axis, const std::array<double, 3>& errors, double most,
-            const Setpoint& setpoint);
+  void Correct(int joint, int axis, const std::array<double, 3>& errors, double most,
+               const Setpoint& setpoint);
   std::array<double, 3> Errors(int joint, int axis, double target) const;
   std::array<double, 3> ErrorsOfHeld(int joint, double target) const;
   double StartOf(int joint) const;
-  double Force(int dof, double error, double speed, double acceleration) const;
+  double Acceleration(int dof, double error, double speed, double acceleration) const;
   double Value(const JointPath& path) const;
   void Measure(std::vector<JointDrive>& drives);
   void MeasureEqualities(DrivenJoint& driven) const;
@@ -90,9 +91,10 @@ class JointController {
   mjData& d_;
   CoupledJoints coupled_;
   JointCouplings couplings_;
-  std::vector<mjtNum> start_;                // nq
-  std::map<Bodies, double> initial_depths_;  // m, at the start positions
-  std::vector<double> inertia_;  // nv, about or along the axis of each degree of freedom
+  std::vector<mjtNum> start_;                         // nq
+  std::map<Bodies, double> initial_depths_;           // m, at the start positions
+  std::vector<double> added_inertia_;                 // nv, by equalities and tendons
+  std::vector<std::optional<double>> accelerations_;  // nv, wanted; nothing where none acts
   Stepper stepper_;
 };
 

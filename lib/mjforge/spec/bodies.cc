@@ -16,6 +16,9 @@ using diag::Code;
 // Keys for the content of a body, which has only one of them.
 constexpr std::array<std::string_view, 3> kContents = {"parts", "spec", "mjcf"};
 
+// Keys that have no meaning for the links of a chain.
+constexpr std::array<std::string_view, 3> kNotInChains = {"place", "fewer", "regions"};
+
 class BodyEntryReader {
  public:
   explicit BodyEntryReader(Context& context) : context_(context), entries_(context) {}
@@ -38,6 +41,8 @@ class BodyEntryReader {
     body.views = ReadViews(map, context_);
     if (const YamlNode* joints = map.Find("joints")) ReadBodyJoints(*joints, body);
     body.place = ReadPlace(map, context_);
+    if (ReadChild(kChainElement, map, body.head, context_) != nullptr)
+      RejectBeside("chain", kNotInChains, map, "the links are the chain's", context_);
     context_.spec.has_place |= body.place.has_value();
     entries_.End(body.head);
     context_.spec.bodies.push_back(std::move(body));

@@ -45,6 +45,13 @@ void CheckKeys(const ElementInfo& element, const YamlNode& map, Context& context
 void CheckNeeds(std::string_view key, std::string_view other, const YamlNode& map,
                 Context& context);
 
+/// Reports each of `keys` that the mapping has together with `key`, for this reason.
+void RejectBeside(std::string_view key, std::span<const std::string_view> keys, const YamlNode& map,
+                  std::string_view reason, Context& context);
+
+/// Reports required fields of the element that the mapping does not have.
+void RequireKeys(const ElementInfo& element, const YamlNode& map, Context& context);
+
 /// Returns true if the node is a mapping. Otherwise adds a finding; `what` is its expected content.
 bool IsMap(const YamlNode& node, std::string_view what, Context& context);
 /// Returns true if the node is a list. Otherwise adds a finding; `what` is its expected content.
@@ -53,6 +60,10 @@ bool IsList(const YamlNode& node, std::string_view what, Context& context);
 /// Reads the fields of a mapping that hold a value. Reports fields that exclude each other (two
 /// orientations, density and mass).
 std::vector<Field> ReadFields(const ElementInfo& element, const YamlNode& map, Context& context);
+
+/// Reads the mapping under `element.name` of an entry into a child of `entry`, and returns it; null
+/// if there is none, or it is no mapping.
+Entry* ReadChild(const ElementInfo& element, const YamlNode& map, Entry& entry, Context& context);
 
 /// Returns true if an element may have only one of the two fields: mass and density, pos and
 /// fromto.
@@ -100,6 +111,8 @@ std::vector<Entry> ReadRegions(const YamlNode& regions, Context& context);
 /// Reads `cameras:` and `lights:` of an object or a body.
 std::vector<Entry> ReadViews(const YamlNode& map, Context& context);
 void ReadJoints(const YamlNode& joints, Context& context);
+/// Reads `screw:` and `couple:` of a joint into its children.
+void ReadCouplings(const YamlNode& joint, Entry& entry, Context& context);
 /// Returns true for `joints: free` and false for `joints: none`. Returns nothing, and adds a
 /// finding, for other words.
 std::optional<bool> IsFreeWord(const YamlNode& joints, Context& context);

@@ -17,6 +17,7 @@ constexpr Key kOrientations[] = {Key::kQuat,   Key::kEuler, Key::kAxisAngle,
                                  Key::kXyAxes, Key::kZAxis, Key::kFromTo};
 constexpr Key kMasses[] = {Key::kDensity, Key::kMass};
 constexpr Key kPlaces[] = {Key::kPos, Key::kFromTo};
+constexpr Key kRatios[] = {Key::kRatio, Key::kLead, Key::kPolycoef};
 constexpr Key kPictures[] = {Key::kBuiltin, Key::kFile};
 
 struct ExclusiveKeys {
@@ -26,6 +27,7 @@ struct ExclusiveKeys {
 constexpr ExclusiveKeys kExclusiveKeys[] = {{"an orientation", kOrientations},
                                             {"a mass", kMasses},
                                             {"a place", kPlaces},
+                                            {"a ratio", kRatios},
                                             {"a texture", kPictures}};
 
 bool Has(const ExclusiveKeys& group, Key key) {
@@ -75,6 +77,10 @@ const Field* FindField(std::span<const Field> fields, Key id) {
 }
 
 const Field* Entry::Find(Key id) const { return FindField(fields, id); }
+const Entry* Entry::FindChild(const ElementInfo& kind) const {
+  const auto found = std::ranges::find(children, &kind, &Entry::element);
+  return found == children.end() ? nullptr : &*found;
+}
 const Field* PlaceEntry::Find(Key id) const { return FindField(fields, id); }
 const Field* PlaceEntry::FindBeside(Key id) const { return FindField(beside, id); }
 const Field* Material::Find(Key id) const { return FindField(fields, id); }
@@ -130,6 +136,40 @@ void CheckNeeds(std::string_view key, std::string_view other, const YamlNode& ma
   if (pair == nullptr || map.Find(other) != nullptr) return;
   context.findings.Add(Code::kSpecConflict, pair->mark,
                        fmt::format("'{}' needs '{}' in the same entry", key, other));
+}
+
+void RejectBeside(std::string_view key, std::span<const std::string_view> keys, const YamlNode& map,
+                  std::string_view reason, Context& context) {
+  for (const YamlNode::Pair& pair : map.pairs) {
+    if (std::ranges::find(keys, pair.key) == keys.end()) continue;
+    context.findings
+        .Add(Code::kSpecConflict, pair.mark,
+             fmt::format("'{}' together with '{}': {}", pair.key, key, reason))
+        .notes.push_back({map.FindPair(key)->mark, fmt::format("'{}' is here", key)});
+  }
+}
+
+void RequireKeys(const ElementInfo& element, const YamlNode& map, Context& context) {
+  for (const FieldInfo& field : element.fields) {
+    if (!field.required || map.Find(field.key) != nullptr) continue;
+    context.findings.Add(Code::kSpecMissingKey, map.mark,
+                         fmt::format("'{}' without '{}'", element.name, field.key),
+                         std::string(field.doc));
+  }
+}
+
+Entry* ReadChild(const ElementInfo& element, const YamlNode& map, Entry& entry, Context& context) {
+  const YamlNode::Pair* pair = map.FindPair(element.name);
+  if (pair == nullptr ||
+      !IsMap(pair->value, fmt::format("the keys of '{}'", element.name), context))
+    return nullptr;
+  CheckKeys(element, pair->value, context);
+  RequireKeys(element, pair->value, context);
+  Entry& child = entry.children.emplace_back();
+  child.element = &element;
+  child.mark = pair->mark;
+  child.fields = ReadFields(element, pair->value, context);
+  return &child;
 }
 
 bool ExcludeEachOther(const FieldInfo& a, const FieldInfo& b) {

@@ -48,7 +48,8 @@ struct Entry {
   std::vector<Field> fields;
   // True for a frame, whose pose is in `fields` and whose parts are `children`.
   bool is_frame = false;
-  std::vector<Entry> children;  // parts of a frame; inner elements of a section's element
+  // Parts of a frame; `screw` and `couple` of a joint; inner elements of a section's element.
+  std::vector<Entry> children;
   // Only for `spec:` of a part or a body: the other spec, and the parameters set for it.
   std::shared_ptr<const ObjectSpec> nested;
   std::vector<std::pair<std::string, Value>> overrides;
@@ -56,6 +57,8 @@ struct Entry {
   std::vector<std::pair<std::string, Value>> substitutes;
 
   const Field* Find(Key id) const;
+  /// Returns the first child of that kind, or null.
+  const Entry* FindChild(const ElementInfo& kind) const;
 };
 
 /// The properties of a body that expressions can read (`NAME.top`), in the order of their slots.

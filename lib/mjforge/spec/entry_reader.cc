@@ -161,7 +161,10 @@ void EntryReader::ReadPlain(const ElementInfo& element, const YamlNode& map, Ent
     CheckPart(entry, context_);
   }
   if (&element == &kSiteElement) AddDefaults(defaults.site, entry);
-  if (&element == &kJointElement) AddDefaults(defaults.joint, entry);
+  if (&element == &kJointElement) {
+    ReadCouplings(map, entry, context_);
+    AddDefaults(defaults.joint, entry);
+  }
 }
 
 void EntryReader::ReadFrame(const YamlNode& map, const YamlNode& frame, Entry& entry) {

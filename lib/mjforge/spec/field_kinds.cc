@@ -49,6 +49,9 @@ constexpr std::array kFieldKinds = {
     FieldKindInfo{FieldKind::kCameras, "list of cameras", R"("@list camera")"},
     FieldKindInfo{FieldKind::kLights, "list of lights", R"("@list light")"},
     FieldKindInfo{FieldKind::kJoints, "list of joints"},
+    FieldKindInfo{FieldKind::kScrew, "thread", R"("@is screw")"},
+    FieldKindInfo{FieldKind::kCouple, "coupling", R"("@is couple")"},
+    FieldKindInfo{FieldKind::kChain, "links", R"("@is chain")"},
     FieldKindInfo{FieldKind::kPose, "frame", R"("@is frame")"},
     FieldKindInfo{FieldKind::kTexture, "texture", R"("@is texture")"},
     FieldKindInfo{

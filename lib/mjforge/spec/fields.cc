@@ -494,7 +494,46 @@ constexpr FieldInfo kJointFields[] = {
             "Solver parameters of the dry friction."),
     Numbers("solimpfriction", {1, 5}, "1, 1, rad/s or m/s, 1, 1", kAnyNumber,
             "0.9 0.95 0.001 0.5 2", "Solver parameters of the dry friction."),
+    Row("screw", FieldKind::kScrew,
+        "In place of `type`, `axis` and `range`: a thread. Makes the joints NAME_rise, a slide, "
+        "and "
+        "NAME_turn, a hinge with the other keys, and the equality NAME."),
+    Row("couple", FieldKind::kCouple,
+        "The joint that this hinge or slide follows. Makes an equality NAME of the two."),
     kUser,
+};
+
+constexpr FieldInfo kCouplingSolref =
+    Numbers("solref", {1, 2}, "s, 1", kAnyNumber, "0.02 1", "Solver parameters of the equality.");
+constexpr FieldInfo kCouplingSolimp =
+    Numbers("solimp", {1, 5}, "1, 1, rad or m, 1, 1", kAnyNumber,
+            "0.99 0.999 0.001 0.5 2; 0.9999 0.9999 0.001 0.5 2 for a curve",
+            "Solver parameters of the equality; the defaults are harder than MuJoCo's.");
+
+constexpr FieldInfo kScrewFields[] = {
+    Numbers({"axis", Key::kAxis}, {3, 3}, "any one", kAnyNumber, "0 0 1",
+            "Axis of the thread in the body."),
+    Required(Number({"lead", Key::kLead}, "m", kAnyNumber, "",
+                    "How far a full turn moves the body along the axis; negative for a left-handed "
+                    "thread.")),
+    Numbers({"turns", Key::kTurns}, {1, 2}, "1", kAnyNumber, "without an end",
+            "Turns that it can make: from 0, or from the first number to the second."),
+    kCouplingSolref,
+    kCouplingSolimp,
+};
+
+constexpr FieldInfo kCoupleFields[] = {
+    Required(RefersTo("joint", Row({"joint", Key::kJoint}, FieldKind::kText,
+                                   "The joint to follow, a hinge or a slide."))),
+    AnyUnit(Number({"ratio", Key::kRatio}, "", kAnyNumber, "",
+                   "How far this joint moves, m or rad, for each m or rad of the other one.")),
+    Number({"lead", Key::kLead}, "m", kAnyNumber, "",
+           "In place of `ratio`: how far this slide moves for each full turn of a hinge."),
+    AnyUnit(Numbers({"polycoef", Key::kPolycoef}, {1, 5}, "", kAnyNumber, "",
+                    "In place of `ratio`: coefficients of a polynomial in the other joint's "
+                    "position, constant first, in m and rad.")),
+    kCouplingSolref,
+    kCouplingSolimp,
 };
 
 constexpr FieldInfo kStartFields[] = {
@@ -556,6 +595,9 @@ constexpr FieldInfo kBodyFields[] = {
          "starts where its parent has it. Top-level joints that a spec or an MJCF file brings are "
          "removed.",
          FieldKind::kJoints),
+    Row("chain", FieldKind::kChain,
+        "Repeats the body as the links NAME_0, NAME_1, ... of a chain, each at the end of the one "
+        "before; `joints` and the pose are those of the first link."),
     Row("sites", FieldKind::kSites, "Sites of the body."),
     Row("regions", FieldKind::kRegions,
         "Places on the body where other bodies can stand; `auto` finds them. Not beside `spec`, "
@@ -566,6 +608,22 @@ constexpr FieldInfo kBodyFields[] = {
            "Mass of the body with everything that a spec or an MJCF file brings; the parts are "
            "scaled to it."),
     kUser,
+};
+
+constexpr FieldInfo kChainFields[] = {
+    Required(Integer({"links", Key::kLinks}, Between(1, 10000), "", "Number of links.")),
+    Required(Number({"length", Key::kLength}, "m", Above(0), "",
+                    "Length of the whole chain along -z, of which each link has the same share.")),
+    Word({"joint", Key::kJoint}, "ball hinges", "ball",
+         "What joins the links: `ball` NAME_i, or the `hinges` NAME_i_x and NAME_i_y, which do not "
+         "twist."),
+    Number({"range", Key::kRange}, "rad", Above(0), "without an end",
+           "How far a ball joint turns, or a hinge to each side."),
+    Number("stiffness", "Nm/rad", AtLeast(0), "0",
+           "Spring of each joint towards a straight chain."),
+    Number("damping", "Nms/rad", AtLeast(0), "0", "Damping of each joint."),
+    Number("frictionloss", "Nm", AtLeast(0), "0", "Dry friction of each joint."),
+    Number("armature", "kg m^2", AtLeast(0), "0", "Added inertia of each joint."),
 };
 
 constexpr FieldInfo kPlaceFields[] = {
@@ -840,11 +898,18 @@ const ElementInfo kCameraElement = {"camera", "A camera that moves with the body
 const ElementInfo kLightElement = {"light", "A light that moves with the body.", kLightFields};
 const ElementInfo kJointElement = {
     "joint", "A degree of freedom of the body relative to its parent.", kJointFields};
+const ElementInfo kScrewElement = {
+    "screw", "A thread: a hinge and a slide that rises by `lead` with each turn.", kScrewFields};
+const ElementInfo kCoupleElement = {
+    "couple", "How a joint follows another: by one of `ratio`, `lead` and `polycoef`.",
+    kCoupleFields};
 const ElementInfo kStartElement = {
     "start", "The start state of one joint or actuator: an entry of `pose:`.", kStartFields};
 const ElementInfo kBodyElement = {
     "body", "One of several bodies of an object: parts, another spec, or an MJCF file.",
     kBodyFields};
+const ElementInfo kChainElement = {
+    "chain", "Links in a row: a chain, a rope, or a spring that bends.", kChainFields};
 const ElementInfo kPlaceElement = {
     "place", "Where a body stands: on, in or beside others, where there is room for it.",
     kPlaceFields};
@@ -898,13 +963,14 @@ const FieldInfo* ElementInfo::Find(Key id) const {
 
 std::span<const ElementInfo* const> AllElements() {
   static constexpr const ElementInfo* kElements[] = {
-      &kObjectElement,    &kParameterElement,  &kMaterialElement,    &kTextureElement,
-      &kPartElement,      &kFrameElement,      &kSiteElement,        &kRegionElement,
-      &kCameraElement,    &kLightElement,      &kJointElement,       &kStartElement,
-      &kBodyElement,      &kPlaceElement,      &kBesideElement,      &kPileElement,
-      &kContactElement,   &kExcludeElement,    &kExpectationElement, &kDefaultsElement,
-      &kHoldingElement,   &kSettlingElement,   &kFittingElement,     &kGraspingElement,
-      &kPartCheckElement, &kJointCheckElement, &kChecksElement};
+      &kObjectElement,     &kParameterElement,   &kMaterialElement, &kTextureElement,
+      &kPartElement,       &kFrameElement,       &kSiteElement,     &kRegionElement,
+      &kCameraElement,     &kLightElement,       &kJointElement,    &kScrewElement,
+      &kCoupleElement,     &kStartElement,       &kBodyElement,     &kChainElement,
+      &kPlaceElement,      &kBesideElement,      &kPileElement,     &kContactElement,
+      &kExcludeElement,    &kExpectationElement, &kDefaultsElement, &kHoldingElement,
+      &kSettlingElement,   &kFittingElement,     &kGraspingElement, &kPartCheckElement,
+      &kJointCheckElement, &kChecksElement};
   return kElements;
 }
 

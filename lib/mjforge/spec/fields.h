@@ -41,6 +41,9 @@ enum class FieldKind {
   kCameras,
   kLights,
   kJoints,
+  kScrew,
+  kCouple,
+  kChain,
   kPose,
   kTexture,
   kOverrides,
@@ -123,8 +126,11 @@ extern const ElementInfo kRegionElement;
 extern const ElementInfo kCameraElement;
 extern const ElementInfo kLightElement;
 extern const ElementInfo kJointElement;
-extern const ElementInfo kStartElement;  // an entry of `pose:`
+extern const ElementInfo kScrewElement;   // the mapping under `screw:`
+extern const ElementInfo kCoupleElement;  // the mapping under `couple:`
+extern const ElementInfo kStartElement;   // an entry of `pose:`
 extern const ElementInfo kBodyElement;
+extern const ElementInfo kChainElement;  // the mapping under `chain:`
 extern const ElementInfo kPlaceElement;
 extern const ElementInfo kBesideElement;  // the mapping under `beside:`
 extern const ElementInfo kPileElement;    // the mapping under `pile:`

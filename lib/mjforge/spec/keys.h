@@ -67,6 +67,12 @@ enum class Key {
   kAxis,
   kRange,
   kLimited,
+  kLead,
+  kTurns,
+  kRatio,
+  kPolycoef,
+  kLinks,
+  kLength,
   // Start states.
   kValue,
   kVelocity,

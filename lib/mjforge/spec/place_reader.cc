@@ -21,27 +21,6 @@ constexpr std::string_view kNotWithSites[] = {"uv", "beside", "facing", "lying",
 constexpr std::string_view kNotInPiles[] = {"uv",     "by",    "beside", "yaw",
                                             "facing", "lying", "clear",  "overhang"};
 
-// Reports each of `keys` that the mapping has.
-void RejectBeside(std::string_view key, std::span<const std::string_view> keys, const YamlNode& map,
-                  std::string_view reason, Context& context) {
-  for (const YamlNode::Pair& pair : map.pairs) {
-    if (std::ranges::find(keys, pair.key) == keys.end()) continue;
-    context.findings
-        .Add(Code::kSpecConflict, pair.mark,
-             fmt::format("'{}' together with '{}': {}", pair.key, key, reason))
-        .notes.push_back({map.FindPair(key)->mark, fmt::format("'{}' is here", key)});
-  }
-}
-
-void RequireKeys(const ElementInfo& element, const YamlNode& map, Context& context) {
-  for (const FieldInfo& field : element.fields) {
-    if (!field.required || map.Find(field.key) != nullptr) continue;
-    context.findings.Add(Code::kSpecMissingKey, map.mark,
-                         fmt::format("'{}' without '{}'", element.name, field.key),
-                         std::string(field.doc));
-  }
-}
-
 // Reads the name of a body, the two numbers of a point, or the three of a direction.
 void ReadFacing(const YamlNode::Pair& pair, std::vector<Field>& fields, Context& context) {
   const bool is_name = pair.value.kind == YamlNode::Kind::kScalar;

@@ -1,5 +1,6 @@
 // Tests of `bodies:`: parents, poses, properties, nested specs, free bodies.
 
+#include <fmt/format.h>
 #include <catch2/catch.hpp>
 
 #include "assembling.h"

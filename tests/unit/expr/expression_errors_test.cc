@@ -197,6 +197,8 @@ TEST_CASE("an unknown unit is reported where it starts") {
 TEST_CASE("text is only good for == and != with text") {
   const std::string message = "'shape' is text; it can only be compared with == or !=";
   const std::string beside = "'shape' is text; the other side of the choice is not";
+  const std::string in_let =
+      "a text with numbers can be a value of `let:`, as in {above: \"link_${i - 1}\"}";
   CheckErrors(Code::kExprType,
               {{"shape", 0, message, ""},
                {"2 * shape", 4, message, ""},
@@ -212,8 +214,8 @@ TEST_CASE("text is only good for == and != with text") {
                {"max(1, shape)", 7, message, ""},
                {"shape ? 1 : 2", 0, message, ""},
                {"yes ? shape : 'c'", 6, message, ""},
-               {"yes ? shape : 2", 6, beside, ""},
-               {"yes ? 1 : shape", 10, beside, ""},
+               {"yes ? shape : 2", 6, beside, in_let},
+               {"yes ? 1 : shape", 10, beside, in_let},
                {"shape ^ 2", 0, message, ""},
                {"2 ^ shape", 4, message, ""},
                {"(shape)", 1, message, ""},

@@ -1,0 +1,173 @@
+// Couplings of joints: how far one follows another, and which of the two comes first.
+
+#include "mjforge/assemble/couplings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mjforge/assemble/pose_reader.h"
+
+namespace mjforge::assemble {
+namespace {
+
+using diag::Code;
+using spec::Key;
+
+// Impedance of couplings, in place of MuJoCo's "0.9 0.95 ...": a gear or a thread hardly gives way.
+constexpr double kImpedance[] = {0.99, 0.999, 0.001, 0.5, 2};
+// A curve cannot be turned round, so that its light joint may come second, and MuJoCo then makes it
+// far too soft. These are the largest values that MuJoCo uses (mjMAXIMP).
+constexpr double kImpedanceOfCurve[] = {0.9999, 0.9999, 0.001, 0.5, 2};
+
+model::Attribute TextAttribute(std::string_view name, std::string text) {
+  return {.name = name, .numbers = {}, .text = std::move(text), .refers = "joint"};
+}
+
+bool IsLinear(const sample::Numbers& c) {
+  return std::all_of(c.begin() + 2, c.end(), [](double x) { return x == 0; });
+}
+
+// Returns the equality in which `follower` is at c[0] + c[1] x + ... and `leader` at x. The joint
+// that moves by larger numbers becomes joint 1: MuJoCo scales the softness of an equality by the
+// sum of the inverse inertias of its joints, without the slope of the polynomial (mj_diagApprox in
+// src/engine/engine_core_constraint.c). The sum is too large, and the equality too soft, if joint 2
+// is light and the slope below 1.
+model::Element EqualityOf(std::string follower, std::string leader, sample::Numbers c) {
+  const bool is_linear = IsLinear(c);
+  if (is_linear && c[1] != 0 && std::abs(c[1]) < 1) {
+    std::swap(follower, leader);
+    c[0] = c[0] == 0 ? 0 : -c[0] / c[1];
+    c[1] = 1 / c[1];
+  }
+  model::Element equality;
+  equality.tag = "joint";
+  equality.attributes.push_back(TextAttribute("joint1", std::move(follower)));
+  equality.attributes.push_back(TextAttribute("joint2", std::move(leader)));
+  equality.attributes.push_back({.name = "polycoef", .numbers = std::move(c), .text = {}});
+  const auto& impedance = is_linear ? kImpedance : kImpedanceOfCurve;
+  equality.attributes.push_back(
+      {.name = "solimp", .numbers = {std::begin(impedance), std::end(impedance)}, .text = {}});
+  return equality;
+}
+
+// Returns the range in turns; nothing after a finding, or without `turns`.
+std::optional<Eigen::Vector2d> ReadTurns(FieldReader& reader, const spec::Entry& screw,
+                                         bool& good) {
+  const spec::Field* field = screw.Find(Key::kTurns);
+  sample::Numbers turns;
+  if (field == nullptr) return std::nullopt;
+  if (!reader.Numbers(*field, turns)) {
+    good = false;
+    return std::nullopt;
+  }
+  if (turns.size() == 1) turns.insert(turns.begin(), 0.0);
+  if (turns[0] < turns[1]) return Eigen::Vector2d(turns[0], turns[1]);
+  reader.Report(Code::kModelBadValue, *field,
+                fmt::format("is {} .. {}; it must go from a smaller to a larger number",
+                            expr::NumberText(turns[0]), expr::NumberText(turns[1])));
+  good = false;
+  return std::nullopt;
+}
+
+// Returns how far a full turn moves, m; nothing after a finding.
+std::optional<double> ReadLead(FieldReader& reader, const spec::Field& field) {
+  const std::optional<double> lead = reader.Number(field);
+  if (!lead || *lead != 0) return lead;
+  reader.Report(Code::kModelBadValue, field, "is 0; it must be another number");
+  return std::nullopt;
+}
+
+// Returns the five coefficients of `couple:`; nothing after a finding.
+std::optional<sample::Numbers> ReadPolynomial(FieldReader& reader, const spec::Entry& couple) {
+  sample::Numbers c = {0, 0};
+  if (const spec::Field* field = couple.Find(Key::kPolycoef)) {
+    c.clear();
+    if (!reader.Numbers(*field, c)) return std::nullopt;
+  } else if (const spec::Field* lead = couple.Find(Key::kLead)) {
+    const std::optional<double> m = ReadLead(reader, *lead);
+    if (!m) return std::nullopt;
+    c[1] = *m / (2 * std::numbers::pi);
+  } else {
+    const std::optional<double> ratio = reader.Number(*couple.Find(Key::kRatio));
+    if (!ratio) return std::nullopt;
+    c[1] = *ratio;
+  }
+  c.resize(5, 0.0);
+  return c;
+}
+
+}  // namespace
+
+void Couplings::AddScrew(const Scope& scope, const FieldReader& reader, const spec::Entry& screw,
+                         model::Joint turn, model::Body& body) {
+  FieldReader own = reader.ForChild(screw.element->name, 0);
+  bool good = true;
+  if (const spec::Field* field = screw.Find(Key::kAxis)) {
+    const auto axis = ReadDirection(own, *field);
+    if (axis) turn.axis = *axis;
+    good &= axis.has_value();
+  }
+  const std::optional<double> lead = ReadLead(own, *screw.Find(Key::kLead));
+  const std::optional<Eigen::Vector2d> turns = ReadTurns(own, screw, good);
+  if (!lead || !good) return;
+  const std::string name = turn.name;
+  model::Joint rise;
+  rise.name = name + "_rise";
+  rise.type = "slide";
+  rise.pos = turn.pos;
+  rise.axis = turn.axis;
+  rise.mark = turn.mark;
+  turn.name = name + "_turn";
+  turn.type = "hinge";
+  if (turns) {
+    const Eigen::Vector2d ends = *turns * *lead;
+    rise.range = Eigen::Vector2d(ends.minCoeff(), ends.maxCoeff());
+    turn.range = *turns * 2 * std::numbers::pi;
+  }
+  Add(scope, own, screw, name,
+      EqualityOf(turn.name, rise.name, {0, 2 * std::numbers::pi / *lead, 0, 0, 0}));
+  body.joints.push_back(std::move(rise));
+  body.joints.push_back(std::move(turn));
+}
+
+void Couplings::AddCouple(const Scope& scope, const FieldReader& reader, const spec::Entry& couple,
+                          const model::Joint& follower) {
+  FieldReader own = reader.ForChild(couple.element->name, 0);
+  const std::optional<std::string> leader = own.Text(*couple.Find(Key::kJoint));
+  std::optional<sample::Numbers> c = ReadPolynomial(own, couple);
+  if (!leader || !c) return;
+  Add(scope, own, couple, follower.name,
+      EqualityOf(follower.name, scope.prefix + *leader, *std::move(c)));
+}
+
+void Couplings::Add(const Scope& scope, FieldReader& reader, const spec::Entry& entry,
+                    const std::string& name, model::Element equality) {
+  equality.name = name;
+  equality.mark = entry.mark;
+  bool good = true;
+  for (const spec::Field& field : entry.fields) {
+    if (field.info->id != Key::kAttribute) continue;
+    model::Attribute attribute;
+    good &= reader.ReadAttribute(field, attribute);
+    std::erase_if(equality.attributes,
+                  [&](const model::Attribute& other) { return other.name == attribute.name; });
+    equality.attributes.push_back(std::move(attribute));
+  }
+  if (!good) return;
+  const spec::SectionInfo& section = *spec::FindSection("equality");
+  std::vector<model::Element>& elements = sections_.ElementsOf(section);
+  const spec::Field* leader = entry.Find(Key::kJoint);
+  for (const std::string_view key : {"joint1", "joint2"}) {
+    const std::string& joint = model::FindAttribute(equality.attributes, key)->text;
+    references_.Add({&section, elements.size()}, "joint", joint, joint.substr(scope.prefix.size()),
+                    fmt::format("{} of {}", entry.element->name, reader.Owner()),
+                    leader != nullptr ? leader->value.mark : entry.mark);
+  }
+  elements.push_back(std::move(equality));
+}
+
+}  // namespace mjforge::assemble

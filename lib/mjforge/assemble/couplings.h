@@ -1,0 +1,36 @@
+// Couplings of joints: `couple:`, and the two joints of `screw:`.
+
+#pragma once
+
+#include <string>
+
+#include "mjforge/assemble/references.h"
+#include "mjforge/assemble/scope.h"
+#include "mjforge/assemble/sections.h"
+
+namespace mjforge::assemble {
+
+/// Adds equalities of joints to one object, in the form in which MuJoCo makes them hold.
+class Couplings {
+ public:
+  Couplings(Sections& sections, References& references)
+      : sections_(sections), references_(references) {}
+
+  /// Adds the slide and the hinge of a thread to the body, and couples them. `turn` is the hinge
+  /// with the entry's name, position and attributes. Adds nothing after a finding.
+  void AddScrew(const Scope& scope, const FieldReader& reader, const spec::Entry& screw,
+                model::Joint turn, model::Body& body);
+  /// Couples the joint `follower` to the joint that `couple:` names.
+  void AddCouple(const Scope& scope, const FieldReader& reader, const spec::Entry& couple,
+                 const model::Joint& follower);
+
+ private:
+  /// Adds the equality with this name and the solver parameters of the entry.
+  void Add(const Scope& scope, FieldReader& reader, const spec::Entry& entry,
+           const std::string& name, model::Element equality);
+
+  Sections& sections_;
+  References& references_;
+};
+
+}  // namespace mjforge::assemble

@@ -1,0 +1,33 @@
+// Positions and start states of joints as a spec asks for them.
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "mjforge/model/model.h"
+
+namespace mjforge::assemble {
+
+/// A joint's position in `pose:` or `at:`.
+struct RequestedPosition {
+  std::string joint;  // full name
+  std::string shown;  // name in the spec
+  sample::Numbers numbers;
+  diag::SourceMark mark;
+};
+
+/// A start state in `pose:`, or `start:` of a joint.
+struct RequestedStart {
+  std::string_view key = "pose";
+  RequestedPosition position;           // its joint may be the name of an actuator
+  std::optional<Eigen::Vector3d> p;     // only for a free body
+  std::optional<Eigen::Quaterniond> q;  // only for a free body
+  sample::Numbers velocity = {};
+  bool is_actuator = false;
+  std::optional<double> ctrl = {};
+  std::optional<double> act = {};
+};
+
+}  // namespace mjforge::assemble
