@@ -141,8 +141,8 @@ TEST_CASE("every bundled spec is documented and makes different, valid objects")
         CHECK(parameter.doc != "");
         CHECK((parameter.unit != "") == (parameter.value.type == expr::Type::kNumber));
       }
-      const int whole = name.starts_with("scenes/") ? 3 : 100;  // takes as long as ten objects
-      const auto count = static_cast<std::uint64_t>(harness::Effort(whole, 3));
+      const int whole = name.starts_with("scenes/") ? 2 : 50;  // takes as long as ten objects
+      const auto count = static_cast<std::uint64_t>(harness::Effort(whole, 2));
       std::vector<spec::Setting> settings;
       for (const auto& [parameter, value] : harness::QuickSettings(name))
         settings.push_back({.name = parameter, .text = value});
