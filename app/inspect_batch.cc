@@ -104,9 +104,7 @@ std::string Tables(const ManifestSummary& batch) {
     const std::size_t count = parameter.numbers.size();
     if (count == 0) AddRow(table, parameter.name, {}, values);
     for (std::size_t i = 0; i < count; ++i) {
-      const std::string name =
-          count == 1 ? parameter.name : fmt::format("{}.{}", parameter.name, i);
-      AddRow(table, name, parameter.numbers[i].good, values);
+      AddRow(table, parameter.NameOf(i), parameter.numbers[i].good, values);
     }
   }
   AddMeasures(batch, table);

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "mjforge/report/charts.h"
 
@@ -59,11 +58,6 @@ void AddNumbers(Dictionary& panel, HistogramChart chart) {
   ShowText(panel, "NOTE", StatisticsText(numbers));
 }
 
-std::string ComponentName(std::size_t i, std::size_t count) {
-  constexpr std::array kNames = {"x", "y", "z", "w"};
-  return count <= kNames.size() ? std::string(kNames[i]) : fmt::format("{}", i);
-}
-
 // Adds the panels of one parameter; the first panel has the description.
 class ParameterPanels {
  public:
@@ -87,7 +81,7 @@ class ParameterPanels {
     }
     const std::size_t count = drawn_.numbers.size();
     for (std::size_t i = 0; i < std::min(count, kMaxComponents); ++i) {
-      Dictionary& panel = AddPanel(count == 1 ? "" : "." + ComponentName(i, count), i == 0);
+      Dictionary& panel = AddPanel(drawn_.NameOf(i), i == 0);
       const bool is_known = expected_ != nullptr && i < expected_->numbers.size();
       AddNumbers(panel, {fmt::format("{}-{}", id_, i), Title(), Unit(), &drawn_.numbers[i],
                          is_known ? &expected_->numbers[i] : nullptr});
@@ -96,7 +90,7 @@ class ParameterPanels {
 
  private:
   void AddValues(const std::vector<std::pair<std::string, Counts>>& values) {
-    Dictionary& panel = AddPanel("", true);
+    Dictionary& panel = AddPanel(drawn_.name, true);
     const auto expected = expected_ == nullptr ? decltype(drawn_.Values()){} : expected_->Values();
     if (values.size() == 1 && expected.size() <= 1) {
       ShowText(panel, "CONSTANT", Clean(values.front().first));
@@ -110,9 +104,9 @@ class ParameterPanels {
     }
   }
 
-  Dictionary& AddPanel(const std::string& component, bool with_words) {
+  Dictionary& AddPanel(const std::string& name, bool with_words) {
     Dictionary& panel = Section(list_, "PARAMETER");
-    Set(panel, "NAME", Clean(drawn_.name + component));
+    Set(panel, "NAME", Clean(name));
     ShowText(panel, "UNIT", Unit());
     if (declared_ == nullptr || !with_words) return panel;
     ShowText(panel, "DOC", Clean(declared_->doc));

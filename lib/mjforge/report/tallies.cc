@@ -3,8 +3,10 @@
 #include "mjforge/report/tallies.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "mjforge/expr/expr.h"
@@ -55,6 +57,13 @@ void ParameterTally::Add(const sample::ParameterValue& value, bool is_bad) {
     for (std::size_t i = 0; i < count; ++i) numbers[i].Add(vector[i], is_bad);
     all_whole_ = false;
   }
+}
+
+std::string ParameterTally::NameOf(std::size_t i) const {
+  constexpr std::array kComponents = {"x", "y", "z", "w"};
+  if (numbers.size() == 1) return name;
+  if (numbers.size() > kComponents.size()) return fmt::format("{}[{}]", name, i);
+  return fmt::format("{}.{}", name, kComponents[i]);
 }
 
 void ParameterTally::AddText(const std::string& text, const Counts& counts) {

@@ -50,6 +50,9 @@ struct ParameterTally {
   /// Returns the values for a bar chart: texts and booleans by name, whole numbers in ascending
   /// order if there are few. Empty if a histogram suits the parameter better.
   std::vector<std::pair<std::string, Counts>> Values() const;
+  /// Returns the name of the i-th of `numbers` as expressions write it: `size.x`, `widths[4]`, or
+  /// the parameter's name if there is a single number.
+  std::string NameOf(std::size_t i) const;
 
   std::string name;
   std::vector<NumberTally> numbers;  // a single one, or one per component of a vector

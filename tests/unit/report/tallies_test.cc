@@ -70,6 +70,15 @@ TEST_CASE("a vector has a tally for each component") {
   CHECK(tally.Values().empty());
 }
 
+TEST_CASE("components are named as expressions write them") {
+  const ParameterTally vector = TallyOf({std::vector<double>{1, 10}});
+  CHECK(vector.NameOf(1) == vector.name + ".y");
+  const ParameterTally list = TallyOf({std::vector<double>{1, 2, 3, 4, 5}});
+  CHECK(list.NameOf(4) == list.name + "[4]");
+  const ParameterTally number = TallyOf({1.0});
+  CHECK(number.NameOf(0) == number.name);
+}
+
 TEST_CASE("what is bad is counted apart, too") {
   ParameterTallies tallies;
   tallies.Add({{"size", 0.5}, {"shape", std::string("box")}}, false);
