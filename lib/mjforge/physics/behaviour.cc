@@ -15,12 +15,15 @@
 #include "mjforge/physics/drop.h"
 #include "mjforge/physics/element_marks.h"
 #include "mjforge/physics/equality_check.h"
+#include "mjforge/physics/feet.h"
+#include "mjforge/physics/floor.h"
 #include "mjforge/physics/joint_checks.h"
 #include "mjforge/physics/joint_drive.h"
 #include "mjforge/physics/joint_effort.h"
 #include "mjforge/physics/joint_ranges.h"
 #include "mjforge/physics/joint_rest.h"
 #include "mjforge/physics/parent_penetration.h"
+#include "mjforge/physics/rests_inside.h"
 #include "mjforge/physics/simready.h"
 #include "mjforge/physics/stability.h"
 #include "mjforge/physics/unsupported_links.h"
@@ -65,14 +68,13 @@ class Behaviour {
     }
     if (outcome.has_diverged) return;
     ReportDrop(outcome, result);
-    for (const JointOffRange& off_range :
-         FindJointsOffRange(m_, *end_, object_.name, reporter_.checks()))
-      ReportOffRange(off_range);
+    CheckJointRests(m_, *end_, object_, mark_, reporter_);
+    const std::vector<mjtNum> rest(end_->qpos, end_->qpos + m_.nq);
     CheckStability(result);
+    CheckRestsInside(m_, rest, workspace_, object_, mark_, reporter_);
     CheckRanges(m_, object_, mark_, reporter_);
     CheckEfforts(m_, workspace_, object_, mark_, reporter_);
-    for (const UnsupportedLink& link : FindUnsupportedLinks(m_, workspace_.For(m_)))
-      ReportUnsupported(link);
+    CheckUnsupportedLinks(m_, workspace_.For(m_), object_, mark_, reporter_);
     const DriveResults drives =
         DriveJoints(m_, workspace_.For(m_), object_.name, reporter_.checks());
     for (const InitialPenetration& initial : drives.initial_penetrations)
@@ -121,6 +123,7 @@ class Behaviour {
     result.stability = margin.least;
     const model::Checks& checks = reporter_.checks();
     if (!checks.stable || result.tilt > checks.tilt) return;
+    CheckFeet(m_, *end_, *body, GroundOf(m_, *end_).height, object_, mark_, reporter_);
     const double gravity = Eigen::Map<const Eigen::Vector3d>(m_.opt.gravity).norm();
     const double height =
         end_->subtree_com[3 * *body + 2] - compiled::CollidingBox(m_, *end_, *body).min.z();
@@ -151,38 +154,6 @@ class Behaviour {
                     "give it a wider foot or a lower centre of mass, or set `nudge`");
   }
 
-  void ReportMoving(const JointOffRange& off_range) {
-    reporter_.Error(
-        Code::kPhysicsJointRests, off_range.check->mark,
-        fmt::format("joint '{}' is at {} and still moves, by {} in a second: it leaves "
-                    "where `rests` has it, {} to {}",
-                    JointName(off_range.joint), Distance(off_range.joint, off_range.position),
-                    Distance(off_range.joint, off_range.speed),
-                    Distance(off_range.joint, off_range.low),
-                    Distance(off_range.joint, off_range.high)),
-        "hold it by a spring or dry friction, or, if it comes to rest later, set a longer "
-        "`settle_time`");
-  }
-
-  void ReportOffRange(const JointOffRange& off_range) {
-    if (off_range.speed != 0) return ReportMoving(off_range);
-    const std::string name = JointName(off_range.joint);
-    const bool is_asked = off_range.check != nullptr;
-    reporter_.Error(
-        Code::kPhysicsJointRests, is_asked ? off_range.check->mark : MarkOf(name),
-        fmt::format("joint '{}' rests at {}, {} beyond {}, {} to {}", name,
-                    Distance(off_range.joint, off_range.position),
-                    Distance(off_range.joint, off_range.beyond),
-                    is_asked ? "where `rests` has it" : "its range",
-                    Distance(off_range.joint, off_range.low),
-                    Distance(off_range.joint, off_range.high)),
-        is_asked
-            ? "look at springs, `springref`, dry friction, and weight; a limit of the range gives "
-              "way a little, too; if it comes to rest later, set a longer `settle_time`"
-            : "a spring or weight presses it: use a harder limit (a smaller solreflimit), or a "
-              "softer spring");
-  }
-
   void ReportInitialPenetration(const InitialPenetration& initial) {
     if (!(initial.depth > reporter_.checks().joint_penetration)) return;
     reporter_.Error(Code::kPhysicsJointCollides,
@@ -192,14 +163,6 @@ class Behaviour {
                                 BodyName(initial.body1), BodyName(initial.body2),
                                 RoundedText(1000 * initial.depth)),
                     initial.check != nullptr ? "the positions of `at` put them there" : kMakeRoom);
-  }
-
-  void ReportUnsupported(const UnsupportedLink& link) {
-    const std::string body = BodyName(link.body);
-    reporter_.Warning(Code::kPhysicsLoose, MarkOf(m_.body_jntadr[link.body]),
-                      fmt::format("body '{}' hangs in the air: {} mm from all else of '{}'", body,
-                                  RoundedText(1000 * link.distance), object_.name),
-                      "look at its `pos` and the units");
   }
 
   void ReportParentPenetration(const ParentPenetration& penetration) {
@@ -252,7 +215,7 @@ class Behaviour {
                       object_.name, RoundedText(result.time), outcome.fastest,
                       SpeedText(result.speed), RoundedText(1000 * outcome.way),
                       SpeedText(checks.rest_speed)),
-          "look for an undamped joint or a part that rolls, or set a longer `settle_time`");
+          RestRemedy(outcome));
     }
     ReportAbove(Code::kPhysicsPenetrates, result.penetration, checks.penetration, 1000,
                 "contacts get {1} mm deep as '{0}' lands, more than {2} mm", kHarderContacts);
@@ -267,6 +230,18 @@ class Behaviour {
     ReportAbove(Code::kPhysicsDrifts, result.drift, checks.drift, 1000,
                 "'{0}' moves {1} mm along the floor, more than {2} mm",
                 "give it a level foot or more friction");
+  }
+
+  /// Returns the remedy for an object that still moves after its time to settle.
+  std::string RestRemedy(const DropOutcome& outcome) const {
+    const int body = mj_name2id(&m_, mjOBJ_BODY, outcome.fastest.c_str());
+    for (int i = 0; body > 0 && i < m_.body_jntnum[body]; ++i) {
+      const int joint = m_.body_jntadr[body] + i;
+      const std::string creep =
+          compiled::HasOneNumber(m_, joint) ? CreepRemedy(m_, *end_, joint) : std::string();
+      if (!creep.empty()) return creep;
+    }
+    return "look for an undamped joint or a part that rolls, or set a longer `settle_time`";
   }
 
   void ReportJoint(const DrivenJoint& driven) {

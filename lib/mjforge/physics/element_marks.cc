@@ -1,9 +1,23 @@
-// Places of joints and other elements of an object in its spec.
+// Parts, joints and other elements of an object by their names, and their places in its spec.
 #include "mjforge/physics/element_marks.h"
 
 #include <algorithm>
 
 namespace mjforge::physics {
+
+const model::Part* PartOf(const model::Object& object, std::string_view geom) {
+  for (const model::Body& body : object.bodies) {
+    const auto found = std::ranges::find(body.parts, geom, &model::Part::name);
+    if (found != body.parts.end()) return &*found;
+  }
+  return nullptr;
+}
+
+diag::SourceMark BodyMark(const model::Object& object, std::string_view name,
+                          diag::SourceMark usual) {
+  const auto found = std::ranges::find(object.bodies, name, &model::Body::name);
+  return found != object.bodies.end() && found->mark ? found->mark : usual;
+}
 
 diag::SourceMark JointMark(const model::Object& object, std::string_view name,
                            diag::SourceMark usual) {

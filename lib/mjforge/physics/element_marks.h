@@ -1,4 +1,4 @@
-// Places of joints and other elements of an object in its spec.
+// Parts, joints and other elements of an object by their names, and their places in its spec.
 #pragma once
 
 #include <string_view>
@@ -7,6 +7,13 @@
 #include "mjforge/model/model.h"
 
 namespace mjforge::physics {
+
+/// Returns the part that a geom with this name is; null if there is none.
+const model::Part* PartOf(const model::Object& object, std::string_view geom);
+
+/// Returns the place of the body with this full name; `usual` if it has none.
+diag::SourceMark BodyMark(const model::Object& object, std::string_view name,
+                          diag::SourceMark usual);
 
 /// Returns the place of the joint with this full name; `usual` if it has none.
 diag::SourceMark JointMark(const model::Object& object, std::string_view name,

@@ -27,7 +27,7 @@ constexpr int kPositions = 9;            // tried of a joint, for its load
 constexpr double kMostSag = 0.2;         // share of the range by which a servo may give way
 constexpr double kMostBeyond = 0.5;      // share of the range by which a servo may be led beyond it
 constexpr double kForceOfPerson = 400;   // N
-constexpr double kLongestMove = 10;      // s, from one end of the range to the other
+constexpr double kLongestPush = 10;      // s, from one end of the range to the other
 constexpr double kShortestLever = 0.02;  // m, at a knob
 
 class Efforts {
@@ -193,15 +193,15 @@ class Efforts {
       if (strength) force = std::max(force, std::min(strength->up, strength->down));
     }
     const double range = paths.front().range();
-    const double needed = m_.dof_frictionloss[dof] + m_.dof_damping[dof] * range / kLongestMove +
-                          m_.dof_armature[dof] * 4 * range / (kLongestMove * kLongestMove);
+    const double needed = m_.dof_frictionloss[dof] + m_.dof_damping[dof] * range / kLongestPush +
+                          m_.dof_armature[dof] * 4 * range / (kLongestPush * kLongestPush);
     if (!(needed > force)) return;
     Report(
         Code::kPhysicsJointHeavy, JointMark(object_, JointName(joint), mark_),
         fmt::format("joint '{}' can hardly be moved: {} {} are needed to move it by {} in {} s, "
                     "and {} {} are there",
                     JointName(joint), RoundedText(needed), Unit(joint), Distance(joint, range),
-                    RoundedText(kLongestMove), RoundedText(force), Unit(joint)) +
+                    RoundedText(kLongestPush), RoundedText(force), Unit(joint)) +
             (force == person
                  ? fmt::format(" (a person's {} N{})", RoundedText(kForceOfPerson),
                                IsSlide(joint) ? std::string()

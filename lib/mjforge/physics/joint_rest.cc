@@ -2,8 +2,14 @@
 #include "mjforge/physics/joint_rest.h"
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
 
 #include "mjforge/compiled/compiled.h"
+#include "mjforge/expr/expr.h"
+#include "mjforge/physics/element_marks.h"
 #include "mjforge/physics/joint_checks.h"
 
 namespace mjforge::physics {
@@ -15,12 +21,16 @@ constexpr double kSagOfHinge = 0.02;   // rad
 // A joint that creeps violates `rests` if it leaves the allowed positions within this time.
 constexpr double kSoon = 10;  // s
 
-}  // namespace
-
-bool HasRestRanges(const model::Checks& checks) {
-  return std::ranges::any_of(
-      checks.joints, [](const model::JointCheck& check) { return check.rests.has_value(); });
-}
+/// A hinge or slide outside its range, or outside `rests`, at the end of a drop.
+struct JointOffRange {
+  int joint = 0;
+  double position = 0;  // rad or m, as in qpos
+  double low = 0;       // ends of the allowed positions
+  double high = 0;
+  double beyond = 0;                         // distance from the allowed positions
+  const model::JointCheck* check = nullptr;  // entry with the violated `rests`; null: the range
+  double speed = 0;  // rad/s or m/s, if the joint is within `rests` but leaves in 10 s; else 0
+};
 
 std::vector<JointOffRange> FindJointsOffRange(const mjModel& m, const mjData& d,
                                               std::string_view object,
@@ -52,6 +62,75 @@ std::vector<JointOffRange> FindJointsOffRange(const mjModel& m, const mjData& d,
     if (m.jnt_limited[joint] != 0) look(low, high, slack * (high - low) + sag, nullptr);
   }
   return all;
+}
+
+std::string PositionText(const mjModel& m, int joint, double value) {
+  return expr::DistanceText(m.jnt_type[joint] == mjJNT_SLIDE, value);
+}
+
+/// Returns "A to B", the allowed positions.
+std::string Allowed(const mjModel& m, const JointOffRange& off_range) {
+  return fmt::format("{} to {}", PositionText(m, off_range.joint, off_range.low),
+                     PositionText(m, off_range.joint, off_range.high));
+}
+
+std::string OffRangeMessage(const mjModel& m, const JointOffRange& off_range) {
+  const int joint = off_range.joint;
+  const std::string name = compiled::NameOf(m, mjOBJ_JOINT, joint);
+  const std::string position = PositionText(m, joint, off_range.position);
+  if (off_range.speed != 0) {
+    return fmt::format(
+        "joint '{}' is at {} and still moves, by {} in a second: it leaves where `rests` has it, "
+        "{}",
+        name, position, PositionText(m, joint, off_range.speed), Allowed(m, off_range));
+  }
+  return fmt::format("joint '{}' rests at {}, {} beyond {}, {}", name, position,
+                     PositionText(m, joint, off_range.beyond),
+                     off_range.check != nullptr ? "where `rests` has it" : "its range",
+                     Allowed(m, off_range));
+}
+
+std::string OffRangeRemedy(const mjModel& m, const mjData& d, const JointOffRange& off_range) {
+  if (off_range.check == nullptr) {
+    return "a spring or weight presses it: use a harder limit (a smaller solreflimit), or a softer "
+           "spring";
+  }
+  std::string creep = CreepRemedy(m, d, off_range.joint);
+  if (!creep.empty()) return creep;
+  return off_range.speed != 0
+             ? "hold it by a spring or dry friction, or, if it comes to rest later, set a longer "
+               "`settle_time`"
+             : "look at springs, `springref`, dry friction, and weight; a limit of the range gives "
+               "way a little, too; if it comes to rest later, set a longer `settle_time`";
+}
+
+}  // namespace
+
+bool HasRestRanges(const model::Checks& checks) {
+  return std::ranges::any_of(
+      checks.joints, [](const model::JointCheck& check) { return check.rests.has_value(); });
+}
+
+std::string CreepRemedy(const mjModel& m, const mjData& d, int joint) {
+  const int dof = m.jnt_dofadr[joint];
+  const double load = std::abs(d.qfrc_bias[dof] - d.qfrc_passive[dof]);
+  if (!(m.dof_frictionloss[dof] > load) || d.qvel[dof] == 0) return {};
+  return fmt::format(
+      "its dry friction of {} {} would hold it, but MuJoCo's friction is soft and creeps: bring "
+      "solimpfriction closer to 1 (`solimpfriction: [0.99, 0.9999, 0.001]`), or give the joint an "
+      "`armature`",
+      expr::RoundedText(m.dof_frictionloss[dof]), m.jnt_type[joint] == mjJNT_SLIDE ? "N" : "Nm");
+}
+
+void CheckJointRests(const mjModel& m, const mjData& d, const model::Object& object,
+                     diag::SourceMark mark, static_checks::Reporter& reporter) {
+  for (const JointOffRange& off_range : FindJointsOffRange(m, d, object.name, reporter.checks())) {
+    const std::string name = compiled::NameOf(m, mjOBJ_JOINT, off_range.joint);
+    reporter.Error(
+        diag::Code::kPhysicsJointRests,
+        off_range.check != nullptr ? off_range.check->mark : JointMark(object, name, mark),
+        OffRangeMessage(m, off_range), OffRangeRemedy(m, d, off_range));
+  }
 }
 
 }  // namespace mjforge::physics

@@ -19,6 +19,7 @@
 #include "mjforge/physics/behaviour.h"
 #include "mjforge/physics/containment.h"
 #include "mjforge/physics/floor.h"
+#include "mjforge/physics/friction_cones.h"
 #include "mjforge/physics/grasp_trial.h"
 #include "mjforge/physics/gripper.h"
 #include "mjforge/physics/peg_in_hole.h"
@@ -140,6 +141,7 @@ std::optional<Result> Laboratory::Impl::Examine(mjModel& m, const model::Object&
     CheckBehaviour(m, workspace, object, mark, reporter, result);
     result.overlap = static_checks::CheckProportions(object, mark, reporter);
     static_checks::CheckContacts(object, reporter);
+    CheckFrictionCones(m, object, mark, reporter);
     const std::span<const mjtNum> start = compiled::StartOf(m);
     const auto test = [&](const std::string& with_probes, void (*check)(const ProbeTest&)) {
       const engine::Loaded loaded = load(with_probes);

@@ -2,53 +2,181 @@
 #include "mjforge/physics/unsupported_links.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
 
 #include "mjforge/compiled/compiled.h"
+#include "mjforge/expr/expr.h"
+#include "mjforge/physics/element_marks.h"
+#include "mjforge/physics/joint_couplings.h"
+#include "mjforge/physics/joint_paths.h"
 
 namespace mjforge::physics {
 namespace {
 
-constexpr double kFarOff = 0.25;  // share of the body's size
+using compiled::Index;
 
-bool HangsOnJoint(const mjModel& m, int body) {
-  for (int i = 0; i < m.body_jntnum[body]; ++i) {
-    if (compiled::HasOneNumber(m, m.body_jntadr[body] + i)) return m.body_parentid[body] != 0;
+constexpr double kFarOff = 0.03;        // m
+constexpr double kFarOffOfSize = 0.25;  // share of the body's size
+
+class UnsupportedLinks {
+ public:
+  UnsupportedLinks(const mjModel& m, mjData& d, const model::Object& object, diag::SourceMark mark,
+                   static_checks::Reporter& reporter)
+      : m_(m), d_(d), object_(object), mark_(mark), reporter_(reporter), couplings_(m) {
+    std::ranges::copy(compiled::StartOf(m), d.qpos);
+    mj_kinematics(&m, &d);
+    for (int geom = 0; geom < m.ngeom; ++geom)
+      boxes_.push_back(BoxAt(m, geom, compiled::GeomPose(d, geom)));
   }
-  return false;
-}
 
-}  // namespace
-
-std::vector<UnsupportedLink> FindUnsupportedLinks(const mjModel& m, mjData& d) {
-  std::ranges::copy(compiled::StartOf(m), d.qpos);
-  mj_kinematics(&m, &d);
-  std::vector<Eigen::AlignedBox3d> boxes(compiled::Index(m.ngeom));
-  for (int geom = 0; geom < m.ngeom; ++geom) {
-    const model::Box3 box = compiled::GeomBox(m, geom, compiled::GeomPose(d, geom));
-    if (!box.empty()) boxes[compiled::Index(geom)] = {box.min, box.max};
+  void Check() {
+    for (int body = 1; body < m_.nbody; ++body)
+      if (HangsOnJoint(body)) CheckStart(body);
+    for (int joint = 0; joint < m_.njnt; ++joint)
+      if (m_.body_parentid[m_.jnt_bodyid[joint]] != 0 && compiled::HasOneNumber(m_, joint) &&
+          m_.jnt_limited[joint] != 0 && !couplings_.IsCoupled(joint))
+        CheckEnds(joint);
   }
-  std::vector<UnsupportedLink> unsupported;
-  for (int body = 1; body < m.nbody; ++body) {
-    if (!HangsOnJoint(m, body)) continue;
-    Eigen::AlignedBox3d own;
-    for (int geom = 0; geom < m.ngeom; ++geom) {
-      if (m.body_weldid[m.geom_bodyid[geom]] == m.body_weldid[body])
-        own.extend(boxes[compiled::Index(geom)]);
+
+ private:
+  using Box = Eigen::AlignedBox3d;
+
+  static Box BoxAt(const mjModel& m, int geom, const model::Pose& X_WG) {
+    const model::Box3 box = compiled::GeomBox(m, geom, X_WG);
+    return box.empty() ? Box() : Box(box.min, box.max);
+  }
+
+  bool HangsOnJoint(int body) const {
+    for (int i = 0; i < m_.body_jntnum[body]; ++i) {
+      if (compiled::HasOneNumber(m_, m_.body_jntadr[body] + i)) return m_.body_parentid[body] != 0;
+    }
+    return false;
+  }
+
+  void CheckStart(int body) {
+    Box own;
+    for (int geom = 0; geom < m_.ngeom; ++geom) {
+      if (m_.body_weldid[m_.geom_bodyid[geom]] == m_.body_weldid[body])
+        own.extend(boxes_[Index(geom)]);
     }
     double nearest = std::numeric_limits<double>::infinity();
-    for (int geom = 0; geom < m.ngeom; ++geom) {
-      const int other = m.geom_bodyid[geom];
-      const bool is_other = m.body_weldid[other] != m.body_weldid[body] &&
-                            m.body_rootid[other] == m.body_rootid[body];
-      const auto& box = boxes[compiled::Index(geom)];
+    for (int geom = 0; geom < m_.ngeom; ++geom) {
+      const int other = m_.geom_bodyid[geom];
+      const bool is_other = m_.body_weldid[other] != m_.body_weldid[body] &&
+                            m_.body_rootid[other] == m_.body_rootid[body];
+      const Box& box = boxes_[Index(geom)];
       if (is_other && !box.isEmpty()) nearest = std::min(nearest, own.exteriorDistance(box));
     }
     const bool has_both = !own.isEmpty() && nearest < std::numeric_limits<double>::infinity();
-    if (has_both && nearest > kFarOff * own.diagonal().norm())
-      unsupported.push_back({body, nearest});
+    if (!has_both || nearest <= std::min(kFarOff, kFarOffOfSize * own.diagonal().norm())) return;
+    is_far_at_start_.insert(m_.body_jntadr[body]);
+    Report(m_.body_jntadr[body], "", nearest, "look at its `pos` and the units");
   }
-  return unsupported;
+
+  void CheckEnds(int joint) {
+    const int body = m_.jnt_bodyid[joint];
+    if (is_far_at_start_.contains(m_.body_jntadr[body])) return;
+    const std::vector<bool> moved = BodiesMovedBy(m_, joint);
+    const JointPath path = PathsOf(m_, joint, compiled::StartOf(m_)).front();
+    const bool is_slide = m_.jnt_type[joint] == mjJNT_SLIDE;
+    const double way = std::max(path.start - path.low, path.high - path.start);
+    if (is_slide && (IsTooLong(path) || DistanceAfter(joint, moved, 0) + way <= kFarOff)) return;
+    // A door turns away from its frame by as much as it is thick and its axis is off its edge.
+    const double most =
+        is_slide ? kFarOff : std::max(kFarOff, kFarOffOfSize * MovedBox(moved).diagonal().norm());
+    for (const double end : {path.low, path.high}) {
+      if (is_slide && Lifts(joint, end - path.start)) continue;
+      const double distance = DistanceAfter(joint, moved, end - path.start);
+      if (distance <= most || distance == std::numeric_limits<double>::infinity()) continue;
+      const double where = end + m_.qpos0[m_.jnt_qposadr[joint]];
+      Report(joint,
+             fmt::format(" where joint '{}' is at {}", compiled::NameOf(m_, mjOBJ_JOINT, joint),
+                         expr::DistanceText(is_slide, where)),
+             distance, "use a shorter range; if it may be so, say why in `silence`");
+      return;
+    }
+  }
+
+  Box MovedBox(const std::vector<bool>& moved) const {
+    Box box;
+    for (int geom = 0; geom < m_.ngeom; ++geom)
+      if (moved[Index(m_.geom_bodyid[geom])]) box.extend(boxes_[Index(geom)]);
+    return box;
+  }
+
+  /// Returns true for a range that is a finding by itself (physics/joint-range).
+  bool IsTooLong(const JointPath& path) const {
+    const model::Box3& box = object_.bounds.aabb;
+    return !box.empty() &&
+           path.range() > reporter_.checks().slide_range * (box.max - box.min).maxCoeff();
+  }
+
+  /// Returns true if a slide moves something up, less than 45 degrees from the vertical: what is
+  /// lifted off, as a lid, is in a hand.
+  bool Lifts(int joint, double way) const {
+    const Eigen::Map<const Eigen::Vector3d> gravity(m_.opt.gravity);
+    const double up = -way * compiled::VectorAt(d_.xaxis, joint).dot(gravity);
+    return up > std::sqrt(0.5) * std::abs(way) * gravity.norm();
+  }
+
+  /// Returns the distance of all that a joint moves from the rest of its tree, m, after the joint
+  /// has moved by `way` (rad or m); at most kFarOff is some such number.
+  double DistanceAfter(int joint, const std::vector<bool>& moved, double way) const {
+    const Eigen::Vector3d axis = compiled::VectorAt(d_.xaxis, joint);
+    const Eigen::Vector3d anchor = compiled::VectorAt(d_.xanchor, joint);
+    model::Pose motion;
+    if (m_.jnt_type[joint] == mjJNT_SLIDE) {
+      motion.p = way * axis;
+    } else {
+      motion.q = Eigen::AngleAxisd(way, axis);
+      motion.p = anchor - motion.q * anchor;
+    }
+    const int root = m_.body_rootid[m_.jnt_bodyid[joint]];
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int geom = 0; geom < m_.ngeom; ++geom) {
+      if (!moved[Index(m_.geom_bodyid[geom])] || boxes_[Index(geom)].isEmpty()) continue;
+      const Box box = BoxAt(m_, geom, motion * compiled::GeomPose(d_, geom));
+      for (int other = 0; other < m_.ngeom; ++other) {
+        const int body = m_.geom_bodyid[other];
+        if (moved[Index(body)] || m_.body_rootid[body] != root || boxes_[Index(other)].isEmpty())
+          continue;
+        nearest = std::min(nearest, box.exteriorDistance(boxes_[Index(other)]));
+        if (nearest <= kFarOff) return nearest;
+      }
+    }
+    return nearest;
+  }
+
+  void Report(int joint, const std::string& where, double distance, const char* hint) {
+    reporter_.Warning(diag::Code::kPhysicsLoose,
+                      JointMark(object_, compiled::NameOf(m_, mjOBJ_JOINT, joint), mark_),
+                      fmt::format("body '{}' hangs in the air{}: {} mm from all else of '{}'",
+                                  compiled::NameOf(m_, mjOBJ_BODY, m_.jnt_bodyid[joint]), where,
+                                  expr::RoundedText(1000 * distance), object_.name),
+                      hint);
+  }
+
+  const mjModel& m_;
+  const mjData& d_;
+  const model::Object& object_;
+  diag::SourceMark mark_;
+  static_checks::Reporter& reporter_;
+  JointCouplings couplings_;
+  std::vector<Box> boxes_;         // boxes of geoms at the start
+  std::set<int> is_far_at_start_;  // first joints of bodies
+};
+
+}  // namespace
+
+void CheckUnsupportedLinks(const mjModel& m, mjData& d, const model::Object& object,
+                           diag::SourceMark mark, static_checks::Reporter& reporter) {
+  UnsupportedLinks(m, d, object, mark, reporter).Check();
 }
 
 }  // namespace mjforge::physics

@@ -76,7 +76,8 @@ TEST_CASE("a drawer behind a door is blocked by it, and is not if the door is op
   const std::string drawer =
       Child("drawer", "0 0 0", R"(type="slide" axis="0 -1 0" limited="true" range="0 0.15")",
             R"(type="box" size="0.15 0.1 0.08")");
-  const std::string back = R"(<geom type="box" size="0.2 0.01 0.1" pos="0 0.13 0"/>)";
+  const std::string back = R"(<geom type="box" size="0.2 0.01 0.1" pos="0 0.13 0"/>
+    <geom type="box" size="0.2 0.11 0.005" pos="0 0.01 -0.09"/>)";
   const std::string world = "<body name=\"case\">" + back + door + drawer + "</body>";
   CHECK(Examine(world).Codes() != Strings());
   model::Checks checks;

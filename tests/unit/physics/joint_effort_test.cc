@@ -9,6 +9,7 @@ using Strings = std::vector<std::string>;
 /// A hatch of 2 kg whose centre of mass is 0.25 m from its hinge: 4.9 Nm hold it level.
 std::string Hatch(const std::string& joint = "damping=\"1\"") {
   return R"(<body name="frame"><geom type="box" size="0.03 0.3 0.03" pos="-0.05 0 0"/>
+    <geom type="box" size="0.03 0.3 0.005" pos="-0.02 0 -0.035"/>
     <body name="hatch"><joint name="lift" axis="0 -1 0" limited="true" range="0 1.5" )" +
          joint + R"(/><geom type="box" size="0.23 0.28 0.01" pos="0.25 0 0" mass="2"/>
     </body></body>)";

@@ -1,0 +1,142 @@
+// Feet of an object that stands on a floor: parts compared with like parts that touch the floor,
+// and the friction under their load.
+#include "mjforge/physics/feet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "mjforge/compiled/compiled.h"
+#include "mjforge/expr/expr.h"
+#include "mjforge/physics/element_marks.h"
+
+namespace mjforge::physics {
+namespace {
+
+using expr::RoundedText;
+
+constexpr double kTouches = 0.0005;  // m above the floor
+constexpr double kLifted = 0.001;    // m above the floor
+constexpr double kHalf = 0.5;        // share of its height that a lifted foot is at most above it
+constexpr double kAlike = 0.1;       // largest difference of like parts, as a share
+
+/// A part of the object, with all its pieces.
+struct Foot {
+  std::string name;
+  diag::SourceMark mark;
+  int type = 0;  // mjtGeom of its last piece
+  int pieces = 0;
+  double size = 0;    // m, largest radius of a piece
+  double bottom = 0;  // m above the floor
+  double top = 0;
+
+  double height() const { return top - bottom; }
+};
+
+bool AreClose(double one, double two) { return std::abs(one - two) <= kAlike * std::max(one, two); }
+
+bool AreAlike(const Foot& one, const Foot& two) {
+  return one.type == two.type && one.pieces == two.pieces && AreClose(one.size, two.size) &&
+         AreClose(one.height(), two.height());
+}
+
+/// Returns the colliding parts of a tree of bodies.
+std::vector<Foot> FeetOf(const mjModel& m, const mjData& d, int root, double height,
+                         const model::Object& object, diag::SourceMark mark) {
+  std::map<std::pair<int, std::string>, Foot> feet;  // by body and name
+  for (int geom = 0; geom < m.ngeom; ++geom) {
+    const int body = m.geom_bodyid[geom];
+    if (m.body_rootid[body] != root || !compiled::Collides(m, geom)) continue;
+    const model::Box3 box = compiled::GeomBox(m, geom, compiled::GeomPose(d, geom));
+    if (box.empty()) continue;
+    std::string name = compiled::NameOf(m, mjOBJ_GEOM, geom);
+    const model::Part* const part = PartOf(object, name);
+    if (part != nullptr) name = part->NameInSpec();
+    Foot& foot = feet[{body, name}];
+    if (foot.pieces == 0) foot.bottom = foot.top = box.min.z() - height;
+    foot.name = name;
+    foot.mark = part != nullptr && part->mark ? part->mark : mark;
+    foot.type = m.geom_type[geom];
+    ++foot.pieces;
+    foot.size = std::max(foot.size, m.geom_rbound[geom]);
+    foot.bottom = std::min(foot.bottom, box.min.z() - height);
+    foot.top = std::max(foot.top, box.max.z() - height);
+  }
+  std::vector<Foot> all;
+  all.reserve(feet.size());
+  for (auto& [key, foot] : feet) all.push_back(std::move(foot));
+  return all;
+}
+
+void CheckLifted(const std::vector<Foot>& feet, const model::Object& object,
+                 static_checks::Reporter& reporter) {
+  const auto touches = [](const Foot& foot) { return foot.bottom < kTouches; };
+  const Foot* highest = nullptr;
+  const Foot* like = nullptr;
+  for (const Foot& foot : feet) {
+    if (foot.bottom < kLifted || foot.bottom > kHalf * foot.height()) continue;
+    if (highest != nullptr && foot.bottom <= highest->bottom) continue;
+    const auto found = std::ranges::find_if(
+        feet, [&](const Foot& other) { return touches(other) && AreAlike(foot, other); });
+    if (found == feet.end()) continue;
+    highest = &foot;
+    like = &*found;
+  }
+  if (highest == nullptr) return;
+  reporter.Warning(
+      diag::Code::kPhysicsFeet, highest->mark,
+      fmt::format("part '{}' is {} mm above the floor where '{}' rests, which must be stable; part "
+                  "'{}', which is like it, stands on the floor",
+                  highest->name, RoundedText(1000 * highest->bottom), object.name, like->name),
+      "let all feet reach the floor: look at their `pos` and sizes");
+}
+
+/// Returns the friction of the feet on the floor, the mean by their loads; nothing if there is no
+/// load.
+std::optional<double> FrictionOf(const mjModel& m, const mjData& d, int root) {
+  double load = 0;
+  double most = 0;  // N, friction
+  for (int i = 0; i < d.ncon; ++i) {
+    const mjContact& contact = d.contact[i];
+    const int one = m.body_rootid[m.geom_bodyid[contact.geom1]];
+    const int two = m.body_rootid[m.geom_bodyid[contact.geom2]];
+    if (std::minmax({one, two}) != std::pair(0, root)) continue;
+    mjtNum force[6];
+    mj_contactForce(&m, &d, i, force);
+    load += force[0];
+    if (contact.dim > 1) most += force[0] * contact.friction[0];
+  }
+  return load > 0 ? std::optional(most / load) : std::nullopt;
+}
+
+void CheckGlides(const mjModel& m, const mjData& d, int root, const model::Object& object,
+                 diag::SourceMark mark, static_checks::Reporter& reporter) {
+  const double slope = reporter.checks().nudge;
+  const std::optional<double> friction = FrictionOf(m, d, root);
+  if (!friction || *friction >= std::tan(slope)) return;
+  reporter.Warning(
+      diag::Code::kPhysicsFeet, mark,
+      fmt::format("'{}', which must be stable, glides off a floor that leans by {} deg (`nudge`): "
+                  "the friction of its feet is {}, and must be {}",
+                  object.name, RoundedText(slope * 180 / std::numbers::pi), RoundedText(*friction),
+                  RoundedText(std::tan(slope))),
+      "give them more friction; with a `priority` theirs counts, whatever the floor has");
+}
+
+}  // namespace
+
+void CheckFeet(const mjModel& m, const mjData& d, int root, double height,
+               const model::Object& object, diag::SourceMark mark,
+               static_checks::Reporter& reporter) {
+  CheckLifted(FeetOf(m, d, root, height, object, mark), object, reporter);
+  CheckGlides(m, d, root, object, mark, reporter);
+}
+
+}  // namespace mjforge::physics

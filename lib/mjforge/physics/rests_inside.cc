@@ -1,0 +1,144 @@
+// Bodies that come to rest in each other: collision detection of the pairs that MuJoCo ignores.
+#include "mjforge/physics/rests_inside.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "mjforge/compiled/compiled.h"
+#include "mjforge/engine/engine.h"
+#include "mjforge/expr/expr.h"
+#include "mjforge/physics/broad_phase.h"
+#include "mjforge/physics/element_marks.h"
+
+namespace mjforge::physics {
+namespace {
+
+using compiled::Index;
+using expr::RoundedText;
+
+/// Contact bits of a geom.
+using Bits = std::pair<int, int>;
+
+bool Match(const Bits& one, const Bits& two) {
+  return (one.first & two.second) != 0 || (two.first & one.second) != 0;
+}
+
+Bits BitsOf(const mjModel& m, int geom) { return {m.geom_contype[geom], m.geom_conaffinity[geom]}; }
+
+bool IsSolid(const mjModel& m, int geom) {
+  return compiled::Collides(m, geom) && compiled::GeomTypeOf(m.geom_type[geom]).has_value();
+}
+
+/// Pairs of geoms that would collide, but for `exclude` or their contact bits.
+class IgnoredPairs {
+ public:
+  explicit IgnoredPairs(const mjModel& m) : m_(m) {
+    for (int i = 0; i < m.nexclude; ++i) excluded_.insert(engine::ExcludedBodies(m, i));
+    for (int i = 0; i < m.npair; ++i)
+      paired_.insert(std::minmax({m.pair_geom1[i], m.pair_geom2[i]}));
+  }
+
+  bool empty() const {
+    std::set<Bits> all;
+    for (int geom = 0; geom < m_.ngeom; ++geom)
+      if (IsSolid(m_, geom)) all.insert(BitsOf(m_, geom));
+    const bool all_match = std::ranges::all_of(all, [&](const Bits& one) {
+      return std::ranges::all_of(all, [&](const Bits& two) { return Match(one, two); });
+    });
+    return excluded_.empty() && all_match;
+  }
+
+  bool AreExcluded(int body1, int body2) const {
+    return excluded_.contains(std::minmax({body1, body2}));
+  }
+
+  bool Contain(int geom1, int geom2) const {
+    return (AreExcluded(m_.geom_bodyid[geom1], m_.geom_bodyid[geom2]) ||
+            !Match(BitsOf(m_, geom1), BitsOf(m_, geom2))) &&
+           !paired_.contains(std::minmax({geom1, geom2}));
+  }
+
+ private:
+  const mjModel& m_;
+  std::set<std::pair<int, int>> excluded_;  // bodies, the lower number first
+  std::set<std::pair<int, int>> paired_;    // geoms of <pair>, the lower number first
+};
+
+/// Deepest contact of two groups of bodies that are welded to each other.
+struct Penetration {
+  double depth = 0;  // m
+  int body1 = 0;     // less than body2
+  int body2 = 0;
+};
+using Penetrations = std::map<std::pair<int, int>, Penetration>;
+
+/// Returns a copy of the model in which all solid geoms collide, and nothing else.
+engine::Model WithAllContacts(const mjModel& m) {
+  engine::Model copy(mj_copyModel(nullptr, &m));
+  copy->nexclude = 0;
+  for (int geom = 0; geom < m.ngeom; ++geom)
+    copy->geom_contype[geom] = copy->geom_conaffinity[geom] = IsSolid(m, geom) ? 1 : 0;
+  return copy;
+}
+
+/// Returns the penetrations of ignored pairs at these positions.
+Penetrations Find(mjModel& m, const IgnoredPairs& ignored, std::span<const mjtNum> qpos,
+                  Workspace& workspace) {
+  BroadPhase broad_phase(m);
+  const std::vector<double> no_allowance(Index(m.nbody));
+  return Simulate(m, workspace, [&](mjData& d) {
+    std::ranges::copy(qpos, d.qpos);
+    mj_kinematics(&m, &d);
+    mj_comPos(&m, &d);
+    if (broad_phase.works()) {
+      broad_phase.Find(d, no_allowance, 0).Collide(m, d);
+    } else {
+      mj_collision(&m, &d);
+    }
+    Penetrations found;
+    for (int i = 0; i < d.ncon; ++i) {
+      const mjContact& contact = d.contact[i];
+      if (!ignored.Contain(contact.geom1, contact.geom2)) continue;
+      const auto [body1, body2] =
+          std::minmax({m.geom_bodyid[contact.geom1], m.geom_bodyid[contact.geom2]});
+      Penetration& deepest = found[std::minmax({m.body_weldid[body1], m.body_weldid[body2]})];
+      if (-contact.dist > deepest.depth) deepest = {-contact.dist, body1, body2};
+    }
+    return found;
+  });
+}
+
+}  // namespace
+
+void CheckRestsInside(const mjModel& m, std::span<const mjtNum> rest, Workspace& workspace,
+                      const model::Object& object, diag::SourceMark mark,
+                      static_checks::Reporter& reporter) {
+  const IgnoredPairs ignored(m);
+  if (ignored.empty()) return;
+  const engine::Model all = WithAllContacts(m);
+  const Penetrations before = Find(*all, ignored, compiled::StartOf(m), workspace);
+  for (const auto& [pair, deepest] : Find(*all, ignored, rest, workspace)) {
+    const auto found = before.find(pair);
+    const double start = found != before.end() ? found->second.depth : 0;
+    if (!(deepest.depth > start + reporter.checks().joint_penetration)) continue;
+    const std::string one = compiled::NameOf(m, mjOBJ_BODY, deepest.body1);
+    const std::string two = compiled::NameOf(m, mjOBJ_BODY, deepest.body2);
+    const bool are_excluded = ignored.AreExcluded(deepest.body1, deepest.body2);
+    reporter.Warning(
+        diag::Code::kPhysicsRestsInside, BodyMark(object, two, mark),
+        fmt::format(
+            "bodies '{}' and '{}' come to rest {} mm in each other, and start {} mm in each "
+            "other: {}",
+            one, two, RoundedText(1000 * deepest.depth), RoundedText(1000 * start),
+            are_excluded ? "their contact is excluded" : "their contact bits do not match"),
+        are_excluded ? "let them collide: take them out of `contact: exclude`, and make room"
+                     : "let them collide: look at `contype` and `conaffinity`");
+  }
+}
+
+}  // namespace mjforge::physics
