@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "commands.h"
+#include "confidence.h"
 #include "load_time_limit.h"
 #include "options.h"
 
@@ -28,6 +29,10 @@ ExitStatus CheckSpec(const std::string& spec, const CheckOptions& options, Conso
   console.Show(summary.findings, console.sources, summary.more_findings);
   console.PrintLine(
       fmt::format("{}: {} of {} variants ok", recipe->spec->file, summary.ok, request.count));
+  // Variants without draws are all alike, and after a failure there is something to mend first.
+  const bool is_random = recipe->spec->draws.random || recipe->spec->has_place;
+  if (is_random && request.count > 1 && summary.ok == request.count)
+    console.PrintLine("  " + ConfidenceText(summary.ok));
   return Worse(status, StatusOf(summary));
 }
 

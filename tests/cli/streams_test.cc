@@ -69,8 +69,19 @@ TEST_CASE_METHOD(WordsTest, "check says how many variants are fine, and writes n
   const auto result = Run({"check", "crate.yaml"});
   CHECK(result.status == 0);
   CHECK(result.out.empty());
-  CHECK(result.err == "crate.yaml: 20 of 20 variants ok\n");
+  CHECK(result.err ==
+        "crate.yaml: 20 of 20 variants ok\n"
+        "  up to 14 % of all variants may still fail (with 95 % confidence); -n 300 lowers that to "
+        "1 %\n");
   CHECK(folder().Files() == std::vector<std::string>{"bad.yaml", "crate.yaml"});
+}
+
+TEST_CASE_METHOD(WordsTest,
+                 "check says no share of variants if there is one, or if all are alike") {
+  CHECK(Run({"check", "crate.yaml", "-n", "1"}).err == "crate.yaml: 1 of 1 variants ok\n");
+  CHECK(Run({"check", "crate.yaml", "--set", "height=0.1"}).err ==
+        "crate.yaml: 20 of 20 variants ok\n");
+  CHECK(Run({"check", "crate.yaml", "-q"}).err.empty());
 }
 
 TEST_CASE_METHOD(UnluckyCrateTest, "check finds what only some variants show") {

@@ -30,7 +30,7 @@ std::optional<Method> FindMethod(std::string_view name) {
 std::string_view MethodName(Method method) { return kNames[static_cast<std::size_t>(method)]; }
 
 bool Sampler::NeedsBatch(const spec::ObjectSpec& spec, Method method) {
-  return method == Method::kLatin || method == Method::kGrid || spec.has_exact_choice;
+  return method == Method::kLatin || method == Method::kGrid || spec.draws.exact;
 }
 
 Sampler::Sampler(const spec::ObjectSpec& spec, Method method, std::uint64_t seed,

@@ -108,6 +108,7 @@ Value ValueReader::ReadVectorForm(std::string_view key, const ExpectedForm& expe
                     expected.max_count == 1 ? "is" : "are"));
     return value;
   }
+  draws_.random |= key != kHsv;  // a colour's items may be drawn
   if (key != kOnSphere) CheckMeaning(key == kHsv, expected, node);
   if (key == kAbout) {
     value.form = RotationAbout{std::make_shared<const Value>(
@@ -188,6 +189,7 @@ Value ValueReader::ReadDraw(const DistributionInfo& info, const ExpectedForm& ex
   }
   Draw draw;
   draw.distribution = info.id;
+  draws_.random |= info.id != Distribution::kCycle;
   if (info.arguments < 0) {
     ReadOptions(expected, node, draw, value);
   } else {
@@ -255,7 +257,7 @@ void ValueReader::ReadExact(const YamlNode& node, Draw& draw) {
   }
   draw.exact = node.text == "true";
   if (!draw.exact) return;
-  has_exact_choice_ = true;
+  draws_.exact = true;
   for (const Value& weight : draw.weights) {
     if (weight.components == 0 || ConstantOf(weight)) continue;  // 0: already reported
     findings_.Add(Code::kSpecNotConstant, weight.mark,

@@ -201,10 +201,10 @@ void EntryReader::ReadWeld(const YamlNode& map, const YamlNode& spec, Entry& ent
 void EntryReader::ReadNested(const YamlNode& map, const YamlNode& spec, Entry& entry) {
   const std::string reference = context_.values.ReadPlainText("spec", spec);
   if (!reference.empty()) entry.nested = context_.loader.LoadNested(reference, spec.mark);
-  if (entry.nested != nullptr && entry.nested->has_exact_choice) {
-    context_.spec.has_exact_choice = true;
+  if (entry.nested != nullptr) {
+    context_.spec.draws |= entry.nested->draws;
+    context_.spec.has_place |= entry.nested->has_place;
   }
-  if (entry.nested != nullptr) context_.spec.has_place |= entry.nested->has_place;
   if (const YamlNode* params = map.Find("params");
       params && IsMap(*params, "parameters", context_)) {
     for (const auto& pair : params->pairs) ReadOverride(pair, entry);

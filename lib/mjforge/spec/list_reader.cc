@@ -124,3 +124,4 @@ Value ValueReader::ReadArrangement(std::string_view key, const YamlNode& map) {
 }
 
 }  // namespace mjforge::spec
+  draws_.random = true;

@@ -106,7 +106,7 @@ class SpecLoader : public NestedLoader {
     DropUnusedProperties(context);
     // Do not check nested specs, because another spec may use only some of their materials.
     if (state_.files.depth() == 1) ReportUnused(root.Find("materials"), context);
-    if (context.values.has_exact_choice()) spec.has_exact_choice = true;
+    spec.draws |= context.values.draws();
   }
 
   // Reads joints, bodies, the start pose and expectations.
@@ -254,7 +254,7 @@ class SpecLoader : public NestedLoader {
     }
     ReadParameters(&params, root.Find("require"), settings, context);
     CheckFunctions(context);
-    spec->has_exact_choice = context.values.has_exact_choice();
+    spec->draws = context.values.draws();
     folder_ = folder;
     return known = spec;
   }
@@ -269,7 +269,7 @@ class SpecLoader : public NestedLoader {
       ReadMaterials(*materials, from.file.parent_path(), true, inner);
     if (const YamlNode* defaults = from.root.Find("defaults")) ReadDefaults(*defaults, inner);
     context.values.AddUses(inner.values);
-    if (inner.values.has_exact_choice()) context.spec.has_exact_choice = true;
+    context.spec.draws |= inner.values.draws();
   }
 
   LoadState& state_;

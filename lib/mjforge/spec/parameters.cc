@@ -244,7 +244,7 @@ void AddShared(const YamlNode* params, Context& context) {
   ObjectSpec& spec = context.spec;
   for (std::size_t file = 0; file < spec.shared.size(); ++file) {
     const ObjectSpec& from = *spec.shared[file];
-    spec.has_exact_choice |= from.has_exact_choice;
+    spec.draws |= from.draws;
     for (const auto& [name, formula] : from.names.formulas()) {
       if (spec.names.FindFormula(name) == nullptr) spec.names.Define(formula);
     }

@@ -97,7 +97,7 @@ struct ObjectSpec {
   std::optional<Field> front;  // direction x, y
   Placement placement = Placement::kCenter;
   bool has_place = false;           // a body here or in a nested spec has `place:`
-  bool has_exact_choice = false;    // here or in a nested spec: variants depend on the batch size
+  DrawKinds draws;                  // here and in nested specs
   std::optional<Field> total_size;  // half sizes, m
   std::vector<Expectation> expectations;
   /// Slots of `mass` and `bounds.x` for expectations; -1 if a parameter has the name.

@@ -204,6 +204,7 @@ Value ValueReader::ReadExpression(const YamlNode& node, expr::Expression::Result
 
 Value ValueReader::ReadRange(const YamlNode& node, std::size_t dots) {
   Value value = Harmless(node);
+  draws_.random = true;
   Draw draw;
   const std::pair<std::size_t, std::size_t> ends[] = {{0, dots},
                                                       {dots + 2, node.text.size() - dots - 2}};
@@ -289,6 +290,7 @@ Value ValueReader::ReadVector(const ExpectedForm& expected, const YamlNode& node
   if (node.kind == YamlNode::Kind::kScalar && !node.quoted && node.text == "random" &&
       expected.min_count == 4 && expected.max_count == 4 && names_.Find("random") == nullptr) {
     CheckMeaning(false, expected, node);
+    draws_.random = true;
     return Value{.mark = node.mark,
                  .components = 4,
                  .dimensions = {expr::Dimension::Count()},

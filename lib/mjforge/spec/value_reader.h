@@ -79,8 +79,8 @@ class ValueReader {
   bool CheckUnit(std::string_view what, const expr::Dimensions& wanted, const Value& value);
   /// Reports a number with a unit if `what` ("a weight") must be a plain number.
   void CheckPlain(std::string_view what, const Value& value);
-  /// Returns true if any value read so far is a choice with `exact: true`.
-  bool has_exact_choice() const { return has_exact_choice_; }
+  /// The kinds of draws among the values read so far.
+  const DrawKinds& draws() const { return draws_; }
   /// Names that the values read so far refer to.
   const UsedNames& uses() const { return uses_; }
   /// Adds the names that the values of another reader refer to.
@@ -160,7 +160,7 @@ class ValueReader {
   expr::SymbolTable& names_;
   const diag::Sources& sources_;
   diag::Findings& findings_;
-  bool has_exact_choice_ = false;
+  DrawKinds draws_;
   UsedNames uses_;
 };
 

@@ -111,6 +111,18 @@ struct Arc {
   std::shared_ptr<const Value> steps;
 };
 
+/// The kinds of draws among the values of a spec.
+struct DrawKinds {
+  bool random = false;  // a draw that depends on the seed: any but `cycle`
+  bool exact = false;   // a choice with `exact: true`, which depends on the batch size
+
+  DrawKinds& operator|=(const DrawKinds& other) {
+    random |= other.random;
+    exact |= other.exact;
+    return *this;
+  }
+};
+
 /// A value of any form.
 struct Value {
   diag::SourceMark mark;

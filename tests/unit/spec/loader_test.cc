@@ -128,6 +128,29 @@ TEST_CASE("a file of another version or shape is refused", "[loader]") {
                 "1:1 spec/missing-key: spec without 'parts' or 'bodies'"});
 }
 
+TEST_CASE("a draw anywhere makes the spec one of random variants", "[loader]") {
+  const Folder folder;
+  folder.Write("inner.yaml",
+               "mjforge: 1\nname: inner\nparts:\n  - {name: a, type: sphere, size: 1 .. 2}\n");
+  folder.Write("shared.yaml", "mjforge: 1\nparams: {w: 1 .. 2}\n");
+  const auto is_random = [&](const std::string& text) {
+    const Loaded loaded = LoadFile(folder.Write("outer.yaml", text).string());
+    return loaded.spec != nullptr && loaded.spec->draws.random;
+  };
+  const std::string head = "mjforge: 1\nname: outer\n";
+  CHECK_FALSE(is_random(kBall));
+  CHECK_FALSE(is_random(kBall + "mass: {cycle: [1, 2]}\n"));
+  CHECK_FALSE(is_random(kBall + "materials: {paint: {rgba: {hsv: [0.5, 1, 1]}}}\n"));
+  CHECK(is_random(kBall + "materials: {paint: {rgba: {hsv: [0 .. 1, 1, 1]}}}\n"));
+  CHECK(is_random(kBall + "params: {m: {normal: [1, 0.1]}}\n"));
+  CHECK_FALSE(Load(kBall + "params: {m: {normal: [1, 0.1]}}\n", {{"m", "1"}}).spec->draws.random);
+  CHECK(is_random(kBall + "params: {l: {shuffle: [1, 2, 3]}}\n"));
+  CHECK(is_random(kBall + "sites:\n  - {name: s, quat: random}\n"));
+  CHECK(is_random(kBall + "sites:\n  - {name: s, pos: {on_sphere: 1}}\n"));
+  CHECK(is_random(kBall + "import: shared.yaml\n"));
+  CHECK(is_random(head + "parts:\n  - {name: p, spec: inner.yaml}\n"));
+}
+
 TEST_CASE("an exact choice anywhere makes the spec one of whole batches", "[loader]") {
   const Folder folder;
   const std::string exact = "{choice: [1, 2], exact: true}";
@@ -137,7 +160,7 @@ TEST_CASE("an exact choice anywhere makes the spec one of whole batches", "[load
   const auto is_exact = [&](const std::string& text) {
     const Loaded loaded = LoadFile(folder.Write("outer.yaml", text).string());
     CHECK(loaded.Report() == Strings{});
-    return loaded.spec != nullptr && loaded.spec->has_exact_choice;
+    return loaded.spec != nullptr && loaded.spec->draws.exact;
   };
   const std::string head = "mjforge: 1\nname: outer\n";
   CHECK_FALSE(is_exact(kBall));

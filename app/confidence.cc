@@ -1,0 +1,30 @@
+// Conclusions from a sample of variants about all variants.
+#include "confidence.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace mjforge::app {
+
+double LargestFailingShare(std::uint64_t passed) {
+  // A share p of failures leaves n variants without a failure with a probability of (1 - p)^n. The
+  // bound is the p at which this is 5 %; see Clopper and Pearson, "The use of confidence or
+  // fiducial limits illustrated in the case of the binomial", Biometrika 26 (1934).
+  constexpr double kDoubt = 0.05;
+  return -std::expm1(std::log(kDoubt) / static_cast<double>(passed));
+}
+
+std::string ConfidenceText(std::uint64_t passed) {
+  const double share = LargestFailingShare(passed);
+  std::string text = fmt::format(
+      "up to {:.2g} % of all variants may still fail (with 95 % confidence)", 100 * share);
+  // 300 and 3000 variants are the round numbers for shares of 1 % and 0.1 %.
+  if (share > 0.01)
+    text += "; -n 300 lowers that to 1 %";
+  else if (share > 0.001)
+    text += "; -n 3000 lowers that to 0.1 %";
+  return text;
+}
+
+}  // namespace mjforge::app
