@@ -3,10 +3,12 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <limits>
 #include <memory>
 
 #include "child_process.h"
 #include "commands.h"
+#include "mjforge/batch/batch.h"
 #include "mjforge/forge/forge.h"
 #include "preview_captions.h"
 #include "preview_options.h"
@@ -24,6 +26,11 @@ bool MayReplacePicture(const std::filesystem::path& file, bool force, diag::Find
     return picture && start.substr(0, kStart).find("mjforge ") != start.npos;
   };
   return output::MayReplace(file, force, kStart, is_ours, findings);
+}
+
+// Groups the findings of variants as a batch does. The console limits their number.
+batch::FindingSummary VariantFindings() {
+  return batch::FindingSummary(std::numeric_limits<std::size_t>::max());
 }
 
 // An object to draw, and the record for the picture's caption and metadata.
@@ -93,29 +100,31 @@ class Preview {
     forge::Generator generator(*recipe_, console_.sources, options);
     picture::Loader loader;
     forge::Variant variant;
+    batch::FindingSummary found = VariantFindings();
     for (std::uint64_t i = 0; i < options_.count; ++i) {
       generator.Make(options_.first + i, variant);
-      findings_.Append(variant.findings);
+      found.Add(variant.findings, false);
       if (!variant.ok()) continue;
       std::string why_not;
       auto subject = loader.LoadText(variant.document.text, variant.document.assets, why_not);
       if (subject) {
         objects.push_back({std::move(subject), variant.record});
       } else {
-        Explain(variant, why_not);
+        found.Add(Explain(variant, why_not), false);
       }
     }
+    findings_.Append(found.Findings());
     return objects;
   }
 
-  // Reports an error of MuJoCo at its place in the spec.
-  void Explain(const forge::Variant& variant, const std::string& why_not) {
+  // Returns an error of MuJoCo at its place in the spec.
+  diag::Findings Explain(const forge::Variant& variant, const std::string& why_not) const {
     diag::Findings found;
     validate::Loader().Validate(variant.document, *variant.object, found);
     if (!found.HasErrors())
       found.Add(diag::Code::kMujocoError, {}, fmt::format("MuJoCo refused it: {}", why_not));
     found.SetVariant(options_.spec.seed, variant.record.index);
-    findings_.Append(std::move(found));
+    return found;
   }
 
   bool Pose(std::vector<PreviewObject>& objects) {
@@ -155,16 +164,18 @@ class Preview {
     tile.background.transparent = true;
     std::vector<manifest::Record> records;
     std::vector<picture::Tile> tiles;
+    batch::FindingSummary all = VariantFindings();
     for (PreviewObject& object : objects) {
       diag::Findings found;
       auto image = renderer.Draw(*object.subject, tile, found);
       found.SetVariant(options_.spec.seed, object.record.index);
-      findings_.Append(std::move(found));
+      all.Add(found, false);
       object.subject.reset();
       if (!image) continue;
       tiles.push_back({*std::move(image), {}});
       records.push_back(object.record);
     }
+    findings_.Append(all.Findings());
     if (tiles.empty()) return std::nullopt;
     const auto captions = MakeCaptions(records, *recipe_->spec);
     for (std::size_t i = 0; i < tiles.size(); ++i) tiles[i].caption = captions[i];

@@ -50,6 +50,18 @@ TEST_CASE_METHOD(PreviewTest, "preview draws one object and says what it is") {
   CHECK(text.ends_with(" seed=7 index=0"));
 }
 
+TEST_CASE_METHOD(UnluckyCrateTest, "a finding that many variants of a preview have is shown once") {
+  const auto result = Run({"preview", "crate.yaml", "-n", "12", "--size", "60"});
+  CHECK(result.status == 1);
+  CHECK(result.err ==
+        "crate.yaml:4:50: error: size 3 of part 'body' is -0.0373559; it must be greater than 0 "
+        "(seed 0, index 0) [model/bad-value]\n"
+        "parts: [{name: body, type: box, size: [0.1, 0.1, height]}]\n"
+        "                                                 ^\n"
+        "  hint: it is the value of 'height'\n"
+        "mjforge: note: 8 variants have this finding; this is the first\n");
+}
+
 TEST_CASE_METHOD(PreviewTest, "a contact sheet has a picture and a caption for each variant") {
   const harness::Png four = DecodePng(Draw({"crate.yaml", "-n", "4", "--size", "100"}));
   CHECK(four.width == 2 * 112 + 12);

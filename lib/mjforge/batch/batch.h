@@ -10,6 +10,7 @@
 #include <set>
 #include <string>
 
+#include "mjforge/batch/finding_summary.h"
 #include "mjforge/diag/diag.h"
 #include "mjforge/forge/forge.h"
 #include "mjforge/output/output.h"
