@@ -14,7 +14,7 @@
 #include <yaml-cpp/parser.h>
 
 #include "mjforge/bytes/bytes.h"
-#include "mjforge/expr/expr.h"
+#include "mjforge/spec/yaml_syntax.h"
 
 namespace mjforge::spec {
 namespace {
@@ -229,48 +229,6 @@ std::optional<SourceMark> FirstTooDeep(std::uint32_t file, std::string_view text
   return std::nullopt;
 }
 
-// Returns the word that contains `${` if the brace is at this column, where YAML reads it as the
-// beginning of a mapping. Returns an empty text otherwise.
-std::string_view Interpolated(std::string_view line, std::size_t column) {
-  if (column < 2 || !line.substr(column - 2).starts_with("${")) return {};
-  const std::size_t begin = line.find_last_of(" ,[{", column - 2) + 1;  // 0 if there is none
-  const std::size_t close = line.find('}', column);
-  if (close == std::string_view::npos) return {};
-  return line.substr(begin, std::min(line.find_first_of(" ,]}", close + 1), line.size()) - begin);
-}
-
-// Replaces obscure messages of yaml-cpp by clear ones.
-std::string Reworded(const std::string& message) {
-  struct Wording {
-    std::string_view theirs;
-    std::string_view ours;
-  };
-  static constexpr Wording kWordings[] = {
-      {"end of map not found",
-       "this line matches none of the indentations above (are they consistent?)"},
-      {"end of sequence not found",
-       "this line matches none of the indentations above (are they consistent?)"},
-      {"end of sequence flow not found", "'[' without ']', or a comma is missing"},
-      {"end of map flow not found", "'{' without '}', or a comma is missing"},
-      {"illegal map value", "a colon where no key is allowed (quote the text if it contains ': ')"},
-      {"illegal flow end", "a closing bracket that nothing opened"},
-      {"illegal block entry", "'-' where no list is allowed (are there tabs? indent with spaces)"},
-      {"illegal map key", "a key where none is allowed (is the indentation consistent?)"},
-  };
-  for (const Wording& wording : kWordings) {
-    if (message.starts_with(wording.theirs)) return std::string(wording.ours);
-  }
-  return message;
-}
-
-// Returns true if a bracket directly follows a name: `widths[i]`.
-bool HasItem(std::string_view line) {
-  for (auto at = line.find('['); at != line.npos; at = line.find('[', at + 1)) {
-    if (at > 0 && expr::IsNameCharacter(line[at - 1])) return true;
-  }
-  return false;
-}
-
 bool IsParseable(std::uint32_t file, const diag::Sources& sources, diag::Findings& findings) {
   const std::string& text = sources.Text(file);
   if (const std::string_view kind = bytes::KindOf(text); !kind.empty()) {
@@ -322,17 +280,8 @@ bool RunParser(std::uint32_t file, const diag::Sources& sources, TreeBuilder& bu
     findings.Add(Code::kYamlTooDeep, builder.At(error.mark), "nested too deeply");
   } catch (const YAML::Exception& error) {
     const SourceMark mark = builder.At(error.mark);
-    if (const std::string_view word = Interpolated(sources.Line(mark), mark.column);
-        !word.empty()) {
-      findings.Add(Code::kYamlSyntax, mark, "in braces or brackets text with '${' is quoted",
-                   fmt::format("write '{}'", word));
-    } else {
-      const bool in_flow = error.msg.find("flow not found") != std::string::npos;
-      findings.Add(Code::kYamlSyntax, mark, Reworded(error.msg),
-                   in_flow && HasItem(sources.Line(mark))
-                       ? "in braces or brackets an item of a list is quoted: [\"widths[i]\", 0, 0]"
-                       : "");
-    }
+    SyntaxError found = ExplainSyntax(error.msg, sources.Line(mark), mark.column);
+    findings.Add(Code::kYamlSyntax, mark, std::move(found.message), std::move(found.hint));
   }
   return false;
 }

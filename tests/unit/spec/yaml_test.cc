@@ -91,3 +91,33 @@ TEST_CASE("broken syntax is reported at its place", "[yaml]") {
       Strings{
           "1:5 yaml/syntax: a colon where no key is allowed (quote the text if it contains ': ')"});
 }
+
+TEST_CASE("text with an expression in braces has the quotes that it needs in the hint", "[yaml]") {
+  const auto report = [](const std::string& text) { return Load(text).Report().at(0); };
+  const std::string say = "in braces or brackets a value with '${...}' needs quotes";
+  CHECK(report("parts:\n  - {name: ball_${i}, type: box}\n") ==
+        "2:18 yaml/syntax: " + say + " (write 'ball_${i}', or put it on a line of its own)");
+  CHECK(report("parts:\n  - {name: ${a}_${b}_c, type: box}\n") ==
+        "2:13 yaml/syntax: " + say + " (write '${a}_${b}_c', or put it on a line of its own)");
+  CHECK(report("parts:\n  - {name: ${c ? 'a' : 'b'}, type: box}\n") ==
+        "2:13 yaml/syntax: " + say + " (write \"${c ? 'a' : 'b'}\")");
+  CHECK(report("parts:\n  - {name: ${c ? 'a' : \"b\"}, type: box}\n") ==
+        "2:13 yaml/syntax: " + say + " (write '${c ? ''a'' : \"b\"}')");
+  CHECK(report("parts:\n  - {name: ${c\n     ? 'a' : 'b'}, type: box}\n") ==
+        "2:13 yaml/syntax: " + say + " (put quotes around the whole value)");
+}
+
+TEST_CASE("a choice in text on a line of its own needs quotes, too", "[yaml]") {
+  CHECK(Load("parts:\n  - name: left ${c ? 'a' : 'b'}\n").Report() ==
+        Strings{"2:26 yaml/syntax: a value with ': ' in '${...}' needs quotes (write \"left ${c ? "
+                "'a' : 'b'}\")"});
+  CHECK(Load("words:\n  - ${c ? 'a' : 'b'}\n").Report() ==
+        Strings{"2:20 yaml/syntax: a value with ': ' in '${...}' needs quotes (write \"${c ? 'a' : "
+                "'b'}\")"});
+}
+
+TEST_CASE("a choice in brackets needs quotes", "[yaml]") {
+  CHECK(Load("size: [c ? 1 : 2, 5cm]\n").Report() ==
+        Strings{"1:10 yaml/syntax: '[' without ']', or a comma is missing (in braces or brackets a "
+                "choice is quoted: [\"wide ? 2cm : 1cm\", 0, 0])"});
+}

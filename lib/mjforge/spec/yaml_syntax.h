@@ -1,0 +1,19 @@
+// Clear words for the syntax errors of yaml-cpp.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace mjforge::spec {
+
+struct SyntaxError {
+  std::string message;
+  std::string hint;  // may be empty
+};
+
+/// Explains an error that yaml-cpp found at a column (from 1) of a line. Knows the expressions of
+/// specs that YAML reads as something else: `${...}` in braces, `c ? a : b`, `widths[i]`.
+SyntaxError ExplainSyntax(const std::string& error, std::string_view line, std::size_t column);
+
+}  // namespace mjforge::spec
