@@ -30,6 +30,8 @@ std::string ValueText(const sample::ParameterValue& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
   if (const auto* texts = std::get_if<std::vector<std::string>>(&value))
     return fmt::format("{}", fmt::join(*texts, ", "));
+  if (const auto* flags = std::get_if<std::vector<bool>>(&value))
+    return fmt::format("{}", fmt::join(*flags, ", "));
   return NumbersText(std::get<std::vector<double>>(value));
 }
 

@@ -67,7 +67,8 @@ Difference DifferenceOf(std::span<const Record> records, std::size_t parameter,
   for (const Record& record : records) {
     const ParameterValue& value = record.params[parameter].second;
     if (std::holds_alternative<std::vector<double>>(value) ||
-        std::holds_alternative<std::vector<std::string>>(value)) {
+        std::holds_alternative<std::vector<std::string>>(value) ||
+        std::holds_alternative<std::vector<bool>>(value)) {
       return {};
     }
     texts.insert(TextOf(value, unit));

@@ -12,8 +12,10 @@
 namespace mjforge::expr {
 namespace {
 
-// Returns the dimension of every value of a list or a vector; unknown if they differ.
+// Returns the dimension of every value of a list or a vector; unknown if they differ. Booleans
+// count as 0 and 1.
 Dimension DimensionOfItems(const SymbolTable::Variable& variable) {
+  if (variable.type == Type::kBoolean) return Dimension::Count();
   const bool is_one = variable.dimensions.size() == 1;
   return is_one ? variable.dimensions.front() : Dimension();
 }

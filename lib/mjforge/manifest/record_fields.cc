@@ -196,7 +196,7 @@ const std::array kFields = {
     Field<&Record::params>(
         "params",
         R"("type": "object", "additionalProperties": {"type": ["number", "boolean", )"
-        R"("string", "array"], "items": {"type": "number"}})",
+        R"("string", "array"], "items": {"type": ["number", "boolean", "string"]}})",
         "The value of each parameter."),
     ObjectField<&Record::mass_properties, &MassProperties::mass>(
         "mass", kNumber, "Mass, kg; null, here and below, if no object was made."),

@@ -105,11 +105,21 @@ ExpectedKind Get(const rapidjson::Value& value, std::vector<T>& list) {
   return {};
 }
 
+inline ExpectedKind Get(const rapidjson::Value& value, std::vector<bool>& list) {
+  for (const rapidjson::Value& item : value.GetArray()) {
+    if (!item.IsBool()) return "a list of its kind";
+    list.push_back(item.GetBool());
+  }
+  return {};
+}
+
 inline ExpectedKind Get(const rapidjson::Value& value, sample::ParameterValue& parameter) {
   if (value.IsString()) return Get(value, parameter.emplace<std::string>());
   if (value.IsBool()) return Get(value, parameter.emplace<bool>());
   if (value.IsArray() && !value.Empty() && value[0].IsString())
     return Get(value, parameter.emplace<std::vector<std::string>>());
+  if (value.IsArray() && !value.Empty() && value[0].IsBool())
+    return Get(value, parameter.emplace<std::vector<bool>>());
   if (value.IsArray()) return Get(value, parameter.emplace<std::vector<double>>());
   return Get(value, parameter.emplace<double>());
 }

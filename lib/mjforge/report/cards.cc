@@ -30,6 +30,8 @@ std::string ValueText(const sample::ParameterValue& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return Clean(*text, kValueBytes);
   if (const auto* texts = std::get_if<std::vector<std::string>>(&value))
     return Clean(fmt::format("{}", fmt::join(*texts, ", ")), kValueBytes);
+  if (const auto* flags = std::get_if<std::vector<bool>>(&value))
+    return Clean(fmt::format("{}", fmt::join(*flags, ", ")), kValueBytes);
   return Clean(fmt::format("{:.6g}", fmt::join(std::get<std::vector<double>>(value), " ")),
                kValueBytes);
 }

@@ -46,6 +46,8 @@ void ParameterTally::Add(const sample::ParameterValue& value, bool is_bad) {
     AddText(*flag ? "true" : "false", One(is_bad));
   } else if (const auto* list = std::get_if<std::vector<std::string>>(&value)) {
     AddText(fmt::format("{}", fmt::join(*list, ", ")), One(is_bad));
+  } else if (const auto* flags = std::get_if<std::vector<bool>>(&value)) {
+    AddText(fmt::format("{}", fmt::join(*flags, ", ")), One(is_bad));
   } else if (const auto* number = std::get_if<double>(&value)) {
     numbers.resize(std::max<std::size_t>(numbers.size(), 1));
     numbers[0].Add(*number, is_bad);

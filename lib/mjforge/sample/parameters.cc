@@ -22,6 +22,8 @@ std::string KindText(const ParameterValue& value) {
   if (std::holds_alternative<bool>(value)) return spec::KindText(Type::kBoolean, 1);
   if (const auto* texts = std::get_if<std::vector<std::string>>(&value))
     return fmt::format("{} texts", texts->size());
+  if (const auto* booleans = std::get_if<std::vector<bool>>(&value))
+    return fmt::format("{} booleans", booleans->size());
   const auto* numbers = std::get_if<std::vector<double>>(&value);
   return spec::KindText(Type::kNumber, numbers ? numbers->size() : 1);
 }
@@ -32,14 +34,32 @@ std::vector<double> KeysOf(const std::vector<std::string>& texts) {
   return keys;
 }
 
+// Returns the numbers that stand for the items of a list in expressions.
+std::vector<double> NumbersOf(const ParameterValue& list) {
+  if (const auto* texts = std::get_if<std::vector<std::string>>(&list)) return KeysOf(*texts);
+  if (const auto* booleans = std::get_if<std::vector<bool>>(&list))
+    return std::vector<double>(booleans->begin(), booleans->end());
+  return std::get<std::vector<double>>(list);
+}
+
+std::vector<bool> BooleansOf(const std::vector<double>& numbers) {
+  std::vector<bool> booleans;
+  booleans.reserve(numbers.size());
+  for (const double number : numbers) booleans.push_back(number != 0);
+  return booleans;
+}
+
 // Returns true if the value is of the parameter's kind.
 bool Accepts(const spec::Value& parameter, const ParameterValue& value) {
   const auto* numbers = std::get_if<std::vector<double>>(&value);
   if (std::holds_alternative<std::vector<std::string>>(value))
     return parameter.is_list && parameter.type == Type::kText;
+  if (std::holds_alternative<std::vector<bool>>(value))
+    return parameter.is_list && parameter.type == Type::kBoolean;
   if (numbers != nullptr && parameter.is_list)
     return parameter.type == Type::kNumber || numbers->empty();
-  if (std::holds_alternative<bool>(value)) return parameter.type == Type::kBoolean;
+  if (std::holds_alternative<bool>(value))
+    return parameter.type == Type::kBoolean && !parameter.is_list;
   if (std::holds_alternative<std::string>(value))
     return parameter.type == Type::kText && !parameter.is_list;
   const std::size_t count = numbers != nullptr ? numbers->size() : 1;
@@ -127,7 +147,7 @@ void Evaluator::SetParameter(const spec::Parameter& parameter, const ParameterVa
   const auto list = static_cast<std::size_t>(parameter.list);
   const auto* texts = std::get_if<std::vector<std::string>>(&value);
   list_texts_[list] = texts != nullptr ? *texts : std::vector<std::string>();
-  lists_[list] = expr::Sequence(texts ? KeysOf(*texts) : std::get<std::vector<double>>(value));
+  lists_[list] = expr::Sequence(NumbersOf(value));
   SetVariable(parameter.slot, static_cast<double>(lists_[list].numbers().size()));
 }
 
@@ -150,6 +170,7 @@ std::optional<ParameterValue> Evaluator::Any(const spec::Value& value, StreamId 
     std::optional<Items> items = List(value, path);
     if (!items) return std::nullopt;
     if (value.type == Type::kText) return std::move(items->texts);
+    if (value.type == Type::kBoolean) return BooleansOf(items->numbers);
     return std::move(items->numbers);
   }
   if (value.type == Type::kText) return Text(value, path);
@@ -168,6 +189,7 @@ ParameterValue Evaluator::Parameter(std::size_t i) const {
   if (parameter.value.is_list) {
     const auto list = static_cast<std::size_t>(parameter.list);
     if (is_text) return list_texts_[list];
+    if (parameter.value.type == Type::kBoolean) return BooleansOf(lists_[list].numbers());
     return lists_[list].numbers();
   }
   if (is_text) return texts_[slot];

@@ -150,7 +150,7 @@ class Evaluator {
   std::vector<double> variables_;                     // by slot; NaN: failed, or not set
   std::vector<std::string> texts_;                    // by slot
   std::vector<expr::Sequence> lists_;                 // by list
-  std::vector<std::vector<std::string>> list_texts_;  // by list; empty for lists of numbers
+  std::vector<std::vector<std::string>> list_texts_;  // by list; empty unless of texts
   std::vector<Evaluator> shared_;  // evaluators of spec_.shared, the imported specs
   bool failed_ = false;
 };

@@ -29,10 +29,10 @@ bool HasFailedNumber(const Range& numbers) {
   return std::ranges::any_of(numbers, [](double number) { return std::isnan(number); });
 }
 
-/// A parameter's value: a number, a boolean, a text, a vector or a list of numbers, a list of
-/// texts.
-using ParameterValue =
-    std::variant<double, bool, std::string, std::vector<double>, std::vector<std::string>>;
+/// A parameter's value: a number, a boolean, a text, a vector or a list of numbers, a list of texts
+/// or of booleans.
+using ParameterValue = std::variant<double, bool, std::string, std::vector<double>,
+                                    std::vector<std::string>, std::vector<bool>>;
 
 /// Rounds a number drawn from [lo, hi] to 6 significant digits, or to a millionth of hi - lo if
 /// that is finer. The result is never outside [lo, hi]. Infinite bounds mean "no bound".
@@ -40,8 +40,8 @@ double RoundWithin(double lo, double hi, double value);
 
 /// The values of a list.
 struct Items {
-  std::vector<double> numbers;     // TextKey()s if the items are texts
-  std::vector<std::string> texts;  // empty for a list of numbers
+  std::vector<double> numbers;     // TextKey()s if the items are texts, 1 for true
+  std::vector<std::string> texts;  // empty for a list of other values
 };
 
 /// A list of points, and the place in the spec that each point comes from.

@@ -275,7 +275,7 @@ void ValueReader::ReadOptions(const ExpectedForm& expected, const YamlNode& list
   }
   const auto is_list = [this](const YamlNode& item) {
     return item.kind == YamlNode::Kind::kList &&
-           (item.items.size() > 4 || ItemType(item) == Type::kText);
+           (item.items.size() > 4 || ItemType(item) != Type::kNumber);
   };
   // If one option is a list, the short ones are lists, too, not vectors.
   Value kind;

@@ -1,4 +1,4 @@
-// The part of ValueReader that reads lists of numbers or texts.
+// The part of ValueReader that reads lists of numbers, texts or booleans.
 
 #include <algorithm>
 
@@ -27,8 +27,18 @@ bool ValueReader::IsPlainText(const YamlNode& node) const {
   return IsText(node) && LoneName(node) == nullptr && node.text.find("${") == std::string::npos;
 }
 
-// Returns kText if every item can be text and at least one can only be text.
+bool ValueReader::IsBoolean(const YamlNode& node) const {
+  if (node.kind != YamlNode::Kind::kScalar) return false;
+  const auto* variable = LoneName(node);
+  return IsBooleanWord(node) ||
+         (variable != nullptr && variable->type == Type::kBoolean && !variable->is_list());
+}
+
+// Returns kBoolean if an item can only be a boolean; kText if every item can be text and at least
+// one can only be text.
 Type ValueReader::ItemType(const YamlNode& list) const {
+  if (std::ranges::any_of(list.items, [this](const auto& item) { return IsBoolean(item); }))
+    return Type::kBoolean;
   const auto may_be = [this](const YamlNode& item) {
     return item.kind == YamlNode::Kind::kMap || IsText(item);
   };
@@ -41,7 +51,9 @@ Type ValueReader::ItemType(const YamlNode& list) const {
 Value ValueReader::ReadItems(Type type, const YamlNode& node) {
   List list;
   for (const YamlNode& item : node.items)
-    list.items.push_back(type == Type::kText ? ReadText(item) : ReadNumber(item));
+    list.items.push_back(type == Type::kText      ? ReadText(item)
+                         : type == Type::kBoolean ? ReadBoolean(item)
+                                                  : ReadNumber(item));
   expr::Dimensions dimensions;
   if (type == Type::kNumber) dimensions = Agree("the values of a list", list.items);
   return {.mark = node.mark,
@@ -95,11 +107,11 @@ Value ValueReader::ReadEach(const YamlNode& map) {
   }
   Value item = ReadAnything(*map.Find("each"));
   Value list{.mark = map.mark, .type = item.type, .is_list = true, .dimensions = item.dimensions};
-  const bool is_single = item.components == 1 && !item.is_list && item.type != Type::kBoolean;
   if (item.components == 0) return Harmless(map);
-  if (!is_single) {
-    findings_.Add(Code::kSpecWrongType, item.mark,
-                  fmt::format("a list is of numbers or of texts, but this is {}", KindText(item)));
+  if (item.components > 1 || item.is_list) {
+    findings_.Add(
+        Code::kSpecWrongType, item.mark,
+        fmt::format("a list is of numbers, texts or booleans, but this is {}", KindText(item)));
     return Harmless(map);
   }
   list.form = Each{std::make_shared<const Value>(std::move(item)), ReadCount(*count)};
@@ -116,6 +128,7 @@ Value ValueReader::ReadArrangement(std::string_view key, const YamlNode& map) {
                   "write {sample: [a, b, c], count: 2}; all of them: {shuffle: [a, b, c]}");
     return Harmless(map);
   }
+  draws_.random = true;
   Value value{
       .mark = map.mark, .type = list->type, .is_list = true, .dimensions = list->dimensions};
   value.form = Arrangement{std::make_shared<const Value>(*std::move(list)),
@@ -124,4 +137,3 @@ Value ValueReader::ReadArrangement(std::string_view key, const YamlNode& map) {
 }
 
 }  // namespace mjforge::spec
-  draws_.random = true;

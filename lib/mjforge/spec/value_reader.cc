@@ -352,7 +352,7 @@ Value ValueReader::ReadAnything(const YamlNode& node,
     case YamlNode::Kind::kScalar:
       return ReadAnyScalar(node);
     case YamlNode::Kind::kList:
-      if (node.items.size() > 4 || ItemType(node) == Type::kText)
+      if (node.items.size() > 4 || ItemType(node) != Type::kNumber)
         return ReadItems(ItemType(node), node);
       // A list of one number is a number.
       if (node.items.size() == 1) return ReadNumber(node.items.front());

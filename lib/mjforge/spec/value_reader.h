@@ -116,6 +116,7 @@ class ValueReader {
   Value ReadItems(expr::Type type, const YamlNode& node);
   expr::Type ItemType(const YamlNode& list) const;
   bool IsText(const YamlNode& node) const;
+  bool IsBoolean(const YamlNode& node) const;
   Value ReadListForm(const ExpectedForm& expected, const YamlNode& map, const YamlNode::Pair& main);
   Value ReadEach(const YamlNode& map);
   Value ReadArrangement(std::string_view key, const YamlNode& map);

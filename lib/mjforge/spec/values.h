@@ -39,7 +39,7 @@ struct Text {
   std::vector<TextPiece> pieces;
 };
 
-/// A list of numbers, texts, points or outlines.
+/// A list of numbers, texts, booleans, points or outlines.
 struct List {
   std::vector<Value> items;
 };
@@ -128,7 +128,7 @@ struct Value {
   diag::SourceMark mark;
   expr::Type type = expr::Type::kNumber;
   int components = 1;    // size of a vector or of a list of points; 0 if the value is wrong
-  bool is_list = false;  // a list of any length, of numbers or texts
+  bool is_list = false;  // a list of any length, of numbers, texts or booleans
   expr::Dimensions dimensions =
       {};  // dimensions of a number, of a vector, or of each item of a list
   std::variant<double, bool, Text, expr::Expression, VariableReference, List, Draw, RandomRotation,

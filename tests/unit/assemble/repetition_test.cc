@@ -31,6 +31,15 @@ TEST_CASE("a condition is tested for each instance") {
                   "[1 + i]}]\n") == Names{"a0", "a2", "a4"});
 }
 
+TEST_CASE("a list of booleans says which instances exist, and is looped over") {
+  CHECK(PartNames("params: {there: [true, false, true]}\n"
+                  "parts: [{name: 'a${i}', for: {i: len(there)}, if: 'there[i]', type: sphere, "
+                  "size: [1]}]\n") == Names{"a0", "a2"});
+  CHECK(PartNames("params: {sides: [true, false]}\n"
+                  "parts: [{name: 'a_${left}', for: {left: sides}, type: sphere, size: [1], "
+                  "pos: [\"left ? 3 : 0\", 0, 0]}]\n") == Names{"a_true", "a_false"});
+}
+
 TEST_CASE("frames repeat, too") {
   const Assembling thing(
       "parts:\n"

@@ -22,7 +22,8 @@ Record WholeRecord() {
   record.params = {{"height", 0.1},
                    {"handle", true},
                    {"shape", std::string("a \"b\"")},
-                   {"half_size", std::vector<double>{0.1, 2, 1e-9}}};
+                   {"half_size", std::vector<double>{0.1, 2, 1e-9}},
+                   {"there", std::vector<bool>{true, false}}};
   record.mass_properties.mass = 0.1 + 0.2;
   record.mass_properties.p_FCm = {1, 2, 3};
   record.mass_properties.I_Cm_F << 1, 4, 5, 4, 2, 6, 5, 6, 3;
@@ -105,7 +106,8 @@ TEST_CASE("a record is one line of JSON in a fixed order, with exact numbers") {
         R"("attempt":2,"spec":"containers/mug","spec_sha256":")" +
             std::string(64, 'a') +
             R"(","set":{"height":"8cm .. 12cm"},"params":{"height":0.1,"handle":true,)"
-            R"("shape":"a \"b\"","half_size":[0.1,2,1e-09]},"mass":0.30000000000000004,)"
+            R"("shape":"a \"b\"","half_size":[0.1,2,1e-09],"there":[true,false]},)"
+            R"("mass":0.30000000000000004,)"
             R"("com":[1,2,3],"inertia":[1,2,3,4,5,6],"aabb":{"min":[-1,-2,-3],"max":[1,2,3]},)"
             R"("top_offset":3,"bottom_offset":-3,"horizontal_radius":2.5,"nbody":2,"njnt":1,)"
             R"("ngeom":4,"target":"mujoco","validate":"load","mujoco":"2.2.2","status":"ok",)"

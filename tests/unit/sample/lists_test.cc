@@ -47,6 +47,27 @@ TEST_CASE("the length of a list may be drawn, and be zero") {
   CHECK(lengths == std::set<std::size_t>{0, 1, 2, 3});
 }
 
+TEST_CASE("each makes a list of booleans, each drawn for itself") {
+  Family family = Load(
+      "{there: {each: {bernoulli: 0.25}, count: 4}, n: sum(there), last: 'there[3]', "
+      "copy: {shuffle: there}, fixed: [true, 'there[0]']}");
+  double sum = 0;
+  for (std::uint64_t index = 0; index < 500; ++index) {
+    const DrawKey key = {1, index, 0};
+    const auto there = std::get<std::vector<bool>>(family.Parameter("there", key));
+    REQUIRE(there.size() == 4);
+    const auto count = static_cast<double>(std::ranges::count(there, true));
+    CHECK(family.Parameter("n", key) == ParameterValue(count));
+    CHECK(family.Parameter("last", key) == ParameterValue(bool(there[3])));
+    auto copy = std::get<std::vector<bool>>(family.Parameter("copy", key));
+    CHECK(std::ranges::count(copy, true) == std::ranges::count(there, true));
+    CHECK(family.Parameter("fixed", key) == ParameterValue(std::vector<bool>{true, there[0]}));
+    sum += count;
+  }
+  CHECK(sum / 2000 == Approx(0.25).margin(0.03));
+  CHECK(family.Report().empty());
+}
+
 TEST_CASE("a shuffled list has all items, and one item more leaves the order of the others") {
   Family four = Load("{c: {shuffle: [red, green, blue, white]}}");
   Family five = Load("{c: {shuffle: [red, green, blue, white, black]}}");

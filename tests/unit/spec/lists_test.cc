@@ -16,13 +16,14 @@ Strings ReportOf(const std::string& params, std::vector<Setting> settings = {}) 
       .Report();
 }
 
-TEST_CASE("a list is of numbers or of texts") {
+TEST_CASE("a list is of numbers, of texts or of booleans") {
   CHECK(ReportOf("{a: [1, 2, 3, 4, 5], b: [oak], c: [oak, 'pine wood', '${b[0]}'], d: [1, 2]}")
             .empty());
   CHECK(ReportOf("{a: [1, 2, 3, 4, oak]}") ==
         Strings{"3:26 expr/unknown-name: unknown name 'oak'"});
   CHECK(ReportOf("{a: {each: [1, 2], count: 3}}") ==
-        Strings{"3:20 spec/wrong-type: a list is of numbers or of texts, but this is 2 numbers"});
+        Strings{"3:20 spec/wrong-type: a list is of numbers, texts or booleans, but this is 2 "
+                "numbers"});
   CHECK(ReportOf("{a: {each: 1 .. 2}}") ==
         Strings{"3:13 spec/missing-key: 'each' without 'count' (write {each: 1cm .. 2cm, count: "
                 "5})"});
@@ -38,6 +39,23 @@ TEST_CASE("a list is of numbers or of texts") {
   CHECK(ReportOf("{a: {choice: [[1, 2, 3, 4, 5], [oak]]}}") ==
         Strings{"3:40 spec/wrong-type: the values to choose from are of different kinds: a list of "
                 "numbers and a list of texts"});
+}
+
+TEST_CASE("booleans in brackets are a list, and its items are conditions") {
+  CHECK(ReportOf("{a: [true, false], b: {each: {bernoulli: 0.5}, count: 3}, c: {shuffle: a}, "
+                 "d: ['b[0]', true, {bernoulli: 0.1}], e: 'a[1] and not b[2]', n: 'sum(b) * 2cm'}")
+            .empty());
+  CHECK(ReportOf("{a: [true, 2]}") ==
+        Strings{"3:20 spec/wrong-type: expected a condition, but '2' is a number (compare it with "
+                "something, as in `x > 0`)"});
+  CHECK(ReportOf("{a: {each: [true, false], count: 2}}") ==
+        Strings{"3:20 spec/wrong-type: a list is of numbers, texts or booleans, but this is a list "
+                "of booleans"});
+  CHECK(ReportOf("{a: [true, false]}", {{"a", "[true]"}}).empty());
+  CHECK(ReportOf("{a: [true, false]}", {{"a", "{each: {bernoulli: 0.5}, count: 7}"}}).empty());
+  CHECK(ReportOf("{a: [true, false]}", {{"a", "[1, 0]"}}) ==
+        Strings{"1:4 spec/wrong-type: parameter 'a' is a list of booleans, but '[1, 0]' is a "
+                "list of numbers (the spec has 'a: [true, false]')"});
 }
 
 TEST_CASE("lists are parameters") {
