@@ -2,6 +2,7 @@
 #include "mjforge/physics/behaviour.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "mjforge/expr/expr.h"
+#include "mjforge/physics/causes.h"
 #include "mjforge/physics/drop.h"
 #include "mjforge/physics/element_marks.h"
 #include "mjforge/physics/equality_check.h"
@@ -58,15 +60,11 @@ class Behaviour {
   void Check(Result& result) {
     if (!CanStep() || !JointChecks(m_, object_.name, reporter_.checks()).Verify(reporter_)) return;
     const DropOutcome outcome = Drop({}, result);
+    if (outcome.has_diverged) return ReportDivergence(outcome);
     for (const std::string& warning : outcome.warnings) {
       reporter_.Error(Code::kPhysicsUnstable, mark_,
-                      fmt::format("MuJoCo warns as '{}' settles: {}", object_.name, warning),
-                      outcome.has_diverged
-                          ? "use a smaller timestep, softer contacts, or larger masses "
-                            "and inertias for its forces"
-                          : "");
+                      fmt::format("MuJoCo warns as '{}' settles: {}", object_.name, warning));
     }
-    if (outcome.has_diverged) return;
     ReportDrop(outcome, result);
     CheckJointRests(m_, *end_, object_, mark_, reporter_);
     const std::vector<mjtNum> rest(end_->qpos, end_->qpos + m_.nq);
@@ -115,6 +113,18 @@ class Behaviour {
     });
   }
 
+  void ReportDivergence(const DropOutcome& outcome) {
+    Divergence found = FindDivergence(m_, *end_, workspace_);
+    const diag::SourceMark mark = !found.joint.empty() ? MarkOf(found.joint)
+                                  : !found.actuator.empty()
+                                      ? ElementMark(object_, "actuator", found.actuator, mark_)
+                                      : mark_;
+    reporter_.Error(Code::kPhysicsUnstable, mark,
+                    fmt::format("the simulation diverges as '{}' settles: {} (MuJoCo: {})",
+                                object_.name, found.cause, fmt::join(outcome.warnings, " ")),
+                    std::move(found.hint));
+  }
+
   void CheckStability(Result& result) {
     if (!result.dropped || !result.at_rest) return;
     const std::optional<int> body = FreeStandingBody(m_, *end_);
@@ -147,9 +157,10 @@ class Behaviour {
         nudge.tilt > 0 ? fmt::format("tilted by {} deg", RoundedText(kDegrees * nudge.tilt))
                        : fmt::format("pushed at {} m/s", RoundedText(nudge.speed));
     reporter_.Error(Code::kPhysicsTopples, mark_,
-                    fmt::format("'{}' topples when it is {}: it leans over by {} deg; at rest it "
+                    fmt::format("'{}' topples when it is {}: it leans over by {} deg{}; at rest it "
                                 "can be tilted by {} deg ({:.2g} J)",
                                 object_.name, how, RoundedText(kDegrees * nudged.tilt),
+                                MovedJointText(m_, *end_),
                                 RoundedText(kDegrees * margin.least.angle), margin.least.energy),
                     "give it a wider foot or a lower centre of mass, or set `nudge`");
   }
@@ -187,21 +198,22 @@ class Behaviour {
   }
 
   /// Reports a value above its limit. `text` has placeholders for the object's name {0}, and for
-  /// value {1} and limit {2} multiplied by `scale`.
+  /// value {1} and limit {2} multiplied by `scale`, and for {3} what comes with it.
   void ReportAbove(Code code, double value, double limit, double scale, const char* text,
-                   const char* hint) {
+                   std::string hint, const std::string& along = {}) {
     if (!(value > limit)) return;
     const ExceededLimit beyond(scale * value, scale * limit);
-    reporter_.Error(code, mark_,
-                    fmt::format(fmt::runtime(text), object_.name, beyond.value, beyond.limit),
-                    hint);
+    reporter_.Error(
+        code, mark_,
+        fmt::format(fmt::runtime(text), object_.name, beyond.value, beyond.limit, along),
+        std::move(hint));
   }
 
   void ReportDrop(const DropOutcome& outcome, const Result& result) {
     const model::Checks& checks = reporter_.checks();
     ReportAbove(Code::kPhysicsGainsEnergy, result.energy_gain, checks.energy_gain, 1,
                 "'{0}' gains energy as it settles: {1} of mass * gravity * size, more than {2}",
-                "look for parts that push each other apart, springs, or actuators");
+                EnergySourcesHint(m_));
     if (!result.at_rest && result.dropped && result.ncon == 0) {
       reporter_.Warning(Code::kPhysicsNotAtRest, mark_,
                         fmt::format("'{}' touches nothing for {} s and ends at {}", object_.name,
@@ -224,8 +236,8 @@ class Behaviour {
                 kHarderContacts);
     if (checks.stable) {
       ReportAbove(Code::kPhysicsTopples, result.tilt, checks.tilt, kDegrees,
-                  "'{0}' topples: it leans over by {1} deg, more than {2} deg",
-                  "give it a wider foot or a lower centre of mass");
+                  "'{0}' topples: it leans over by {1} deg, more than {2} deg{3}",
+                  "give it a wider foot or a lower centre of mass", MovedJointText(m_, *end_));
     }
     ReportAbove(Code::kPhysicsDrifts, result.drift, checks.drift, 1000,
                 "'{0}' moves {1} mm along the floor, more than {2} mm",
@@ -248,7 +260,9 @@ class Behaviour {
     const Result::Joint& joint = driven.measured;
     if (driven.has_diverged) {
       ErrorOf(joint, Code::kPhysicsUnstable,
-              fmt::format("the simulation diverges as joint '{}' is driven", joint.name));
+              fmt::format("the simulation diverges as joint '{}' is driven", joint.name),
+              "use larger masses or an `armature` for what it moves, softer contacts and "
+              "equalities, or a smaller timestep");
       return;
     }
     ReportLimits(driven);
@@ -282,7 +296,8 @@ class Behaviour {
       ErrorOf(joint, Code::kPhysicsJointOvershoots,
               fmt::format("joint '{}' goes {} beyond its range of {}", joint.name,
                           Distance(driven.joint, joint.overshoot), range),
-              "use a harder limit: a smaller solreflimit, solimplimit closer to 1");
+              LimitHint(m_, driven.joint, joint.overshoot,
+                        "use a harder limit: a smaller solreflimit, solimplimit closer to 1"));
     }
   }
 
@@ -297,19 +312,30 @@ class Behaviour {
                       "other, at {}",
                       joint.name, driven.body1, driven.body2, RoundedText(1000 * joint.penetration),
                       Distance(driven.joint, driven.where)),
-          kInTheWay);
+          InTheWayHint(driven, {driven.body1, driven.body2}));
     }
     if (!(joint.reach < Limit(driven, &model::JointCheck::reach, checks.joint_reach))) return;
-    const auto [body1, body2] = driven.free_depth > joint.penetration
-                                    ? driven.free_pair
-                                    : std::pair(driven.body1, driven.body2);
-    const bool collide = !body1.empty();
+    const auto pair = driven.free_depth > joint.penetration ? driven.free_pair
+                                                            : std::pair(driven.body1, driven.body2);
+    const bool collide = !pair.first.empty();
     ErrorOf(joint, Code::kPhysicsJointBlocked,
             fmt::format("joint '{}' reaches only {} % of its range of {}", joint.name,
                         RoundedText(100 * joint.reach), Distance(driven.joint, driven.range)) +
-                (collide ? fmt::format(": '{}' and '{}' collide", body1, body2) : ""),
-            collide ? kInTheWay
-                    : "it is held back by something that an equality or a tendon couples it to");
+                (collide ? fmt::format(": '{}' and '{}' collide", pair.first, pair.second) : ""),
+            collide ? InTheWayHint(driven, pair) : HeldBackHint(m_, driven.joint));
+  }
+
+  /// Returns the hint for two bodies that meet as a joint is driven.
+  std::string InTheWayHint(const DrivenJoint& driven,
+                           const std::pair<std::string, std::string>& bodies) const {
+    const auto id = [this](const std::string& name) {
+      return std::max(mj_name2id(&m_, mjOBJ_BODY, name.c_str()), 0);
+    };
+    const bool has_pose = driven.check != nullptr && !driven.check->positions.empty();
+    if (has_pose || !MayStandElsewhere(m_, driven.joint, {id(bodies.first), id(bodies.second)}))
+      return kInTheWay;
+    return std::string(kInTheWay) +
+           "; `at` in `checks: joints:` says where other joints stand meanwhile";
   }
 
   std::string BodyName(int id) const { return compiled::NameOf(m_, mjOBJ_BODY, id); }
@@ -320,8 +346,8 @@ class Behaviour {
     return JointMark(object_, joint, mark_);
   }
 
-  void ErrorOf(const Result::Joint& joint, Code code, std::string message, const char* hint = "") {
-    reporter_.Error(code, MarkOf(joint.name), std::move(message), hint);
+  void ErrorOf(const Result::Joint& joint, Code code, std::string message, std::string hint = {}) {
+    reporter_.Error(code, MarkOf(joint.name), std::move(message), std::move(hint));
   }
 
   std::string Distance(int joint, double value) const {

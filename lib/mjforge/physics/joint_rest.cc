@@ -9,6 +9,7 @@
 
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/expr/expr.h"
+#include "mjforge/physics/causes.h"
 #include "mjforge/physics/element_marks.h"
 #include "mjforge/physics/joint_checks.h"
 
@@ -68,6 +69,16 @@ std::string PositionText(const mjModel& m, int joint, double value) {
   return expr::DistanceText(m.jnt_type[joint] == mjJNT_SLIDE, value);
 }
 
+std::string_view ForceUnit(const mjModel& m, int joint) {
+  return m.jnt_type[joint] == mjJNT_SLIDE ? "N" : "Nm";
+}
+
+/// Returns the force that a joint's friction must hold, N or Nm.
+double LoadOf(const mjModel& m, const mjData& d, int joint) {
+  const int dof = m.jnt_dofadr[joint];
+  return std::abs(d.qfrc_bias[dof] - d.qfrc_passive[dof] - d.qfrc_actuator[dof]);
+}
+
 /// Returns "A to B", the allowed positions.
 std::string Allowed(const mjModel& m, const JointOffRange& off_range) {
   return fmt::format("{} to {}", PositionText(m, off_range.joint, off_range.low),
@@ -91,11 +102,21 @@ std::string OffRangeMessage(const mjModel& m, const JointOffRange& off_range) {
 }
 
 std::string OffRangeRemedy(const mjModel& m, const mjData& d, const JointOffRange& off_range) {
+  const int joint = off_range.joint;
   if (off_range.check == nullptr) {
-    return "a spring or weight presses it: use a harder limit (a smaller solreflimit), or a softer "
-           "spring";
+    return LimitHint(
+        m, joint, off_range.beyond,
+        "a spring or weight presses it: use a harder limit (a smaller solreflimit), or "
+        "a softer spring");
   }
-  std::string creep = CreepRemedy(m, d, off_range.joint);
+  const double friction = m.dof_frictionloss[m.jnt_dofadr[joint]];
+  const double load = LoadOf(m, d, joint);
+  if (friction > 0 && friction < load) {
+    const std::string_view unit = ForceUnit(m, joint);
+    return fmt::format("its dry friction of {} {} cannot hold the {} {} that pull at it there",
+                       expr::RoundedText(friction), unit, expr::RoundedText(load), unit);
+  }
+  std::string creep = CreepRemedy(m, d, joint);
   if (!creep.empty()) return creep;
   return off_range.speed != 0
              ? "hold it by a spring or dry friction, or, if it comes to rest later, set a longer "
@@ -113,13 +134,12 @@ bool HasRestRanges(const model::Checks& checks) {
 
 std::string CreepRemedy(const mjModel& m, const mjData& d, int joint) {
   const int dof = m.jnt_dofadr[joint];
-  const double load = std::abs(d.qfrc_bias[dof] - d.qfrc_passive[dof]);
-  if (!(m.dof_frictionloss[dof] > load) || d.qvel[dof] == 0) return {};
+  if (!(m.dof_frictionloss[dof] > LoadOf(m, d, joint)) || d.qvel[dof] == 0) return {};
   return fmt::format(
       "its dry friction of {} {} would hold it, but MuJoCo's friction is soft and creeps: bring "
       "solimpfriction closer to 1 (`solimpfriction: [0.99, 0.9999, 0.001]`), or give the joint an "
       "`armature`",
-      expr::RoundedText(m.dof_frictionloss[dof]), m.jnt_type[joint] == mjJNT_SLIDE ? "N" : "Nm");
+      expr::RoundedText(m.dof_frictionloss[dof]), ForceUnit(m, joint));
 }
 
 void CheckJointRests(const mjModel& m, const mjData& d, const model::Object& object,

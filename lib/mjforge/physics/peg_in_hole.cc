@@ -32,6 +32,7 @@ constexpr double kSteel = 7850;           // kg/m^3, density of a peg
 constexpr double kLengthPerDepth = 1.5;   // length of a peg per depth of its hole
 constexpr double kLongestFall = 2;        // s; a free fall of 1 m takes 0.45 s
 constexpr double kDepthTolerance = 1e-4;  // m, softness of contacts
+constexpr double kNoHole = 0.001;         // m, less in front of a wall is no hole
 constexpr double kPushTime = 2;           // multiple of the time of a free fall
 constexpr double kLeastCosine = 0.3;  // between a push and the normal of a contact that resists it
 
@@ -45,6 +46,12 @@ double LengthOf(const model::FittingCheck& fitting) { return kLengthPerDepth * f
 struct Peg {
   int body = 0;
   model::Pose X_BT;
+};
+
+/// The first colliding geom on the axis of a hole.
+struct HoleEnd {
+  double distance = 0;  // m, from the mouth; 0 if the mouth is in the geom
+  std::string geom;
 };
 
 /// Result of dropping a peg into a hole.
@@ -79,6 +86,24 @@ class PegDrop {
     const bool is_held = IsHeld(peg, X_WH);
     if (HasDiverged(d_)) return std::nullopt;
     return Insertion{deepest, is_held};
+  }
+
+  /// Returns the end of a hole on its axis; nothing if it goes through.
+  std::optional<HoleEnd> EndOf(int hole, int peg) const {
+    const model::Pose X_WH = SitePose(d_, hole);
+    const Vector3d way = ZAxis(X_WH);
+    std::optional<HoleEnd> end;
+    for (int geom = 0; geom < m_.ngeom; ++geom) {
+      const bool is_solid = compiled::GeomTypeOf(m_.geom_type[geom]).has_value();
+      if (!is_solid || !compiled::Collides(m_, geom) || IsOf(peg, geom)) continue;
+      double distance = Ray(geom, X_WH.p, way);
+      if (distance < 0) continue;
+      // A convex geom that is hit to both sides contains the mouth.
+      if (Ray(geom, X_WH.p, -way) >= 0) distance = 0;
+      if (!end || distance < end->distance)
+        end = HoleEnd{distance, compiled::NameOf(m_, mjOBJ_GEOM, geom)};
+    }
+    return end;
   }
 
   /// Name of the geom that the peg touched last; empty: none.
@@ -152,6 +177,15 @@ class PegDrop {
       return touches && contact.dist < 0 && against > kLeastCosine &&
              (p - X_WH.p).dot(way) > kDepthTolerance;
     });
+  }
+
+  /// Returns the distance of a geom on a ray, m; -1 if the ray misses it.
+  double Ray(int geom, const Vector3d& from, const Vector3d& way) const {
+    return m_.geom_type[geom] == mjGEOM_MESH
+               ? engine::RayMesh(&m_, &d_, geom, from.data(), way.data())
+               : engine::RayGeom(d_.geom_xpos + 3 * geom, d_.geom_xmat + 9 * geom,
+                                 m_.geom_size + 3 * geom, from.data(), way.data(),
+                                 m_.geom_type[geom]);
   }
 
   bool IsOf(int root, int geom) const { return m_.body_rootid[m_.geom_bodyid[geom]] == root; }
@@ -231,14 +265,20 @@ class PegTests {
     const engine::Model copy(mj_copyModel(nullptr, &test_.m));
     RemoveOtherPegs(*copy, peg.body);
     std::string touched;
+    std::optional<HoleEnd> end;
     const auto insertion = Simulate(*copy, test_.workspace, [&](mjData& d) {
       PegDrop drop(*copy, d, test_.start, first_, count_);
+      end = drop.EndOf(hole, peg.body);
       const std::optional<Insertion> result = drop.Run(peg, hole, fitting.depth);
       touched = drop.touched();
       return result;
     });
     if (insertion && insertion->is_held) return true;
-    Report(fitting, insertion, touched);
+    // A body may go over something, so that its hole is not around the axis.
+    if (insertion && end && fitting.body.empty() && end->distance < kNoHole)
+      ReportNoHole(fitting, *end);
+    else
+      Report(fitting, insertion, touched, NarrowHint(fitting, insertion, end));
     return false;
   }
 
@@ -250,8 +290,28 @@ class PegTests {
     }
   }
 
+  void ReportNoHole(const model::FittingCheck& fitting, const HoleEnd& end) {
+    test_.reporter.Error(Code::kPhysicsDoesNotFit, fitting.mark,
+                         fmt::format("there is no hole at '{}': '{}' is {} mm behind it",
+                                     fitting.hole, end.geom, RoundedText(1000 * end.distance)),
+                         "the site must be at the mouth of a hole, and its z axis is the way in");
+  }
+
+  /// Returns the hint for a peg that went in, but not far enough.
+  static std::string NarrowHint(const model::FittingCheck& fitting,
+                                const std::optional<Insertion>& insertion,
+                                const std::optional<HoleEnd>& end) {
+    if (!insertion || !fitting.body.empty())
+      return "make the hole wider or deeper; the z axis of its site is the way in";
+    if (!end || end->distance >= fitting.depth)
+      return "the hole is deep enough, but too narrow: make it wider, or the peg thinner";
+    const bool is_wide = insertion->depth > end->distance - kNoHole;
+    return fmt::format("the hole ends after {} mm: make it {}", RoundedText(1000 * end->distance),
+                       is_wide ? "deeper" : "wider and deeper");
+  }
+
   void Report(const model::FittingCheck& fitting, const std::optional<Insertion>& insertion,
-              const std::string& touched) {
+              const std::string& touched, const std::string& hint) {
     const std::string peg = fitting.body.empty() ? "a peg" : fmt::format("'{}'", fitting.body);
     const double wanted = 1000 * fitting.depth;
     if (!insertion) {
@@ -270,7 +330,7 @@ class PegTests {
           fmt::format("{} goes {} mm into '{}', not {} mm{}", peg, depth.value, fitting.hole,
                       depth.limit,
                       touched.empty() ? "" : fmt::format(": it touches '{}'", touched)),
-          "make the hole wider or deeper; the z axis of its site is the way in");
+          hint);
     }
   }
 

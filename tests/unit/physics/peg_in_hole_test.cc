@@ -41,6 +41,30 @@ TEST_CASE("a peg that is narrower than its hole goes in, and a wider one does no
   CHECK_THAT(MessageOf(wide), Catch::Contains("mm into 'mouth', not 20 mm: it touches '"));
 }
 
+TEST_CASE("a hole that is too narrow, one that is too shallow, and none at all differ") {
+  const auto text = [](const std::string& geoms, double width, double depth) {
+    const Examined examined = Examine(Free(0, geoms + kInto), {}, Fits(width, depth));
+    REQUIRE(examined.findings.size() == 1);
+    return examined.findings[0].message + " (" + examined.findings[0].hint + ")";
+  };
+  const std::string bottom =
+      R"(<geom name="bottom" type="box" size="0.02 0.02 0.002" pos="0 0 -0.022"/>)";
+  const std::string site = "the site must be at the mouth of a hole, and its z axis is the way in)";
+  CHECK(text(kShaft, 0.012, 0.02) ==
+        "a peg goes 0.426 mm into 'mouth', not 20 mm: it touches 'back' "
+        "(the hole is deep enough, but too narrow: make it wider, or the peg thinner)");
+  CHECK(text(kShaft + bottom, 0.0095, 0.03) ==
+        "a peg goes 27.3 mm into 'mouth', not 30 mm: it touches 'bottom' "
+        "(the hole ends after 20 mm: make it deeper)");
+  CHECK(text(kShaft + bottom, 0.012, 0.03) ==
+        "a peg goes 0.433 mm into 'mouth', not 30 mm: it touches 'back' "
+        "(the hole ends after 20 mm: make it wider and deeper)");
+  CHECK(text(R"(<geom name="lid" type="box" size="0.02 0.02 0.01" pos="0 0 -0.01"/>)", 0.005,
+             0.01) == "there is no hole at 'mouth': 'lid' is 0 mm behind it (" + site);
+  CHECK(text(R"(<geom name="block" type="box" size="0.02 0.02 0.02"/>)", 0.005, 0.01) ==
+        "there is no hole at 'mouth': 'block' is 0 mm behind it (" + site);
+}
+
 TEST_CASE("a peg fits only where something holds it sideways") {
   const auto check = [](const std::string& site) {
     INFO(site);
