@@ -82,7 +82,8 @@ class Assets {
   };
 
   void Report(const FieldReader& reader, const SolidInput& input, const solid::Fault& fault);
-  std::vector<model::Part> AddSolid(const solid::Solid& solid, model::Part& part);
+  std::vector<model::Part> AddSolid(const std::shared_ptr<const solid::Solid>& made,
+                                    model::Part& part);
   /// Adds a mesh that is written inline. Without normals it is the convex hull of its vertices.
   void AddInline(const model::TriangleMesh& mesh, model::Part& part);
   void AddFile(const std::filesystem::path& file, const Eigen::Vector3d& scale,

@@ -74,7 +74,7 @@ solid::TextureMapping TextureOf(const model::Object& object, int index) {
 // Returns the bounding box of a part, or of its pieces if it has some.
 model::Box3 BoxOf(const model::Part& part, const std::vector<model::Part>& pieces,
                   const model::Pose& X_FG) {
-  if (pieces.empty()) return model::BoundsOf(part.shape, X_FG);
+  if (pieces.empty() || part.extent) return model::BoundsOf(part, X_FG);
   model::Box3 box;
   for (const model::Part& piece : pieces) box.Add(model::BoundsOf(piece.shape, X_FG * piece.X_BG));
   return box;

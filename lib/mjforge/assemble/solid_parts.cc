@@ -25,9 +25,29 @@ model::MassProperties PropertiesOf(const solid::Mass& mass) {
   return {.mass = mass.volume, .p_FCm = mass.center, .I_Cm_F = mass.inertia};
 }
 
+/// Gives the part and one of its pieces the hull of the solid, and the other pieces one without
+/// curves. A piece at the part's own pose is preferred, because inverse poses have rounding errors.
+void SetExtents(const std::shared_ptr<const solid::Solid>& made, model::Part& part,
+                std::vector<model::Part>& pieces) {
+  if (made->extent.empty()) return;
+  part.extent = {made, &made->extent};
+  const auto is_at_origin = [](const model::Part& piece) {
+    return piece.X_BG.p.isZero(0) && piece.X_BG.q.vec().isZero(0);
+  };
+  const auto at_origin = std::ranges::find_if(pieces, is_at_origin);
+  const auto bearer = at_origin != pieces.end() ? at_origin : pieces.begin();
+  const auto no_curves = std::make_shared<const solid::Extent>();
+  for (auto piece = pieces.begin(); piece != pieces.end(); ++piece) {
+    piece->extent = piece == bearer ? part.extent : no_curves;
+    if (piece == bearer) piece->X_GS = piece->X_BG.Inverse();
+  }
+}
+
 }  // namespace
 
-std::vector<model::Part> Assets::AddSolid(const solid::Solid& solid, model::Part& part) {
+std::vector<model::Part> Assets::AddSolid(const std::shared_ptr<const solid::Solid>& made,
+                                          model::Part& part) {
+  const solid::Solid& solid = *made;
   // A convex solid with a single mesh is a single part, like MuJoCo's own shapes.
   if (solid.pieces.empty() || solid.render_mesh.vertices.empty()) {
     AddInline(solid.pieces.empty() ? solid.render_mesh : solid.pieces.back().mesh, part);
@@ -35,8 +55,11 @@ std::vector<model::Part> Assets::AddSolid(const solid::Solid& solid, model::Part
   }
   part.solid = PropertiesOf(solid.mass);
   if (part.role != model::Role::kCollision) AddInline(solid.render_mesh, part);
-  if (part.role == model::Role::kVisual) return {};
   std::vector<model::Part> pieces;
+  if (part.role == model::Role::kVisual) {
+    SetExtents(made, part, pieces);
+    return pieces;
+  }
   for (const solid::ConvexPiece& convex : solid.pieces) {
     model::Part piece;
     piece.piece_of = part.name;
@@ -54,6 +77,7 @@ std::vector<model::Part> Assets::AddSolid(const solid::Solid& solid, model::Part
       pieces.push_back(piece);
     }
   }
+  SetExtents(made, part, pieces);
   return pieces;
 }
 
@@ -83,7 +107,7 @@ std::optional<std::vector<model::Part>> Assets::AddShape(const FieldReader& read
     Report(reader, input, fault);
     return std::nullopt;
   }
-  std::vector<model::Part> pieces = AddSolid(*solid, part);
+  std::vector<model::Part> pieces = AddSolid(solid, part);
   if (pieces.size() > kManyPieces) {
     findings_.Warn(Code::kModelBadShape, input.field.value.mark,
                    fmt::format("{} collides as {} pieces, more than {}", reader.Owner(),

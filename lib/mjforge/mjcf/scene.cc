@@ -39,11 +39,26 @@ SceneView ViewOf(const Eigen::Vector3d& min, const Eigen::Vector3d& max) {
           center + 1.1 * radius / std::sin(kHalfView) * Eigen::Vector3d(1, -1.5, 1).normalized()};
 }
 
+// Returns the height of the lowest point of the geoms that collide, which may be below the bounds
+// of the solids that they stand for.
+double LowestOfGeoms(const model::Object& object) {
+  model::Box3 box;
+  const std::vector<model::Pose> X_WB = model::BodyPoses(object);
+  for (std::size_t i = 0; i < object.bodies.size(); ++i) {
+    for (const model::Part& part : object.bodies[i].parts) {
+      if (part.role == model::Role::kVisual) continue;
+      box.Add(model::BoundsOf(part.shape, X_WB[i] * part.X_BG));
+    }
+  }
+  return box.min.z();
+}
+
 }  // namespace
 
 double LiftOntoFloor(const model::Object& object) {
   if (object.bodies.empty()) return 0;
-  const double lowest = object.bounds.aabb.min.z();
+  double lowest = object.bounds.aabb.min.z();
+  if (!object.bounds.declared) lowest = std::min(lowest, LowestOfGeoms(object));
   return std::isfinite(lowest) ? -lowest : 0;
 }
 

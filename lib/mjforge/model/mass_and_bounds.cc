@@ -18,9 +18,10 @@ Bounds BoundsOfAll(const ForEach& for_each) {
   Bounds bounds;
   for_each([&](const Part& part, const Pose& X_FG) {
     if (some_collide && part.role == Role::kVisual) return;
-    bounds.aabb.Add(BoundsOf(part.shape, X_FG));
-    bounds.horizontal_radius =
-        std::max(bounds.horizontal_radius, HorizontalRadius(part.shape, X_FG));
+    bounds.aabb.Add(BoundsOf(part, X_FG));
+    bounds.horizontal_radius = std::max(
+        bounds.horizontal_radius, part.extent ? HorizontalRadius(*part.extent, X_FG * part.X_GS)
+                                              : HorizontalRadius(part.shape, X_FG));
   });
   if (bounds.aabb.empty()) return bounds;
   bounds.top_offset = bounds.aabb.max[2];
@@ -31,6 +32,10 @@ Bounds BoundsOfAll(const ForEach& for_each) {
 bool IsIdentity(const Pose& X) { return X.p.isZero(0) && X.q.vec().isZero(0); }
 
 }  // namespace
+
+Box3 BoundsOf(const Part& part, const Pose& X_AG) {
+  return part.extent ? BoundsOf(*part.extent, X_AG * part.X_GS) : BoundsOf(part.shape, X_AG);
+}
 
 Bounds DeclaredBounds(const Eigen::Vector3d& total_size) {
   Bounds bounds;

@@ -8,6 +8,8 @@
 
 namespace mjforge::model {
 
+/// Returns the bounds of a part at the pose X_AG: those of its exact solid, if it has one.
+Box3 BoundsOf(const Part& part, const Pose& X_AG);
 /// Returns the extents of the parts from `first` on: of the parts that collide, if any does.
 Bounds BoundsOf(const std::vector<Part>& parts, std::size_t first = 0);
 /// Returns bounds and mass of the bodies from `first` on, at the start state, in the frame F of

@@ -94,6 +94,10 @@ struct Part {
   double density = 0;
   /// Mass properties at density 1, in G, of the exact solid if it differs from `shape`.
   std::optional<MassProperties> solid;
+  /// Convex hull of the exact solid for bounds, in S, if it differs from that of `shape`. Of the
+  /// pieces of a solid one has it, and the others have one without curves.
+  std::shared_ptr<const solid::Extent> extent;
+  Pose X_GS;
   bool is_shell = false;  // the mass is on the surface of a mesh; `solid` has its area as mass
   int material = -1;      // index in Object::materials
   /// A geom of an attached file, which is written under its own name and with only the attributes

@@ -64,23 +64,50 @@ double CylinderRadius(double radius, double half_length, const Pose& X_AG) {
   return largest;
 }
 
-// Seen from above, the ellipsoid R diag(s) (unit ball) + p is the ellipse E (unit ball) + p, where
-// E is the upper two rows of R diag(s). The half axes are the singular values of E, computed from
-// the eigenvalues of the 2 x 2 matrix E E'.
-double EllipsoidRadius(const Eigen::Vector3d& size, const Pose& X_AG) {
-  const Eigen::Matrix3d scaled = X_AG.q.toRotationMatrix() * size.asDiagonal();
-  const Eigen::Vector3d ex = scaled.row(0);
-  const Eigen::Vector3d ey = scaled.row(1);
+// Returns the largest distance from the origin of a point of the ellipse E (unit ball) + p, where
+// the rows of E are ex and ey. The half axes are the singular values of E, computed from the
+// eigenvalues of the 2 x 2 matrix E E'.
+double EllipseRadius(const Eigen::Vector3d& ex, const Eigen::Vector3d& ey,
+                     const Eigen::Vector2d& p) {
   const double mean = (ex.squaredNorm() + ey.squaredNorm()) / 2;
   const double difference = (ex.squaredNorm() - ey.squaredNorm()) / 2;
   const double mixed = ex.dot(ey);
   const double a = std::sqrt(mean + Eigen::Vector2d(difference, mixed).norm());
+  if (a == 0) return p.norm();
   const double b = ex.cross(ey).norm() / a;                // a b is the area / pi
   const double angle = std::atan2(mixed, difference) / 2;  // angle of the major axis
   const double c = std::cos(angle);
   const double s = std::sin(angle);
-  return FarthestOnEllipse(c * X_AG.p.x() + s * X_AG.p.y(), c * X_AG.p.y() - s * X_AG.p.x(), a,
-                           std::min(a, b));
+  return FarthestOnEllipse(c * p.x() + s * p.y(), c * p.y() - s * p.x(), a, std::min(a, b));
+}
+
+// Seen from above, the ellipsoid R diag(s) (unit ball) + p is the ellipse whose E is the upper two
+// rows of R diag(s).
+double EllipsoidRadius(const Eigen::Vector3d& size, const Pose& X_AG) {
+  const Eigen::Matrix3d scaled = X_AG.q.toRotationMatrix() * size.asDiagonal();
+  return EllipseRadius(scaled.row(0), scaled.row(1), X_AG.p.head<2>());
+}
+
+// Returns the largest distance from the z axis of a point within an arc, at which the distance is
+// stationary; 0 if there is none. On the arc q = p + cos(t) u + sin(t) v the derivative of the
+// squared distance has at most four roots. Those at which it falls are bracketed, then bisected.
+double ArcRadius(const Eigen::Vector2d& p, const Eigen::Vector2d& u, const Eigen::Vector2d& v,
+                 double angle) {
+  constexpr int kSteps = 32;
+  const auto at = [&](double t) { return Eigen::Vector2d(p + std::cos(t) * u + std::sin(t) * v); };
+  const auto slope = [&](double t) { return at(t).dot(std::cos(t) * v - std::sin(t) * u); };
+  double largest = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    double lo = angle * i / kSteps;
+    double hi = angle * (i + 1) / kSteps;
+    if (!(slope(lo) > 0 && slope(hi) <= 0)) continue;
+    for (int k = 0; k < 60; ++k) {
+      const double middle = lo + (hi - lo) / 2;
+      (slope(middle) > 0 ? lo : hi) = middle;
+    }
+    largest = std::max(largest, at(lo).norm());
+  }
+  return largest;
 }
 
 double BoxRadius(const Eigen::Vector3d& size, const Pose& X_AG) {
@@ -108,6 +135,21 @@ double MeshRadius(const TriangleMesh& mesh, const Pose& X_AG) {
 }
 
 }  // namespace
+
+double HorizontalRadius(const solid::Extent& extent, const Pose& X_AS) {
+  const Eigen::Matrix3d R_AS = X_AS.q.toRotationMatrix();
+  double largest = 0;
+  for (const solid::ExtentCurve& curve : extent) {
+    const Eigen::Vector2d p = (X_AS * curve.center).head<2>();
+    const Eigen::Vector2d u = (R_AS * curve.u).head<2>();
+    const Eigen::Vector2d v = (R_AS * curve.v).head<2>();
+    if (p.norm() + u.norm() + v.norm() + curve.round <= largest) continue;
+    const double radius = curve.is_whole() ? EllipseRadius({u.x(), v.x(), 0}, {u.y(), v.y(), 0}, p)
+                                           : ArcRadius(p, u, v, curve.angle);
+    if (radius > 0 || curve.is_whole()) largest = std::max(largest, radius + curve.round);
+  }
+  return largest;
+}
 
 double HorizontalRadius(const Shape& shape, const Pose& X_AG) {
   const Eigen::Vector3d& s = shape.size;

@@ -117,6 +117,17 @@ Box3 BoundsOf(const Shape& shape, const Pose& X_AG) {
   return {.min = X_AG.p - half, .max = X_AG.p + half};
 }
 
+Box3 BoundsOf(const solid::Extent& extent, const Pose& X_AS) {
+  const Eigen::Matrix3d R_AS = X_AS.q.toRotationMatrix();
+  Box3 box;
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    const Eigen::Vector3d axis = R_AS.row(i);
+    box.min(i) = X_AS.p(i) - solid::Support(extent, -axis);
+    box.max(i) = X_AS.p(i) + solid::Support(extent, axis);
+  }
+  return box;
+}
+
 void Box3::Add(const Box3& other) {
   min = min.cwiseMin(other.min);
   max = max.cwiseMax(other.max);

@@ -73,12 +73,15 @@ struct Box3 {
   bool empty() const { return min.x() > max.x(); }
   void Add(const Box3& other);
 };
-/// Returns the exact axis-aligned bounding box of the shape at a pose.
+/// Returns the exact axis-aligned bounding box of the shape, or of the hull of a solid, at a pose;
+/// an empty box for no curves.
 Box3 BoundsOf(const Shape& shape, const Pose& X_AG);
+Box3 BoundsOf(const solid::Extent& extent, const Pose& X_AS);
 
-/// Returns the largest distance between a point of the shape and the z axis of A, m; exact up to
-/// rounding.
+/// Returns the largest distance between a point of the shape, or of the hull of a solid, and the z
+/// axis of A, m; exact up to rounding.
 double HorizontalRadius(const Shape& shape, const Pose& X_AG);
+double HorizontalRadius(const solid::Extent& extent, const Pose& X_AS);
 
 /// Returns true if the point is in the shape or on its surface. A mesh may be concave.
 bool Contains(const Shape& shape, const Pose& X_AG, const Eigen::Vector3d& p_A);

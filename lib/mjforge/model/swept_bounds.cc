@@ -19,24 +19,33 @@ using Eigen::Vector3d;
 struct PlacedShape {
   Shape shape;
   Pose X;
+  const solid::Extent* extent = nullptr;  // in place of the shape
 };
 using Shapes = std::vector<PlacedShape>;
 
 double SupportOf(const Shapes& shapes, const Vector3d& direction) {
   double largest = -std::numeric_limits<double>::infinity();
-  for (const auto& [shape, X] : shapes)
-    largest = std::max(largest, direction.dot(X.p) + Support(shape, X.q.conjugate() * direction));
+  for (const auto& [shape, X, extent] : shapes) {
+    const Vector3d along = X.q.conjugate() * direction;
+    const double own = extent != nullptr ? solid::Support(*extent, along) : Support(shape, along);
+    largest = std::max(largest, direction.dot(X.p) + own);
+  }
   return largest;
+}
+
+Box3 BoxOf(const PlacedShape& placed, const Pose& X) {
+  return placed.extent != nullptr ? BoundsOf(*placed.extent, X) : BoundsOf(placed.shape, X);
 }
 
 // Returns an upper bound of the distance of any point from `p`, exact for spheres and boxes.
 double RadiusAbout(const Vector3d& p, const Shapes& shapes) {
   double largest = 0;
-  for (const auto& [shape, X] : shapes) {
-    const Box3 box = BoundsOf(shape, Pose());
+  for (const PlacedShape& placed : shapes) {
+    const auto& [shape, X, extent] = placed;
+    const Box3 box = BoxOf(placed, Pose());
     const Vector3d q = X.Inverse() * p;
     const Vector3d corner = (q - box.min).cwiseAbs().cwiseMax((q - box.max).cwiseAbs());
-    const bool is_sphere = shape.type == GeomType::kSphere;
+    const bool is_sphere = extent == nullptr && shape.type == GeomType::kSphere;
     largest = std::max(largest, is_sphere ? q.norm() + shape.size.x() : corner.norm());
   }
   return largest;
@@ -141,14 +150,18 @@ Box3 SweptBounds(const Object& object) {
   for (std::size_t i = bodies.size(); i-- > 0;) {
     const Body& body = bodies[i];
     for (const Part& part : body.parts) {
-      if (!some_collide || collides(part)) shapes[i].push_back({part.shape, X_WB[i] * part.X_BG});
+      if (some_collide && !collides(part)) continue;
+      if (!part.extent)
+        shapes[i].push_back({part.shape, X_WB[i] * part.X_BG});
+      else if (!part.extent->empty())
+        shapes[i].push_back({part.shape, X_WB[i] * part.X_BG * part.X_GS, part.extent.get()});
     }
     if (shapes[i].empty()) continue;
     for (std::size_t j = body.joints.size(); j-- > 0;) {
       if (Moves(body.joints[j])) SweepJoint(body.joints[j], X_WB[i], shapes[i]);
     }
     if (body.parent < 0) {
-      for (const auto& [shape, X] : shapes[i]) swept.Add(BoundsOf(shape, X));
+      for (const PlacedShape& placed : shapes[i]) swept.Add(BoxOf(placed, placed.X));
     } else {
       Shapes& parent = shapes[static_cast<std::size_t>(body.parent)];
       parent.insert(parent.end(), shapes[i].begin(), shapes[i].end());

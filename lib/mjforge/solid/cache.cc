@@ -24,7 +24,8 @@ std::size_t BytesOf(const TriangleMesh& mesh) {
 }
 
 std::size_t BytesOf(const Solid& solid) {
-  std::size_t bytes = sizeof(Solid) + BytesOf(solid.render_mesh) + BytesOf(solid.pieces);
+  std::size_t bytes =
+      sizeof(Solid) + BytesOf(solid.render_mesh) + BytesOf(solid.pieces) + BytesOf(solid.extent);
   for (const ConvexPiece& piece : solid.pieces) bytes += BytesOf(piece.mesh) + BytesOf(piece.turns);
   return bytes;
 }

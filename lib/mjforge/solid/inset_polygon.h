@@ -24,8 +24,7 @@ struct BasePolygon {
   std::vector<QuadratureNode> BoundaryAt(double inset) const;
   /// Returns the cross sections for this bevel; `per_turn` and `inside` as for PointsOf.
   PrismSections SectionsAt(double bevel, int per_turn, bool inside) const;
-
- private:
+  /// Returns the corners of a loop after all sides are moved inwards by `inset`.
   std::vector<RoundedCorner> CornersOf(std::size_t loop, double inset) const;
 };
 

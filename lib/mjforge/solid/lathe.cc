@@ -57,6 +57,8 @@ std::optional<Solid> Make(const Lathe& input, Fault& fault) {
   solid.render_mesh = MakeLatheMesh(lathe, *outline, partition);
   solid.pieces = MakeLathePieces(lathe, *outline, partition);
   solid.mass = RevolvedMass(NodesOf(outline->corners), lathe.angle);
+  for (const Point2& p : ConvexPolygonOf(outline->corners))
+    AddLevelArc({0, 0, p.y()}, p.x(), 0, lathe.angle, solid.extent);
   return solid;
 }
 

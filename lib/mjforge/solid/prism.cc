@@ -62,6 +62,24 @@ Mass MassOf(const BasePolygon& base, double height, double bevel) {
   return MassOf(moments, Eigen::Vector3d::Zero());
 }
 
+/// Returns the outline's arcs and corners at both ends of the vertical walls, and those of both
+/// ends of a bevelled prism. Arcs that turn right are in the hull of the others.
+Extent PrismExtent(const BasePolygon& base, const Prism& prism) {
+  Extent extent;
+  const auto add = [&](double inset, double z) {
+    for (const RoundedCorner& corner : base.CornersOf(0, inset)) {
+      if (corner.sweep < 0) continue;
+      for (const double height : {-z, z}) {
+        AddLevelArc({corner.place.x(), corner.place.y(), height}, corner.radius, corner.from,
+                    corner.sweep, extent);
+      }
+    }
+  };
+  add(0, prism.height / 2 - prism.bevel);
+  if (prism.bevel > 0) add(prism.bevel, prism.height / 2);
+  return extent;
+}
+
 /// Adds a piece between -z and z for each convex polygon of an area.
 void AddPieces(const Area& area, double z, std::vector<ConvexPiece>& pieces) {
   for (const std::vector<int>& polygon : PartitionOf(area).convex) {
@@ -125,6 +143,7 @@ std::optional<Solid> Make(const Prism& prism, Fault& fault) {
   solid.render_mesh = MakeExtrusionMesh(prism, sections);
   solid.pieces = PiecesOf(*base, prism);
   solid.mass = MassOf(*base, prism.height, prism.bevel);
+  if (prism.round > 0 || prism.bevel > 0) solid.extent = PrismExtent(*base, prism);
   return solid;
 }
 

@@ -50,6 +50,7 @@ Solid Rounded(const Polytope& core, double round, const TextureMapping& texture)
   solid.pieces.push_back({.mesh = RoundedMesh(core, round, kPieceSegments)});
   solid.pieces[0].mesh.normals.clear();
   solid.mass = RoundedMass(core, round);
+  solid.extent = ExtentOf(core.vertices, round);
   return solid;
 }
 
@@ -111,6 +112,10 @@ std::optional<Solid> Make(const RoundedCylinder& cylinder, Fault& fault) {
     solid.pieces = MakeLathePieces(lathe, coarse, PartitionOf(Area(coarse.corners)));
   }
   solid.mass = RevolvedMass(NodesOf(*corners), kWholeTurn);
+  for (const double z : {cylinder.round - h, h - cylinder.round}) {
+    AddLevelArc({0, 0, z}, r - cylinder.round, 0, kWholeTurn, solid.extent);
+    solid.extent.back().round = cylinder.round;
+  }
   return solid;
 }
 

@@ -16,6 +16,7 @@
 
 #include <Eigen/Dense>
 
+#include "mjforge/solid/extent.h"
 #include "mjforge/solid/hull.h"
 #include "mjforge/solid/polygon.h"
 
@@ -61,6 +62,7 @@ struct Solid {
   TriangleMesh render_mesh;
   std::vector<ConvexPiece> pieces;
   Mass mass;
+  Extent extent = {};  // empty if the vertices of the pieces, or of the render mesh, are exact
 };
 
 /// Scale of texture coordinates. MuJoCo ignores `texrepeat` for meshes with texture coordinates.

@@ -94,6 +94,7 @@ std::optional<Solid> Make(const Tube& tube, Fault& fault) {
   RoundCoordinates(solid.render_mesh);
   solid.pieces = MakeSweepPieces(*segments, tube);
   solid.mass = MassOf(*segments, tube);
+  solid.extent = SweepExtentOf(*segments, tube.closed);
   return solid;
 }
 

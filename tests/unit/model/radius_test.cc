@@ -38,13 +38,14 @@ TEST_CASE("an ellipsoid off the axis along its short half axis is farthest off t
 // Returns the largest support in 20,000 horizontal directions. The largest distance from a line is
 // the largest support in any direction across the line, and the relative error of the nearest
 // direction is at most 1 - cos(pi / 20000).
-double RadiusBySupport(const Shape& shape, const Pose& X_AG) {
+template <typename Solid>
+double RadiusBySupport(const Solid& solid, const Pose& X_AG) {
   double largest = 0;
   const Eigen::Matrix3d R_GA = X_AG.q.toRotationMatrix().transpose();
   for (int i = 0; i < 20000; ++i) {
     const double angle = 2 * M_PI * i / 20000;
     const Eigen::Vector3d d(std::cos(angle), std::sin(angle), 0);
-    largest = std::max(largest, d.dot(X_AG.p) + Support(shape, R_GA * d));
+    largest = std::max(largest, d.dot(X_AG.p) + Support(solid, R_GA * d));
   }
   return largest;
 }
@@ -71,6 +72,32 @@ TEST_CASE("the radius of any shape at any pose is its largest support across the
     CHECK(exact >= sampled - 1e-14);
     CHECK(exact <= sampled * (1 + 1e-6) + 1e-14);
   }
+}
+
+TEST_CASE("the radius of curves at any pose is their largest support across the axis") {
+  std::mt19937 random(8);
+  const auto draw = [&random](double lo, double hi) {
+    return lo + (hi - lo) * static_cast<double>(random()) / 4294967296.0;
+  };
+  for (int i = 0; i < harness::Effort(100); ++i) {
+    solid::Extent extent;
+    const Eigen::Vector3d center(draw(-1, 1), draw(-1, 1), draw(-1, 1));
+    solid::AddLevelArc(center, draw(0, 1), draw(-4, 4), i % 2 == 0 ? 2 * M_PI : draw(0.1, 6),
+                       extent);
+    if (i % 4 == 0) extent.front().round = draw(0, 0.1);
+    const double away = i % 7 == 0 ? 0 : draw(0, 1);
+    const Pose X_AS = {.p = {away * draw(-1, 1), away * draw(-1, 1), draw(-1, 1)},
+                       .q = FromEuler({draw(-4, 4), draw(-4, 4), draw(-4, 4)})};
+    const double sampled = RadiusBySupport(extent, X_AS);
+    const double exact = HorizontalRadius(extent, X_AS);
+    INFO(i);
+    CHECK(exact >= sampled - 1e-14);
+    CHECK(exact <= sampled * (1 + 1e-6) + 1e-14);
+  }
+  solid::Extent points = solid::ExtentOf(std::array<Eigen::Vector3d, 1>{{{3, 4, 5}}}, 0.5);
+  CHECK(HorizontalRadius(points, {}) == 5.5);
+  CHECK(HorizontalRadius(solid::Extent(), {}) == 0);
+  CHECK(BoundsOf(solid::Extent(), {}).empty());
 }
 
 }  // namespace

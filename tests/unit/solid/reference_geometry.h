@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include <catch2/catch.hpp>
+
 #include "mjforge/solid/solid.h"
 
 #include "harness/random.h"
@@ -22,6 +24,15 @@ using Eigen::Vector3d;
 inline constexpr double kPi = std::numbers::pi;
 
 using harness::Random;
+
+template <typename Shape>
+Solid Made(const Shape& shape) {
+  Fault fault;
+  std::optional<Solid> solid = Make(shape, fault);
+  INFO(fault.message);
+  REQUIRE(solid);
+  return *std::move(solid);
+}
 
 /// Returns nodes and weights of Gauss-Legendre quadrature on 0 .. 1, found by Newton's method.
 inline std::vector<std::pair<double, double>> Gauss(int count) {

@@ -14,15 +14,6 @@
 namespace mjforge::solid {
 namespace {
 
-template <typename Shape>
-Solid Made(const Shape& shape) {
-  Fault fault;
-  std::optional<Solid> solid = Make(shape, fault);
-  INFO(fault.message);
-  REQUIRE(solid);
-  return *std::move(solid);
-}
-
 /// Sums of moments over weighted points; `Finished` returns the mass properties.
 struct Sum {
   double volume = 0;
