@@ -1,4 +1,5 @@
-// Boxes as convex polyhedra, and the solids at a distance around them (Minkowski sums with a ball).
+// Boxes and flat hulls as convex polyhedra, and the solids at a distance around them (Minkowski
+// sums with a ball).
 
 #pragma once
 
@@ -10,6 +11,20 @@ namespace mjforge::solid {
 
 /// Returns a box centred on the origin.
 Polytope BoxOf(const Eigen::Vector3d& half_sizes);
+
+/// The hull of points in a plane as a prism of height 0: two faces, and sides with normals but
+/// without area. Several vertices are at one place.
+struct FlatHull {
+  Polytope core;
+  /// Ends of the hull, which may be equal, if all points are on a line.
+  std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> line;
+};
+/// Points at a distance from the plane are projected onto it. There is at least one point.
+FlatHull FlatHullOf(std::span<const Eigen::Vector3d> points);
+
+/// Joins vertices with the same place and normal, and removes the triangles without area that this
+/// makes. For meshes without texture coordinates.
+void RemoveRepeats(TriangleMesh& mesh);
 
 TriangleMesh MeshOf(const Polytope& polytope);
 

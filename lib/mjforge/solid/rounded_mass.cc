@@ -37,6 +37,7 @@ void AddSector(const Vector3d& a, const Vector3d& b, const Vector3d& m, const Ve
                Moments& sum) {
   const Vector3d edge = b - a;
   const double length = edge.norm();
+  if (length == 0) return;
   const double angle = AngleBetween(m, n);
   const Vector3d middle = (m + n).normalized();
   const Vector3d across = edge.cross(middle) / length;

@@ -37,7 +37,9 @@ TriangleMesh FlatMesh(const Polytope& polytope) {
   return mesh;
 }
 
-Solid Rounded(const Polytope& core, double round, const TextureMapping& texture) {
+/// Returns the solid around a core, or around a flat one.
+Solid Rounded(const Polytope& core, double round, const TextureMapping& texture,
+              bool is_flat = false) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : core.vertices) box.extend(p);
   // Allow a larger chord error, because the triangles at a corner grow with the square of the
@@ -45,12 +47,31 @@ Solid Rounded(const Polytope& core, double round, const TextureMapping& texture)
   const double error = ChordError(box.sizes().maxCoeff() / 2 + round, 0.02);
   Solid solid;
   solid.render_mesh = RoundedMesh(core, round, SegmentsPerTurn(round, error, kWholeTurn));
+  if (is_flat) RemoveRepeats(solid.render_mesh);
   ProjectTextureFromAbove(texture, solid.render_mesh);
   RoundCoordinates(solid.render_mesh);
   solid.pieces.push_back({.mesh = RoundedMesh(core, round, kPieceSegments)});
+  if (is_flat) RemoveRepeats(solid.pieces[0].mesh);
   solid.pieces[0].mesh.normals.clear();
   solid.mass = RoundedMass(core, round);
   solid.extent = ExtentOf(core.vertices, round);
+  return solid;
+}
+
+/// Returns a rounded slab, a capsule or a ball.
+Solid RoundedFlat(const ConvexHull& hull) {
+  const FlatHull flat = FlatHullOf(hull.points);
+  Solid solid = Rounded(flat.core, hull.round, hull.texture, true);
+  if (!flat.line) return solid;
+  const auto& [from, to] = *flat.line;
+  ConvexPiece piece = {.type = ConvexPiece::Type::kSphere, .size = {hull.round, 0, 0}};
+  piece.p = (from + to) / 2;
+  if (from != to) {
+    piece.type = ConvexPiece::Type::kCapsule;
+    piece.size.y() = (to - from).norm() / 2;
+    piece.q = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), to - from);
+  }
+  solid.pieces = {piece};
   return solid;
 }
 
@@ -62,6 +83,7 @@ std::optional<Solid> Make(const ConvexHull& hull, Fault& fault) {
     return std::nullopt;
   }
   const std::optional<Polytope> core = HullOf(hull.points, fault);
+  if (!core && hull.round > 0 && !hull.points.empty()) return RoundedFlat(hull);
   if (!core) return std::nullopt;
   if (hull.round > 0) return Rounded(*core, hull.round, hull.texture);
   Solid solid;
