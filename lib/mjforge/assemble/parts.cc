@@ -179,10 +179,10 @@ bool Assembly::ReadMaterial(Scope& scope, FieldReader& reader, const spec::Entry
 
 bool Assembly::SetDensity(FieldReader& reader, const spec::Field& field, double density,
                           model::Part& part) {
-  const bool may_be_zero = part.role == model::Role::kVisual;
+  const bool may_be_zero = part.role != model::Role::kBoth;
   if (density == 0 && !may_be_zero) {
     reader.Report(Code::kModelBadValue, field, "is 0; it must be greater than 0",
-                  "for a part without mass use `role: visual`");
+                  "a part without mass has `role: visual` or `role: collision`");
     return false;
   }
   part.density = density;

@@ -209,8 +209,9 @@ constexpr FieldInfo kRgba =
 constexpr FieldInfo kUser =
     AnyUnit(Numbers("user", {1, 64}, "", kAnyNumber, "", "Numbers for the user's own code."));
 
-constexpr FieldInfo kDensity = Number({"density", Key::kDensity}, "kg/m^3", AtLeast(0), "1000",
-                                      "Density. Not together with `mass`.");
+constexpr FieldInfo kDensity =
+    Number({"density", Key::kDensity}, "kg/m^3", AtLeast(0), "1000",
+           "Density. Not together with `mass`. 0 only for what is only seen or only collides.");
 constexpr FieldInfo kFriction =
     Contact(Numbers("friction", {1, 3}, "1, m, m", AtLeast(0), "1 0.005 0.0001",
                     "Sliding, torsional and rolling friction."));
@@ -324,7 +325,8 @@ constexpr FieldInfo kPartFields[] = {
          "The mass of a mesh: in the solid that its closed surface encloses, or evenly on its "
          "surface, which may be open."),
     kDensity,
-    Number({"mass", Key::kMass}, "kg", AtLeast(0), "", "Mass, in place of a density."),
+    Number({"mass", Key::kMass}, "kg", AtLeast(0), "",
+           "Mass, in place of a density. 0 only for what is only seen or only collides."),
     kMaterialName,
     Word({"role", Key::kRole}, "both collision visual", "both",
          "`both` writes a collision geom NAME and a visual geom NAME_vis that has no contacts and "

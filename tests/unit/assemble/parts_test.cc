@@ -142,8 +142,24 @@ TEST_CASE("a visual part has mass only by its own word") {
 TEST_CASE("a colliding part must have mass") {
   CHECK(OnlyFinding("params: {d: 0}\n"
                     "parts: [{name: a, type: sphere, size: [1], density: d}]\n") ==
-        "4:53 density of part 'a' is 0; it must be greater than 0 (for a part without mass use "
-        "`role: visual`)");
+        "4:53 density of part 'a' is 0; it must be greater than 0 (a part without mass has `role: "
+        "visual` or `role: collision`)");
+}
+
+TEST_CASE("a part that only collides may be without mass, if its body has some") {
+  const std::string colliders =
+      "- {name: a, type: sphere, size: [1], role: collision, mass: 0}\n"
+      "- {name: b, type: sphere, size: [1], role: collision, density: 0}\n"
+      "- {name: c, type: lathe, profile: [[0, 0], [1, 0], [2, 1]], wall: 0.1, role: collision, "
+      "mass: 0}\n";
+  const Assembling thing(
+      "parts:\n- {name: w, type: box, size: [1, 1, 1], role: visual, mass: 2}\n" + colliders);
+  CHECK(thing.object().mass_properties.mass == 2);
+  CHECK(thing.object().mass_properties.p_FCm == Vector3d::Zero());
+  CHECK(thing.part("thing_a").role == model::Role::kCollision);
+  CHECK(thing.part("thing_c_0").mass == 0);
+  CHECK(OnlyFinding("parts:\n" + colliders).find("can move but has no mass") != std::string::npos);
+  CHECK_FALSE(Assembling("joints: none\nparts:\n" + colliders).failed());
 }
 
 TEST_CASE("attributes come from the part, its material and the defaults, in this order") {

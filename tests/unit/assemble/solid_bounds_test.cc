@@ -76,14 +76,16 @@ TEST_CASE("corner placement puts the corner of the true solid there") {
 
 TEST_CASE("a cup on a hinge sweeps what its circles sweep") {
   const Assembling thing(
-      "bodies: [{name: cup, joints: [{name: j, type: slide, axis: [1, 0, 0], range: [0, 1]}], "
+      "joints: none\nbodies: [{name: cup, joints: [{name: j, type: slide, axis: [1, 0, 0], range: "
+      "[0, 1]}], "
       "parts: [{name: a, " +
       kCup + ", euler: [0, 0, 11deg]}]}]\n");
   const model::Box3& swept = thing.object().bounds.swept;
   CHECK(std::abs(swept.max.x() - 1.035) < 1e-12);
   CHECK(std::abs(swept.min.x() + .035) < 1e-12);
-  const Assembling ball("bodies: [{name: cup, joints: [{name: j, type: ball}], parts: [{name: a, " +
-                        kCup + ", euler: [0, 0, 11deg]}]}]\n");
+  const Assembling ball(
+      "joints: none\nbodies: [{name: cup, joints: [{name: j, type: ball}], parts: [{name: a, " +
+      kCup + ", euler: [0, 0, 11deg]}]}]\n");
   CHECK(ball.object().bounds.swept.min.z() < -.08);
   CHECK(ball.object().bounds.swept.min.z() > -.11);
 }
