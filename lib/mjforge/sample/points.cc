@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -27,6 +29,77 @@ bool ForEachCombination(Evaluator& values, std::span<const spec::Loop> loops, St
   }
   return true;
 }
+
+// Arc through three points, in the plane of the unit vectors x and y, whose origin is the first.
+class CircleThrough {
+ public:
+  /// Returns nothing if the points are on a line.
+  static std::optional<CircleThrough> Of(const Numbers& first, const Numbers& second,
+                                         const Numbers& last) {
+    CircleThrough circle;
+    const Vector b = Minus(second, first);
+    const Vector c = Minus(last, first);
+    const double to_b = std::sqrt(Dot(b, b));
+    const double size = to_b + std::sqrt(Dot(c, c));
+    if (!(to_b > kSame * size)) return std::nullopt;
+    for (std::size_t i = 0; i < 3; ++i) circle.x_[i] = b[i] / to_b;
+    const double along = Dot(c, circle.x_);
+    for (std::size_t i = 0; i < 3; ++i) circle.y_[i] = c[i] - along * circle.x_[i];
+    const double across = std::sqrt(Dot(circle.y_, circle.y_));
+    if (!(across > kSame * size)) return std::nullopt;
+    for (double& number : circle.y_) number /= across;
+    const double u = to_b / 2;
+    const double v = (along * along + across * across - to_b * along) / (2 * across);
+    circle.first_ = {first[0], first[1], first[2]};
+    circle.u_ = u;
+    circle.v_ = v;
+    circle.radius_ = std::sqrt(u * u + v * v);
+    circle.from_ = std::atan2(-v, -u);
+    // The last point is to the left of the line to the second one, so that the arc turns left.
+    circle.to_second_ = After(circle.from_, std::atan2(-v, to_b - u));
+    circle.to_last_ = After(circle.from_, std::atan2(across - v, along - u));
+    return circle;
+  }
+
+  void MoveTo(double share, Numbers& point) const {
+    const double angle = from_ + share * to_last_;
+    const double along = u_ + radius_ * std::cos(angle);
+    const double across = v_ + radius_ * std::sin(angle);
+    for (std::size_t i = 0; i < 3; ++i) point[i] = first_[i] + along * x_[i] + across * y_[i];
+  }
+
+  /// Interpolates between the values at the three points.
+  double Between(double share, double first, double second, double last) const {
+    const double angle = share * to_last_;
+    if (angle <= to_second_) return std::lerp(first, second, angle / to_second_);
+    return std::lerp(second, last, (angle - to_second_) / (to_last_ - to_second_));
+  }
+
+ private:
+  using Vector = std::array<double, 3>;
+  static constexpr double kSame = 1e-9;  // share of the points' distances
+
+  static Vector Minus(const Numbers& a, const Numbers& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+  }
+  static double Dot(const Vector& a, const Vector& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  }
+  /// Returns the angle from `start` to the left up to `end`, rad.
+  static double After(double start, double end) {
+    return end > start ? end - start : end - start + 2 * std::numbers::pi;
+  }
+
+  Vector first_ = {};
+  Vector x_ = {};
+  Vector y_ = {};
+  double u_ = 0;  // centre, along x and y
+  double v_ = 0;
+  double radius_ = 0;
+  double from_ = 0;  // angle of the first point
+  double to_second_ = 0;
+  double to_last_ = 0;
+};
 
 // The points of one list. Its functions return false after a finding, or if the list is full.
 class PointReader {
@@ -56,10 +129,13 @@ class PointReader {
   bool ReadPoint(const spec::Value& point, StreamId path) {
     Numbers numbers;
     values_.Vector(point, path, numbers);
-    if (HasFailedNumber(numbers)) return false;
+    return !HasFailedNumber(numbers) && Add(numbers, point.mark);
+  }
+
+  bool Add(const Numbers& numbers, diag::SourceMark mark) {
     if (count_ == 0) points_.per_point = numbers.size();
     if (points_.per_point != numbers.size()) {
-      values_.Fail(diag::Code::kSampleBadArgument, point.mark,
+      values_.Fail(diag::Code::kSampleBadArgument, mark,
                    fmt::format("this point has {} numbers, those before it have {}", numbers.size(),
                                points_.per_point));
       return false;
@@ -71,26 +147,63 @@ class PointReader {
   bool ReadArc(const spec::Arc& arc, StreamId path) {
     Numbers center;
     values_.Vector(*arc.center, Child(path, "center"), center);
-    std::array<double, 3> measures;
-    for (std::size_t i = 0; i < measures.size(); ++i)
-      measures[i] = values_.Number(arc.measures[i], Child(path, i));
     const double steps = values_.Number(*arc.steps, Child(path, "steps"));
+    if (arc.measures.size() == 2) return ReadArcThrough(arc, center, steps, path);
+    Numbers measures;
+    for (std::size_t i = 0; i < arc.measures.size(); ++i)
+      measures.push_back(values_.Number(arc.measures[i], Child(path, i)));
     if (HasFailedNumber(center) || HasFailedNumber(measures) || std::isnan(steps)) return false;
     if (!(steps >= 1 && steps <= 2 * kMost)) return true;
-    const auto& [radius, from, to] = measures;
+    const double radius = measures[0];
+    const auto axis = static_cast<std::size_t>(measures.size() > 3 ? measures[3] : 2);
     for (double i = 0; i <= steps; ++i) {
-      const double angle = from + i / steps * (to - from);
-      const double x = center[0] + radius * std::cos(angle);
-      const double y = center[1] + radius * std::sin(angle);
-      if (!std::isfinite(x) || !std::isfinite(y)) {
-        values_.Fail(diag::Code::kSampleBadArgument, arc.center->mark,
-                     "the arc has a point that is not finite");
-        return false;
-      }
-      points_.numbers.insert(points_.numbers.end(), {x, y});
-      ++count_;
+      const double angle = measures[1] + i / steps * (measures[2] - measures[1]);
+      Numbers point = center;
+      point[(axis + 1) % 3] += radius * std::cos(angle);
+      point[(axis + 2) % 3] += radius * std::sin(angle);
+      if (!AddToArc(arc, point)) return false;
     }
     return true;
+  }
+
+  bool ReadArcThrough(const spec::Arc& arc, const Numbers& first, double steps, StreamId path) {
+    Numbers second;
+    Numbers last;
+    values_.Vector(arc.measures[0], Child(path, std::size_t{0}), second);
+    values_.Vector(arc.measures[1], Child(path, std::size_t{1}), last);
+    if (HasFailedNumber(first) || HasFailedNumber(second) || HasFailedNumber(last)) return false;
+    if (std::isnan(steps)) return false;
+    if (!(steps >= 1 && steps <= 2 * kMost)) return true;
+    if (first.size() != second.size() || first.size() != last.size()) {
+      values_.Fail(diag::Code::kSampleBadArgument, arc.center->mark,
+                   "the three points of the arc have different counts of numbers");
+      return false;
+    }
+    const std::optional<CircleThrough> circle = CircleThrough::Of(first, second, last);
+    if (!circle) {
+      values_.Fail(diag::Code::kSampleBadArgument, arc.center->mark,
+                   "the three points of the arc are on a line");
+      return false;
+    }
+    for (double i = 0; i <= steps; ++i) {
+      const bool is_end = i == 0 || i == steps;
+      Numbers point = i == 0 ? first : last;
+      if (!is_end) circle->MoveTo(i / steps, point);
+      // A radius of the tube, the fourth number, changes evenly up to the second point and after.
+      if (!is_end && point.size() == 4)
+        point[3] = circle->Between(i / steps, first[3], second[3], last[3]);
+      if (!AddToArc(arc, point)) return false;
+    }
+    return true;
+  }
+
+  bool AddToArc(const spec::Arc& arc, const Numbers& point) {
+    if (!std::ranges::all_of(point, [](double number) { return std::isfinite(number); })) {
+      values_.Fail(diag::Code::kSampleBadArgument, arc.center->mark,
+                   "the arc has a point that is not finite");
+      return false;
+    }
+    return Add(point, arc.center->mark);
   }
 
   Evaluator& values_;

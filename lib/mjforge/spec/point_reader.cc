@@ -76,31 +76,33 @@ Value ValueReader::ReadPoint(const ExpectedForm& expected, const YamlNode& node)
 }
 
 Value ValueReader::ReadArc(const ExpectedForm& expected, const YamlNode& map) {
-  AllowKeys(map, {"arc", "steps"}, "an arc");
-  if (expected.min_count != 2) {
-    findings_.Add(
-        Code::kSpecConflict, map.mark,
-        fmt::format("'arc' has no meaning in '{}': it lies in a plane", expected.key),
-        "repeat points: {for: {i: 9}, at: [r * cos(i * pi / 8), r * sin(i * pi / 8), 0]}");
-    return Harmless(map);
-  }
+  const bool in_space = expected.min_count == 3;
   const YamlNode& node = *map.Find("arc");
-  if (node.kind != YamlNode::Kind::kList || node.items.size() != 4) {
+  const bool has_center = node.items.size() == 4;
+  if (in_space && has_center) {
+    AllowKeys(map, {"arc", "axis", "steps"}, "an arc");
+  } else {
+    AllowKeys(map, {"arc", "steps"}, "an arc");
+  }
+  if (!has_center && !(in_space && node.items.size() == 3)) {
     findings_.Add(Code::kSpecWrongLength, node.mark,
-                  "an arc is a list of its centre, its radius, and the angles where it begins and "
-                  "ends",
-                  "as in {arc: [[0, 2cm], 2cm, -90deg, 0]}");
+                  fmt::format("an arc is a list of its centre, its radius, and the angles where it "
+                              "begins and ends{}",
+                              in_space ? ", or of three of its points" : ""),
+                  in_space ? "as in {arc: [[0, 0, 2cm], 2cm, -90deg, 0], axis: x}"
+                           : "as in {arc: [[0, 2cm], 2cm, -90deg, 0]}");
     return Harmless(map);
   }
-  static constexpr FieldInfo kRadius = {
-      .key = "radius of an arc", .unit = "m", .lower = 0, .above = true};
-  static constexpr FieldInfo kAngle = {.key = "angle of an arc", .unit = "rad"};
   static constexpr FieldInfo kSteps = {
       .key = "steps", .kind = FieldKind::kInteger, .lower = 1, .upper = 1000};
   Arc arc;
   arc.center = std::make_shared<const Value>(ReadPoint(expected, node.items[0]));
-  arc.measures.push_back(Read(kRadius, node.items[1]));
-  for (const std::size_t i : {2, 3}) arc.measures.push_back(Read(kAngle, node.items[i]));
+  if (has_center) {
+    arc.measures = ReadArcMeasures(node);
+    if (in_space) arc.measures.push_back(ReadAxis(map));
+  } else {
+    for (const std::size_t i : {1, 2}) arc.measures.push_back(ReadPoint(expected, node.items[i]));
+  }
   const YamlNode* steps = map.Find("steps");
   arc.steps = std::make_shared<const Value>(
       steps != nullptr ? Read(kSteps, *steps) : Value{.mark = map.mark, .form = kArcSteps});
@@ -108,6 +110,29 @@ Value ValueReader::ReadArc(const ExpectedForm& expected, const YamlNode& map) {
   value.dimensions = arc.center->dimensions;
   value.form = std::move(arc);
   return value;
+}
+
+std::vector<Value> ValueReader::ReadArcMeasures(const YamlNode& arc) {
+  static constexpr FieldInfo kRadius = {
+      .key = "radius of an arc", .unit = "m", .lower = 0, .above = true};
+  static constexpr FieldInfo kAngle = {.key = "angle of an arc", .unit = "rad"};
+  std::vector<Value> measures = {Read(kRadius, arc.items[1])};
+  for (const std::size_t i : {2, 3}) measures.push_back(Read(kAngle, arc.items[i]));
+  return measures;
+}
+
+Value ValueReader::ReadAxis(const YamlNode& arc) {
+  const YamlNode* axis = arc.Find("axis");
+  if (axis == nullptr) return {.mark = arc.mark, .form = 2.0};
+  constexpr std::string_view kAxes = "xyz";
+  const std::size_t index = axis->text.size() == 1 ? kAxes.find(axis->text) : std::string::npos;
+  if (axis->kind != YamlNode::Kind::kScalar || index == std::string::npos) {
+    findings_.Add(Code::kSpecBadValue, axis->mark, "the axis of an arc is none of x, y and z",
+                  "angles are counted from y towards z about x, from z towards x about y, and from "
+                  "x towards y about z");
+    return Harmless(*axis);
+  }
+  return {.mark = axis->mark, .form = static_cast<double>(index)};
 }
 
 void ValueReader::AllowKeys(const YamlNode& map, std::initializer_list<std::string_view> allowed,

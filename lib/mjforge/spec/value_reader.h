@@ -111,6 +111,8 @@ class ValueReader {
   template <typename Reader>
   Value ReadPointLoop(const YamlNode& map, std::string_view key, Reader&& read);
   Value ReadArc(const ExpectedForm& expected, const YamlNode& map);
+  std::vector<Value> ReadArcMeasures(const YamlNode& arc);  // radius, from, to
+  Value ReadAxis(const YamlNode& arc);                      // 0, 1 or 2 for x, y or z
   void AllowKeys(const YamlNode& map, std::initializer_list<std::string_view> allowed,
                  std::string_view what);
   Value ReadItems(expr::Type type, const YamlNode& node);

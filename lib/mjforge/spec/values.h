@@ -103,11 +103,12 @@ struct PointLoop {
   std::shared_ptr<const Value> at;
 };
 
-/// An item of a list of points that stands for the points of an arc, including both ends: {arc:
-/// [[x, y], radius, from, to], steps: 8}.
+/// An item of a list that stands for the points of an arc, including both ends: {arc: [[x, y],
+/// radius, from, to], steps: 8}, in space {arc: [[x, y, z], radius, from, to], axis: z} or 3
+/// points.
 struct Arc {
-  std::shared_ptr<const Value> center;
-  std::vector<Value> measures;  // radius, from, to
+  std::shared_ptr<const Value> center;  // or the first of three points
+  std::vector<Value> measures;          // radius, from, to, in space the axis; or points 2 and 3
   std::shared_ptr<const Value> steps;
 };
 

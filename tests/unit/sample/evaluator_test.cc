@@ -83,6 +83,71 @@ TEST_CASE("points are given one after the other, each with its own streams") {
   CHECK(points == Vector{0, 1, 4, 5, drawn, 3});
 }
 
+PointList Path(const std::string& points) {
+  Family made = Load("{n: 2}", "parts: [{name: b, type: tube, path: [" + points + "]}]");
+  const DrawKey key = {.seed = 2};
+  Evaluator evaluator = made.Evaluator(key);
+  return evaluator.Points(made.PartValue("path"), 50).value();
+}
+
+TEST_CASE("arcs in space turn about an axis") {
+  for (const std::size_t axis : {0, 1, 2}) {
+    const PointList made = Path(
+        "{arc: [[1, 2, 3], 2, 0, 90deg], axis: " + std::string(1, "xyz"[axis]) + ", steps: 2}");
+    REQUIRE(made.per_point == 3);
+    REQUIRE(made.numbers.size() == 9);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double angle = M_PI / 4 * double(k);
+      std::array<double, 3> p = {1, 2, 3};
+      p[(axis + 1) % 3] += 2 * std::cos(angle);
+      p[(axis + 2) % 3] += 2 * std::sin(angle);
+      for (std::size_t i = 0; i < 3; ++i) CHECK(made.numbers[3 * k + i] == Approx(p[i]));
+    }
+  }
+  const PointList about_z = Path("{arc: [[0, 0, n, 5], 1, 0, 180deg], steps: 1}");
+  CHECK(about_z.per_point == 4);
+  CHECK(about_z.numbers[2] == 2);
+  CHECK(about_z.numbers[7] == 5);
+}
+
+TEST_CASE("arcs go through three points, by the shortest way that meets all") {
+  // In the plane y = z, with the middle at y = z = 1/4.
+  const double s = std::sqrt(0.5);
+  const PointList half = Path("{arc: [[0, 0, 0, 1], [1, 1, 1, 2], [2, 0, 0, 4]], steps: 4}");
+  REQUIRE(half.per_point == 4);
+  REQUIRE(half.numbers.size() == 20);
+  const double v = 0.25 * std::sqrt(2);
+  const double radius = std::sqrt(1 + v * v);
+  for (std::size_t k = 0; k < 5; ++k) {
+    const double* p = &half.numbers[4 * k];
+    CHECK(p[1] == Approx(p[2]).margin(1e-12));
+    const double across = p[1] / s - v;
+    CHECK(std::sqrt((p[0] - 1) * (p[0] - 1) + across * across) == Approx(radius));
+  }
+  CHECK(half.numbers[0] == 0);
+  CHECK(half.numbers[8] == Approx(1));
+  CHECK(half.numbers[9] == Approx(1));
+  CHECK(half.numbers[7] == Approx(1.5));
+  CHECK(half.numbers[11] == Approx(2));
+  CHECK(half.numbers[15] == Approx(3));
+  CHECK(half.numbers[16] == 2);
+  const PointList most = Path("{arc: [[1, 0, 0], [-1, 0, 0], [0, -1, 0]], steps: 3}");
+  CHECK(most.numbers[3] == Approx(0).margin(1e-12));
+  CHECK(most.numbers[4] == Approx(1));
+  CHECK(most.numbers[6] == Approx(-1));
+}
+
+TEST_CASE("three points on a line are on no arc") {
+  for (const char* points : {"[0, 0, 0], [1, 1, 1], [3, 3, 3]", "[0, 0, 0], [0, 0, 0], [1, 0, 0]",
+                             "[0, 0, 0], [1, 0, 0], [0, 0, 0]"}) {
+    Family made = Load(
+        "{n: 2}", "parts: [{name: b, type: tube, path: [{arc: [" + std::string(points) + "]}]}]");
+    const DrawKey key = {.seed = 2};
+    Evaluator evaluator = made.Evaluator(key);
+    CHECK_FALSE(evaluator.Points(made.PartValue("path"), 50));
+  }
+}
+
 TEST_CASE("points are repeated, and lie on arcs, each with its place in the spec") {
   Family drawn = Load("{n: 2}",
                       "parts: [{name: b, type: lathe, profile: [[1, 0], "
