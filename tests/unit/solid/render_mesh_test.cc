@@ -201,5 +201,66 @@ TEST_CASE("vertices are at whole micrometres, those of very small or large shape
   }
 }
 
+/// Returns the largest distance of a point of the mesh from the surface, of which `distance` is the
+/// signed distance.
+template <typename Distance>
+double LargestError(const TriangleMesh& mesh, const Distance& distance) {
+  double largest = 0;
+  for (const auto& [i, j, k] : mesh.triangles) {
+    const Vector3d& a = mesh.vertices[std::size_t(i)];
+    const Vector3d& b = mesh.vertices[std::size_t(j)];
+    const Vector3d& c = mesh.vertices[std::size_t(k)];
+    for (double u = 0; u <= 1; u += 0.125) {
+      for (double v = 0; u + v <= 1; v += 0.125)
+        largest = std::max(largest, std::abs(distance(a + u * (b - a) + v * (c - a))));
+    }
+  }
+  return largest;
+}
+
+/// Returns the signed distance from a body whose core ends `beyond` before the point, in each of
+/// some directions, and that is rounded.
+template <typename Vector>
+double FromRounded(const Vector& beyond, double round) {
+  return beyond.cwiseMax(0).norm() + std::min(beyond.maxCoeff(), 0.0) - round;
+}
+
+// Chords are at most 0.25 mm off; where a face is curved both ways, both chords add up, and at a
+// corner the distance from the middle of a triangle to its corners counts.
+TEST_CASE("faces that are curved both ways are off by more than a chord, as the manual states") {
+  const double chord = 0.25e-3;
+  double of_ring = 0;
+  double of_can = 0;
+  double of_box = 0;
+  for (double scale = 0.5; scale < 2; scale *= 1.05) {
+    const double R = 0.05 * scale;
+    const double r = 0.03 * scale;
+    const double round = 0.025 * scale;
+    const Vector3d core(R - round, R - round, r - round);
+    const TriangleMesh ring = MeshOf(Tube{.path = {{-R, -R, 0}, {R, -R, 0}, {R, R, 0}, {-R, R, 0}},
+                                          .radii = {r, r, r, r},
+                                          .bend = R,
+                                          .closed = true});
+    of_ring = std::max(of_ring, LargestError(ring, [&](const Vector3d& p) {
+                         return Vector2d(p.head<2>().norm() - R, p.z()).norm() - r;
+                       }));
+    const TriangleMesh can = MeshOf(RoundedCylinder{.radius = R, .half = r, .round = round});
+    of_can = std::max(of_can, LargestError(can, [&](const Vector3d& p) {
+                        const Vector2d q(p.head<2>().norm(), std::abs(p.z()));
+                        return FromRounded(Vector2d(q - core.tail<2>()), round);
+                      }));
+    const TriangleMesh box = MeshOf(RoundedBox{.half = {R, R, r}, .round = round});
+    of_box = std::max(of_box, LargestError(box, [&](const Vector3d& p) {
+                        return FromRounded(Vector3d(p.cwiseAbs() - core), round);
+                      }));
+  }
+  CHECK(of_ring > 1.9 * chord);
+  CHECK(of_ring < 2.2 * chord);
+  CHECK(of_can > 1.5 * chord);
+  CHECK(of_can < 2.2 * chord);
+  CHECK(of_box > 2.4 * chord);
+  CHECK(of_box < 2.65 * chord);
+}
+
 }  // namespace
 }  // namespace mjforge::solid
