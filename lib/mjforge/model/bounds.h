@@ -9,7 +9,7 @@
 namespace mjforge::model {
 
 /// Extents of the collision parts (of all parts if none collides) at the start state, in the
-/// object's frame W; see BodyPoses(). Those of a solid are exact, not those of its pieces.
+/// object's frame W; see BodyPoses(). Solids have their exact extents, not those of their pieces.
 struct Bounds {
   Box3 aabb;
   double top_offset = 0;         // aabb.max.z, m

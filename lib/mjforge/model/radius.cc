@@ -90,7 +90,7 @@ double EllipsoidRadius(const Eigen::Vector3d& size, const Pose& X_AG) {
 
 // Returns the largest distance from the z axis of a point within an arc, at which the distance is
 // stationary; 0 if there is none. On the arc q = p + cos(t) u + sin(t) v the derivative of the
-// squared distance has at most four roots. Those at which it falls are bracketed, then bisected.
+// squared distance has at most four roots. Roots at which it falls are bracketed, then bisected.
 double ArcRadius(const Eigen::Vector2d& p, const Eigen::Vector2d& u, const Eigen::Vector2d& v,
                  double angle) {
   constexpr int kSteps = 32;

@@ -2,8 +2,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <fmt/format.h>
-
 #include "harness/effort.h"
 #include "reference_geometry.h"
 
