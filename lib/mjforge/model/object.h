@@ -94,8 +94,8 @@ struct Part {
   double density = 0;
   /// Mass properties at density 1, in G, of the exact solid if it differs from `shape`.
   std::optional<MassProperties> solid;
-  /// Convex hull of the exact solid for bounds, in S, if it differs from that of `shape`. One
-  /// piece of a solid has it, and the other pieces have one without curves.
+  /// Convex hull of the exact solid for bounds, in S, if it differs from that of `shape`. A
+  /// single piece of a solid has it; the other pieces have a hull without curves.
   std::shared_ptr<const solid::Extent> extent;
   Pose X_GS;
   bool is_shell = false;  // the mass is on the surface of a mesh; `solid` has its area as mass
