@@ -40,9 +40,4 @@ TEST_CASE("the remedies against creeping work") {
   CHECK(Lid(R"(frictionloss="50" armature="1")").Codes().empty());
 }
 
-TEST_CASE("a joint with too little dry friction needs more") {
-  CHECK(HintOf(Lid(R"(frictionloss="0.01")"), diag::Code::kPhysicsJointRests)
-            .starts_with("look at springs, `springref`, dry friction"));
-}
-
 }  // namespace mjforge::physics
