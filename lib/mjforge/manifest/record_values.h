@@ -99,16 +99,9 @@ template <typename T>
 ExpectedKind Get(const rapidjson::Value& value, std::vector<T>& list) {
   if (!value.IsArray()) return "a list";
   for (const rapidjson::Value& item : value.GetArray()) {
-    if (const ExpectedKind kind = Get(item, list.emplace_back()); !kind.empty())
-      return "a list of its kind";
-  }
-  return {};
-}
-
-inline ExpectedKind Get(const rapidjson::Value& value, std::vector<bool>& list) {
-  for (const rapidjson::Value& item : value.GetArray()) {
-    if (!item.IsBool()) return "a list of its kind";
-    list.push_back(item.GetBool());
+    T element = {};
+    if (const ExpectedKind kind = Get(item, element); !kind.empty()) return "a list of its kind";
+    list.push_back(std::move(element));
   }
   return {};
 }
