@@ -27,7 +27,7 @@ JOINTS = {
     "articulated/drawer_cabinet": {"slide_1": "0.15"},
     "articulated/faucet": {"swivel": "-35deg"},
     "articulated/hinged_box": {"box_hinge": "80deg"},
-    "articulated/jar_with_lid": {"lift": "2mm"},
+    "articulated/jar_with_lid": {"lid_rise": "2mm"},
     "articulated/scissors": {"pivot": "40deg"},
     "furniture/cupboard": {"hinge_1": "70deg"},
     "furniture/desk": {"slide_0": "12cm"},
