@@ -168,8 +168,8 @@ class Errors(unittest.TestCase):
         self.assertEqual([f.code for f in mjforge.check(TYPO)],
                          ["spec/missing-key", "spec/unknown-key"])
         self.assertEqual(mjforge.check(mjforge.Spec("mug"), 3, physics=True), [])
-        self.assertEqual([f.code for f in mjforge.check("hammer", 3, physics=True)],
-                         ["physics/friction"])
+        self.assertEqual({f.code for f in mjforge.check("hammer", 3, physics=True)},
+                         {"physics/friction"})
 
     def test_wrong_words_say_what_is_known(self):
         spec = mjforge.Spec("hammer")
