@@ -20,9 +20,10 @@ std::string ConfidenceText(std::uint64_t passed) {
   std::string text = fmt::format(
       "up to {:.2g} % of all variants may still fail (with 95 % confidence)", 100 * share);
   // 300 and 3000 variants are the round numbers for shares of 1 % and 0.1 %.
-  if (share > 0.01)
+  // Smaller shares are told as 1 % or 0.1 %, too.
+  if (share > 0.0105)
     text += "; -n 300 lowers that to 1 %";
-  else if (share > 0.001)
+  else if (share > 0.00105)
     text += "; -n 3000 lowers that to 0.1 %";
   return text;
 }

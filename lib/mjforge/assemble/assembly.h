@@ -82,9 +82,9 @@ class Assembly {
                             const std::string& name, const Link& link);
   void AddJointsOf(Scope& scope, const spec::BodyEntry& entry, const Link& link,
                    sample::StreamId path);
-  /// Adds the content of the entry to the body `index`, the last one.
+  /// Adds the content of the entry to the current body, the last one.
   void Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
-            const std::string& name, std::size_t index, sample::StreamId path);
+            const std::string& name, const Link& link);
   void PlaceBody(Scope& scope, FieldReader& reader, const spec::Entry& entry,
                  const model::Bounds& bounds, model::Body& body);
   int ParentOf(Scope& scope, FieldReader& reader, const spec::Entry& entry);

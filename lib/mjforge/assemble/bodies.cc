@@ -40,6 +40,18 @@ Eigen::Vector3d OriginFromCorner(const Eigen::Vector3d& p, const Eigen::Quaterni
   return p - (total_size + lower);
 }
 
+// The names of parts, sites and views of a link begin with the link's name.
+void EnterLink(Scope& scope, const Link& link, const std::string& name) {
+  if (link.chain == nullptr) return;
+  scope.link = name + "_";
+  scope.prefix += scope.link;
+}
+
+void LeaveLink(Scope& scope) {
+  scope.prefix = scope.outer_prefix();
+  scope.link.clear();
+}
+
 }  // namespace
 
 void Assembly::AddBodies(Scope& scope) {
@@ -108,16 +120,15 @@ model::Bounds Assembly::AddContents(Scope& scope, const spec::BodyEntry& entry, 
   const std::size_t outer = std::exchange(current_body_, index);
   const model::Pose X_BS = std::exchange(scope.X_BS, model::Pose());
   const auto total_size = std::exchange(scope.total_size, std::nullopt);
-  const std::string prefix = scope.prefix;
-  Fill(scope, entry, reader, name, index, path);
+  Fill(scope, entry, reader, name, link);
   model::Bounds bounds;
   if (by_corner || entry.first_property >= 0) bounds = model::SubtreeBounds(object_.bodies, index);
   SetProperties(scope, entry, bounds, index);
-  if (link.chain != nullptr) scope.prefix += name + "_";
+  EnterLink(scope, link, name);
   AddSites(scope, entry.sites, sample::Child(path, "sites"));
   AddRegions(scope, entry.regions, name + "_", sample::Child(path, "regions"));
   AddViews(scope, entry.views, path);
-  scope.prefix = prefix;
+  LeaveLink(scope);
   AddJointsOf(scope, entry, link, path);
   ReadAttributes(reader, entry.head, object_.bodies[index].attributes);
   current_body_ = outer;
@@ -126,10 +137,10 @@ model::Bounds Assembly::AddContents(Scope& scope, const spec::BodyEntry& entry, 
   return bounds;
 }
 
-// The first link of a chain has the joints of the entry, if it has any.
+// The first link of a chain has the joints of the entry, if that says any, or `none`.
 void Assembly::AddJointsOf(Scope& scope, const spec::BodyEntry& entry, const Link& link,
                            sample::StreamId path) {
-  if (link.chain != nullptr && (link.number > 0 || (entry.joints.empty() && !entry.is_free))) {
+  if (link.chain != nullptr && (link.number > 0 || !entry.has_joints)) {
     body().joints = JointsOfLink(*link.chain, body().name, entry.head.mark);
     return;
   }
@@ -138,7 +149,9 @@ void Assembly::AddJointsOf(Scope& scope, const spec::BodyEntry& entry, const Lin
 }
 
 void Assembly::Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
-                    const std::string& name, std::size_t index, sample::StreamId path) {
+                    const std::string& name, const Link& link) {
+  const std::size_t index = current_body_;
+  const sample::StreamId path = reader.path();
   if (entry.head.nested != nullptr) {
     std::optional<sample::Evaluator> nested = SampleNested(scope, entry.head, path);
     if (!nested) return;
@@ -147,7 +160,8 @@ void Assembly::Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& rea
     AddSpec(inner);
     object_.bodies[index].front = FrontOf(inner);
     // A body that is free in both specs keeps its free joint, which has the same name in both.
-    const bool keeps_joint = entry.is_free && nested->spec().root_joints == spec::RootJoints::kFree;
+    const bool keeps_joint =
+        entry.is_free && link.number == 0 && nested->spec().root_joints == spec::RootJoints::kFree;
     if (!keeps_joint) MarkRootJointsRemoved(inner);
     for (std::size_t i = 0; i < entry.parameter_slots.size(); ++i) {
       const int slot = entry.parameter_slots[i];
@@ -158,10 +172,9 @@ void Assembly::Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& rea
     if (part_count_ > 0) HasRoomFor("parts", part_count_ - 1, entry.head.mark);
   } else {
     const sample::StreamId outer = std::exchange(scope.parts, sample::Child(path, "parts"));
-    const std::string prefix = scope.prefix;
-    if (entry.head.FindChild(spec::kChainElement) != nullptr) scope.prefix += name + "_";
+    EnterLink(scope, link, name);
     AddParts(scope, entry.parts, model::Pose());
-    scope.prefix = prefix;
+    LeaveLink(scope);
     scope.parts = outer;
   }
   assets_.SumMass(object_.bodies[index]);

@@ -2,6 +2,10 @@
 
 #include "mjforge/assemble/chains.h"
 
+#include <numbers>
+
+#include <fmt/format.h>
+
 #include "mjforge/assemble/scope.h"
 
 namespace mjforge::assemble {
@@ -27,6 +31,12 @@ std::optional<Chain> ReadChain(const FieldReader& body, const spec::Entry& entry
   if (const spec::Field* range = entry.Find(Key::kRange)) {
     chain.range = reader.Number(*range);
     if (!chain.range) return std::nullopt;
+    if (chain.is_ball && *chain.range > std::numbers::pi) {
+      reader.Report(diag::Code::kModelBadValue, *range,
+                    fmt::format("is {} deg; a ball joint turns by at most 180 deg",
+                                expr::RoundedText(*chain.range * 180 / std::numbers::pi)));
+      return std::nullopt;
+    }
   }
   if (!ReadAttributes(reader, entry, chain.attributes)) return std::nullopt;
   return chain;

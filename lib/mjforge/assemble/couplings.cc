@@ -38,7 +38,8 @@ bool IsLinear(const sample::Numbers& c) {
 // is light and the slope below 1.
 model::Element EqualityOf(std::string follower, std::string leader, sample::Numbers c) {
   const bool is_linear = IsLinear(c);
-  if (is_linear && c[1] != 0 && std::abs(c[1]) < 1) {
+  const bool is_small = std::abs(c[1]) < 1 && std::isfinite(1 / c[1]) && std::isfinite(c[0] / c[1]);
+  if (is_linear && is_small) {
     std::swap(follower, leader);
     c[0] = c[0] == 0 ? 0 : -c[0] / c[1];
     c[1] = 1 / c[1];
@@ -76,8 +77,9 @@ std::optional<Eigen::Vector2d> ReadTurns(FieldReader& reader, const spec::Entry&
 // Returns how far a full turn moves, m; nothing after a finding.
 std::optional<double> ReadLead(FieldReader& reader, const spec::Field& field) {
   const std::optional<double> lead = reader.Number(field);
-  if (!lead || *lead != 0) return lead;
-  reader.Report(Code::kModelBadValue, field, "is 0; it must be another number");
+  if (!lead || std::isfinite(2 * std::numbers::pi / *lead)) return lead;
+  reader.Report(Code::kModelBadValue, field,
+                fmt::format("is {}; it must be farther from 0", expr::NumberText(*lead)));
   return std::nullopt;
 }
 
@@ -116,12 +118,12 @@ void Couplings::AddScrew(const Scope& scope, const FieldReader& reader, const sp
   if (!lead || !good) return;
   const std::string name = turn.name;
   model::Joint rise;
-  rise.name = name + "_rise";
+  rise.name = name + std::string(kRiseEnding);
   rise.type = "slide";
   rise.pos = turn.pos;
   rise.axis = turn.axis;
   rise.mark = turn.mark;
-  turn.name = name + "_turn";
+  turn.name = name + std::string(kTurnEnding);
   turn.type = "hinge";
   if (turns) {
     const Eigen::Vector2d ends = *turns * *lead;
@@ -140,8 +142,33 @@ void Couplings::AddCouple(const Scope& scope, const FieldReader& reader, const s
   const std::optional<std::string> leader = own.Text(*couple.Find(Key::kJoint));
   std::optional<sample::Numbers> c = ReadPolynomial(own, couple);
   if (!leader || !c) return;
-  Add(scope, own, couple, follower.name,
-      EqualityOf(follower.name, scope.prefix + *leader, *std::move(c)));
+  const std::string full = scope.prefix + *leader;
+  const spec::Field* lead = couple.Find(Key::kLead);
+  if (full == follower.name) {
+    own.Report(Code::kModelBadValue, *couple.Find(Key::kJoint), "is the joint itself");
+  } else if (lead != nullptr && follower.type != "slide") {
+    own.Report(Code::kModelBadValue, *lead, fmt::format("has no meaning for a {}", follower.type),
+               "write a `ratio`");
+  } else {
+    leaders_.push_back({full, *leader, lead != nullptr, couple.Find(Key::kJoint)->value.mark});
+    Add(scope, own, couple, follower.name, EqualityOf(follower.name, full, *std::move(c)));
+  }
+}
+
+void Couplings::CheckLeaders(const model::Object& object, diag::Findings& findings) const {
+  for (const model::Body& body : object.bodies) {
+    for (const model::Joint& joint : body.joints) {
+      for (const Leader& leader : leaders_) {
+        if (leader.name != joint.name) continue;
+        const bool turns = joint.type == "hinge";
+        if (turns || (joint.type == "slide" && !leader.turns)) continue;
+        findings.Add(Code::kModelBadValue, leader.mark,
+                     fmt::format("joint '{}' is a {}; {}", leader.shown, joint.type,
+                                 leader.turns ? "a joint with a `lead` follows a hinge"
+                                              : "a joint follows a hinge or a slide"));
+      }
+    }
+  }
 }
 
 void Couplings::Add(const Scope& scope, FieldReader& reader, const spec::Entry& entry,

@@ -3,12 +3,18 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "mjforge/assemble/references.h"
 #include "mjforge/assemble/scope.h"
 #include "mjforge/assemble/sections.h"
 
 namespace mjforge::assemble {
+
+/// Endings of the names of the slide and the hinge of a thread.
+inline constexpr std::string_view kRiseEnding = "_rise";
+inline constexpr std::string_view kTurnEnding = "_turn";
 
 /// Adds equalities of joints to one object, in the form in which MuJoCo makes them hold.
 class Couplings {
@@ -24,13 +30,25 @@ class Couplings {
   void AddCouple(const Scope& scope, const FieldReader& reader, const spec::Entry& couple,
                  const model::Joint& follower);
 
+  /// Reports joints that others follow and that are no hinges or slides, or, where `lead` is given,
+  /// no hinges. All joints must exist.
+  void CheckLeaders(const model::Object& object, diag::Findings& findings) const;
+
  private:
+  /// A joint that another one follows.
+  struct Leader {
+    std::string name;
+    std::string shown;   // in the spec
+    bool turns = false;  // it must be a hinge, because the follower has a `lead`
+    diag::SourceMark mark;
+  };
   /// Adds the equality with this name and the solver parameters of the entry.
   void Add(const Scope& scope, FieldReader& reader, const spec::Entry& entry,
            const std::string& name, model::Element equality);
 
   Sections& sections_;
   References& references_;
+  std::vector<Leader> leaders_;
 };
 
 }  // namespace mjforge::assemble

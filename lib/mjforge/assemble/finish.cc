@@ -56,6 +56,7 @@ void Assembly::Finish(Scope& scope) {
   CheckLevelRegions(object_, spec_->mark, findings_);
   CheckUniqueNames(object_, findings_);
   references_.Check();
+  couplings_.CheckLeaders(object_, findings_);
   CheckViews(object_, findings_);
   ReportLostStarts();
   assets_.SumMass(object_.bodies.front());

@@ -71,7 +71,7 @@ bool ReadRange(FieldReader& reader, const spec::Entry& entry, model::Joint& join
 
 // Returns the endings of the names of the joints that an entry makes.
 std::span<const std::string_view> JointEndings(bool is_screw) {
-  static constexpr std::string_view kOfScrew[] = {"_rise", "_turn"};
+  static constexpr std::string_view kOfScrew[] = {kRiseEnding, kTurnEnding};
   static constexpr std::string_view kOfJoint[] = {""};
   if (is_screw) return kOfScrew;
   return kOfJoint;

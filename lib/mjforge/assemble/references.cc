@@ -105,7 +105,8 @@ bool References::DropIfRemoved(const NameReference& reference) {
       element.name, fmt::format("it is left out because {}", removed->second));
   diag::Finding& finding =
       findings_.Add(Code::kAttachNotCarried, reference.mark,
-                    fmt::format("{} '{}' is left out: its {} '{}' is gone: {}", element.tag,
+                    fmt::format("{} '{}' is left out: its {} '{}' is gone: {}",
+                                section->name == "equality" ? section->name : element.tag,
                                 element.name, reference.kind, reference.shown, removed->second));
   finding.severity = diag::Severity::kWarning;
   return true;

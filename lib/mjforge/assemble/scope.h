@@ -28,7 +28,8 @@ struct Scope {
         const model::Pose& X_BodyS);
 
   sample::Evaluator& values;
-  std::string prefix;      // prefix of the full names of the spec's elements
+  std::string prefix;      // prefix of the full names of the spec's elements, with `link`
+  std::string link;        // in a link of a chain its name and "_"
   int body;                // index in Object::bodies of the body that contains the spec's root
   model::Pose X_BS;        // pose of the spec's root S in the current body B
   sample::StreamId parts;  // stream of the current list of parts
@@ -41,6 +42,8 @@ struct Scope {
   /// Slot and value, kg, of NAME.mass of each body, because the spec's `mass:` scales these masses.
   std::vector<std::pair<int, double>> body_masses;
 
+  /// Returns the prefix without `link`.
+  std::string outer_prefix() const { return prefix.substr(0, prefix.size() - link.size()); }
   /// Returns true for `placement: corner` in a spec with `total_size:`.
   bool places_corners() const {
     return total_size && values.spec().placement == spec::Placement::kCorner;

@@ -98,7 +98,7 @@ void Assembly::AddView(Scope& scope, const spec::Entry& entry, sample::StreamId 
   if (model::Attribute* target = model::FindAttribute(view.attributes, "target")) {
     const bool is_root = target->text == scope.values.spec().name;
     target->text = is_root ? object_.bodies[static_cast<std::size_t>(scope.body)].name
-                           : scope.prefix + target->text;
+                           : scope.outer_prefix() + target->text;
     if (model::FindAttribute(view.attributes, "mode") == nullptr) {
       model::Attribute& mode = view.attributes.emplace_back();
       mode.name = "mode";

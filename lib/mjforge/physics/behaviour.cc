@@ -249,7 +249,7 @@ class Behaviour {
     const int body = mj_name2id(&m_, mjOBJ_BODY, outcome.fastest.c_str());
     for (int i = 0; body > 0 && i < m_.body_jntnum[body]; ++i) {
       const int joint = m_.body_jntadr[body] + i;
-      const std::string creep =
+      std::string creep =
           compiled::HasOneNumber(m_, joint) ? CreepRemedy(m_, *end_, joint) : std::string();
       if (!creep.empty()) return creep;
     }

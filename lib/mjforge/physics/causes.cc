@@ -13,6 +13,7 @@
 
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/expr/expr.h"
+#include "mjforge/physics/joint_couplings.h"
 #include "mjforge/physics/joint_paths.h"
 
 namespace mjforge::physics {
@@ -64,7 +65,10 @@ class Stiffest {
   // springs.
   void Add(double excess, bool is_spring, const std::string& what, const std::string& remedy,
            std::string joint = {}, std::string actuator = {}) {
-    if (!(excess > 1) || excess <= excess_) return;
+    // The implicit integrators take no part of a damping from the step before.
+    const bool is_explicit =
+        m_.opt.integrator == mjINT_EULER || m_.opt.integrator == mjINT_RK4 || is_spring;
+    if (!is_explicit || !(excess > 1) || excess <= excess_) return;
     excess_ = excess;
     const double most = h_ / (is_spring ? std::sqrt(excess) : excess);
     found_ = Divergence{
@@ -85,17 +89,20 @@ class Stiffest {
 
   void AddActuator(int actuator) {
     const int type = m_.actuator_trntype[actuator];
-    const int joint = m_.actuator_trnid[2 * actuator];
-    if ((type != mjTRN_JOINT && type != mjTRN_JOINTINPARENT) ||
-        m_.actuator_biastype[actuator] != mjBIAS_AFFINE)
+    const int target = m_.actuator_trnid[2 * actuator];
+    const bool is_of_joint = type == mjTRN_JOINT || type == mjTRN_JOINTINPARENT;
+    if ((!is_of_joint && type != mjTRN_TENDON) || m_.actuator_biastype[actuator] != mjBIAS_AFFINE)
       return;
     const double gear = m_.actuator_gear[6 * actuator];
-    const double mobility = gear * gear * m_.dof_invweight0[m_.jnt_dofadr[joint]];
+    const double mobility =
+        gear * gear *
+        (is_of_joint ? m_.dof_invweight0[m_.jnt_dofadr[target]] : m_.tendon_invweight0[target]);
     const mjtNum* const bias = m_.actuator_biasprm + mjNBIAS * actuator;
     const std::string name = compiled::NameOf(m_, mjOBJ_ACTUATOR, actuator);
     const auto gain = [&](double value) {
-      return fmt::format("the gain of {} of actuator '{}' at joint {}", RoundedText(value), name,
-                         Name(m_, mjOBJ_JOINT, joint));
+      return fmt::format("the gain of {} of actuator '{}' at {} {}", RoundedText(value), name,
+                         is_of_joint ? "joint" : "tendon",
+                         Name(m_, is_of_joint ? mjOBJ_JOINT : mjOBJ_TENDON, target));
     };
     const std::string remedy = "lower it, give the joint an `armature` or its body more mass";
     Add(-bias[1] * mobility * h_ * h_ / kMostSpring, true, gain(-bias[1]), remedy, {}, name);
@@ -130,15 +137,22 @@ std::optional<int> WarnedJoint(const mjModel& m, const mjData& d) {
   return joint;
 }
 
+// Returns true for the floor, above which the object is lifted before it falls.
+bool IsFloor(const mjModel& m, int geom) {
+  return m.geom_bodyid[geom] == 0 && m.geom_type[geom] == mjGEOM_PLANE;
+}
+
 // Returns the deepest penetration of two geoms at the start.
 std::optional<Divergence> DeepStart(const mjModel& m, Workspace& workspace) {
   mjData& d = workspace.For(m);
   compiled::CopyStart(m, d);
   mj_fwdPosition(&m, &d);
-  const auto* const deepest =
-      std::min_element(d.contact, d.contact + d.ncon,
-                       [](const mjContact& a, const mjContact& b) { return a.dist < b.dist; });
-  if (d.ncon == 0 || !(-deepest->dist > kDeepStart)) return std::nullopt;
+  const mjContact* deepest = nullptr;
+  for (const mjContact& contact : std::span(d.contact, compiled::Index(d.ncon))) {
+    if (IsFloor(m, contact.geom1) || IsFloor(m, contact.geom2)) continue;
+    if (deepest == nullptr || contact.dist < deepest->dist) deepest = &contact;
+  }
+  if (deepest == nullptr || !(-deepest->dist > kDeepStart)) return std::nullopt;
   return Divergence{
       fmt::format("geoms {} and {} start {} mm in each other", Name(m, mjOBJ_GEOM, deepest->geom1),
                   Name(m, mjOBJ_GEOM, deepest->geom2), RoundedText(-1000 * deepest->dist)),
@@ -150,10 +164,15 @@ std::optional<Divergence> DeepStart(const mjModel& m, Workspace& workspace) {
 // Returns the names of what couples a joint: "equality 'gear' to joint 'wheel'", "tendon 'belt'".
 std::vector<std::string> CouplingsOf(const mjModel& m, int joint) {
   std::vector<std::string> couplings;
+  const std::vector<bool> moved = BodiesMovedBy(m, joint);
+  const auto moves = [&](int body) {
+    return body >= 0 && body < m.nbody && moved[compiled::Index(body)];
+  };
   for (int i = 0; i < m.neq; ++i) {
     const int other = m.eq_obj1id[i] == joint ? m.eq_obj2id[i] : m.eq_obj1id[i];
     const bool is_joint = m.eq_type[i] == mjEQ_JOINT;
     if (is_joint && m.eq_obj1id[i] != joint && m.eq_obj2id[i] != joint) continue;
+    if (!is_joint && moves(m.eq_obj1id[i]) == moves(m.eq_obj2id[i])) continue;
     if (m.eq_type[i] == mjEQ_TENDON) continue;  // its tendons are named
     couplings.push_back("equality " + Name(m, mjOBJ_EQUALITY, i));
     if (is_joint && other >= 0)
@@ -161,8 +180,9 @@ std::vector<std::string> CouplingsOf(const mjModel& m, int joint) {
   }
   for (int i = 0; i < m.ntendon; ++i) {
     const auto pulls = [&](int wrap) {
-      return m.wrap_type[wrap] == mjWRAP_SITE ||
-             (m.wrap_type[wrap] == mjWRAP_JOINT && m.wrap_objid[wrap] == joint);
+      const int target = m.wrap_objid[wrap];
+      return (m.wrap_type[wrap] == mjWRAP_SITE && moves(m.site_bodyid[target])) ||
+             (m.wrap_type[wrap] == mjWRAP_JOINT && target == joint);
     };
     for (int wrap = m.tendon_adr[i]; wrap < m.tendon_adr[i] + m.tendon_num[i]; ++wrap) {
       if (!pulls(wrap)) continue;
@@ -218,16 +238,20 @@ std::string EnergySourcesHint(const mjModel& m) {
 
 std::string HeldBackHint(const mjModel& m, int joint) {
   const std::vector<std::string> couplings = CouplingsOf(m, joint);
-  std::string hint = couplings.empty() ? "look at its `range`, and at the inertia that it moves"
-                                       : "it is held back by " + Alternatives(couplings);
+  std::string hint = couplings.empty()
+                         ? "look at its `range`, at what it touches where it starts, and at "
+                           "the inertia that it moves"
+                         : "it is held back by " + Alternatives(couplings);
   if (HasStartPose(m))
     hint += "; it begins at the start pose, unless `at` in `checks: joints:` says another";
   return hint;
 }
 
 bool MayStandElsewhere(const mjModel& m, int joint, const std::pair<int, int>& bodies) {
+  const JointCouplings couplings(m);
   for (int other = 0; other < m.njnt; ++other) {
     if (other == joint || !compiled::HasOneNumber(m, other)) continue;
+    if (couplings.SetpointOf(other, joint, {})) continue;  // it moves along
     const std::vector<bool> moved = BodiesMovedBy(m, other);
     // A joint that moves both bodies does not change how they stand to each other.
     if (moved[compiled::Index(bodies.first)] != moved[compiled::Index(bodies.second)]) return true;

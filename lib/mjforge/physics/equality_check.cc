@@ -37,11 +37,12 @@ std::string MessageOf(const mjModel& m, const EqualityDrive& drive) {
 
 std::string RemedyOf(const mjModel& m, const EqualityDrive& drive) {
   const int first = m.eq_obj1id[drive.equality];
-  if (drive.outside > 0 && drive.outside >= drive.measured.error / 2) {
+  if (drive.outside_joint >= 0 && drive.outside_error >= drive.measured.error / 2) {
     return fmt::format(
-        "polycoef asks joint '{}' to go {} beyond its range; it gives m or rad of "
-        "joint1 for each m or rad of joint2, not for each turn",
-        JointName(m, first), Distance(m, first, drive.outside));
+        "joint '{}' would have to go {} beyond its range: look at the range, and at the ratio, "
+        "which "
+        "is m or rad for each m or rad of the other joint, not for each turn",
+        JointName(m, drive.outside_joint), Distance(m, drive.outside_joint, drive.outside));
   }
   if (drive.is_reversed) {
     const mjtNum* poly = m.eq_data + mjNEQDATA * drive.equality;

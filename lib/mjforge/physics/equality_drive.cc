@@ -54,14 +54,28 @@ class Equalities {
     return high - low;
   }
 
-  /// Returns how far joint 1 is asked to be outside its range, m or rad.
-  double OutsideOf(int equality) const {
-    const int joint = m_.eq_obj1id[equality];
-    if (!IsOfJoints(equality) || !IsLimited(joint)) return 0;
-    const auto [low, high] = PositionsOf(equality);
-    const double zero = m_.qpos0[m_.jnt_qposadr[joint]];
-    return std::max(
-        {0.0, m_.jnt_range[2 * joint] - zero - low, high - (m_.jnt_range[2 * joint + 1] - zero)});
+  /// Fills in which joint the other one asks to leave its range.
+  void FindOutside(EqualityDrive& drive) const {
+    if (!IsOfJoints(drive.equality)) return;
+    const JointEquality joints = JointEqualityAt(m_, drive.equality);
+    const auto note = [&](int joint, const std::pair<double, double>& asked, double slope) {
+      if (!IsLimited(joint)) return;
+      const double zero = m_.qpos0[m_.jnt_qposadr[joint]];
+      const double outside = std::max(m_.jnt_range[2 * joint] - zero - asked.first,
+                                      asked.second - (m_.jnt_range[2 * joint + 1] - zero));
+      if (outside * slope <= drive.outside_error) return;
+      drive.outside_joint = joint;
+      drive.outside = outside;
+      drive.outside_error = outside * slope;
+    };
+    note(joints.y, PositionsOf(drive.equality), 1);
+    const std::vector<JointPath> own = PathsOf(m_, joints.y, compiled::StartOf(m_));
+    const double slope = joints.poly[1];
+    if (own.empty() || !IsLinear(drive.equality)) return;
+    note(joints.x,
+         std::minmax(
+             {(own[0].low - joints.poly[0]) / slope, (own[0].high - joints.poly[0]) / slope}),
+         std::abs(slope));
   }
 
   /// Returns true if MuJoCo makes the equality more than twice as soft as it would be with the
@@ -166,7 +180,7 @@ std::vector<EqualityDrive> DriveEqualities(const mjModel& m, mjData& d, std::str
       if (found == drives.end()) {
         found = drives.insert(found, {.equality = i, .measured = {}, .driven = joint});
         found->measured.name = compiled::NameOf(m, mjOBJ_EQUALITY, i);
-        found->outside = equalities.OutsideOf(i);
+        equalities.FindOutside(*found);
         found->is_reversed = equalities.IsReversed(i);
       }
       const double error = driven.equality_errors[Index(i)];

@@ -75,19 +75,30 @@ std::vector<Foot> FeetOf(const mjModel& m, const mjData& d, int root, double hei
   return all;
 }
 
+/// Returns the part on the floor that a lifted one is like; null if as many like parts are in the
+/// air as on the floor, as in a curved runner.
+const Foot* LikeOnFloor(const std::vector<Foot>& feet, const Foot& lifted) {
+  const Foot* like = nullptr;
+  int more = 0;  // on the floor than in the air
+  for (const Foot& foot : feet) {
+    if (!AreAlike(lifted, foot)) continue;
+    more += foot.bottom < kTouches ? 1 : -1;
+    if (foot.bottom < kTouches && like == nullptr) like = &foot;
+  }
+  return more > 0 ? like : nullptr;
+}
+
 void CheckLifted(const std::vector<Foot>& feet, const model::Object& object,
                  static_checks::Reporter& reporter) {
-  const auto touches = [](const Foot& foot) { return foot.bottom < kTouches; };
   const Foot* highest = nullptr;
   const Foot* like = nullptr;
   for (const Foot& foot : feet) {
     if (foot.bottom < kLifted || foot.bottom > kHalf * foot.height()) continue;
     if (highest != nullptr && foot.bottom <= highest->bottom) continue;
-    const auto found = std::ranges::find_if(
-        feet, [&](const Foot& other) { return touches(other) && AreAlike(foot, other); });
-    if (found == feet.end()) continue;
+    const Foot* const found = LikeOnFloor(feet, foot);
+    if (found == nullptr) continue;
     highest = &foot;
-    like = &*found;
+    like = found;
   }
   if (highest == nullptr) return;
   reporter.Warning(
@@ -118,12 +129,13 @@ std::optional<double> FrictionOf(const mjModel& m, const mjData& d, int root) {
 
 void CheckGlides(const mjModel& m, const mjData& d, int root, const model::Object& object,
                  diag::SourceMark mark, static_checks::Reporter& reporter) {
-  const double slope = reporter.checks().nudge;
+  // The friction of a floor is 1, which holds what stands on 45 degrees.
+  const double slope = std::min(reporter.checks().nudge, std::numbers::pi / 4);
   const std::optional<double> friction = FrictionOf(m, d, root);
   if (!friction || *friction >= std::tan(slope)) return;
   reporter.Warning(
       diag::Code::kPhysicsFeet, mark,
-      fmt::format("'{}', which must be stable, glides off a floor that leans by {} deg (`nudge`): "
+      fmt::format("'{}', which must be stable, glides off a floor that leans by {} deg: "
                   "the friction of its feet is {}, and must be {}",
                   object.name, RoundedText(slope * 180 / std::numbers::pi), RoundedText(*friction),
                   RoundedText(std::tan(slope))),

@@ -234,8 +234,8 @@ void JointController::SetForces(const std::vector<JointDrive>& drives, const Set
   ApplyForces();
 }
 
-/// Applies the forces that give the wanted accelerations to the joints: inverse dynamics with the
-/// whole mass matrix, because links of a chain feel the forces on the other links.
+/// Applies the forces that give the wanted accelerations to joints at rest without weight: the
+/// whole mass matrix counts, because links of a chain feel the forces on the other links.
 void JointController::ApplyForces() {
   std::vector<mjtNum> wanted(Index(m_.nv));
   for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = accelerations_[i].value_or(0);

@@ -19,6 +19,9 @@ namespace {
 // Tolerances of limits, which give way under weight, by about 0.4 mm with the default solreflimit.
 constexpr double kSagOfSlide = 0.001;  // m
 constexpr double kSagOfHinge = 0.02;   // rad
+// Largest speeds of a joint that creeps. A faster one rolls or swings.
+constexpr double kCreepOfSlide = 0.01;  // m/s
+constexpr double kCreepOfHinge = 0.1;   // rad/s
 // A joint that creeps violates `rests` if it leaves the allowed positions within this time.
 constexpr double kSoon = 10;  // s
 
@@ -134,7 +137,9 @@ bool HasRestRanges(const model::Checks& checks) {
 
 std::string CreepRemedy(const mjModel& m, const mjData& d, int joint) {
   const int dof = m.jnt_dofadr[joint];
-  if (!(m.dof_frictionloss[dof] > LoadOf(m, d, joint)) || d.qvel[dof] == 0) return {};
+  const double speed = std::abs(d.qvel[dof]);
+  const double most = m.jnt_type[joint] == mjJNT_SLIDE ? kCreepOfSlide : kCreepOfHinge;
+  if (!(m.dof_frictionloss[dof] > LoadOf(m, d, joint)) || speed == 0 || speed > most) return {};
   return fmt::format(
       "its dry friction of {} {} would hold it, but MuJoCo's friction is soft and creeps: bring "
       "solimpfriction closer to 1 (`solimpfriction: [0.99, 0.9999, 0.001]`), or give the joint an "

@@ -291,10 +291,12 @@ class PegTests {
   }
 
   void ReportNoHole(const model::FittingCheck& fitting, const HoleEnd& end) {
-    test_.reporter.Error(Code::kPhysicsDoesNotFit, fitting.mark,
-                         fmt::format("there is no hole at '{}': '{}' is {} mm behind it",
-                                     fitting.hole, end.geom, RoundedText(1000 * end.distance)),
-                         "the site must be at the mouth of a hole, and its z axis is the way in");
+    test_.reporter.Error(
+        Code::kPhysicsDoesNotFit, fitting.mark,
+        fmt::format("there is no hole at '{}': '{}' is {} mm behind it", fitting.hole, end.geom,
+                    RoundedText(1000 * end.distance)),
+        "the site must be at the mouth of a hole that nothing closes, and its z axis is the way "
+        "in");
   }
 
   /// Returns the hint for a peg that went in, but not far enough.

@@ -77,6 +77,12 @@ struct Penetration {
 };
 using Penetrations = std::map<std::pair<int, int>, Penetration>;
 
+/// Returns true if `body` hangs on `parent`, or on what `parent` is welded to. MuJoCo lets the two
+/// collide only if the parent is fixed to the world.
+bool IsParent(const mjModel& m, int parent, int body) {
+  return m.body_weldid[m.body_parentid[m.body_weldid[body]]] == m.body_weldid[parent];
+}
+
 /// Returns a copy of the model in which all solid geoms collide, and nothing else.
 engine::Model WithAllContacts(const mjModel& m) {
   engine::Model copy(mj_copyModel(nullptr, &m));
@@ -106,6 +112,7 @@ Penetrations Find(mjModel& m, const IgnoredPairs& ignored, std::span<const mjtNu
       if (!ignored.Contain(contact.geom1, contact.geom2)) continue;
       const auto [body1, body2] =
           std::minmax({m.geom_bodyid[contact.geom1], m.geom_bodyid[contact.geom2]});
+      if (IsParent(m, body1, body2)) continue;  // an axle in its wheel
       Penetration& deepest = found[std::minmax({m.body_weldid[body1], m.body_weldid[body2]})];
       if (-contact.dist > deepest.depth) deepest = {-contact.dist, body1, body2};
     }

@@ -100,6 +100,7 @@ class BodyEntryReader {
   }
 
   void ReadBodyJoints(const YamlNode& joints, BodyEntry& body) {
+    body.has_joints = true;
     if (joints.kind == YamlNode::Kind::kScalar) {
       body.is_free = IsFreeWord(joints, context_) == true;
       return;

@@ -85,6 +85,7 @@ struct BodyEntry {
   std::vector<Entry> regions;
   std::vector<Entry> views;  // cameras and lights
   std::vector<Entry> joints;
+  bool has_joints = false;          // `joints:` is there, if only as `none`
   bool is_free = false;             // `joints: free`
   std::optional<PlaceEntry> place;  // in place of pose and parent
   /// Slot of NAME.top; the other properties follow. -1 if no expression uses a property.

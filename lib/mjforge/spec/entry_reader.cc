@@ -162,8 +162,8 @@ void EntryReader::ReadPlain(const ElementInfo& element, const YamlNode& map, Ent
   }
   if (&element == &kSiteElement) AddDefaults(defaults.site, entry);
   if (&element == &kJointElement) {
-    ReadCouplings(map, entry, context_);
     AddDefaults(defaults.joint, entry);
+    ReadCouplings(map, entry, context_);
   }
 }
 

@@ -613,14 +613,15 @@ constexpr FieldInfo kBodyFields[] = {
 };
 
 constexpr FieldInfo kChainFields[] = {
-    Required(Integer({"links", Key::kLinks}, Between(1, 10000), "", "Number of links.")),
+    Required(Integer({"links", Key::kLinks}, Between(1, 10000), "",
+                     "Number of links. MuJoCo 2.2 reads bodies nested at most 95 deep.")),
     Required(Number({"length", Key::kLength}, "m", Above(0), "",
                     "Length of the whole chain along -z, of which each link has the same share.")),
     Word({"joint", Key::kJoint}, "ball hinges", "ball",
          "What joins the links: `ball` NAME_i, or the `hinges` NAME_i_x and NAME_i_y, which do not "
          "twist."),
     Number({"range", Key::kRange}, "rad", Above(0), "without an end",
-           "How far a ball joint turns, or a hinge to each side."),
+           "How far a ball joint turns, at most pi, or a hinge to each side."),
     Number("stiffness", "Nm/rad", AtLeast(0), "0",
            "Spring of each joint towards a straight chain."),
     Number("damping", "Nms/rad", AtLeast(0), "0", "Damping of each joint."),

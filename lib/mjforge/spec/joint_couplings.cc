@@ -1,5 +1,7 @@
 // Reader of `screw:` and `couple:`, which couple two joints.
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "mjforge/spec/context.h"
@@ -33,8 +35,12 @@ void CheckMotion(const Entry& joint, const Entry& couple, Context& context) {
 }  // namespace
 
 void ReadCouplings(const YamlNode& joint, Entry& entry, Context& context) {
-  if (ReadChild(kScrewElement, joint, entry, context) != nullptr)
+  if (ReadChild(kScrewElement, joint, entry, context) != nullptr) {
     RejectBeside("screw", kOfScrew, joint, "a thread decides it", context);
+    std::erase_if(entry.fields, [](const Field& field) {
+      return std::ranges::find(kOfScrew, field.info->key) != std::end(kOfScrew);
+    });
+  }
   const Entry* couple = ReadChild(kCoupleElement, joint, entry, context);
   if (couple == nullptr) return;
   CheckMotion(entry, *couple, context);

@@ -46,8 +46,9 @@ void MergeDefaults(const ElementInfo& element, const YamlNode& node, std::vector
   CheckKeys(element, node, context);
   for (const auto& pair : node.pairs) {
     const FieldInfo* info = element.Find(pair.key);
-    if (info != nullptr &&
-        std::ranges::find(kWithoutDefault, info->id) != std::end(kWithoutDefault)) {
+    if (info == nullptr) continue;
+    const bool couples = info->kind == FieldKind::kScrew || info->kind == FieldKind::kCouple;
+    if (couples || std::ranges::find(kWithoutDefault, info->id) != std::end(kWithoutDefault)) {
       context.findings.Add(Code::kSpecConflict, pair.mark,
                            fmt::format("'{}' cannot be a default", pair.key));
       return;

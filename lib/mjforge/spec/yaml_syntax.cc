@@ -30,7 +30,10 @@ std::string_view LineValue(std::string_view line, std::size_t column) {
   const std::string_view before = line.substr(0, column);
   std::size_t begin = before.find(": ");
   if (begin == before.npos) begin = before.find("- ");
-  return begin == before.npos ? line : Trim(line.substr(begin + 2));
+  std::string_view value = begin == before.npos ? line : line.substr(begin + 2);
+  if (const std::size_t end = value.rfind('}'); end != value.npos)
+    value = value.substr(0, value.find(" #", end));  // without the comment
+  return Trim(value);
 }
 
 // Returns the value in quotes that it does not contain.

@@ -44,9 +44,22 @@ TEST_CASE("the first link of a chain has the entry's own joints, the others hing
   };
   using Names = std::vector<std::string>;
   CHECK(joints("", 1) == Names{"hinge thing_rope_0_x", "hinge thing_rope_0_y"});
+  CHECK(joints(", joints: none", 1).empty());
   CHECK(joints(", joints: free", 1) == Names{"free thing_rope_0_joint0"});
   CHECK(joints(", joints: [{name: slide, type: slide}]", 1) == Names{"slide thing_slide"});
   CHECK(joints(", joints: free", 2) == Names{"hinge thing_rope_1_x", "hinge thing_rope_1_y"});
+}
+
+TEST_CASE("a camera of a link looks at bodies by their own names") {
+  const Assembling thing(
+      "parts: [{name: hook, type: sphere, size: 1cm}]\n"
+      "bodies:\n"
+      "- {name: post, parts: [{name: post, type: sphere, size: 1cm}]}\n"
+      "- {name: rope, chain: {links: 1, length: 1m}, cameras: [{name: eye, target: post}],\n"
+      "   parts: [{name: link, type: sphere, size: 1cm}]}\n");
+  const model::Element& camera = thing.object().bodies[2].elements.at(0);
+  CHECK(camera.name == "thing_rope_0_eye");
+  CHECK(model::FindAttribute(camera.attributes, "target")->text == "thing_post");
 }
 
 TEST_CASE("links of a chain draw their own values") {

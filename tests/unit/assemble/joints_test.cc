@@ -151,15 +151,48 @@ TEST_CASE("threads and couplings without a sense are refused at their place") {
   const auto screw = [](const std::string& keys) {
     return OnlyFinding(kBall + "joints: [{name: cap, screw: {" + keys + "}}]\n");
   };
-  CHECK(screw("lead: 0mm") == "4:36 lead of joint 'cap' is 0; it must be another number");
+  CHECK(screw("lead: 0mm") == "4:36 lead of joint 'cap' is 0; it must be farther from 0");
   CHECK(screw("lead: 1mm, turns: 0") ==
         "4:48 turns of joint 'cap' is 0 .. 0; it must go from a smaller to a larger number");
   CHECK(OnlyFinding(Coupled("lead: 0mm")) ==
-        "7:67 lead of joint 'move' is 0; it must be another number");
+        "7:67 lead of joint 'move' is 0; it must be farther from 0");
   CHECK(OnlyFinding(
             Coupled("ratio: 1").replace(Coupled("").find("joint: turn"), 11, "joint: torn")) ==
         "7:55 couple of joint 'move' is 'torn', but the object has no joint of that name (did you "
         "mean 'turn'?)");
+}
+
+TEST_CASE("a joint follows another one that can lead it") {
+  const auto finding = [](const std::string& leader, const std::string& couple) {
+    return OnlyFinding(kBall +
+                       "bodies:\n"
+                       "- {name: b, parts: [{name: b, type: sphere, size: [1]}],\n"
+                       "   joints: [{name: turn, type: " +
+                       leader +
+                       "}]}\n"
+                       "- {name: c, parts: [{name: c, type: sphere, size: [1]}],\n"
+                       "   joints: [{name: move, " +
+                       couple + "}]}\n");
+  };
+  CHECK(finding("slide", "type: slide, couple: {joint: turn, lead: 1mm}") ==
+        "8:55 joint 'turn' is a slide; a joint with a `lead` follows a hinge");
+  CHECK(finding("ball", "type: slide, couple: {joint: turn, ratio: 2}") ==
+        "8:55 joint 'turn' is a ball; a joint follows a hinge or a slide");
+  CHECK(finding("hinge", "couple: {joint: move, ratio: 2}") ==
+        "8:42 joint of joint 'move' is the joint itself");
+  CHECK(finding("hinge", "type: \"${'hinge'}\", couple: {joint: turn, lead: 1mm}") ==
+        "8:74 lead of joint 'move' has no meaning for a hinge (write a `ratio`)");
+}
+
+TEST_CASE("defaults of joints do not reach the axis and the range of a thread") {
+  const Assembling thing(
+      "defaults: {joint: {axis: [1, 0, 0], range: [0, 1], ref: 0.1, damping: 2}}\n" + kBall +
+      "joints: [{name: cap, screw: {lead: 2mm}}]\n");
+  const model::Joint& turn = thing.body().joints[1];
+  CHECK(turn.axis == Eigen::Vector3d::UnitZ());
+  CHECK_FALSE(turn.range);
+  CHECK(model::FindAttribute(turn.attributes, "ref") == nullptr);
+  CHECK(model::FindAttribute(turn.attributes, "damping") != nullptr);
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ TEST_CASE(
 
 TEST_CASE("a lead for each turn instead of each radian is told") {
   const Examined bad = Examine(Cap(), Thread(kRiseFollows, "0.004"));
-  CHECK(OnlyFinding(bad).hint.find("asks joint 'rise' to go 84.5 mm beyond its range") !=
+  CHECK(OnlyFinding(bad).hint.find("joint 'rise' would have to go 84.5 mm beyond its range") !=
         std::string::npos);
 }
 

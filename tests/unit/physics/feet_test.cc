@@ -49,12 +49,33 @@ TEST_CASE("a part unlike the feet may be near the floor") {
   CHECK(Feet(mug).empty());
 }
 
+TEST_CASE("like parts of which as many are in the air are no feet") {
+  // A runner of balls, as of a rocking chair; blades of scissors lie on each other.
+  std::string balls;
+  for (int i = -3; i <= 3; ++i)
+    balls += R"(<geom type="sphere" size="0.02" pos=")" + std::to_string(0.04 * i) + " -0.05 " +
+             std::to_string(0.003 * i * i + 0.02) + R"("/><geom type="sphere" size="0.02" pos=")" +
+             std::to_string(0.04 * i) + " 0.05 " + std::to_string(0.003 * i * i + 0.02) + "\"/>";
+  CHECK(Feet(Free(0, balls)).empty());
+  CHECK(Feet(Free(0, R"(<geom type="box" size="0.1 0.02 0.002" pos="0 0 0.002"/>
+    <geom type="box" size="0.1 0.02 0.002" pos="0 0 0.0058"/>)"))
+            .empty());
+}
+
 TEST_CASE("feet with too little friction of their own glide") {
   CHECK(Feet(Table(0, R"(friction="0.05")")).empty());  // the floor has more
   CHECK(Feet(Table(0, R"(friction="0.3" priority="1")")).empty());
   CHECK(Feet(Table(0, R"(friction="0.05" priority="1")")) ==
-        Strings{"'m', which must be stable, glides off a floor that leans by 10 deg (`nudge`): the "
+        Strings{"'m', which must be stable, glides off a floor that leans by 10 deg: the "
                 "friction of its feet is 0.05, and must be 0.176"});
+}
+
+TEST_CASE("no friction is asked for that a floor does not give") {
+  model::Checks checks;
+  checks.stable = true;
+  checks.nudge = 0.9;
+  for (const diag::Finding& finding : Examine(Table(0), {}, checks).findings)
+    CHECK(finding.code != diag::Code::kPhysicsFeet);
 }
 
 }  // namespace mjforge::physics

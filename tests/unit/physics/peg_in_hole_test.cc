@@ -49,7 +49,8 @@ TEST_CASE("a hole that is too narrow, one that is too shallow, and none at all d
   };
   const std::string bottom =
       R"(<geom name="bottom" type="box" size="0.02 0.02 0.002" pos="0 0 -0.022"/>)";
-  const std::string site = "the site must be at the mouth of a hole, and its z axis is the way in)";
+  const std::string site =
+      "the site must be at the mouth of a hole that nothing closes, and its z axis is the way in)";
   CHECK(text(kShaft, 0.012, 0.02) ==
         "a peg goes 0.426 mm into 'mouth', not 20 mm: it touches 'back' "
         "(the hole is deep enough, but too narrow: make it wider, or the peg thinner)");

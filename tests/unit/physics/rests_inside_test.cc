@@ -59,4 +59,13 @@ TEST_CASE("bodies may be in each other from the start, and parents in their chil
             .empty());
 }
 
+TEST_CASE("a body may turn into a parent that is fixed to the world") {
+  const std::string post =
+      "<body name=\"post\">" + kCube +
+      R"(<body name="bar" pos="0 0 0.05"><joint axis="0 1 0" damping="0.05" range="0 1" limited="true"/>
+        <geom type="box" size="0.06 0.005 0.02" pos="0.02 0 0.021"/></body></body>)";
+  CHECK(RestsInside(Examine(post, R"(<contact><exclude body1="post" body2="bar"/></contact>)"))
+            .empty());
+}
+
 }  // namespace mjforge::physics

@@ -51,3 +51,14 @@ TEST_CASE("the lead of a thread is a length", "[couplings]") {
   CHECK(ReportJoint("screw: {lead: 2deg}").size() == 1);
   CHECK(ReportJoint("type: slide, couple: {joint: k, lead: 2mm}").empty());
 }
+
+TEST_CASE("defaults say how a coupled joint moves, and couple none", "[couplings]") {
+  const std::string spec =
+      "mjforge: 1\nname: t\ndefaults: {joint: {type: slide}}\nparts: [{name: a, type: sphere, "
+      "size: "
+      "1cm}]\njoints: [{name: j, type: hinge}, {name: k, couple: {joint: j, lead: 2mm}}]\n";
+  CHECK(Load(spec).Report().empty());
+  CHECK(Load("mjforge: 1\nname: t\ndefaults: {joint: {couple: {joint: j, ratio: 1}}}\n"
+             "parts: [{name: a, type: sphere, size: 1cm}]\n")
+            .Report() == Strings{"3:20 spec/conflict: 'couple' cannot be a default"});
+}
