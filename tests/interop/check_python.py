@@ -72,7 +72,7 @@ def finds_another_record():
     """A finding for each number of a record that is not that of the model."""
     wrong = {"mass": lambda r: r.update(mass=r["mass"] * 1.001), "center of mass": lambda r: r["com"].reverse(),
              "inertia": lambda r: r["inertia"].reverse(), "number of joints": lambda r: r.update(njnt=7),
-             "box around the collision parts": lambda r: r["aabb"]["min"].reverse()}
+             "bounding box": lambda r: r["aabb"]["min"].reverse()}
     for what, change in wrong.items():
         with written("out/") as path:
             manifest = pathlib.Path(path, "manifest.jsonl")

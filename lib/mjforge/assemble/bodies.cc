@@ -179,8 +179,7 @@ void Assembly::Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& rea
   }
   assets_.SumMass(object_.bodies[index]);
   const spec::Field* field = entry.head.Find(Key::kMass);
-  if (field == nullptr) return;
-  const std::optional<double> mass = reader.Number(*field);
+  const std::optional<double> mass = field == nullptr ? std::nullopt : reader.Number(*field);
   if (!mass) return;
   const double sum = model::SubtreeMass(object_.bodies, index).mass;
   if (sum > 0) {

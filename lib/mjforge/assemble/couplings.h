@@ -39,7 +39,7 @@ class Couplings {
   struct Leader {
     std::string name;
     std::string shown;   // in the spec
-    bool turns = false;  // it must be a hinge, because the follower has a `lead`
+    bool turns = false;  // true if only a hinge can lead, because of a `lead`
     diag::SourceMark mark;
   };
   /// Adds the equality with this name and the solver parameters of the entry.

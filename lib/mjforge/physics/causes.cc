@@ -251,7 +251,7 @@ bool MayStandElsewhere(const mjModel& m, int joint, const std::pair<int, int>& b
   const JointCouplings couplings(m);
   for (int other = 0; other < m.njnt; ++other) {
     if (other == joint || !compiled::HasOneNumber(m, other)) continue;
-    if (couplings.SetpointOf(other, joint, {})) continue;  // it moves along
+    if (couplings.SetpointOf(other, joint, {})) continue;
     const std::vector<bool> moved = BodiesMovedBy(m, other);
     // A joint that moves both bodies does not change how they stand to each other.
     if (moved[compiled::Index(bodies.first)] != moved[compiled::Index(bodies.second)]) return true;

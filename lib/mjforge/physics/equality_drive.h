@@ -18,7 +18,7 @@ struct EqualityDrive {
   int driven = 0;  // the joint that was driven when the error was largest
   /// The joint of an equality of joints that the other one asks to leave its range; -1: none.
   int outside_joint = -1;
-  double outside = 0;        // how far, rad or m
+  double outside = 0;        // distance, rad or m
   double outside_error = 0;  // the error of the equality where that joint stays in its range
   /// The equality would be stiff if joint 1 and joint 2 were exchanged.
   bool is_reversed = false;

@@ -75,17 +75,22 @@ std::vector<Foot> FeetOf(const mjModel& m, const mjData& d, int root, double hei
   return all;
 }
 
-/// Returns the part on the floor that a lifted one is like; null if as many like parts are in the
-/// air as on the floor, as in a curved runner.
+/// Returns the part on the floor that a lifted one is like; null if only one is, or more like parts
+/// are in the air than on the floor, as in a curved runner.
 const Foot* LikeOnFloor(const std::vector<Foot>& feet, const Foot& lifted) {
   const Foot* like = nullptr;
-  int more = 0;  // on the floor than in the air
+  int on_floor = 0;
+  int in_air = 0;
   for (const Foot& foot : feet) {
     if (!AreAlike(lifted, foot)) continue;
-    more += foot.bottom < kTouches ? 1 : -1;
-    if (foot.bottom < kTouches && like == nullptr) like = &foot;
+    if (foot.bottom < kTouches) {
+      ++on_floor;
+      like = &foot;
+    } else if (foot.bottom >= kLifted) {
+      ++in_air;
+    }
   }
-  return more > 0 ? like : nullptr;
+  return on_floor >= 2 && on_floor >= in_air ? like : nullptr;
 }
 
 void CheckLifted(const std::vector<Foot>& feet, const model::Object& object,
