@@ -55,23 +55,20 @@ model::Element EqualityOf(std::string follower, std::string leader, sample::Numb
   return equality;
 }
 
-// Returns the range in turns; nothing after a finding, or without `turns`.
-std::optional<Eigen::Vector2d> ReadTurns(FieldReader& reader, const spec::Entry& screw,
-                                         bool& good) {
+// Reads the range in turns, if there is one. Returns false after a finding.
+bool ReadTurns(FieldReader& reader, const spec::Entry& screw,
+               std::optional<Eigen::Vector2d>& range) {
   const spec::Field* field = screw.Find(Key::kTurns);
+  if (field == nullptr) return true;
   sample::Numbers turns;
-  if (field == nullptr) return std::nullopt;
-  if (!reader.Numbers(*field, turns)) {
-    good = false;
-    return std::nullopt;
-  }
+  if (!reader.Numbers(*field, turns)) return false;
   if (turns.size() == 1) turns.insert(turns.begin(), 0.0);
-  if (turns[0] < turns[1]) return Eigen::Vector2d(turns[0], turns[1]);
+  range = Eigen::Vector2d(turns[0], turns[1]);
+  if (turns[0] < turns[1]) return true;
   reader.Report(Code::kModelBadValue, *field,
                 fmt::format("is {} .. {}; it must go from a smaller to a larger number",
                             expr::NumberText(turns[0]), expr::NumberText(turns[1])));
-  good = false;
-  return std::nullopt;
+  return false;
 }
 
 // Returns how far a full turn moves, m; nothing after a finding.
@@ -114,7 +111,8 @@ void Couplings::AddScrew(const Scope& scope, const FieldReader& reader, const sp
     good &= axis.has_value();
   }
   const std::optional<double> lead = ReadLead(own, *screw.Find(Key::kLead));
-  const std::optional<Eigen::Vector2d> turns = ReadTurns(own, screw, good);
+  std::optional<Eigen::Vector2d> turns;
+  good &= ReadTurns(own, screw, turns);
   if (!lead || !good) return;
   const std::string name = turn.name;
   model::Joint rise;

@@ -164,32 +164,18 @@ std::optional<Divergence> DeepStart(const mjModel& m, Workspace& workspace) {
 // Returns the names of what couples a joint: "equality 'gear' to joint 'wheel'", "tendon 'belt'".
 std::vector<std::string> CouplingsOf(const mjModel& m, int joint) {
   std::vector<std::string> couplings;
-  const std::vector<bool> moved = BodiesMovedBy(m, joint);
-  const auto moves = [&](int body) {
-    return body >= 0 && body < m.nbody && moved[compiled::Index(body)];
-  };
   for (int i = 0; i < m.neq; ++i) {
     const int other = m.eq_obj1id[i] == joint ? m.eq_obj2id[i] : m.eq_obj1id[i];
     const bool is_joint = m.eq_type[i] == mjEQ_JOINT;
     if (is_joint && m.eq_obj1id[i] != joint && m.eq_obj2id[i] != joint) continue;
-    if (!is_joint && moves(m.eq_obj1id[i]) == moves(m.eq_obj2id[i])) continue;
+    if (!is_joint && Moves(m, joint, m.eq_obj1id[i]) == Moves(m, joint, m.eq_obj2id[i])) continue;
     if (m.eq_type[i] == mjEQ_TENDON) continue;  // its tendons are named
     couplings.push_back("equality " + Name(m, mjOBJ_EQUALITY, i));
     if (is_joint && other >= 0)
       couplings.back() += fmt::format(" with joint {}", Name(m, mjOBJ_JOINT, other));
   }
-  for (int i = 0; i < m.ntendon; ++i) {
-    const auto pulls = [&](int wrap) {
-      const int target = m.wrap_objid[wrap];
-      return (m.wrap_type[wrap] == mjWRAP_SITE && moves(m.site_bodyid[target])) ||
-             (m.wrap_type[wrap] == mjWRAP_JOINT && target == joint);
-    };
-    for (int wrap = m.tendon_adr[i]; wrap < m.tendon_adr[i] + m.tendon_num[i]; ++wrap) {
-      if (!pulls(wrap)) continue;
-      couplings.push_back("tendon " + Name(m, mjOBJ_TENDON, i));
-      break;
-    }
-  }
+  for (int i = 0; i < m.ntendon; ++i)
+    if (IsOnTendon(m, joint, i)) couplings.push_back("tendon " + Name(m, mjOBJ_TENDON, i));
   return couplings;
 }
 

@@ -13,6 +13,10 @@ const model::Part* PartOf(const model::Object& object, std::string_view geom) {
   return nullptr;
 }
 
+diag::SourceMark PartMark(const model::Part* part, diag::SourceMark usual) {
+  return part != nullptr && part->mark ? part->mark : usual;
+}
+
 diag::SourceMark BodyMark(const model::Object& object, std::string_view name,
                           diag::SourceMark usual) {
   const auto found = std::ranges::find(object.bodies, name, &model::Body::name);

@@ -11,6 +11,9 @@ namespace mjforge::physics {
 /// Returns the part that a geom with this name is; null if there is none.
 const model::Part* PartOf(const model::Object& object, std::string_view geom);
 
+/// Returns the place of a part, which may be null; `usual` if it has none.
+diag::SourceMark PartMark(const model::Part* part, diag::SourceMark usual);
+
 /// Returns the place of the body with this full name; `usual` if it has none.
 diag::SourceMark BodyMark(const model::Object& object, std::string_view name,
                           diag::SourceMark usual);

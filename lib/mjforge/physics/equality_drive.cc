@@ -37,10 +37,10 @@ class Equalities {
       case mjEQ_JOINT:
         return second >= 0 && (joint == second || (joint == first && IsLinear(equality)));
       case mjEQ_TENDON:
-        return IsLimited(joint) && (IsWrapped(first, joint) || IsWrapped(second, joint));
+        return IsLimited(joint) && (IsOnTendon(m_, joint, first) || IsOnTendon(m_, joint, second));
       case mjEQ_CONNECT:
       case mjEQ_WELD:
-        return IsLimited(joint) && (Moves(joint, first) || Moves(joint, second));
+        return IsLimited(joint) && (Moves(m_, joint, first) || Moves(m_, joint, second));
       default:
         return false;
     }
@@ -92,20 +92,6 @@ class Equalities {
  private:
   bool IsActive(int equality) const { return (m_.*engine::kEqualityActive)[equality] != 0; }
   bool IsLimited(int joint) const { return m_.jnt_limited[joint] != 0; }
-  bool IsWrapped(int tendon, int joint) const {
-    if (tendon < 0) return false;
-    for (int i = m_.tendon_adr[tendon]; i < m_.tendon_adr[tendon] + m_.tendon_num[tendon]; ++i) {
-      if (m_.wrap_type[i] == mjWRAP_JOINT && m_.wrap_objid[i] == joint) return true;
-      if (m_.wrap_type[i] == mjWRAP_SITE && Moves(joint, m_.site_bodyid[m_.wrap_objid[i]]))
-        return true;
-    }
-    return false;
-  }
-  bool Moves(int joint, int body) const {
-    while (body > m_.jnt_bodyid[joint]) body = m_.body_parentid[body];
-    return body == m_.jnt_bodyid[joint];
-  }
-
   bool IsLinear(int equality) const { return JointEqualityAt(m_, equality).IsLinear(); }
 
   double InverseInertiaOf(int joint) const { return m_.dof_invweight0[m_.jnt_dofadr[joint]]; }

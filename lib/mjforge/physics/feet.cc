@@ -62,7 +62,7 @@ std::vector<Foot> FeetOf(const mjModel& m, const mjData& d, int root, double hei
     Foot& foot = feet[{body, name}];
     if (foot.pieces == 0) foot.bottom = foot.top = box.min.z() - height;
     foot.name = name;
-    foot.mark = part != nullptr && part->mark ? part->mark : mark;
+    foot.mark = PartMark(part, mark);
     foot.type = m.geom_type[geom];
     ++foot.pieces;
     foot.size = std::max(foot.size, m.geom_rbound[geom]);

@@ -31,7 +31,7 @@ void CheckFrictionCones(const mjModel& m, const model::Object& object, diag::Sou
   const model::Part* const part = PartOf(object, name);
   // The depths are those of hammers: docs/physics.md has the table.
   reporter.Warning(
-      diag::Code::kPhysicsFriction, part != nullptr && part->mark ? part->mark : mark,
+      diag::Code::kPhysicsFriction, PartMark(part, mark),
       fmt::format("part '{}' has a friction of {}, more than {}: MuJoCo's pyramidal cones make a "
                   "contact the softer the more friction it has; hammers rest 0.16 mm deep with 1, "
                   "1.7 mm with 3 and 12 mm with 5",

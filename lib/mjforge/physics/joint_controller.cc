@@ -55,6 +55,7 @@ JointController::JointController(mjModel& m, mjData& d, CoupledJoints coupled)
       couplings_(m),
       added_inertia_(Index(m.nv)),
       accelerations_(Index(m.nv)),
+      is_pushed_(Index(m.nv)),
       stepper_(m, d) {}
 
 void JointController::Begin(std::span<const mjtNum> start) {
@@ -218,7 +219,8 @@ double JointController::AddedInertiaOf(int dof) {
 }
 
 void JointController::SetForces(const std::vector<JointDrive>& drives, const Setpoint& progress) {
-  std::ranges::fill(accelerations_, std::nullopt);
+  std::ranges::fill(accelerations_, 0.0);
+  is_pushed_.assign(is_pushed_.size(), false);
   for (int joint = 0; joint < m_.njnt; ++joint) {
     if (m_.jnt_type[joint] == mjJNT_FREE) continue;
     const auto drive =
@@ -237,13 +239,10 @@ void JointController::SetForces(const std::vector<JointDrive>& drives, const Set
 /// Applies the forces that give the wanted accelerations to joints at rest without weight: the
 /// whole mass matrix counts, because links of a chain feel the forces on the other links.
 void JointController::ApplyForces() {
-  std::vector<mjtNum> wanted(Index(m_.nv));
-  for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = accelerations_[i].value_or(0);
-  mj_mulM(&m_, &d_, d_.qfrc_applied, wanted.data());
+  mj_mulM(&m_, &d_, d_.qfrc_applied, accelerations_.data());
   for (int i = 0; i < m_.nv; ++i) {
-    const std::optional<double>& acceleration = accelerations_[Index(i)];
-    d_.qfrc_applied[i] =
-        acceleration ? d_.qfrc_applied[i] + added_inertia_[Index(i)] * *acceleration : 0;
+    const double added = added_inertia_[Index(i)] * accelerations_[Index(i)];
+    d_.qfrc_applied[i] = is_pushed_[Index(i)] ? d_.qfrc_applied[i] + added : 0;
   }
 }
 
@@ -273,6 +272,7 @@ void JointController::Correct(int joint, int axis, const std::array<double, 3>& 
   for (int i = 0; i < dofs; ++i) {
     const int dof = m_.jnt_dofadr[joint] + i;
     const double error = std::clamp(errors[Index(i)], -most, most);
+    is_pushed_[Index(dof)] = true;
     accelerations_[Index(dof)] = Acceleration(dof, error, i == axis ? setpoint.speed : 0,
                                               i == axis ? setpoint.acceleration : 0);
   }

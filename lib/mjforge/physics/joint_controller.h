@@ -91,10 +91,11 @@ class JointController {
   mjData& d_;
   CoupledJoints coupled_;
   JointCouplings couplings_;
-  std::vector<mjtNum> start_;                         // nq
-  std::map<Bodies, double> initial_depths_;           // m, at the start positions
-  std::vector<double> added_inertia_;                 // nv, by equalities and tendons
-  std::vector<std::optional<double>> accelerations_;  // nv, wanted; nothing where none acts
+  std::vector<mjtNum> start_;                // nq
+  std::map<Bodies, double> initial_depths_;  // m, at the start positions
+  std::vector<double> added_inertia_;        // nv, by equalities and tendons
+  std::vector<mjtNum> accelerations_;        // nv, wanted
+  std::vector<bool> is_pushed_;              // nv, where a force acts
   Stepper stepper_;
 };
 

@@ -69,6 +69,23 @@ std::vector<JointPath> PathsOf(const mjModel& m, int joint, std::span<const mjtN
   return paths;
 }
 
+bool Moves(const mjModel& m, int joint, int body) {
+  if (body >= m.nbody) return false;
+  // The number of a body is greater than that of its parent.
+  while (body > m.jnt_bodyid[joint]) body = m.body_parentid[body];
+  return body == m.jnt_bodyid[joint];
+}
+
+bool IsOnTendon(const mjModel& m, int joint, int tendon) {
+  if (tendon < 0) return false;
+  for (int i = m.tendon_adr[tendon]; i < m.tendon_adr[tendon] + m.tendon_num[tendon]; ++i) {
+    if (m.wrap_type[i] == mjWRAP_JOINT && m.wrap_objid[i] == joint) return true;
+    if (m.wrap_type[i] == mjWRAP_SITE && Moves(m, joint, m.site_bodyid[m.wrap_objid[i]]))
+      return true;
+  }
+  return false;
+}
+
 std::vector<bool> BodiesMovedBy(const mjModel& m, int joint) {
   std::vector<bool> moved(compiled::Index(m.nbody));
   moved[compiled::Index(m.jnt_bodyid[joint])] = true;

@@ -29,6 +29,12 @@ struct JointPath {
 /// of a free joint or of a slide without a range.
 std::vector<JointPath> PathsOf(const mjModel& m, int joint, std::span<const mjtNum> qpos);
 
+/// Returns true if the joint moves the body; false for a number that is no body's.
+bool Moves(const mjModel& m, int joint, int body);
+
+/// Returns true if a tendon (-1: none) runs over the joint, or over a site that the joint moves.
+bool IsOnTendon(const mjModel& m, int joint, int tendon);
+
 /// Returns for each of the nbody bodies whether the joint moves it.
 std::vector<bool> BodiesMovedBy(const mjModel& m, int joint);
 

@@ -21,13 +21,18 @@ constexpr double kSameRange = 1e-6;  // rounding: limit and range may come from 
 
 }  // namespace
 
+double LongestSlide(const model::Object& object, const model::Checks& checks) {
+  const model::Box3& box = object.bounds.aabb;
+  const double size = box.empty() ? 0 : (box.max - box.min).maxCoeff();
+  return size > 0 ? checks.slide_range * size : std::numeric_limits<double>::infinity();
+}
+
 void CheckRanges(const mjModel& m, const model::Object& object, diag::SourceMark mark,
                  static_checks::Reporter& reporter) {
   constexpr double kDegrees = 180 / std::numbers::pi;
   const model::Checks& checks = reporter.checks();
   const JointCouplings couplings(m);
-  const model::Box3& box = object.bounds.aabb;
-  const double size = box.empty() ? 0 : (box.max - box.min).maxCoeff();
+  const double longest = LongestSlide(object, checks);
   for (int joint = 0; joint < m.njnt; ++joint) {
     if (m.jnt_limited[joint] == 0 || couplings.IsCoupled(joint)) continue;
     const std::string name = compiled::NameOf(m, mjOBJ_JOINT, joint);
@@ -39,8 +44,8 @@ void CheckRanges(const mjModel& m, const model::Object& object, diag::SourceMark
                                    beyond.value, beyond.limit),
                        "angles are in radians; a screw or a valve sets checks.hinge_range");
     }
-    if (m.jnt_type[joint] == mjJNT_SLIDE && range > checks.slide_range * size && size > 0) {
-      const ExceededLimit beyond(1000 * range, 1000 * checks.slide_range * size);
+    if (m.jnt_type[joint] == mjJNT_SLIDE && range > longest) {
+      const ExceededLimit beyond(1000 * range, 1000 * longest);
       reporter.Warning(
           Code::kPhysicsJointRange, JointMark(object, name, mark),
           fmt::format("joint '{}' slides by {} mm, more than {} mm, {} times the "

@@ -8,6 +8,10 @@
 
 namespace mjforge::physics {
 
+/// Returns the longest range that a slide of the object should have, m; infinite if the object has
+/// no size.
+double LongestSlide(const model::Object& object, const model::Checks& checks);
+
 /// Warns of hinges with a range above checks.hinge_range, and of slides with one above
 /// checks.slide_range times the object's longest side, unless they are coupled to other joints.
 /// Findings about joints without a place point at `mark`.

@@ -15,6 +15,7 @@
 #include "mjforge/physics/element_marks.h"
 #include "mjforge/physics/joint_couplings.h"
 #include "mjforge/physics/joint_paths.h"
+#include "mjforge/physics/joint_ranges.h"
 
 namespace mjforge::physics {
 namespace {
@@ -86,7 +87,9 @@ class UnsupportedLinks {
     const JointPath path = PathsOf(m_, joint, compiled::StartOf(m_)).front();
     const bool is_slide = m_.jnt_type[joint] == mjJNT_SLIDE;
     const double way = std::max(path.start - path.low, path.high - path.start);
-    if (is_slide && (IsTooLong(path) || DistanceAfter(joint, moved, 0) + way <= kFarOff)) return;
+    const bool is_too_long = path.range() > LongestSlide(object_, reporter_.checks());
+    // A range that is too long is a finding by itself (physics/joint-range).
+    if (is_slide && (is_too_long || DistanceAfter(joint, moved, 0) + way <= kFarOff)) return;
     // A door turns away from its frame by as much as it is thick and its axis is off its edge.
     const double most =
         is_slide ? kFarOff : std::max(kFarOff, kFarOffOfSize * MovedBox(moved).diagonal().norm());
@@ -108,13 +111,6 @@ class UnsupportedLinks {
     for (int geom = 0; geom < m_.ngeom; ++geom)
       if (moved[Index(m_.geom_bodyid[geom])]) box.extend(boxes_[Index(geom)]);
     return box;
-  }
-
-  /// Returns true for a range that is a finding by itself (physics/joint-range).
-  bool IsTooLong(const JointPath& path) const {
-    const model::Box3& box = object_.bounds.aabb;
-    return !box.empty() &&
-           path.range() > reporter_.checks().slide_range * (box.max - box.min).maxCoeff();
   }
 
   /// Returns true if a slide moves something up, less than 45 degrees from the vertical: what is

@@ -85,6 +85,10 @@ std::string Coupled(const std::string& couple) {
          couple + "}}]}\n";
 }
 
+using Texts = std::vector<std::string>;
+
+Texts CoupledAs(const std::string& couple) { return EqualitiesOf(Assembling(Coupled(couple))); }
+
 TEST_CASE("a screw is a slide and a hinge that an equality couples") {
   const Assembling thing(kBall +
                          "joints: [{name: cap, pos: [1, 0, 0], damping: 0.1,\n"
@@ -120,30 +124,22 @@ TEST_CASE("a screw turns without an end, or between two numbers of turns") {
 }
 
 TEST_CASE("a coupling has the joint with the larger numbers first") {
-  const auto equality = [](const std::string& keys) {
-    return EqualitiesOf(Assembling(Coupled(keys)));
-  };
-  using Texts = std::vector<std::string>;
-  CHECK(equality("ratio: 2") ==
+  CHECK(CoupledAs("ratio: 2") ==
         Texts{"thing_move: thing_move = 0 + 2 thing_turn, solimp 0.99 0.999"});
-  CHECK(equality("ratio: -0.5") ==
+  CHECK(CoupledAs("ratio: -0.5") ==
         Texts{"thing_move: thing_turn = 0 + -2 thing_move, solimp 0.99 0.999"});
-  CHECK(equality("polycoef: [3, 0.5]") ==
+  CHECK(CoupledAs("polycoef: [3, 0.5]") ==
         Texts{"thing_move: thing_turn = -6 + 2 thing_move, solimp 0.99 0.999"});
-  CHECK(equality("lead: 2 * pi * 1mm") ==
+  CHECK(CoupledAs("lead: 2 * pi * 1mm") ==
         Texts{"thing_move: thing_turn = 0 + 1000 thing_move, solimp 0.99 0.999"});
-  CHECK(equality("ratio: 2, solimp: [0.5, 0.6, 1mm]") ==
+  CHECK(CoupledAs("ratio: 2, solimp: [0.5, 0.6, 1mm]") ==
         Texts{"thing_move: thing_move = 0 + 2 thing_turn, solimp 0.5 0.6"});
 }
 
 TEST_CASE("a curve and a joint that stays are not turned round") {
-  const auto equality = [](const std::string& keys) {
-    return EqualitiesOf(Assembling(Coupled(keys)));
-  };
-  using Texts = std::vector<std::string>;
-  CHECK(equality("polycoef: [0, 0.5, 0.1]") ==
+  CHECK(CoupledAs("polycoef: [0, 0.5, 0.1]") ==
         Texts{"thing_move: thing_move = 0 + 0.5 thing_turn, solimp 1 1"});
-  CHECK(equality("polycoef: 1") ==
+  CHECK(CoupledAs("polycoef: 1") ==
         Texts{"thing_move: thing_move = 1 + 0 thing_turn, solimp 0.99 0.999"});
 }
 

@@ -70,14 +70,6 @@ Mass Integrated(const std::vector<Vector2d>& profile, double angle) {
   return mass;
 }
 
-Solid Made(const Lathe& lathe) {
-  Fault fault;
-  const std::optional<Solid> solid = Make(lathe, fault);
-  INFO(fault.message);
-  REQUIRE(solid);
-  return *solid;
-}
-
 TEST_CASE("the mass of turned solids is that of quadrature") {
   Random random(1);
   for (int i = 0; i < harness::Effort(1000); ++i) {
@@ -193,7 +185,7 @@ TEST_CASE("what is seen is closed, faces outwards, and nears the solid") {
 TEST_CASE("edges are sharp where they turn by more than the crease") {
   const auto normals_at_edge = [](double crease) {
     const Solid cone =
-        Made({.profile = {{0, 0}, {0.05, 0}, {0.04, 0.05}, {0, 0.05}}, .crease = crease});
+        Made(Lathe{.profile = {{0, 0}, {0.05, 0}, {0.04, 0.05}, {0, 0.05}}, .crease = crease});
     std::vector<Vector3d> normals;
     for (std::size_t i = 0; i < cone.render_mesh.vertices.size(); ++i) {
       if ((cone.render_mesh.vertices[i] - Vector3d(0.05, 0, 0)).norm() < 1e-9)

@@ -94,14 +94,6 @@ Mass Finished(Mass sum) {
   return sum;
 }
 
-Solid Made(const Prism& prism) {
-  Fault fault;
-  std::optional<Solid> solid = Make(prism, fault);
-  INFO(fault.message);
-  REQUIRE(solid);
-  return *std::move(solid);
-}
-
 TEST_CASE("the mass of prisms with holes is that of quadrature") {
   Random random(21);
   for (int i = 0; i < harness::Effort(1000); ++i) {

@@ -12,11 +12,7 @@ namespace {
 
 template <typename Shape>
 TriangleMesh MeshOf(const Shape& shape) {
-  Fault fault;
-  std::optional<Solid> solid = Make(shape, fault);
-  INFO(fault.message);
-  REQUIRE(solid);
-  return std::move(solid->render_mesh);
+  return Made(shape).render_mesh;
 }
 
 const TextureMapping kNone = {.unit = TextureMapping::Unit::kNone};
