@@ -89,8 +89,10 @@ void Assembly::AddSpec(Scope& scope) {
   AddRegions(scope, spec.regions, "", sample::Child(scope.values.root(), "regions"));
   AddViews(scope, spec.views, scope.values.root());
   if (!spec.bodies.empty()) AddBodies(scope);
-  if (!spec.sections.empty()) sections_.Add(scope, &spec == spec_);
   if (spec.mass) ScaleObject(scope, first_part, first_body);
+  SetWholeProperties(scope);
+  AddListedJoints(scope);
+  if (!spec.sections.empty()) sections_.Add(scope, &spec == spec_);
   if (&spec == spec_) AddRootJoints(scope);
   ReadStarts(scope);
   ApplyStarts(scope, first_start, first_body);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -80,8 +81,7 @@ class Assembly {
   /// Adds the entry's elements to the last body, and returns its bounds if they are needed.
   model::Bounds AddContents(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
                             const std::string& name, const Link& link);
-  void AddJointsOf(Scope& scope, const spec::BodyEntry& entry, const Link& link,
-                   sample::StreamId path);
+  void AddOwnJoints(const spec::BodyEntry& entry, const Link& link);
   /// Adds the content of the entry to the current body, the last one.
   void Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
             const std::string& name, const Link& link);
@@ -90,9 +90,18 @@ class Assembly {
   int ParentOf(Scope& scope, FieldReader& reader, const spec::Entry& entry);
   /// Returns the angle of `front:` of a spec about z, counter-clockwise from -y, rad.
   double FrontOf(Scope& scope);
-  /// Sets the values of NAME.top and the other properties of a body.
+  using JointedVisitor = std::function<void(const spec::BodyEntry&, std::size_t body)>;
+  /// Visits each body with a list of joints, with the variables and local values of its entry set.
+  void ForEachJointed(Scope& scope, const JointedVisitor& visit);
+  /// Returns the stream of the joints of a body of the spec.
+  sample::StreamId JointsOf(const Scope& scope, std::size_t body) const;
+  /// Adds the listed joints of the bodies of the spec, whose expressions may use all these bodies.
+  void AddListedJoints(Scope& scope);
+  /// Sets the values of NAME.top and the other properties of a body, and of NAME.mass.
   void SetProperties(Scope& scope, const spec::BodyEntry& entry, const model::Bounds& bounds,
                      std::size_t index);
+
+  void SetWholeProperties(Scope& scope);  // whole_properties.cc
 
   // placements.cc
   /// Places the bodies of the spec that have `place:`, in the order of their entries.

@@ -8,6 +8,7 @@
 #include "mjforge/assemble/assembly.h"
 #include "mjforge/assemble/names.h"
 #include "mjforge/assemble/pose_reader.h"
+#include "mjforge/assemble/whole_properties.h"
 #include "mjforge/model/model.h"
 
 namespace mjforge::assemble {
@@ -60,8 +61,43 @@ void Assembly::AddBodies(Scope& scope) {
   for (const spec::BodyEntry& entry : spec.bodies) ClearProperties(entry, scope.values);
   for (const spec::BodyEntry& entry : spec.bodies) {
     if (!repetition_.Count(entry.head, scope.values, object_.bodies.size())) continue;
+    const std::size_t before = findings_.size();
+    if (!entry.joints.empty()) scope.jointed.push_back({&entry});
     repetition_.ForEach(entry.head, scope.values, bodies, [&] { AddBody(scope, entry, bodies); });
+    if (!entry.joints.empty()) scope.jointed.back().has_failed = findings_.HasErrors(before);
   }
+}
+
+// After an error, the variables of an instance may have no values.
+void Assembly::ForEachJointed(Scope& scope, const JointedVisitor& visit) {
+  const sample::StreamId bodies = sample::Child(scope.values.root(), "bodies");
+  for (const Scope::Jointed& jointed : scope.jointed) {
+    const spec::Entry& head = jointed.entry->head;
+    std::size_t at = 0;
+    const auto next = [&] {
+      if (at < jointed.bodies.size()) visit(*jointed.entry, jointed.bodies[at++]);
+    };
+    if (head.loops.empty() && head.locals.empty())
+      next();
+    else if (!jointed.has_failed)
+      repetition_.ForEach(head, scope.values, bodies, next);
+  }
+}
+
+void Assembly::AddListedJoints(Scope& scope) {
+  const std::size_t outer = current_body_;
+  ForEachJointed(scope, [&](const spec::BodyEntry& entry, std::size_t index) {
+    current_body_ = index;
+    AddJoints(scope, entry.joints, JointsOf(scope, index));
+  });
+  current_body_ = outer;
+}
+
+sample::StreamId Assembly::JointsOf(const Scope& scope, std::size_t body) const {
+  const std::string_view name =
+      std::string_view(object_.bodies[body].name).substr(scope.prefix.size());
+  const sample::StreamId bodies = sample::Child(scope.values.root(), "bodies");
+  return sample::Child(sample::Child(bodies, name), "joints");
 }
 
 void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, sample::StreamId bodies) {
@@ -129,7 +165,8 @@ model::Bounds Assembly::AddContents(Scope& scope, const spec::BodyEntry& entry, 
   AddRegions(scope, entry.regions, name + "_", sample::Child(path, "regions"));
   AddViews(scope, entry.views, path);
   LeaveLink(scope);
-  AddJointsOf(scope, entry, link, path);
+  AddOwnJoints(entry, link);
+  if (link.number == 0 && !entry.joints.empty()) scope.jointed.back().bodies.push_back(index);
   ReadAttributes(reader, entry.head, object_.bodies[index].attributes);
   current_body_ = outer;
   scope.X_BS = X_BS;
@@ -137,15 +174,13 @@ model::Bounds Assembly::AddContents(Scope& scope, const spec::BodyEntry& entry, 
   return bounds;
 }
 
-// The first link of a chain has the joints of the entry, if that says any, or `none`.
-void Assembly::AddJointsOf(Scope& scope, const spec::BodyEntry& entry, const Link& link,
-                           sample::StreamId path) {
-  if (link.chain != nullptr && (link.number > 0 || !entry.has_joints)) {
+// Adds the joints that no list says. The first link of a chain has the joints of the entry, if that
+// says any, or `none`.
+void Assembly::AddOwnJoints(const spec::BodyEntry& entry, const Link& link) {
+  if (link.chain != nullptr && (link.number > 0 || !entry.has_joints))
     body().joints = JointsOfLink(*link.chain, body().name, entry.head.mark);
-    return;
-  }
-  AddJoints(scope, entry.joints, sample::Child(path, "joints"));
-  if (entry.is_free) body().joints.emplace_back().name = body().name + "_joint0";
+  else if (entry.is_free)
+    body().joints.emplace_back().name = body().name + "_joint0";
 }
 
 void Assembly::Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
@@ -224,20 +259,10 @@ double Assembly::FrontOf(Scope& scope) {
 void Assembly::SetProperties(Scope& scope, const spec::BodyEntry& entry,
                              const model::Bounds& bounds, std::size_t index) {
   if (entry.first_property < 0) return;
-  Eigen::Vector3d half = Eigen::Vector3d::Zero();
-  if (!bounds.aabb.empty()) half = bounds.half_size();
-  const double values[] = {bounds.top_offset,
-                           bounds.bottom_offset,
-                           bounds.horizontal_radius,
-                           half[0],
-                           half[1],
-                           half[2],
-                           model::SubtreeMass(object_.bodies, index).mass};
-  for (std::size_t i = 0; i < std::size(values); ++i) {
-    scope.values.SetVariable(entry.first_property + static_cast<int>(i), values[i]);
-  }
-  const int mass = entry.first_property + static_cast<int>(std::size(values)) - 1;
-  scope.body_masses.emplace_back(mass, values[std::size(values) - 1]);
+  const double mass = model::SubtreeMass(object_.bodies, index).mass;
+  SetMeasures(bounds, mass, entry.first_property, scope.values);
+  scope.body_masses.emplace_back(entry.first_property + static_cast<int>(spec::BodyProperty::kMass),
+                                 mass);
 }
 
 void Assembly::PlaceBody(Scope& scope, FieldReader& reader, const spec::Entry& entry,

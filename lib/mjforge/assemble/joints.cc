@@ -79,6 +79,21 @@ std::span<const std::string_view> JointEndings(bool is_screw) {
 
 }  // namespace
 
+bool ReadJointGeometry(FieldReader& reader, const spec::Entry& entry, model::Joint& joint) {
+  bool good = ReadType(reader, entry, joint);
+  if (const spec::Field* field = entry.Find(Key::kPos)) {
+    const auto pos = reader.Vector<3>(*field);
+    if (pos) joint.pos = *pos;
+    good &= pos.has_value();
+  }
+  if (const spec::Field* field = entry.Find(Key::kAxis)) {
+    const auto axis = ReadDirection(reader, *field);
+    if (axis) joint.axis = *axis;
+    good &= axis.has_value();
+  }
+  return good;
+}
+
 void Assembly::AddRootJoints(Scope& scope) {
   const spec::ObjectSpec& spec = scope.values.spec();
   if (spec.root_joints == spec::RootJoints::kFree) {
@@ -120,19 +135,9 @@ void Assembly::AddJoint(Scope& scope, const spec::Entry& entry, sample::StreamId
   FieldReader reader(scope.values, findings_, "joint", *name,
                      sample::Child(joints, std::string_view(*name)));
   model::Joint joint;
+  bool good = ReadJointGeometry(reader, entry, joint);
   joint.name = scope.prefix + *name;
   joint.mark = entry.mark;
-  bool good = ReadType(reader, entry, joint);
-  if (const spec::Field* field = entry.Find(Key::kPos)) {
-    const auto pos = reader.Vector<3>(*field);
-    if (pos) joint.pos = *pos;
-    good &= pos.has_value();
-  }
-  if (const spec::Field* field = entry.Find(Key::kAxis)) {
-    const auto axis = ReadDirection(reader, *field);
-    if (axis) joint.axis = *axis;
-    good &= axis.has_value();
-  }
   good &= ReadRange(reader, entry, joint);
   good &= ReadAttributes(reader, entry, joint.attributes);
   if (!good) return;

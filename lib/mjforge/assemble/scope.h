@@ -39,6 +39,14 @@ struct Scope {
   Scope* outer = nullptr;
   std::vector<std::pair<std::string, std::string>> substitutes;
   std::optional<Eigen::Vector3d> total_size;
+  /// An entry of `bodies:` with a list of joints, and the indices of its bodies in the order of the
+  /// instances that exist.
+  struct Jointed {
+    const spec::BodyEntry* entry;
+    std::vector<std::size_t> bodies = {};
+    bool has_failed = false;  // an instance has an error, which ends its loops
+  };
+  std::vector<Jointed> jointed = {};
   /// Slot and value, kg, of NAME.mass of each body, because the spec's `mass:` scales these masses.
   std::vector<std::pair<int, double>> body_masses;
 
@@ -62,6 +70,9 @@ std::optional<std::string> ReadName(Scope& scope, const spec::Entry& entry, samp
 bool ReadAttributes(FieldReader& reader, const spec::Entry& entry,
                     std::vector<model::Attribute>& out,
                     std::span<const model::Attribute> of_material = {});
+
+/// Reads the type, the position and the axis of a joint. Returns false after a finding.
+bool ReadJointGeometry(FieldReader& reader, const spec::Entry& entry, model::Joint& joint);
 
 /// Returns the position of an element's origin for `placement: corner`. `p` is the required
 /// position of its lower corner, relative to the lower corner of the declared box, whose half sizes

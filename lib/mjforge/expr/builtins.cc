@@ -22,6 +22,7 @@ constexpr std::array kFunctions = {
     Function{"ceil", "ceil(x)", "x rounded up to a whole number"},
     Function{"clamp", "clamp(x, lo, hi)", "x, but at least lo and at most hi"},
     Function{"cos", "cos(x)", "cosine of an angle in rad"},
+    Function{"distance", "distance(a, b)", "distance between two sites, or two points, in m"},
     Function{"exp", "exp(x)", "e to the power of x"},
     Function{"false", "false", "the boolean false"},
     Function{"floor", "floor(x)", "x rounded down to a whole number"},
@@ -37,6 +38,8 @@ constexpr std::array kFunctions = {
     Function{"sqrt", "sqrt(x)", "square root"},
     Function{"sum", "sum(list, n)", "the sum of a list, or of its first n values"},
     Function{"tan", "tan(x)", "tangent of an angle in rad"},
+    Function{"torque", "torque(joint)",
+             "the torque that holds what hangs from a hinge or ball joint, in Nm"},
     Function{"true", "true", "the boolean true"},
 };
 

@@ -182,9 +182,48 @@ Error WholeList(const Token& token) {
       fmt::format("write {0}[i], sum({0}), len({0}), min({0}) or max({0})", token.text));
 }
 
+Error ChainedComparison(std::string_view left, std::string_view middle, const Token& sign) {
+  return Syntax(sign, "comparisons cannot be chained",
+                fmt::format("write {} and {} {} ...", left, middle, sign.text));
+}
+
 Error NotAList(const Token& token, std::string_view usage) {
   return WrongType(token, fmt::format("'{}' is not the name of a list", token.text),
                    fmt::format("write {}", usage));
+}
+
+Error NotAName(const Token& token, std::string_view usage) {
+  return Syntax(token, "a name is expected here", fmt::format("write {}", usage));
+}
+
+Error UnknownJoint(const Token& token, const SymbolTable& names) {
+  std::vector<std::string_view> joints;
+  for (const auto* variable : names.variables()) {
+    const std::string_view name = variable->name;
+    if (name.starts_with("torque(")) joints.push_back(name.substr(7, name.size() - 8));
+  }
+  std::string hint = diag::DidYouMean(token.text, joints);
+  if (hint.empty()) {
+    hint = joints.empty() ? "torques are known where all bodies are: in joints, `mjcf:`, `expect:`"
+                          : "only hinges and ball joints of this spec have a torque";
+  }
+  return {Code::kExprUnknownName, token.offset,
+          fmt::format("no torque of a joint '{}' is known here", token.text), std::move(hint)};
+}
+
+Error UnknownPoint(const Token& token, const SymbolTable& names) {
+  std::vector<std::string_view> points;
+  for (const auto* variable : names.variables()) {
+    if (variable->components != 3) continue;
+    std::string_view name = variable->name;
+    if (name.ends_with(".pos")) name.remove_suffix(4);
+    points.push_back(name);
+  }
+  std::string meant = diag::DidYouMean(token.text, points);
+  if (meant.empty()) meant = "sites are known where all bodies are: in joints, `mjcf:`, `expect:`";
+  return {Code::kExprUnknownName, token.offset,
+          fmt::format("'{}' is neither a site nor a point of three numbers here", token.text),
+          std::move(meant)};
 }
 
 Error NoSuchElement(const Token& token, double index, int count) {

@@ -23,6 +23,8 @@ Error UnknownName(const Token& token, const SymbolTable& names, bool beside_text
 /// Returns the error for a name with parentheses that is not a function.
 Error NotAFunction(const Token& token, const SymbolTable& names);
 Error UnknownUnit(const Token& token, const SymbolTable& names);
+/// Returns the error for `left < middle < ...`; `sign` is the second comparison.
+Error ChainedComparison(std::string_view left, std::string_view middle, const Token& sign);
 /// Returns the error for a component that a variable does not have. `component` is empty for a
 /// vector without a component.
 Error WrongComponent(const Token& token, const SymbolTable::Variable& variable,
@@ -32,6 +34,12 @@ Error WrongComponent(const Token& token, const SymbolTable::Variable& variable,
 Error WholeList(const Token& token);
 /// Returns the error for an argument that should be a list. `usage`: "sum(list, n)".
 Error NotAList(const Token& token, std::string_view usage);
+/// Returns the error for a token that should be a name among the arguments of a function.
+Error NotAName(const Token& token, std::string_view usage);
+/// Returns the error for an argument of torque() that is not a joint whose torque is known here.
+Error UnknownJoint(const Token& token, const SymbolTable& names);
+/// Returns the error for an argument of distance() that is neither a site nor a point.
+Error UnknownPoint(const Token& token, const SymbolTable& names);
 /// Returns the error for an index outside a vector of `count` components.
 Error NoSuchElement(const Token& token, double index, int count);
 /// Returns the error for a text that is not an operand of == or !=.

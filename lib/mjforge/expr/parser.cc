@@ -9,8 +9,6 @@
 #include <map>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "mjforge/expr/dimension_rules.h"
 #include "mjforge/expr/error_messages.h"
 #include "mjforge/expr/program_builder.h"
@@ -169,15 +167,9 @@ class Parser : ProgramBuilder {
     if ((left->type == Type::kText) != (right->type == Type::kText)) {
       return Fail(TextAgainst(tokens_[left->type == Type::kText ? left->token : right->token]));
     }
-    if (AtComparison()) return FailChained(first, sign);
+    if (AtComparison())
+      return Fail(ChainedComparison(Source(first, at_), Source(sign + 1, at_), Now()));
     return AddBinary(Operator(tokens_[sign].text), Type::kBoolean, *left, *right, {first, sign});
-  }
-
-  OptionalOperand FailChained(std::size_t first, std::size_t sign) {
-    const std::string_view left = Source(first, at_);
-    const std::string_view middle = Source(sign + 1, at_);
-    return Fail({Code::kExprSyntax, Now().offset, "comparisons cannot be chained",
-                 fmt::format("write {} and {} {} ...", left, middle, Now().text)});
   }
 
   OptionalOperand Sum() { return Chain(&Parser::Term, {"+", "-"}, Type::kNumber); }
@@ -214,7 +206,8 @@ class Parser : ProgramBuilder {
     const Token& token = Now();
     switch (token.kind) {
       case Token::Kind::kNumber:
-        return Number();
+        ++at_;
+        return Number(token);
       case Token::Kind::kText:
         ++at_;
         return Quoted(token);
@@ -228,19 +221,6 @@ class Parser : ProgramBuilder {
         break;
     }
     return Fail(MissingValue(tokens_, at_));
-  }
-
-  OptionalOperand Number() {
-    const Token& token = Now();
-    if (token.unit.empty()) {
-      ++at_;
-      return Literal(token.number, Type::kNumber, DimensionOfLiteral(token.number));
-    }
-    const Unit* unit = FindUnitSuffix(token.unit);
-    if (unit == nullptr) return Fail(UnknownUnit(token, names_));
-    ++at_;
-    return Literal(token.number * unit->numerator / unit->denominator, Type::kNumber,
-                   unit->dimension);
   }
 
   OptionalOperand Group() {
@@ -262,6 +242,8 @@ class Parser : ProgramBuilder {
     if (tokens_[at_ + 1].IsSign("(")) {
       if (const Builtin* builtin = FindBuiltin(token.text)) return Call(*builtin);
       if (const Formula* formula = names_.FindFormula(token.text)) return Call(*formula);
+      if (token.text == "torque") return NameCall(1);
+      if (token.text == "distance") return NameCall(2);
       const ListBuiltin* list_builtin = FindListBuiltin(token.text);
       return list_builtin ? ListBuiltinCall(*list_builtin) : Fail(NotAFunction(token, names_));
     }
@@ -302,6 +284,25 @@ class Parser : ProgramBuilder {
     if (Now().IsSign(",")) return Fail(WrongCount(function, 1, 2, UsageOf(function.text)));
     if (!Take(")")) return FailOpen(open, "'(' is not closed");
     return AddListCall(builtin, list, count ? &*count : nullptr);
+  }
+
+  // torque(joint), distance(a, b): functions whose arguments are names.
+  OptionalOperand NameCall(std::size_t count) {
+    const Token& function = Now();
+    const std::size_t open = tokens_[at_ + 1].offset;
+    at_ += 2;
+    std::vector<std::size_t> names;
+    do {
+      if (Now().kind != Token::Kind::kName) return Fail(NotAName(Now(), UsageOf(function.text)));
+      names.push_back(at_++);
+    } while (Take(","));
+    if (!Take(")")) return FailOpen(open, "'(' is not closed");
+    if (names.size() != count) {
+      return Fail(WrongCount(function, static_cast<int>(count), static_cast<int>(names.size()),
+                             UsageOf(function.text)));
+    }
+    return count == 1 ? AddTorque(tokens_[names[0]])
+                      : AddDistance(tokens_[names[0]], tokens_[names[1]], function.offset);
   }
 
   // Parses the arguments of a call, up to its ")". Applies `list_builtin`, unless null, to

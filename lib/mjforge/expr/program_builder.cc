@@ -39,6 +39,15 @@ ProgramBuilder::OptionalOperand ProgramBuilder::FailText(const TypedOperand& ope
   return Fail(MisusedText(tokens_[operand.token]));
 }
 
+ProgramBuilder::OptionalOperand ProgramBuilder::Number(const Token& token) {
+  if (token.unit.empty())
+    return Literal(token.number, Type::kNumber, DimensionOfLiteral(token.number));
+  const Unit* unit = FindUnitSuffix(token.unit);
+  if (unit == nullptr) return Fail(UnknownUnit(token, names_));
+  return Literal(token.number * unit->numerator / unit->denominator, Type::kNumber,
+                 unit->dimension);
+}
+
 TypedOperand ProgramBuilder::Literal(double value, Type type, Dimension dimension) const {
   return {.value = {.constant = value}, .type = type, .token = at_ - 1, .dimension = dimension};
 }
@@ -152,6 +161,46 @@ ProgramBuilder::OptionalOperand ProgramBuilder::AddElement(const Token& list,
   }
   return TypedOperand{parsed_.program.Apply(*FindListBuiltin("[]"), AddList(variable), index.value),
                       variable.type, token, DimensionOfItems(variable)};
+}
+
+ProgramBuilder::OptionalOperand ProgramBuilder::AddTorque(const Token& joint) {
+  const SymbolTable::Variable* torque = names_.Find(TorqueVariable(joint.text));
+  if (torque == nullptr) return Fail(UnknownJoint(joint, names_));
+  RecordInput(torque->name, *torque, torque->slot);
+  return TypedOperand{.value = parsed_.program.Variable(torque->slot),
+                      .dimension = DimensionAt(torque->dimensions, 0)};
+}
+
+const SymbolTable::Variable* ProgramBuilder::FindPoint(const Token& name) {
+  const SymbolTable::Variable* position = names_.Find(PositionVariable(name.text));
+  if (position == nullptr) position = names_.Find(name.text);
+  if (position != nullptr && position->components == 3) return position;
+  Fail(UnknownPoint(name, names_));
+  return nullptr;
+}
+
+ProgramBuilder::OptionalOperand ProgramBuilder::AddDistance(const Token& a, const Token& b,
+                                                            std::size_t offset) {
+  const SymbolTable::Variable* from = FindPoint(a);
+  const SymbolTable::Variable* to = from == nullptr ? nullptr : FindPoint(b);
+  if (to == nullptr) return std::nullopt;
+  const auto call = [&](const Builtin& builtin, auto... operands) {
+    return AddCall(builtin, Type::kNumber, std::array{Argument{operands, {}}...}, offset);
+  };
+  OptionalOperand sum;
+  for (int i = 0; i < 3; ++i) {
+    const auto component = [&](const SymbolTable::Variable& point) {
+      RecordItem(point, i);
+      return TypedOperand{.value = parsed_.program.Variable(point.slot + i),
+                          .dimension = DimensionAt(point.dimensions, static_cast<std::size_t>(i))};
+    };
+    const TypedOperand start = component(*from);
+    const OptionalOperand side = call(Operator("-"), start, component(*to));
+    if (!side) return side;
+    const OptionalOperand square = call(Operator("*"), *side, *side);
+    sum = sum ? call(Operator("+"), *sum, *square) : square;
+  }
+  return call(*FindBuiltin("sqrt"), *sum);
 }
 
 ProgramBuilder::OptionalOperand ProgramBuilder::AddListCall(const ListBuiltin& builtin,

@@ -25,6 +25,8 @@ class ProgramBuilder : protected TokenCursor {
   OptionalOperand Fail(Error error);
   OptionalOperand FailText(const TypedOperand& operand);
 
+  /// Adds a number with its unit, the token before the current one.
+  OptionalOperand Number(const Token& token);
   /// Returns a constant for the token before the current one.
   TypedOperand Literal(double value, Type type, Dimension dimension = {}) const;
   TypedOperand Quoted(const Token& token);
@@ -42,6 +44,12 @@ class ProgramBuilder : protected TokenCursor {
   /// the call to the first values; null means all.
   OptionalOperand AddListCall(const ListBuiltin& builtin, std::size_t token, const Argument* count);
 
+  /// Adds the torque of the joint with this name.
+  OptionalOperand AddTorque(const Token& joint);
+  /// Adds the Euclidean distance of two sites or vectors of three components. `offset` is the
+  /// function's.
+  OptionalOperand AddDistance(const Token& a, const Token& b, std::size_t offset);
+
   const SymbolTable& names_;
   ParsedExpression& parsed_;
   Error& error_;
@@ -50,6 +58,8 @@ class ProgramBuilder : protected TokenCursor {
   OptionalOperand AddComponent(const Token& token, const SymbolTable::Variable& vector,
                                std::string_view component);
   TypedOperand AddInput(const Token& token, const SymbolTable::Variable& variable, int component);
+  /// Returns the position of a site, or a vector of three components; null after an error.
+  const SymbolTable::Variable* FindPoint(const Token& name);
   ListSource AddList(const SymbolTable::Variable& variable);
   void RecordItem(const SymbolTable::Variable& variable, int item);
   void RecordInput(std::string_view name, const SymbolTable::Variable& variable, int slot);

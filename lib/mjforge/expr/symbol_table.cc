@@ -52,6 +52,10 @@ std::string_view TypeName(Type type) {
   return {};
 }
 
+std::string TorqueVariable(std::string_view joint) { return fmt::format("torque({})", joint); }
+
+std::string PositionVariable(std::string_view site) { return fmt::format("{}.pos", site); }
+
 const SymbolTable::Variable& SymbolTable::Declare(const std::string& name, Type type,
                                                   int components, Dimensions dimensions) {
   const int slot = std::exchange(slot_count_, slot_count_ + components);

@@ -21,6 +21,11 @@ std::string_view TypeName(Type type);  // "number", "boolean", "text"
 /// XXH64. Equal texts have equal numbers; different texts have different numbers in practice.
 double TextKey(std::string_view text);
 
+/// The name of the variable that torque(joint) reads, "torque(shoulder)", and of the position of a
+/// site, "grip.pos", which distance(grip, tip) reads.
+std::string TorqueVariable(std::string_view joint);
+std::string PositionVariable(std::string_view site);
+
 /// A function that a spec defines: an expression of its arguments (numbers) and of the names in
 /// scope. Must not call itself, directly or through other functions.
 struct Formula {
@@ -59,6 +64,8 @@ class SymbolTable {
   void DeclareUnknown(std::string name) { unknown_.insert(std::move(name)); }
   /// Ends a name's scope (a loop's variable).
   void Forget(std::string_view name);
+  /// Declares a forgotten name again, with the slots that the name had.
+  void Restore(const Variable& variable) { variables_.insert_or_assign(variable.name, variable); }
   const Variable* Find(std::string_view name) const;
   /// Adds a function, or replaces the function of that name.
   void Define(const Formula& formula);

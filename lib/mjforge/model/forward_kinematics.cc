@@ -58,12 +58,23 @@ Pose PoseInParent(const Body& body, JointPositions positions) {
 
 Pose StartPose(const Body& body) { return PoseInParent(body, {}); }
 
+std::vector<bool> InSubtree(const std::vector<Body>& bodies, std::size_t first) {
+  std::vector<bool> is_below(bodies.size() - first, first == 0);
+  is_below.front() = true;
+  for (std::size_t i = first + 1; i < bodies.size() && first > 0; ++i) {
+    const auto parent = static_cast<std::size_t>(std::max(bodies[i].parent, 0));
+    is_below[i - first] = parent >= first && is_below[parent - first];
+  }
+  return is_below;
+}
+
 std::vector<Pose> SubtreePoses(const std::vector<Body>& bodies, std::size_t first,
                                JointPositions positions) {
   std::vector<Pose> X_FB(bodies.size() - first);
+  const std::vector<bool> is_below = InSubtree(bodies, first);
   for (std::size_t i = first; i < bodies.size(); ++i) {
     const Body& body = bodies[i];
-    if (i == first && first > 0) continue;
+    if ((i == first && first > 0) || !is_below[i - first]) continue;
     const Pose X_PB = PoseInParent(body, positions);
     X_FB[i - first] =
         body.parent < 0 ? X_PB : X_FB[static_cast<std::size_t>(body.parent) - first] * X_PB;

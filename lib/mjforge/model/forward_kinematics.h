@@ -32,10 +32,13 @@ using JointPositions = std::span<const std::pair<std::string, sample::Numbers>>;
 
 /// Returns X_FB of the bodies from `first` on; other joints than `positions` are at their start
 /// positions. F is the body `first`, but for the root the object's frame W, in which X_PB of the
-/// root and of free bodies is given. The bodies must be below `first` or, if that is the root,
-/// children of the world. Equalities between joints are ignored.
+/// root and of free bodies is given. Bodies that are not below `first` have the identity; the
+/// world's children count as below the root. Equalities between joints are ignored.
 std::vector<Pose> SubtreePoses(const std::vector<Body>& bodies, std::size_t first,
                                JointPositions positions = {});
+
+/// Returns whether each body from `first` on is `first` or below it, parallel to SubtreePoses().
+std::vector<bool> InSubtree(const std::vector<Body>& bodies, std::size_t first);
 
 /// Returns the pose of a body in its parent with its joints at their start: X_PB after the motions
 /// of the joints.

@@ -72,8 +72,10 @@ void ScaleMass(double factor, std::vector<Body>& bodies, std::size_t body, std::
 Bounds SubtreeBounds(const std::vector<Body>& bodies, std::size_t first) {
   const std::vector<Pose> X_FB = SubtreePoses(bodies, first);
   if (X_FB.size() == 1 && IsIdentity(X_FB[0])) return BoundsOf(bodies[first].parts);
+  const std::vector<bool> is_below = InSubtree(bodies, first);
   return BoundsOfAll([&](const auto& visit) {
     for (std::size_t i = first; i < bodies.size(); ++i) {
+      if (!is_below[i - first]) continue;
       for (const Part& part : bodies[i].parts) visit(part, X_FB[i - first] * part.X_BG);
     }
   });
@@ -83,8 +85,10 @@ MassProperties SubtreeMass(const std::vector<Body>& bodies, std::size_t first) {
   const std::vector<Pose> X_FB = SubtreePoses(bodies, first);
   MassProperties sum = bodies[first].mass_properties;
   if (!IsIdentity(X_FB[0])) sum = InFrame(X_FB[0], sum);
+  const std::vector<bool> is_below = InSubtree(bodies, first);
   for (std::size_t i = first + 1; i < bodies.size(); ++i) {
-    sum = Combine(sum, InFrame(X_FB[i - first], bodies[i].mass_properties));
+    if (is_below[i - first])
+      sum = Combine(sum, InFrame(X_FB[i - first], bodies[i].mass_properties));
   }
   return sum;
 }

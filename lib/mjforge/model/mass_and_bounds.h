@@ -12,8 +12,8 @@ namespace mjforge::model {
 Box3 BoundsOf(const Part& part, const Pose& X_AG);
 /// Returns the extents of the parts from `first` on: of the parts that collide, if any does.
 Bounds BoundsOf(const std::vector<Part>& parts, std::size_t first = 0);
-/// Returns bounds and mass of the bodies from `first` on, at the start state, in the frame F of
-/// SubtreePoses().
+/// Returns bounds and mass of the body `first` and all below it, at the start state, in the frame F
+/// of SubtreePoses().
 Bounds SubtreeBounds(const std::vector<Body>& bodies, std::size_t first);
 MassProperties SubtreeMass(const std::vector<Body>& bodies, std::size_t first);
 /// Returns the bounds of a box with these half sizes, m, for `total_size:`.

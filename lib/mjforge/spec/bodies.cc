@@ -39,13 +39,32 @@ class BodyEntryReader {
     if (const YamlNode* regions = map.Find("regions"))
       body.regions = ReadRegions(*regions, context_);
     body.views = ReadViews(map, context_);
-    if (const YamlNode* joints = map.Find("joints")) ReadBodyJoints(*joints, body);
+    if (const YamlNode* joints = map.Find("joints")) BeginJoints(*joints, body);
     body.place = ReadPlace(map, context_);
     if (ReadChild(kChainElement, map, body.head, context_) != nullptr)
       RejectBeside("chain", kNotInChains, map, "the links are the chain's", context_);
     context_.spec.has_place |= body.place.has_value();
+    if (!lists_.empty() && lists_.back().body == context_.spec.bodies.size())
+      lists_.back().variables = VariablesOf(body.head);
     entries_.End(body.head);
     context_.spec.bodies.push_back(std::move(body));
+  }
+
+  /// Returns the lists of joints, which ReadJoints() reads.
+  std::vector<const YamlNode*> joint_lists() const {
+    std::vector<const YamlNode*> lists;
+    for (const JointList& list : lists_) lists.push_back(list.joints);
+    return lists;
+  }
+
+  /// Reads the lists of joints, whose expressions can use the properties of all bodies.
+  void ReadJoints() {
+    for (const JointList& list : lists_) {
+      BodyEntry& body = context_.spec.bodies[list.body];
+      for (const auto& variable : list.variables) context_.spec.names.Restore(variable);
+      body.joints = ReadEntries(kJointElement, *list.joints, context_);
+      entries_.End(body.head);
+    }
   }
 
  private:
@@ -80,13 +99,7 @@ class BodyEntryReader {
     expr::SymbolTable& names = context_.spec.names;
     const std::string prefix = std::string(*name) + ".";
     if (names.Find(prefix + "top") != nullptr) return;  // declared for another body of this name
-    for (const std::string_view property : BodyPropertyNames()) {
-      const Key key = property == "mass" ? Key::kMass : Key::kPos;
-      const auto unit = DimensionsOf(kBodyElement.Find(key)->unit);
-      const int slot =
-          names.Declare(prefix + std::string(property), expr::Type::kNumber, 1, *unit).slot;
-      if (body.first_property < 0) body.first_property = slot;
-    }
+    body.first_property = DeclareMeasures(prefix, names);
     if (body.head.nested == nullptr) return;
     for (const Parameter& parameter : body.head.nested->parameters) {
       const bool hidden =
@@ -99,17 +112,37 @@ class BodyEntryReader {
     }
   }
 
-  void ReadBodyJoints(const YamlNode& joints, BodyEntry& body) {
+  // Reads `joints: free`, or notes the list of joints for ReadJoints().
+  void BeginJoints(const YamlNode& joints, BodyEntry& body) {
     body.has_joints = true;
     if (joints.kind == YamlNode::Kind::kScalar) {
       body.is_free = IsFreeWord(joints, context_) == true;
       return;
     }
-    body.joints = ReadEntries(kJointElement, joints, context_);
+    lists_.push_back({&joints, context_.spec.bodies.size(), {}});
   }
+
+  // Returns the variables of an entry's loops and its local values.
+  std::vector<expr::SymbolTable::Variable> VariablesOf(const Entry& entry) const {
+    std::vector<expr::SymbolTable::Variable> variables;
+    const auto add = [&](std::string_view name) {
+      if (const auto* variable = context_.spec.names.Find(name)) variables.push_back(*variable);
+    };
+    for (const Loop& loop : entry.loops) add(loop.variable);
+    for (const Local& local : entry.locals) add(local.name);
+    return variables;
+  }
+
+  // A list of joints, the index of its body, and the variables of the body's entry.
+  struct JointList {
+    const YamlNode* joints;
+    std::size_t body;
+    std::vector<expr::SymbolTable::Variable> variables;
+  };
 
   Context& context_;
   EntryReader entries_;
+  std::vector<JointList> lists_;
 };
 
 // Checks parents with literal names, because other names are known only after drawing.
@@ -237,13 +270,31 @@ std::span<const std::string_view> BodyPropertyNames() {
   return kNames;
 }
 
-void ReadBodies(const YamlNode& bodies, Context& context) {
-  if (!IsList(bodies, "bodies", context)) return;
-  BodyEntryReader reader(context);
-  for (const YamlNode& item : bodies.items) {
-    if (IsMap(item, "a body's keys", context)) reader.Read(item);
+int DeclareMeasures(const std::string& prefix, expr::SymbolTable& names) {
+  int first = -1;
+  for (const std::string_view property : BodyPropertyNames()) {
+    const Key key = property == "mass" ? Key::kMass : Key::kPos;
+    const auto unit = DimensionsOf(kBodyElement.Find(key)->unit);
+    const int slot =
+        names.Declare(prefix + std::string(property), expr::Type::kNumber, 1, *unit).slot;
+    if (first < 0) first = slot;
   }
-  ParentChecker(context).Check();
+  return first;
+}
+
+void ReadBodiesAndJoints(const YamlNode* bodies, const YamlNode* joints, Context& context) {
+  BodyEntryReader reader(context);
+  if (bodies != nullptr && IsList(*bodies, "bodies", context)) {
+    for (const YamlNode& item : bodies->items) {
+      if (IsMap(item, "a body's keys", context)) reader.Read(item);
+    }
+  }
+  std::vector<const YamlNode*> lists = reader.joint_lists();
+  if (joints != nullptr) lists.push_back(joints);
+  DeclareWholeProperties(lists, context);
+  if (joints != nullptr) ReadJoints(*joints, context);
+  reader.ReadJoints();
+  if (bodies != nullptr) ParentChecker(context).Check();
 }
 
 }  // namespace mjforge::spec

@@ -123,8 +123,16 @@ std::vector<Entry> ReadStarts(const YamlNode& pose, Context& context);
 /// Reads `expect:` of an object.
 void ReadExpectations(const YamlNode& list, Context& context);
 
-/// Reads `bodies:` in order, because each body may use properties of earlier bodies.
-void ReadBodies(const YamlNode& bodies, Context& context);
+/// Reads `bodies:` in order, because each body may use properties of earlier bodies; then the
+/// joints of the root and of the bodies, which may use properties of all bodies. Each may be null.
+void ReadBodiesAndJoints(const YamlNode* bodies, const YamlNode* joints, Context& context);
+/// Declares PREFIXtop and the other properties of a body, and returns the slot of the first one.
+int DeclareMeasures(const std::string& prefix, expr::SymbolTable& names);
+/// Declares the properties that are known when all bodies are there: NAME.subtree_top and the
+/// others of bodies, NAME.pos of sites, and torque(NAME) of the joints in these lists.
+void DeclareWholeProperties(std::span<const YamlNode* const> joint_lists, Context& context);
+/// Sets the slot of torque(NAME) of a joint. Reports torque() in a key from which it is computed.
+void ReadTorqueUse(const YamlNode& joint, Entry& entry, Context& context);
 
 /// Reads `place:` of a body's entry; nothing if it has none.
 std::optional<PlaceEntry> ReadPlace(const YamlNode& body, Context& context);
@@ -142,7 +150,7 @@ inline constexpr std::string_view kChecksPrefix = "checks.";
 /// Reads `checks:`, with settings in place of its own values. `checks` may be null.
 void ReadChecks(const YamlNode* checks, std::span<const NamedNode> settings, Context& context);
 
-/// Clears `first_property` of bodies whose properties (NAME.top) no expression uses, so that they
+/// Clears the slots of properties of bodies, joints and sites that no expression uses, so that they
 /// are not computed.
 void DropUnusedProperties(Context& context);
 

@@ -50,6 +50,8 @@ struct Entry {
   bool is_frame = false;
   // Parts of a frame; `screw` and `couple` of a joint; inner elements of a section's element.
   std::vector<Entry> children;
+  // Slot of torque(NAME) of a joint, or of NAME.pos.x of a site; -1 if no expression uses it.
+  int slot = -1;
   // Only for `spec:` of a part or a body: the other spec, and the parameters set for it.
   std::shared_ptr<const ObjectSpec> nested;
   std::vector<std::pair<std::string, Value>> overrides;
@@ -65,6 +67,8 @@ struct Entry {
 enum class BodyProperty { kTop, kBottom, kRadius, kHalfX, kHalfY, kHalfZ, kMass };
 /// Returns the names of the properties, "top", "bottom", ..., in the order of BodyProperty.
 std::span<const std::string_view> BodyPropertyNames();
+/// Prefix of the properties of a body together with all bodies below it: NAME.subtree_mass.
+inline constexpr std::string_view kSubtreePrefix = "subtree_";
 
 /// `place:` of a body: where it stands.
 struct PlaceEntry {
@@ -90,6 +94,8 @@ struct BodyEntry {
   std::optional<PlaceEntry> place;  // in place of pose and parent
   /// Slot of NAME.top; the other properties follow. -1 if no expression uses a property.
   int first_property = -1;
+  /// Slot of NAME.subtree_top; the other properties follow. -1 if no expression uses one.
+  int first_subtree_property = -1;
   /// Slot of NAME.PARAMETER for each of head.nested->parameters; -1 if expressions cannot use it.
   std::vector<int> parameter_slots;
 };

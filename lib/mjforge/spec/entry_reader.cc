@@ -164,6 +164,7 @@ void EntryReader::ReadPlain(const ElementInfo& element, const YamlNode& map, Ent
   if (&element == &kJointElement) {
     AddDefaults(defaults.joint, entry);
     ReadCouplings(map, entry, context_);
+    ReadTorqueUse(map, entry, context_);
   }
 }
 

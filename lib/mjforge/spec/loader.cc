@@ -117,8 +117,7 @@ class SpecLoader : public NestedLoader {
     for (const NamedNode& setting : settings) {
       if (setting.name == kRootJoints) joints = &setting.value;
     }
-    if (joints != nullptr) ReadJoints(*joints, context);
-    if (const YamlNode* bodies = root.Find("bodies")) ReadBodies(*bodies, context);
+    ReadBodiesAndJoints(root.Find("bodies"), joints, context);
     if (const YamlNode* pose = root.Find("pose")) spec.pose = ReadStarts(*pose, context);
     if (const YamlNode* expect = root.Find("expect")) ReadExpectations(*expect, context);
     if (joints != root.Find("joints")) ForgetJoints(root.Find("joints"), spec);

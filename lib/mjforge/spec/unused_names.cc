@@ -8,11 +8,38 @@
 
 namespace mjforge::spec {
 
-void DropUnusedProperties(Context& context) {
-  for (BodyEntry& body : context.spec.bodies) {
-    const auto name = LiteralText(body.head.name);
-    if (name && !context.values.uses().names.contains(std::string(*name))) body.first_property = -1;
+namespace {
+
+// Clears the slots of entries for whose names is_used(name) is false.
+template <typename IsUsed>
+void DropSlots(std::vector<Entry>& entries, const IsUsed& is_used) {
+  for (Entry& entry : entries) {
+    const auto name = LiteralText(entry.name);
+    if (name && !is_used(*name)) entry.slot = -1;
   }
+}
+
+}  // namespace
+
+void DropUnusedProperties(Context& context) {
+  const UsedNames& uses = context.values.uses();
+  const auto is_joint_used = [&](std::string_view joint) {
+    return uses.names.contains(expr::TorqueVariable(joint));
+  };
+  const auto is_site_used = [&](std::string_view site) {
+    return uses.HasMember(expr::PositionVariable(site) + ".");
+  };
+  for (BodyEntry& body : context.spec.bodies) {
+    DropSlots(body.joints, is_joint_used);
+    DropSlots(body.sites, is_site_used);
+    const auto name = LiteralText(body.head.name);
+    if (!name) continue;
+    if (!uses.names.contains(*name)) body.first_property = -1;
+    if (!uses.HasMember(fmt::format("{}.{}", *name, kSubtreePrefix)))
+      body.first_subtree_property = -1;
+  }
+  DropSlots(context.spec.joints, is_joint_used);
+  DropSlots(context.spec.sites, is_site_used);
 }
 
 void ReportUnused(const YamlNode* materials, Context& context) {

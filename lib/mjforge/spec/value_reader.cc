@@ -44,8 +44,20 @@ std::string CountText(int min_count, int max_count) {
 
 void UsedNames::Add(const UsedNames& other) {
   names.insert(other.names.begin(), other.names.end());
+  members.insert(other.members.begin(), other.members.end());
   materials.insert(other.materials.begin(), other.materials.end());
   any_material |= other.any_material;
+}
+
+void UsedNames::AddName(std::string_view name) {
+  const std::size_t point = name.find('.');
+  names.emplace(name.substr(0, point));
+  if (point != std::string_view::npos) members.emplace(name);
+}
+
+bool UsedNames::HasMember(std::string_view prefix) const {
+  const auto first = members.lower_bound(prefix);
+  return first != members.end() && first->starts_with(prefix);
 }
 
 std::optional<std::size_t> FindRange(std::string_view text) {

@@ -18,13 +18,16 @@ namespace mjforge::spec {
 
 /// Names that values refer to.
 struct UsedNames {
-  std::set<std::string, std::less<>> names;  // parameters, functions, loops, bodies
+  std::set<std::string, std::less<>> names;    // parameters, functions, loops, bodies
+  std::set<std::string, std::less<>> members;  // whole names with a point: "arm.top", "size.x"
   std::set<std::string, std::less<>> materials;
   bool any_material = false;  // a name of a material is computed and so may be any of them
 
   void Add(const UsedNames& other);
-  /// Adds the first part of a name in an expression: "r", "size.x", "arm.top".
-  void AddName(std::string_view name) { names.emplace(name.substr(0, name.find('.'))); }
+  /// Adds a name in an expression: "r", "size.x", "arm.top".
+  void AddName(std::string_view name);
+  /// Returns true if a member's name begins with `prefix`: "arm.subtree_".
+  bool HasMember(std::string_view prefix) const;
 };
 
 /// Reads values in the scope of `names`. For a wrong value, adds a finding and returns a substitute

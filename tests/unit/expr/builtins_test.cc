@@ -9,7 +9,7 @@ using namespace mjforge::expr;
 
 TEST_CASE("the functions are listed in order, each with its use and an explanation") {
   const auto functions = Functions();
-  CHECK(functions.size() == 24);
+  CHECK(functions.size() == 26);
   CHECK(std::is_sorted(functions.begin(), functions.end(),
                        [](const Function& a, const Function& b) { return a.name < b.name; }));
   for (const Function& function : functions) {
@@ -24,6 +24,8 @@ TEST_CASE("every function that is listed works as its use shows") {
   for (const char* name : {"x", "y", "a", "b", "t", "lo", "hi"}) {
     names.Declare(name, Type::kNumber);
   }
+  for (const char* site : {"a", "b"}) names.Declare(PositionVariable(site), Type::kNumber, 3);
+  names.Declare(TorqueVariable("joint"), Type::kNumber);
   names.DeclareList("list", Type::kNumber);
   names.Declare("n", Type::kNumber);
   for (const Function& function : Functions()) {

@@ -1,0 +1,143 @@
+// Properties that need all bodies of a spec: of subtrees, positions of sites, torques of joints.
+
+#include "mjforge/assemble/whole_properties.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "mjforge/assemble/assembly.h"
+#include "mjforge/model/model.h"
+
+namespace mjforge::assemble {
+namespace {
+
+// MuJoCo's default gravity, m/s^2.
+constexpr double kGravity = 9.81;
+
+// Clears `count` variables from `slot` on, unless that is negative.
+void ClearSlots(int slot, std::size_t count, sample::Evaluator& values) {
+  if (slot < 0) return;
+  for (std::size_t i = 0; i < count; ++i)
+    values.SetVariable(slot + static_cast<int>(i), sample::kFailedNumber);
+}
+
+void ClearSlots(const std::vector<spec::Entry>& entries, std::size_t count,
+                sample::Evaluator& values) {
+  for (const spec::Entry& entry : entries) ClearSlots(entry.slot, count, values);
+}
+
+// Returns the index of a site's body, and the site; null if there is none of this full name.
+std::pair<std::size_t, const model::Site*> FindSite(const model::Object& object,
+                                                    std::string_view name) {
+  for (std::size_t i = 0; i < object.bodies.size(); ++i) {
+    const auto found = std::ranges::find(object.bodies[i].sites, name, &model::Site::name);
+    if (found != object.bodies[i].sites.end()) return {i, &*found};
+  }
+  return {0, nullptr};
+}
+
+// Returns the largest torque, Nm, by which gravity turns what a hinge or ball joint bears, over all
+// directions of gravity: the weight times the distance of the centre of mass from the axis, or from
+// the centre of the ball joint. The centre of mass is in the frame of the joint's body.
+double GravityTorque(const model::MassProperties& subtree, const model::Joint& joint) {
+  const Eigen::Vector3d arm = subtree.p_FCm - joint.pos;
+  const double distance =
+      joint.type == "ball" ? arm.norm() : arm.cross(joint.axis.stableNormalized()).norm();
+  return subtree.mass * kGravity * distance;
+}
+
+}  // namespace
+
+bool AreUsed(const std::vector<spec::Entry>& entries) {
+  return std::ranges::any_of(entries, [](const spec::Entry& entry) { return entry.slot >= 0; });
+}
+
+void SetMeasures(const model::Bounds& bounds, double mass, int slot, sample::Evaluator& values) {
+  Eigen::Vector3d half = Eigen::Vector3d::Zero();
+  if (!bounds.aabb.empty()) half = bounds.half_size();
+  for (const double value : {bounds.top_offset, bounds.bottom_offset, bounds.horizontal_radius,
+                             half[0], half[1], half[2], mass})
+    values.SetVariable(slot++, value);
+}
+
+void WholeProperties::Clear() {
+  const spec::ObjectSpec& spec = scope_.values.spec();
+  for (const spec::BodyEntry& body : spec.bodies) {
+    ClearSlots(body.first_subtree_property, spec::BodyPropertyNames().size(), scope_.values);
+    ClearSlots(body.sites, 3, scope_.values);
+    ClearSlots(body.joints, 1, scope_.values);
+  }
+  ClearSlots(spec.sites, 3, scope_.values);
+  ClearSlots(spec.joints, 1, scope_.values);
+}
+
+void WholeProperties::SetSubtrees(const std::unordered_map<std::string, int>& bodies) {
+  for (const spec::BodyEntry& entry : scope_.values.spec().bodies) {
+    if (entry.first_subtree_property < 0) continue;
+    const auto name = spec::LiteralText(entry.head.name);
+    const auto found = bodies.find(scope_.prefix + std::string(name.value_or("")));
+    if (found == bodies.end()) continue;  // left out by `if`
+    const auto index = static_cast<std::size_t>(found->second);
+    SetMeasures(model::SubtreeBounds(object_.bodies, index),
+                model::SubtreeMass(object_.bodies, index).mass, entry.first_subtree_property,
+                scope_.values);
+  }
+}
+
+void WholeProperties::SetPositions(std::size_t root) {
+  const spec::ObjectSpec& spec = scope_.values.spec();
+  const auto uses_sites = [](const spec::BodyEntry& entry) { return AreUsed(entry.sites); };
+  if (!AreUsed(spec.sites) && std::ranges::none_of(spec.bodies, uses_sites)) return;
+  const std::vector<model::Pose> X_WB = model::ZeroPoses(object_.bodies);
+  const model::Pose X_SW = (X_WB[root] * scope_.X_BS).Inverse();
+  const auto set = [&](const std::vector<spec::Entry>& entries) {
+    for (const spec::Entry& entry : entries) {
+      const auto name = spec::LiteralText(entry.name);
+      if (entry.slot < 0 || !name) continue;
+      const auto [body, site] = FindSite(object_, scope_.prefix + std::string(*name));
+      if (site == nullptr) continue;
+      const Eigen::Vector3d p_S = (X_SW * X_WB[body] * site->X_BS).p;
+      for (int i = 0; i < 3; ++i) scope_.values.SetVariable(entry.slot + i, p_S[i]);
+    }
+  };
+  set(spec.sites);
+  for (const spec::BodyEntry& entry : spec.bodies) set(entry.sites);
+}
+
+void WholeProperties::SetTorques(const std::vector<spec::Entry>& entries, std::size_t body,
+                                 sample::StreamId joints) {
+  for (const spec::Entry& entry : entries) {
+    if (entry.slot < 0) continue;
+    repetition_.ForEach(entry, scope_.values, joints, [&] {
+      const std::string name = scope_.values.Text(entry.name, joints).value_or("");
+      FieldReader reader(scope_.values, findings_, "joint", name,
+                         sample::Child(joints, std::string_view(name)));
+      model::Joint joint;
+      if (!ReadJointGeometry(reader, entry, joint)) return;
+      const model::MassProperties subtree = model::SubtreeMass(object_.bodies, body);
+      scope_.values.SetVariable(entry.slot, GravityTorque(subtree, joint));
+    });
+  }
+}
+
+void Assembly::SetWholeProperties(Scope& scope) {
+  const spec::ObjectSpec& spec = scope.values.spec();
+  WholeProperties whole(scope, object_, repetition_, findings_);
+  whole.Clear();
+  whole.SetSubtrees(bodies_);
+  whole.SetPositions(current_body_);
+  if (&spec == spec_ && AreUsed(spec.joints)) {
+    assets_.SumMass(body());
+    whole.SetTorques(spec.joints, current_body_, sample::Child(scope.values.root(), "joints"));
+  }
+  const auto uses_torque = [](const Scope::Jointed& jointed) {
+    return AreUsed(jointed.entry->joints);
+  };
+  if (std::ranges::none_of(scope.jointed, uses_torque)) return;
+  ForEachJointed(scope, [&](const spec::BodyEntry& entry, std::size_t index) {
+    whole.SetTorques(entry.joints, index, JointsOf(scope, index));
+  });
+}
+
+}  // namespace mjforge::assemble

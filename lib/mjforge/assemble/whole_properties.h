@@ -1,0 +1,46 @@
+// Properties that need all bodies of a spec: of subtrees, positions of sites, torques of joints.
+
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "mjforge/assemble/repetition.h"
+#include "mjforge/assemble/scope.h"
+
+namespace mjforge::assemble {
+
+/// Sets the variables from `slot` on to the properties of a body, in the order of
+/// spec::BodyProperty. `mass` is in kg.
+void SetMeasures(const model::Bounds& bounds, double mass, int slot, sample::Evaluator& values);
+
+/// Sets the variables of one spec, whose bodies are in `object`.
+class WholeProperties {
+ public:
+  WholeProperties(Scope& scope, const model::Object& object, Repetition& repetition,
+                  diag::Findings& findings)
+      : scope_(scope), object_(object), repetition_(repetition), findings_(findings) {}
+
+  /// Clears all, because `if` may leave out bodies, sites and joints.
+  void Clear();
+  /// Sets NAME.subtree_top and the others. `bodies` has the index of each body by its full name.
+  void SetSubtrees(const std::unordered_map<std::string, int>& bodies);
+  /// Sets NAME.pos of sites, in the frame of the spec, whose root is in the body with this index.
+  void SetPositions(std::size_t root);
+  /// Sets torque(NAME) of the joints of a body; `joints` is their stream.
+  void SetTorques(const std::vector<spec::Entry>& entries, std::size_t body,
+                  sample::StreamId joints);
+
+ private:
+  Scope& scope_;
+  const model::Object& object_;
+  Repetition& repetition_;
+  diag::Findings& findings_;
+};
+
+/// Returns true if expressions use a property of one of these joints or sites.
+bool AreUsed(const std::vector<spec::Entry>& entries);
+
+}  // namespace mjforge::assemble
