@@ -25,13 +25,13 @@ import venv
 
 HERE = pathlib.Path(__file__).resolve().parent
 
-# The sets of files: how many variants of each spec, and options of `generate`. MuJoCo gets four
+# The sets of files: how many variants of each spec, and options of `generate`. MuJoCo gets seven
 # times as many with --all.
 SETS = {
-    "mujoco": (5, ["--target", "mujoco"]),
-    "robosuite": (3, ["--target", "robosuite"]),
-    "robocasa": (3, ["--target", "robocasa"]),
-    "mjx": (3, ["--target", "mjx"]),
+    "mujoco": (3, ["--target", "mujoco"]),
+    "robosuite": (2, ["--target", "robosuite"]),
+    "robocasa": (2, ["--target", "robocasa"]),
+    "mjx": (2, ["--target", "mjx"]),
     "files": (1, ["--assets", "files"]),
 }
 
@@ -54,7 +54,8 @@ HOSTS = {
     # From 2.3.3 to 3.1.1 MuJoCo crashes on any mesh with texture coordinates in its XML.
     "mujoco-2.3": Host(["mujoco==2.3.7"], ["check_files.py"],
                        PROVED + ", with `--assets files`"),
-    "mujoco-3.1": Host(["mujoco==3.1.2", "numpy<2"], ["check_mujoco.py"], MUJOCO),
+    "mujoco-3.1": Host(["mujoco==3.1.2", "numpy<2"], ["check_mujoco.py"], MUJOCO,
+                       heavy=True),
     "mujoco-3.3": Host(["mujoco==3.3.7"], ["check_mujoco.py", "check_couplings.py", "check_python.py",
                                             "check_later.py"],
                        MUJOCO + "; couplings, driven; files with `<frame>` and `<replicate>`, expanded and attached"),
@@ -109,7 +110,7 @@ def run(command):
 
 
 def count_of(target, is_all):
-    return SETS[target][0] * (4 if is_all and target == "mujoco" else 1)
+    return SETS[target][0] * (7 if is_all and target == "mujoco" else 1)
 
 
 def generate(program, folder, is_all):

@@ -33,6 +33,7 @@ Request CrateBatch::Of(std::uint64_t count, const std::string& output,
   request.variant.seed = 1;
   request.variant.validation = forge::Validation::kNone;
   request.jobs = 2;
+  request.durability = output::Durability::kNone;  // no test cuts the power
   std::string why_not;
   const auto destination =
       output::ParseDestination((folder / output).string(), per_archive, why_not);

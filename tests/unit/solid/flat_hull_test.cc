@@ -61,7 +61,7 @@ TEST_CASE("a round hull of two points is a capsule, one of a single point a ball
 
 TEST_CASE("a round hull of points in a plane is a slab") {
   Random random(38);
-  for (int i = 0; i < harness::Effort(100); ++i) {
+  for (int i = 0; i < harness::Effort(30); ++i) {
     CAPTURE(i);
     const double r = random.Uniform(0.1, 0.5);
     const Eigen::Quaterniond turn =

@@ -228,7 +228,7 @@ TEST_CASE("faces that are curved both ways are off by more than a chord, as the 
   double of_ring = 0;
   double of_can = 0;
   double of_box = 0;
-  for (double scale = 0.5; scale < 2; scale *= 1.05) {
+  for (double scale = 0.5; scale < 2; scale *= 1.1) {
     const double R = 0.05 * scale;
     const double r = 0.03 * scale;
     const double round = 0.025 * scale;

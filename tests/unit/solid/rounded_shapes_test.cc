@@ -85,7 +85,7 @@ TEST_CASE("the order of a hull's faces and vertices does not depend on rounding"
 // Steiner's formula would need the mean width.
 TEST_CASE("a rounded hull's mass is that of its surface, up to the surface's steps") {
   Random random(32);
-  for (int i = 0; i < harness::Effort(50); ++i) {
+  for (int i = 0; i < harness::Effort(20); ++i) {
     CAPTURE(i);
     const ConvexHull hull = {.points = RandomPoints(random), .round = random.Uniform(0.1, 1)};
     const Solid solid = Made(hull);
