@@ -60,8 +60,9 @@ Pose StartPose(const Body& body) { return PoseInParent(body, {}); }
 
 std::vector<bool> InSubtree(const std::vector<Body>& bodies, std::size_t first) {
   std::vector<bool> is_below(bodies.size() - first, first == 0);
+  if (first == 0) return is_below;
   is_below.front() = true;
-  for (std::size_t i = first + 1; i < bodies.size() && first > 0; ++i) {
+  for (std::size_t i = first + 1; i < bodies.size(); ++i) {
     const auto parent = static_cast<std::size_t>(std::max(bodies[i].parent, 0));
     is_below[i - first] = parent >= first && is_below[parent - first];
   }
