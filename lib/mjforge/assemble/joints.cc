@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "mjforge/assemble/assembly.h"
+#include "mjforge/assemble/detents.h"
 #include "mjforge/assemble/pose_reader.h"
 
 namespace mjforge::assemble {
@@ -140,7 +141,7 @@ void Assembly::AddJoint(Scope& scope, const spec::Entry& entry, sample::StreamId
   joint.mark = entry.mark;
   good &= ReadRange(reader, entry, joint);
   good &= ReadAttributes(reader, entry, joint.attributes);
-  if (!good) return;
+  if (!good || !ReadDetent(reader, entry, joint)) return;
   if (const spec::Entry* screw = entry.FindChild(spec::kScrewElement)) {
     couplings_.AddScrew(scope, reader, *screw, std::move(joint), body());
     return;

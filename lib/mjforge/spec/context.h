@@ -113,6 +113,8 @@ std::vector<Entry> ReadViews(const YamlNode& map, Context& context);
 void ReadJoints(const YamlNode& joints, Context& context);
 /// Reads `screw:` and `couple:` of a joint into its children.
 void ReadCouplings(const YamlNode& joint, Entry& entry, Context& context);
+/// Reports keys of a joint that exclude `detent:`, and a missing range.
+void CheckDetent(const YamlNode& joint, const Entry& entry, Context& context);
 /// Returns true for `joints: free` and false for `joints: none`. Returns nothing, and adds a
 /// finding, for other words.
 std::optional<bool> IsFreeWord(const YamlNode& joints, Context& context);

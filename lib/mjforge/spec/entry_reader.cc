@@ -163,6 +163,7 @@ void EntryReader::ReadPlain(const ElementInfo& element, const YamlNode& map, Ent
   if (&element == &kSiteElement) AddDefaults(defaults.site, entry);
   if (&element == &kJointElement) {
     AddDefaults(defaults.joint, entry);
+    CheckDetent(map, entry, context_);
     ReadCouplings(map, entry, context_);
     ReadTorqueUse(map, entry, context_);
   }

@@ -496,6 +496,10 @@ constexpr FieldInfo kJointFields[] = {
             "Solver parameters of the dry friction."),
     Numbers("solimpfriction", {1, 5}, "1, 1, rad/s or m/s, 1, 1", kAnyNumber,
             "0.9 0.95 0.001 0.5 2", "Solver parameters of the dry friction."),
+    Number({"detent", Key::kDetent}, "Nm or N", Above(0), "",
+           "The torque or force that holds the joint at either end of its `range`, and that a push "
+           "must "
+           "exceed: past the middle, or past `springref`, the joint snaps to the other end."),
     Row("screw", FieldKind::kScrew,
         "In place of `type`, `axis` and `range`: a thread. Makes the joints NAME_rise, a slide, "
         "and "

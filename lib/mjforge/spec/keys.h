@@ -67,6 +67,7 @@ enum class Key {
   kAxis,
   kRange,
   kLimited,
+  kDetent,
   kLead,
   kTurns,
   kRatio,

@@ -1,0 +1,33 @@
+// Checks of `detent:` of a joint against its other keys.
+
+#include <fmt/format.h>
+
+#include "mjforge/spec/context.h"
+
+namespace mjforge::spec {
+namespace {
+
+using diag::Code;
+
+// Keys for another spring, or for a joint with a range of its own.
+constexpr std::string_view kNotBeside[] = {"stiffness", "springdamper", "screw"};
+
+}  // namespace
+
+void CheckDetent(const YamlNode& joint, const Entry& entry, Context& context) {
+  const Field* detent = entry.Find(Key::kDetent);
+  if (detent == nullptr) return;
+  RejectBeside("detent", kNotBeside, joint, "a detent is a spring between two ends", context);
+  const Field* type = entry.Find(Key::kType);
+  const std::string_view motion = type == nullptr ? "hinge" : LiteralText(type->value).value_or("");
+  if (motion == "free" || motion == "ball") {
+    context.findings.Add(Code::kSpecConflict, detent->mark,
+                         fmt::format("'detent' has no meaning for a {} joint", motion),
+                         "only a hinge or a slide has two ends");
+  } else if (entry.Find(Key::kRange) == nullptr) {
+    context.findings.Add(Code::kSpecMissingKey, detent->mark, "'detent' without 'range'",
+                         "the joint snaps to the ends of its range");
+  }
+}
+
+}  // namespace mjforge::spec
