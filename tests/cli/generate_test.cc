@@ -47,6 +47,18 @@ TEST_CASE_METHOD(CrateTest, "a spec is read from standard input") {
   CHECK(result.out.find("\"crate_body\"") != std::string::npos);
 }
 
+TEST_CASE_METHOD(CrateTest, "a spec from standard input is kept beside the manifest for replay") {
+  REQUIRE(Run({"generate", "-", "-n", "2", "-q", "-o", "out"}, kText).status == 0);
+  CHECK(folder().Files() == Files{"crate.yaml", "out/crate_000000.xml", "out/crate_000001.xml",
+                                  "out/manifest.jsonl", "out/manifest.seal.json",
+                                  "out/manifest.spec.json"});
+  const auto again = Run({"replay", "out/manifest.jsonl:1"});
+  CHECK(again.status == 0);
+  CHECK(Run({"replay", "out/crate_000000.xml"}).status == 0);
+  std::filesystem::remove(folder() / "out/manifest.spec.json");
+  CHECK(Run({"replay", "out/manifest.jsonl:1"}).status != 0);
+}
+
 TEST_CASE_METHOD(CrateTest, "several specs give one folder each") {
   folder().Write("ball.yaml",
                  "mjforge: 1\nname: ball\nparts: [{name: a, type: sphere, size: 1}]\n");

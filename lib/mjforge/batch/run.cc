@@ -191,6 +191,18 @@ class BatchRun {
     for (diag::Finding& finding : result.output_findings) renumber(finding);
   }
 
+  // Writes the snapshot of a spec without a file beside the manifest, so that replaying finds it.
+  bool WriteSnapshot(diag::Findings& findings) const {
+    const output::Destination& destination = request_.destination;
+    if (recipe_.snapshot.empty() ||
+        (destination.kind != output::Destination::Kind::kFolder && !destination.IsArchive()))
+      return true;
+    const std::filesystem::path file = SnapshotPath(destination);
+    constexpr std::size_t kStart = 64;
+    return output::MayReplace(file, request_.force, kStart, spec::IsSnapshot, findings) &&
+           output::WriteSingleFile(file, recipe_.snapshot, findings);
+  }
+
   void ShowProgress() {
     if (!observer_.progress || Clock::now() - shown_ < kProgressEvery) return;
     shown_ = Clock::now();
@@ -206,6 +218,8 @@ class BatchRun {
     const bool is_withheld = request_.all_or_nothing && summary_.failed > 0;
     if (has_nothing) {
       sink.Drop();
+    } else if (!WriteSnapshot(output_findings)) {
+      summary_.files_failed = true;
     } else if (!is_broken &&
                !is_withheld) {  // an incomplete batch stays under construction, to be resumed
       summary_.files_failed = !sink.Finish(output_findings);

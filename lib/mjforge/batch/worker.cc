@@ -219,10 +219,17 @@ class ChunkMaker {
 
 }  // namespace
 
+std::filesystem::path SnapshotPath(const output::Destination& destination) {
+  std::filesystem::path path = destination.Manifest({});
+  if (path.extension() == ".zst") path.replace_extension();
+  return path.replace_extension(".spec.json");
+}
+
 forge::Options OptionsOf(const Request& request) {
   forge::Options options = request.variant;
   if (request.destination.kind == Kind::kFolder || request.destination.IsArchive())
     options.folder = request.destination.Folder();
+  options.snapshot_file = SnapshotPath(request.destination).filename().string();
   return options;
 }
 

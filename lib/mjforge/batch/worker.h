@@ -10,6 +10,10 @@ namespace mjforge::batch {
 /// Returns the options with which the request's variants are made.
 forge::Options OptionsOf(const Request& request);
 
+/// Returns the path of the file beside the manifest that has the snapshot of a spec without a file:
+/// DIR/manifest.spec.json, STEM.manifest.spec.json. It is the same for all shards.
+std::filesystem::path SnapshotPath(const output::Destination& destination);
+
 /// Makes a handler that makes the variants of a task and, if the destination is a folder, writes
 /// them. Call this in the worker, because it initializes MuJoCo. With `lists_variants`, results
 /// contain ChunkResult::variants. The references must outlive the handler.

@@ -67,9 +67,12 @@ struct Recipe {
   std::filesystem::path file;
   /// Parameters set from outside, files first; each name once.
   std::vector<std::pair<std::string, std::string>> settings;
+  /// Snapshot of a spec that has no file (spec::SnapshotText); otherwise empty.
+  std::string snapshot;
 };
 
-/// Loads a spec by name or path; see spec::LoadSpec.
+/// Loads a spec by name or path, or the spec of a snapshot by the snapshot's file; see
+/// spec::LoadSpec.
 std::optional<Recipe> LoadRecipe(const std::string& reference, const spec::LoadOptions& options,
                                  diag::Sources& sources, diag::Findings& findings);
 /// Loads a spec from a text, like LoadRecipe("-") with the text on standard input: files that the
@@ -121,6 +124,8 @@ struct Options {
   /// Folder of the manifest. Records contain the path of the spec's file relative to this folder;
   /// no path if the option is empty.
   std::optional<std::filesystem::path> folder;
+  /// Name of the file in that folder that will have Recipe::snapshot, if the recipe has one.
+  std::string snapshot_file = {};
 };
 inline constexpr int kMaxResamples = 100;
 

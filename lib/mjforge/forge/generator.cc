@@ -57,6 +57,7 @@ manifest::Record BatchRecord(const Recipe& recipe, const Options& options) {
   record.spec = recipe.reference;
   if (options.folder && !recipe.file.empty())
     record.spec_file = RelativePath(recipe.file, *options.folder);
+  if (options.folder && !recipe.snapshot.empty()) record.spec_file = options.snapshot_file;
   record.spec_sha256 = recipe.spec->sha256;
   record.settings = recipe.settings;
   record.target = mjcf::RulesOf(options.target).name;

@@ -57,12 +57,37 @@ std::optional<Recipe> MakeRecipe(std::unique_ptr<spec::ObjectSpec> spec,
   return recipe;
 }
 
+spec::Snapshot NewSnapshot(const std::string& reference, const spec::LoadOptions& options) {
+  spec::Snapshot snapshot;
+  snapshot.spec = reference;
+  snapshot.search_path = options.search_path;
+  return snapshot;
+}
+
+std::optional<Recipe> LoadWith(spec::Snapshot snapshot, spec::LoadOptions options,
+                               diag::Sources& sources, diag::Findings& findings) {
+  options.snapshot = &snapshot;
+  options.search_path = snapshot.search_path;
+  return LoadRecipe(snapshot.spec, options, sources, findings);
+}
+
 }  // namespace
 
 std::optional<Recipe> LoadRecipe(const std::string& reference, const spec::LoadOptions& options,
                                  diag::Sources& sources, diag::Findings& findings) {
-  return MakeRecipe(spec::LoadSpec(reference, options, sources, findings), reference,
-                    options.search_path);
+  if (options.snapshot == nullptr) {
+    const std::size_t before = findings.size();
+    std::optional<spec::Snapshot> saved = spec::OpenSnapshot(reference, findings);
+    if (findings.size() > before) return std::nullopt;
+    if (saved || reference == bytes::kStandardInput)
+      return LoadWith(saved ? *std::move(saved) : NewSnapshot(reference, options), options, sources,
+                      findings);
+  }
+  std::optional<Recipe> recipe = MakeRecipe(spec::LoadSpec(reference, options, sources, findings),
+                                            reference, options.search_path);
+  if (recipe && reference == bytes::kStandardInput)
+    recipe->snapshot = spec::SnapshotText(*options.snapshot);
+  return recipe;
 }
 
 std::optional<Recipe> LoadRecipeText(const std::string& name, std::string text,

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "mjforge/bytes/bytes.h"
 #include "mjforge/forge/forge.h"
 
 namespace mjforge::forge {
@@ -26,7 +27,10 @@ std::string FindSpec(const manifest::Record& record, const std::filesystem::path
 std::optional<Recipe> LoadRecordedRecipe(const manifest::Record& record, const std::string& spec,
                                          const std::filesystem::path& folder,
                                          diag::Sources& sources, diag::Findings& findings) {
-  if (spec.empty() && record.spec == "-") {
+  std::error_code error;
+  const bool is_kept = !record.spec_file.empty() &&
+                       std::filesystem::is_regular_file(folder / record.spec_file, error);
+  if (spec.empty() && record.spec == bytes::kStandardInput && !is_kept) {
     findings.Add(diag::Code::kSpecNotFound, {}, "the spec was read from standard input",
                  "pass its file with --spec");
     return std::nullopt;

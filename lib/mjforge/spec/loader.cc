@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "mjforge/bytes/bytes.h"
 #include "mjforge/spec/context.h"
 #include "mjforge/spec/locate.h"
 #include "mjforge/spec/spec_files.h"
@@ -34,7 +35,7 @@ class SpecLoader : public NestedLoader {
   // Returns null if the file is not a mapping. After other errors, the result must not be used.
   std::unique_ptr<ObjectSpec> Load(std::uint32_t source, const fs::path& file,
                                    const fs::path& folder, std::span<const NamedNode> settings) {
-    const auto root = ParseYaml(source, state_.sources, state_.findings);
+    const auto root = state_.files.Parse(file, source);
     if (!root) return nullptr;
     if (root->kind != YamlNode::Kind::kMap) {
       state_.findings.Add(Code::kSpecWrongType, root->mark,
@@ -220,7 +221,7 @@ class SpecLoader : public NestedLoader {
         reference.empty() ? std::nullopt : state_.files.Find(reference, folder, node.mark);
     if (!file || state_.files.IsOpen(*file, node.mark) || !imported_.insert(*file).second) return;
     const auto source = state_.files.Open(*file, node.mark);
-    auto root = source ? ParseYaml(*source, state_.sources, state_.findings) : std::nullopt;
+    auto root = source ? state_.files.Parse(*file, *source) : std::nullopt;
     if (!root || !IsMap(*root, "keys", context)) return;
     CheckKeys(kObjectElement, *root, context);
     CheckVersion(*root, context);
@@ -290,9 +291,10 @@ void ParseSetting(const Setting& setting, std::vector<NamedNode>& out, diag::Sou
   out.push_back({std::move(pair.key), std::move(pair.value)});
 }
 
-void ParseParameterFile(const fs::path& file, std::vector<NamedNode>& out, diag::Sources& sources,
-                        diag::Findings& findings) {
-  const auto source = ReadSource(file, file.string(), {}, sources, findings);
+void ParseParameterFile(const fs::path& file, Snapshot* snapshot, std::vector<NamedNode>& out,
+                        diag::Sources& sources, diag::Findings& findings) {
+  const auto source = ReadSource(snapshot == nullptr ? file : Canonical(snapshot->folder / file),
+                                 file.string(), {}, snapshot, sources, findings);
   auto root = source ? ParseYaml(*source, sources, findings) : std::nullopt;
   if (!root) return;
   if (root->kind != YamlNode::Kind::kMap) {
@@ -307,7 +309,7 @@ std::vector<NamedNode> ParseSettings(const LoadOptions& options, diag::Sources& 
                                      diag::Findings& findings) {
   std::vector<NamedNode> settings;
   for (const fs::path& file : options.parameter_files) {
-    ParseParameterFile(file, settings, sources, findings);
+    ParseParameterFile(file, options.snapshot, settings, sources, findings);
   }
   for (const Setting& setting : options.settings)
     ParseSetting(setting, settings, sources, findings);
@@ -321,7 +323,7 @@ std::unique_ptr<ObjectSpec> LoadFrom(std::uint32_t source, const fs::path& file,
   const std::vector<NamedNode> settings = ParseSettings(options, sources, own);
   LoadState state{.sources = sources,
                   .findings = own,
-                  .files = SpecFiles(options.search_path, file, source, sources, own),
+                  .files = SpecFiles(options, file, source, sources, own),
                   .settings = settings};
   auto spec = SpecLoader(state).Load(source, file, folder, settings);
   if (spec != nullptr) {
@@ -349,9 +351,11 @@ std::unique_ptr<ObjectSpec> LoadSpecText(const std::string& name, std::string te
 
 std::unique_ptr<ObjectSpec> LoadSpec(const std::string& reference, const LoadOptions& options,
                                      diag::Sources& sources, diag::Findings& findings) {
+  Snapshot* const snapshot = options.snapshot;
+  const fs::path base = snapshot == nullptr ? fs::path() : snapshot->folder;
   fs::path file = reference;
-  if (reference != "-") {
-    const auto found = Locate(reference, {}, options.search_path);
+  if (reference != bytes::kStandardInput) {
+    const auto found = FindFile(reference, base, options);
     std::error_code error;
     if (found) {
       file = *found;
@@ -361,9 +365,12 @@ std::unique_ptr<ObjectSpec> LoadSpec(const std::string& reference, const LoadOpt
       return nullptr;
     }
   }
-  const auto source = ReadSource(file, reference, {}, sources, findings);
+  const bool is_text = reference == bytes::kStandardInput;
+  const fs::path key = snapshot == nullptr || is_text ? file : Canonical(file);
+  const auto source = ReadSource(key, reference, {}, snapshot, sources, findings);
   if (!source) return nullptr;
-  if (reference == "-") return LoadFrom(*source, file, ".", options, sources, findings);
+  if (is_text)
+    return LoadFrom(*source, file, base.empty() ? "." : base, options, sources, findings);
   return LoadFrom(*source, Canonical(file), file.parent_path(), options, sources, findings);
 }
 

@@ -17,6 +17,7 @@
 #include "mjforge/spec/entry.h"
 #include "mjforge/spec/fields.h"
 #include "mjforge/spec/shapes.h"
+#include "mjforge/spec/snapshot.h"
 #include "mjforge/spec/values.h"
 
 namespace mjforge::spec {
@@ -123,6 +124,9 @@ struct LoadOptions {
   std::vector<std::filesystem::path> parameter_files;
   /// Folders with specs, first match wins: MJFORGE_PATH, then the installed catalogue.
   std::vector<std::filesystem::path> search_path;
+  /// Files and texts that are taken in place of those on the disk; null: none. The load adds what
+  /// it reads. Must not be used by two loads at a time.
+  Snapshot* snapshot = nullptr;
 };
 
 /// Loads the spec that `reference` names: a path, a name relative to a folder of the search path

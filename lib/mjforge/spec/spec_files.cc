@@ -16,28 +16,64 @@ namespace fs = std::filesystem;
 using diag::Code;
 using diag::SourceMark;
 
+namespace {
+
+// Sets the number of the source in all marks of a tree that have a place.
+void SetSource(std::uint32_t source, YamlNode& node) {
+  if (node.mark) node.mark.file = source;
+  for (YamlNode& item : node.items) SetSource(source, item);
+  for (YamlNode::Pair& pair : node.pairs) {
+    if (pair.mark) pair.mark.file = source;
+    SetSource(source, pair.value);
+  }
+}
+
+}  // namespace
+
 fs::path Canonical(const fs::path& file) {
   std::error_code error;
   const fs::path canonical = fs::weakly_canonical(file, error);
   return error ? file : canonical;
 }
 
+std::optional<fs::path> FindFile(const std::string& reference, const fs::path& folder,
+                                 const LoadOptions& options) {
+  Snapshot* const snapshot = options.snapshot;
+  if (snapshot == nullptr) return Locate(reference, folder, options.search_path);
+  const std::pair key(Canonical(folder.empty() ? "." : folder), reference);
+  if (const auto known = snapshot->found.find(key); known != snapshot->found.end())
+    return known->second;
+  const auto file = Locate(reference, folder, options.search_path);
+  std::error_code error;
+  if (file) snapshot->found.emplace(key, fs::absolute(*file, error));
+  return file;
+}
+
 std::optional<std::uint32_t> ReadSource(const fs::path& file, std::string_view name,
-                                        SourceMark mark, diag::Sources& sources,
+                                        SourceMark mark, Snapshot* snapshot, diag::Sources& sources,
                                         diag::Findings& findings) {
+  const bool is_text = snapshot != nullptr && file == bytes::kStandardInput;
+  const std::string shown = is_text ? snapshot->text_name : DisplayName(file);
+  if (snapshot != nullptr) {
+    const auto held = snapshot->texts.find(file);
+    if (held != snapshot->texts.end()) return sources.Add(shown, held->second);
+  }
   std::string why_not;
   auto text = bytes::ReadStart(file, kMaxYamlBytes + 1, why_not);
-  if (text) return sources.Add(DisplayName(file), *std::move(text));
+  if (text) {
+    if (snapshot != nullptr) snapshot->texts.emplace(file, *text);
+    return sources.Add(shown, *std::move(text));
+  }
   findings.Add(Code::kYamlCannotRead, mark, fmt::format("cannot read '{}': {}", name, why_not));
   return std::nullopt;
 }
 
 std::optional<fs::path> SpecFiles::Find(const std::string& reference, const fs::path& folder,
                                         SourceMark mark) {
-  const auto found = Locate(reference, folder, search_path_);
+  const auto found = FindFile(reference, folder, options_);
   if (!found) {
     findings_.Add(Code::kSpecNotFound, mark, fmt::format("cannot find '{}'", reference),
-                  NotFoundHint(reference, search_path_));
+                  NotFoundHint(reference, options_.search_path));
     return std::nullopt;
   }
   return Canonical(*found);
@@ -56,12 +92,27 @@ bool SpecFiles::IsOpen(const fs::path& file, SourceMark mark) {
 std::optional<std::uint32_t> SpecFiles::Open(const fs::path& file, SourceMark mark) {
   if (const auto known = std::ranges::find(files_, file); known != files_.end())
     return source_ids_[static_cast<std::size_t>(known - files_.begin())];
-  const auto source = ReadSource(file, DisplayName(file), mark, sources_, findings_);
+  const auto source =
+      ReadSource(file, DisplayName(file), mark, options_.snapshot, sources_, findings_);
   if (source) {
     files_.push_back(file);
     source_ids_.push_back(*source);
   }
   return source;
+}
+
+std::optional<YamlNode> SpecFiles::Parse(const fs::path& file, std::uint32_t source) {
+  if (options_.snapshot == nullptr) return ParseYaml(source, sources_, findings_);
+  std::shared_ptr<const YamlNode>& known = options_.snapshot->parsed[file];
+  if (known == nullptr) {
+    const std::size_t before = findings_.size();
+    std::optional<YamlNode> root = ParseYaml(source, sources_, findings_);
+    if (!root || findings_.size() > before) return root;
+    known = std::make_shared<const YamlNode>(*std::move(root));
+  }
+  YamlNode copy = *known;
+  SetSource(source, copy);
+  return copy;
 }
 
 std::string SpecFiles::Sha256() const {

@@ -11,25 +11,33 @@
 #include <vector>
 
 #include "mjforge/diag/diag.h"
+#include "mjforge/spec/spec.h"
+#include "mjforge/spec/yaml.h"
 
 namespace mjforge::spec {
 
 /// Returns the canonical path of a file, or `file` itself if there is none.
 std::filesystem::path Canonical(const std::filesystem::path& file);
 
-/// Reads a file, adds its text to `sources` and returns its number. Returns nothing, and adds a
-/// finding with `name`, if reading fails.
+/// Returns the file that `reference` names in `folder` or in the search path of the options: the
+/// one in their snapshot, if there is one, otherwise that on the disk; nothing if there is none.
+std::optional<std::filesystem::path> FindFile(const std::string& reference,
+                                              const std::filesystem::path& folder,
+                                              const LoadOptions& options);
+
+/// Reads a file, adds its text to `sources` and returns its number. A snapshot, unless null, comes
+/// before the disk. Returns nothing, and adds a finding with `name`, if reading fails.
 std::optional<std::uint32_t> ReadSource(const std::filesystem::path& file, std::string_view name,
-                                        diag::SourceMark mark, diag::Sources& sources,
-                                        diag::Findings& findings);
+                                        diag::SourceMark mark, Snapshot* snapshot,
+                                        diag::Sources& sources, diag::Findings& findings);
 
 class SpecFiles {
  public:
   /// `first` is the spec's own file, already read as `source`. The other arguments must outlive
   /// this object.
-  SpecFiles(std::span<const std::filesystem::path> search_path, const std::filesystem::path& first,
-            std::uint32_t source, diag::Sources& sources, diag::Findings& findings)
-      : search_path_(search_path),
+  SpecFiles(const LoadOptions& options, const std::filesystem::path& first, std::uint32_t source,
+            diag::Sources& sources, diag::Findings& findings)
+      : options_(options),
         sources_(sources),
         findings_(findings),
         files_{first},
@@ -44,6 +52,8 @@ class SpecFiles {
   /// Reads the file unless it was read before, and returns its number among the sources. Returns
   /// nothing, and adds a finding, if reading fails.
   std::optional<std::uint32_t> Open(const std::filesystem::path& file, diag::SourceMark mark);
+  /// Returns the YAML of a file with this number among the sources, like ParseYaml.
+  std::optional<YamlNode> Parse(const std::filesystem::path& file, std::uint32_t source);
 
   /// Marks a file as being read during the lifetime of this object.
   class OpenScope {
@@ -66,7 +76,7 @@ class SpecFiles {
   std::string Sha256() const;
 
  private:
-  std::span<const std::filesystem::path> search_path_;
+  const LoadOptions& options_;
   diag::Sources& sources_;
   diag::Findings& findings_;
   std::vector<std::filesystem::path> open_;  // specs and imports being read, outermost first

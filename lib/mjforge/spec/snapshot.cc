@@ -1,0 +1,112 @@
+// Snapshots of specs: their text form.
+
+#include "mjforge/spec/snapshot.h"
+
+#include <rapidjson/document.h>
+
+#include <fmt/format.h>
+
+#include "mjforge/bytes/bytes.h"
+
+namespace mjforge::spec {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kStart = R"({"mjforge_snapshot":1,)";
+// Limit of the size of a snapshot: that of several specs of the largest size.
+constexpr std::uint64_t kMaxBytes = std::uint64_t{64} << 20;
+
+bool IsTexts(const rapidjson::Value& list) {
+  if (!list.IsArray()) return false;
+  for (const rapidjson::Value& item : list.GetArray()) {
+    if (!item.IsString()) return false;
+  }
+  return true;
+}
+
+std::string TextOf(const rapidjson::Value& value) {
+  return {value.GetString(), value.GetStringLength()};
+}
+
+// Fills the snapshot; returns false if a member is missing or has another type.
+bool ReadMembers(const rapidjson::Document& json, Snapshot& snapshot) {
+  for (const char* name : {"spec", "text_name", "folder"}) {
+    if (!json.HasMember(name) || !json[name].IsString()) return false;
+  }
+  for (const char* name : {"search_path", "found", "texts"}) {
+    if (!json.HasMember(name) || !json[name].IsArray()) return false;
+  }
+  snapshot.spec = TextOf(json["spec"]);
+  snapshot.text_name = TextOf(json["text_name"]);
+  snapshot.folder = TextOf(json["folder"]);
+  if (!IsTexts(json["search_path"])) return false;
+  for (const rapidjson::Value& folder : json["search_path"].GetArray())
+    snapshot.search_path.emplace_back(TextOf(folder));
+  for (const rapidjson::Value& found : json["found"].GetArray()) {
+    if (!IsTexts(found) || found.Size() != 3) return false;
+    snapshot.found[{TextOf(found[0]), TextOf(found[1])}] = TextOf(found[2]);
+  }
+  for (const rapidjson::Value& file : json["texts"].GetArray()) {
+    if (!IsTexts(file) || file.Size() != 2) return false;
+    snapshot.texts[TextOf(file[0])] = TextOf(file[1]);
+  }
+  return true;
+}
+
+fs::path CurrentFolder() {
+  std::error_code error;
+  return fs::current_path(error);
+}
+
+}  // namespace
+
+std::string SnapshotText(const Snapshot& snapshot) {
+  diag::Json json(nullptr, std::string(kStart.substr(0, kStart.size() - 1)));
+  json.Member("spec", snapshot.spec);
+  json.Member("text_name", snapshot.text_name);
+  json.Member("folder", (snapshot.folder.empty() ? CurrentFolder() : snapshot.folder).string());
+  json.Key("search_path");
+  json.StartArray();
+  for (const fs::path& folder : snapshot.search_path) json.Value(fs::absolute(folder).string());
+  json.EndArray();
+  json.Key("found");
+  json.StartArray();
+  for (const auto& [key, file] : snapshot.found)
+    json.Value(std::vector<std::string>{key.first.string(), key.second, file.string()});
+  json.EndArray();
+  json.Key("texts");
+  json.StartArray();
+  for (const auto& [file, text] : snapshot.texts)
+    json.Value(std::vector<std::string>{file.string(), text});
+  json.EndArray();
+  json.EndObject();
+  return json.Take() + '\n';
+}
+
+bool IsSnapshot(std::string_view start) { return start.starts_with(kStart); }
+
+std::optional<Snapshot> ReadSnapshot(std::string text) {
+  rapidjson::Document json;
+  Snapshot snapshot;
+  if (!IsSnapshot(text) || diag::IsNestedTooDeep(text)) return std::nullopt;
+  if (json.ParseInsitu(text.data()).HasParseError() || !json.IsObject()) return std::nullopt;
+  if (!ReadMembers(json, snapshot)) return std::nullopt;
+  return snapshot;
+}
+
+std::optional<Snapshot> OpenSnapshot(const std::string& reference, diag::Findings& findings) {
+  if (reference != bytes::kStandardInput && !reference.ends_with(".json")) return std::nullopt;
+  std::string why_not;
+  const auto start = bytes::ReadStart(reference, kStart.size(), why_not);
+  if (!start || !IsSnapshot(*start)) return std::nullopt;
+  std::optional<std::string> text = bytes::Read(reference, kMaxBytes, why_not);
+  std::optional<Snapshot> snapshot = text ? ReadSnapshot(*std::move(text)) : std::nullopt;
+  if (!snapshot) {
+    findings.Add(diag::Code::kYamlCannotRead, {},
+                 fmt::format("'{}' is a damaged snapshot of a spec", reference));
+  }
+  return snapshot;
+}
+
+}  // namespace mjforge::spec
