@@ -1,10 +1,12 @@
 // C interface of the library that the Python package loads with ctypes.
 #include "interface.h"
 
+#include <algorithm>
 #include <exception>
 #include <memory>
 #include <new>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -17,8 +19,12 @@
 #include "mjforge/expr/expr.h"
 #include "mjforge/forge/forge.h"
 #include "mjforge/output/output.h"
+#include "parameters.h"
+#include "snapshots.h"
+#include "text_view.h"
 
 using namespace mjforge;
+using python::View;
 
 struct MjforgeMaker {
   diag::Sources sources;
@@ -32,7 +38,11 @@ struct MjforgeMaker {
   std::string files_json;
   std::string contents;
   std::string description;
+  std::string inputs_json;
   std::string failure;
+  // Files of which MjforgeVariant::inputs has told: sources, and paths of assets.
+  std::uint32_t known_sources = 0;
+  std::set<std::string> known_assets;
 };
 
 struct MjforgeLines {
@@ -51,8 +61,6 @@ struct MjforgeArchive {
 };
 
 namespace {
-
-MjforgeText View(std::string_view text) { return {text.data(), text.size()}; }
 
 // Returns find(word); throws an exception with the known words if it finds nothing.
 template <typename Find, typename Words>
@@ -75,7 +83,8 @@ spec::LoadOptions LoadOptionsOf(const MjforgeRequest& request) {
   }
   options.parameter_files.assign(request.parameter_files,
                                  request.parameter_files + request.parameter_file_count);
-  options.search_path = forge::SearchPath(request.catalogue);
+  options.snapshot = &request.snapshot->snapshot;
+  options.search_path = options.snapshot->search_path;
   return options;
 }
 
@@ -96,15 +105,30 @@ forge::Options OptionsOf(const MjforgeRequest& request) {
   return options;
 }
 
+// Throws an exception if draws are spread over a batch of unknown size.
+void RequireBatch(const spec::ObjectSpec& spec, const forge::Options& options) {
+  if (options.batch > sample::kMaxBatch)
+    throw std::invalid_argument(
+        fmt::format("batch={} is more than {}", options.batch, sample::kMaxBatch));
+  if (options.batch > 0 || !sample::Sampler::NeedsBatch(spec, options.sampler)) return;
+  const std::string what = spec.draws.exact ? "choices with 'exact: true' are exact"
+                                            : fmt::format("sampler='{}' spreads the draws evenly",
+                                                          sample::MethodName(options.sampler));
+  throw std::invalid_argument(
+      fmt::format("batch is missing: {} over a batch of N variants; give batch=N", what));
+}
+
 void Load(const MjforgeRequest& request, MjforgeMaker& maker) {
   const forge::Options options = OptionsOf(request);
   const spec::LoadOptions load = LoadOptionsOf(request);
-  maker.recipe = request.spec != nullptr
-                     ? forge::LoadRecipe(request.spec, load, maker.sources, maker.findings)
-                     : forge::LoadRecipeText(request.text_name, request.text, load, maker.sources,
-                                             maker.findings);
+  {
+    const std::scoped_lock lock(request.snapshot->mutex);
+    maker.recipe = forge::LoadRecipe(load.snapshot->spec, load, maker.sources, maker.findings);
+  }
   if (!options.name.empty()) forge::CheckName(options.name, maker.findings);
   if (!maker.recipe || maker.findings.HasErrors()) return;
+  RequireBatch(*maker.recipe->spec, options);
+  maker.known_sources = maker.sources.size();
   maker.generator = std::make_unique<forge::Generator>(*maker.recipe, maker.sources, options);
 }
 
@@ -137,6 +161,24 @@ void SetFiles(const mjcf::MjcfDocument& document, MjforgeMaker& maker) {
   maker.files_json = json.Take();
 }
 
+// Sets `inputs_json` to the files that the variant is the first to use; empty if there are none.
+void SetInputs(const forge::Variant& variant, MjforgeMaker& maker) {
+  std::vector<std::vector<std::string>> inputs;
+  while (maker.known_sources < maker.sources.size()) {
+    const std::uint32_t source = ++maker.known_sources;
+    inputs.push_back({maker.sources.Name(source), bytes::Sha256Of(maker.sources.Text(source))});
+  }
+  for (const bytes::Asset& asset : variant.document.assets) {
+    if (asset.made || !maker.known_assets.insert(asset.file.string()).second) continue;
+    const auto hash = std::ranges::find(variant.record.assets, asset.name,
+                                        &std::pair<std::string, std::string>::first);
+    if (hash != variant.record.assets.end()) inputs.push_back({asset.file.string(), hash->second});
+  }
+  diag::Json json(nullptr);
+  json.Value(inputs);
+  maker.inputs_json = inputs.empty() ? "" : json.Take();
+}
+
 int Make(MjforgeMaker& maker, std::uint64_t index, MjforgeVariant& made) {
   forge::Variant& variant = maker.variant;
   maker.generator->Make(index, variant);
@@ -149,6 +191,8 @@ int Make(MjforgeMaker& maker, std::uint64_t index, MjforgeVariant& made) {
     made.findings = View(maker.findings_json);
   }
   if (!variant.ok()) return 1;
+  SetInputs(variant, maker);
+  made.inputs = View(maker.inputs_json);
   made.xml = View(variant.document.text);
   if (!variant.document.assets.empty()) {
     SetFiles(variant.document, maker);
@@ -195,20 +239,19 @@ MjforgeText MjforgeFindings(MjforgeMaker* maker) {
 
 MjforgeText MjforgeDescription(MjforgeMaker* maker) {
   const spec::ObjectSpec& spec = *maker->recipe->spec;
-  diag::Json json(nullptr);
+  diag::Json json(expr::AppendExactNumber);
   json.StartObject();
   json.Member("name", spec.name);
   json.Member("description", spec.description);
-  json.Key("parameters");
-  json.StartArray();
-  for (const spec::Parameter& parameter : spec.parameters) {
-    json.StartObject();
-    json.Member("name", parameter.name);
-    json.Member("unit", parameter.unit);
-    json.Member("doc", parameter.doc);
-    json.EndObject();
+  json.Member("sha256", spec.sha256);
+  json.Key("path");
+  if (spec.files.front() == bytes::kStandardInput) {
+    json.Value(nullptr);
+  } else {
+    json.Value(spec.files.front().string());
   }
-  json.EndArray();
+  json.Key("parameters");
+  python::WriteParameters(json, spec);
   json.EndObject();
   maker->description = json.Take();
   return View(maker->description);
@@ -270,14 +313,6 @@ int MjforgeNextLine(MjforgeLines* lines, MjforgeText* line) {
     *line = View("not enough memory");
     return 2;
   }
-}
-
-MjforgeText MjforgeCatalogue(const char* folder) {
-  thread_local std::string names;
-  diag::Json json(nullptr);
-  json.Value(spec::ListSpecs(folder));
-  names = json.Take();
-  return View(names);
 }
 
 const char* MjforgeVersion() { return forge::Version().data(); }

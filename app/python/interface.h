@@ -17,13 +17,13 @@ struct MjforgeText {
   std::size_t size;
 };
 
+/// A spec, with the texts of its files once they have been read. Threads may share it.
+struct MjforgeSnapshot;
+
 /// A spec with settings, and the options for its variants, which have the values of the command's
 /// options.
 struct MjforgeRequest {
-  const char* spec;             // a file or a name in the search path; null: `text` is the spec
-  const char* text;             // YAML
-  const char* text_name;        // name of `text` in findings
-  const char* catalogue;        // folder of the bundled specs, the last of the search path
+  MjforgeSnapshot* snapshot;
   const char* const* settings;  // name, value, name, value, ...
   std::size_t setting_count;    // pairs
   const char* const* parameter_files;
@@ -35,7 +35,7 @@ struct MjforgeRequest {
   const char* on_invalid;
   const char* validate;
   std::uint64_t seed;
-  std::uint64_t batch;              // number of variants; 0: unknown
+  std::uint64_t batch;              // number of variants; 0: unknown, an error if it is needed
   const std::uint64_t* place_seed;  // seed of the places alone; null: they follow from `seed`
 };
 
@@ -45,7 +45,22 @@ struct MjforgeVariant {
   MjforgeText findings;  // JSON, see MjforgeFindings; empty: none
   MjforgeText files;     // JSON: [[name in the XML, path, size], ...]; empty: none
   MjforgeText contents;  // concatenated contents, with these sizes, of the files without a path
+  MjforgeText inputs;    // JSON: [[path, SHA-256], ...] of the files that this maker has not used
+                         // before; empty: none
 };
+
+/// Makes a snapshot without reading a file: of the spec `reference`, a file or a name in the search
+/// path, whose last folder is `catalogue`; or, if `reference` is null, of `text`, YAML. Returns
+/// null only if there is not enough memory.
+MjforgeSnapshot* MjforgeNewSnapshot(const char* reference, const char* text, const char* catalogue);
+/// Makes a snapshot from a text of MjforgeSnapshotText. Returns null if the text is damaged.
+MjforgeSnapshot* MjforgeReadSnapshot(const char* text, std::size_t size);
+void MjforgeCloseSnapshot(MjforgeSnapshot* snapshot);
+/// Returns the snapshot as JSON, valid until the next call in this thread. At least one spec must
+/// have been loaded without errors.
+MjforgeText MjforgeSnapshotText(MjforgeSnapshot* snapshot);
+/// Returns the words of each option as JSON: {"target": ["mujoco", ...], ...}.
+MjforgeText MjforgeWords();
 
 struct MjforgeMaker;
 
@@ -58,8 +73,8 @@ MjforgeText MjforgeFailure(MjforgeMaker* maker);
 /// Returns the findings of loading the spec as JSON: [[finding as with --findings json, its text],
 /// ...]. If one of them is an error, no variant can be made.
 MjforgeText MjforgeFindings(MjforgeMaker* maker);
-/// Describes a spec without errors as JSON: {"name", "description", "parameters": [{"name", "unit",
-/// "doc"}]}.
+/// Describes a spec without errors as JSON: {"name", "description", "sha256", "path" (null for a
+/// text), "parameters" (see WriteParameters)}.
 MjforgeText MjforgeDescription(MjforgeMaker* maker);
 /// Makes a variant and replaces `variant`. Returns 0 on success, 1 if the variant failed for the
 /// reason in its findings, 2 if the reason is MjforgeFailure.
@@ -86,9 +101,12 @@ void MjforgeCloseLines(MjforgeLines* lines);
 /// frame.
 int MjforgeNextLine(MjforgeLines* lines, MjforgeText* line);
 
-/// Returns the names of the specs in a folder as a JSON list, valid until the next call in this
-/// thread.
-MjforgeText MjforgeCatalogue(const char* folder);
+/// Returns the specs in the search path, whose last folder is `catalogue`, as JSON: [[name,
+/// description, path], ...]. The text is valid until the next call in this thread.
+MjforgeText MjforgeCatalogue(const char* catalogue);
+/// Returns the path of the manifest of a shard (0 of 1: of the whole batch) that the command writes
+/// with `-o output`; empty if it writes none. The text is valid until the next call in this thread.
+MjforgeText MjforgeManifest(const char* output, std::uint64_t shard, std::uint64_t shards);
 /// Returns "0.1.0".
 const char* MjforgeVersion();
 

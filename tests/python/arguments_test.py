@@ -1,12 +1,19 @@
 """A wrong argument is a TypeError or a ValueError that names it, never a crash of the interpreter."""
 
+import contextlib
+import functools
+import inspect
 import pathlib
+import tempfile
+import typing
 import unittest
 
 import mjforge
+from mjforge import _options
 
 TEXTS = ("validate", "target", "assets", "name", "sampler", "on_invalid")
 NUMBERS = ("seed", "batch")
+SPEC = mjforge.Spec("hammer")
 
 
 class Arguments(unittest.TestCase):
@@ -24,12 +31,15 @@ class Arguments(unittest.TestCase):
     def test_options_that_are_not_integers(self):
         spec = mjforge.Spec("hammer")
         for option in NUMBERS:
-            for wrong in (True, None, 2.0, "7", b"7", [7]):
+            for wrong in (True, 2.0, "7", b"7", [7]):
                 with self.assertRaisesRegex(TypeError, f"{option}=.* is not an integer"):
                     spec.variants(**{option: wrong})
             for wrong in (-1, 2**64):
                 with self.assertRaisesRegex(ValueError, f"{option}={wrong} is not within"):
                     spec.variants(**{option: wrong})
+        self.assertRaises(TypeError, spec.variants, seed=None)
+        with self.assertRaisesRegex(ValueError, "batch=0 is not within 1"):
+            spec.variants(batch=0)
         self.assertRaises(TypeError, spec.variants, place_seed="7")
         self.assertRaises(ValueError, spec.variants, place_seed=-1)
         self.assertEqual(spec.variants(seed=2**64 - 1)[0].seed, 2**64 - 1)
@@ -43,9 +53,10 @@ class Arguments(unittest.TestCase):
             self.assertRaises(TypeError, mjforge.Spec, "hammer", set=wrong)
         for wrong in ("x.yaml", pathlib.Path("x.yaml"), [5], [None], [b"x.yaml"], 5):
             self.assertRaises(TypeError, mjforge.Spec, "hammer", parameters=wrong)
-        spec = mjforge.Spec("hammer")
-        spec.settings = {"handle_length": 5}
-        self.assertRaises(TypeError, spec.variants)
+        with self.assertRaises(AttributeError):
+            SPEC.settings = {"handle_length": 5}
+        with self.assertRaises(TypeError):
+            SPEC.settings["handle_length"] = 5
 
     def test_indices(self):
         variants = mjforge.Spec("hammer").variants()
@@ -55,6 +66,69 @@ class Arguments(unittest.TestCase):
             self.assertRaises(IndexError, variants.__getitem__, wrong)
         # C would take it for index 0.
         self.assertRaises(IndexError, variants[2**64:2**64 + 1].__getitem__, 0)
+
+    def test_every_option_names_its_words(self):
+        with self.assertRaisesRegex(ValueError, "target='robosuit' is not one of mujoco, scene, .*; "
+                                    "did you mean 'robosuite'"):
+            SPEC.variants(target="robosuit")
+        for option, words in _options.WORDS.items():
+            call = SPEC.variants().write if option == "durability" else SPEC.variants
+            arguments = ("unused", 1) if option == "durability" else ()
+            with self.assertRaisesRegex(ValueError, f"{option}='{words[0]}x' is not one of .*{words[-1]}.*; "
+                                        f"did you mean '{words[0]}'"):
+                call(*arguments, **{option: words[0] + "x"})
+
+    def test_types_have_the_words_of_the_library(self):
+        types = {"target": _options.Target, "assets": _options.Assets, "sampler": _options.Sampler,
+                 "on_invalid": _options.OnInvalid, "validate": _options.Validate,
+                 "durability": _options.Durability}
+        self.assertEqual({name: list(typing.get_args(each)) for name, each in types.items()}, _options.WORDS)
+
+    def test_options_of_write(self):
+        write = SPEC.variants().write
+        for count in (0, -1, 2**64):
+            with self.assertRaisesRegex(ValueError, f"count={count} is not within"):
+                write("unused", count)
+        for count in (None, True, 1.5, "3", [3]):
+            with self.assertRaisesRegex(TypeError, f"count={count!r} is not an integer".replace("[", r"\[")):
+                write("unused", count)
+        with self.assertRaisesRegex(ValueError, "output='-'"):
+            write("-", 1)
+        with self.assertRaisesRegex(TypeError, "jbs"):
+            write("unused", 1, jbs=2)
+        with self.assertRaisesRegex(ValueError, "x.xml takes one variant"):
+            write("x.xml", 2)
+        with self.assertRaisesRegex(ValueError, "shard"):
+            write("unused", 2, shard="2/2")
+
+    def test_no_argument_of_any_type_crashes(self):
+        variants = SPEC.variants()
+        functions = {mjforge.Spec: {}, SPEC.variants: {}, SPEC.check: {}, mjforge.prove: {}, mjforge.check: {},
+                     variants.write: {"count": 1}, variants.__getitem__: {}, variants[:2].write: {}}
+        wrong = [None, True, False, 0, -1, 7, 2**80, 1.5, float("nan"), "", "nothing", "a\0b", "\ud800", b"mjx",
+                 b"\xff", [], [5], (), (None,), {}, {"a": object()}, {5: 5}, set(), object(), type, len,
+                 pathlib.Path("no/such"), slice(0, 1), 1j, range(3), Exception("x")]
+        tried = 0
+        with tempfile.TemporaryDirectory() as folder, contextlib.chdir(folder):
+            for function, given in functions.items():
+                names = inspect.signature(function).parameters
+                for name, parameter in names.items():
+                    for value in wrong:
+                        arguments = {"output": "out", **given} if "output" in names else dict(given)
+                        if parameter.kind is inspect.Parameter.POSITIONAL_ONLY:
+                            call = functools.partial(function, value)
+                        elif function in (mjforge.Spec, mjforge.check) and name != "spec":
+                            call = functools.partial(function, "mug", **{**arguments, name: value})
+                        elif function == mjforge.prove and name != "batch":
+                            call = functools.partial(function, "no/such", **{name: value})
+                        else:
+                            call = functools.partial(function, **{**arguments, name: value})
+                        tried += 1
+                        try:
+                            call()
+                        except (TypeError, ValueError, IndexError, OSError) as error:
+                            self.assertTrue(str(error), (function, name, value))
+        self.assertGreater(tried, 1000)
 
 
 if __name__ == "__main__":

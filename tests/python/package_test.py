@@ -163,13 +163,11 @@ class Errors(unittest.TestCase):
         self.assertIn("        ^", str(raised.exception))
         self.assertEqual(len(pickle.loads(pickle.dumps(raised.exception.args))), 1)
 
-    def test_check_returns_them(self):
-        self.assertEqual(mjforge.check("hammer", 3), [])
-        self.assertEqual([f.code for f in mjforge.check(TYPO)],
-                         ["spec/missing-key", "spec/unknown-key"])
-        self.assertEqual(mjforge.check(mjforge.Spec("mug"), 3, physics=True), [])
-        self.assertEqual({f.code for f in mjforge.check("hammer", 3, physics=True)},
-                         {"physics/friction"})
+    def test_check_reports_them(self):
+        self.assertEqual(mjforge.check("hammer", 3).findings, ())
+        self.assertEqual(mjforge.check(mjforge.Spec("mug"), 3, physics=True).findings, ())
+        report = mjforge.check("hammer", 3, physics=True)
+        self.assertEqual(({f.code for f in report.findings}, report.ok), ({"physics/friction"}, True))
 
     def test_wrong_words_say_what_is_known(self):
         spec = mjforge.Spec("hammer")
@@ -179,8 +177,6 @@ class Errors(unittest.TestCase):
             spec.variants(assets="file")
         for wrong in (dict(seed=-1), dict(seed=2**64), dict(name="a\0b"), dict(validate="no")):
             self.assertRaises(ValueError, spec.variants, **wrong)
-        with self.assertRaisesRegex(ValueError, "--jbs"):
-            spec.variants().write("unused", 1, jbs=2)
         self.assertRaises(ValueError, mjforge.Spec, "hammer", set={"handle_length": float("nan")})
         self.assertRaises(mjforge.SpecError, mjforge.Spec, "hammer", set={"handle_lenght": 1})
         self.assertRaises(mjforge.SpecError, mjforge.Spec, "no/such/spec")

@@ -3,7 +3,7 @@
 >>> import mjforge
 >>> hammers = mjforge.Spec("hammer", set={"handle_length": "20cm .. 30cm"}).variants(seed=7)
 >>> hammers[41].mass  # kg
-0.1...
+0.07430425...
 >>> model = hammers[41].load()  # doctest: +SKIP
 
 Quantities are in SI units (m, kg, rad). Variants are made in this process; `Variants.write` and
@@ -11,15 +11,44 @@ Quantities are in SI units (m, kg, rad). Variants are made in this process; `Var
 """
 
 import os
-from typing import Optional, Union
+from typing import Any, Mapping, Optional, Union
 
-from ._command import check
+from . import _options
 from ._findings import Finding, MismatchError, SpecError, VariantError
-from ._library import catalogue, version
-from ._spec import Spec, Variants
+from ._library import version
+from ._options import Profile
+from ._parameters import CatalogueEntry, Parameter, catalogue
+from ._report import Report
+from ._spec import Source, Spec, Variants
 from ._variant import Variant
 
 __version__ = version()
+
+
+def check(
+    spec: "Union[Source, Spec]",
+    count: int = 20,
+    *,
+    set: Optional[Mapping[str, Any]] = None,
+    seed: int = 0,
+    physics: bool = False,
+    profile: "Optional[Profile]" = None,
+    jobs: Optional[int] = None,
+    time_limit: Optional[float] = None,
+) -> Report:
+    """`Spec(spec, set=set).check(...)`: what fails among the first `count` variants. Raises SpecError
+    for a broken spec.
+
+    >>> import mjforge
+    >>> print(mjforge.check("hammer", 3))
+    3 of 3 variants ok
+    """
+    if not isinstance(spec, Spec):
+        spec = Spec(spec, set=set)
+    elif set:
+        raise ValueError(f"set={set!r}: a Spec has its settings already")
+    return spec.check(count, seed=seed, physics=physics, profile=profile, jobs=jobs,
+                      time_limit=time_limit)
 
 
 def prove(
@@ -35,12 +64,17 @@ def prove(
     """
     from ._prove import run  # keeps the import of the package short
 
-    return run(batch, jobs, progress).findings
+    path = _options.path(batch, "batch")
+    workers = None if jobs is None else _options.count(jobs, "jobs")
+    return run(path, workers, _options.flag(progress, "progress")).findings
 
 
 __all__ = [
+    "CatalogueEntry",
     "Finding",
     "MismatchError",
+    "Parameter",
+    "Report",
     "Spec",
     "SpecError",
     "Variant",

@@ -4,64 +4,80 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import signal
 import subprocess
-from typing import TYPE_CHECKING, Any, Mapping, Optional
+from typing import IO, Any, Callable, Mapping, Optional
 
 from ._findings import Finding
 from ._library import PROGRAM, c_text
 
-if TYPE_CHECKING:
-    from ._spec import Source, Spec
+# A line of `generate --verbose`.
+_VARIANT = re.compile(r".*: (ok|failed|skipped), attempt \d+")
 
 
-def _findings_of(said: bytes) -> tuple[list[Finding], str]:
-    """Those of `--findings json`, and all other lines."""
-    findings, words = [], []
-    for line in said.decode(errors="replace").splitlines():
-        if line.startswith("{"):
-            findings.append(Finding(json.loads(line)))
-        else:
-            words.append(line)
-    return findings, "\n".join(words)
+class _Messages:
+    """What the command writes to standard error."""
+
+    def __init__(self, progress: Optional[Callable[[int], object]]) -> None:
+        self.findings: list[Finding] = []
+        self.words: list[str] = []
+        self._progress = progress
+        self._done = 0
+
+    def read(self, stream: IO[bytes]) -> None:
+        for encoded in stream:
+            line = encoded.decode(errors="replace").rstrip("\n")
+            if line.startswith("{"):
+                self.findings.append(Finding(json.loads(line)))
+            elif self._progress is not None and _VARIANT.fullmatch(line):
+                self._done += 1
+                self._progress(self._done)
+            else:
+                self.words.append(line)
+
+    def __str__(self) -> str:
+        return "\n".join([*(finding.text for finding in self.findings), *self.words]).strip()
 
 
-def run(arguments: list[str], text: Optional[str]) -> tuple[int, list[Finding]]:
-    """Exit status 0 or 1, and what was found. `text` goes to standard input.
+def run(arguments: list[str], text: bytes,
+        progress: Optional[Callable[[int], object]] = None) -> list[Finding]:
+    """What was found. `text` goes to standard input; `progress` gets the number of variants that
+    are done.
 
     Raises ValueError for wrong usage, OSError for failed input or output, KeyboardInterrupt when
     either process was interrupted: the command has then ended and every file is complete.
     """
-    command = [PROGRAM, arguments[0], "--findings=json", "--quiet", *arguments[1:]]
+    command = [PROGRAM, arguments[0], "--findings=json",
+               "--quiet" if progress is None else "--verbose", *arguments[1:]]
     for argument in command:
         c_text(argument, "argument")
     # In a session of its own a Ctrl-C at the terminal reaches it once, through this process.
-    process = subprocess.Popen(
-        command,
-        stdin=subprocess.DEVNULL if text is None else subprocess.PIPE,
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.PIPE,
-        start_new_session=True,
-    )
-    given = None if text is None else text.encode()
+    process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
+                               stderr=subprocess.PIPE, start_new_session=True)
+    assert process.stdin is not None and process.stderr is not None
+    messages = _Messages(progress)
     try:
-        said = process.communicate(given)[1]
+        try:
+            process.stdin.write(text)
+            process.stdin.close()
+        except BrokenPipeError:
+            pass  # the command has ended; standard error has the reason
+        messages.read(process.stderr)
+        status = process.wait()
     except BaseException:
         process.send_signal(signal.SIGINT)
-        process.communicate()
+        process.stderr.read()
+        process.wait()
         raise
-    findings, words = _findings_of(said)
-    status = process.returncode
+    finally:
+        process.stderr.close()
     if status in (0, 1):
-        return status, findings
-    told = "\n".join([*(finding.text for finding in findings), words]).strip()
-    if status == 2:
-        raise ValueError(told)
-    if status == 3:
-        raise OSError(told)
+        return messages.findings
     if status == 130:
         raise KeyboardInterrupt
-    raise RuntimeError(f"mjforge ended with status {status}: {told}")
+    kinds: dict[int, type[Exception]] = {2: ValueError, 3: OSError}
+    raise kinds.get(status, RuntimeError)(str(messages) or f"mjforge ended with status {status}")
 
 
 def options_of(options: Mapping[str, Any]) -> list[str]:
@@ -74,29 +90,3 @@ def options_of(options: Mapping[str, Any]) -> list[str]:
         if value is not True:
             words.append(os.fspath(value) if isinstance(value, os.PathLike) else str(value))
     return words
-
-
-def check(
-    spec: "Source | Spec",
-    count: int = 20,
-    *,
-    set: Optional[Mapping[str, Any]] = None,
-    seed: int = 0,
-    physics: bool = False,
-    **options: Any,
-) -> list[Finding]:
-    """What `mjforge check` finds in a spec and in its first `count` variants; writes nothing.
-
-    `physics`: each is simulated, too. Other options are the command's: `jobs`, `time_limit` (s),
-    `profile`.
-    """
-    from ._spec import Spec
-
-    if not isinstance(spec, Spec):
-        reference, text, words = Spec.command_line(spec, set or {}, ())
-    elif set:
-        raise ValueError("a Spec has its settings already")
-    else:
-        reference, text, words = Spec.command_line(spec.source, spec.settings, spec.parameter_files)
-    words += options_of({"count": count, "seed": seed, "physics": physics, **options})
-    return run(["check", *words, "--", reference], text)[1]

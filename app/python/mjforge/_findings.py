@@ -17,7 +17,7 @@ class Finding:
     """An error or a warning. What it does not have is None."""
 
     __slots__ = ("severity", "code", "message", "hint", "file", "line", "column", "seed", "index",
-                 "notes", "text")
+                 "notes", "key", "text")
 
     severity: str  # "error" or "warning"
     code: str  # "spec/unknown-key": a chapter of docs/errors.md
@@ -29,6 +29,7 @@ class Finding:
     seed: Optional[int]  # of the variant
     index: Optional[int]  # of the variant
     notes: list[dict[str, Any]]  # message, and file, line and column
+    key: Optional[str]  # of a spec given as a mapping: "parts[0].type"
     text: str  # as the command prints it
 
     def __init__(self, members: dict[str, Any], text: str = "") -> None:
@@ -41,6 +42,25 @@ class Finding:
         place = ":".join(str(p) for p in (self.file, self.line, self.column) if p is not None)
         summary = f"{place or 'mjforge'}: {self.severity}: {self.message} [{self.code}]"
         return summary if self.hint is None else f"{summary}\n  hint: {self.hint}"
+
+    def set_keys(self, key_paths: Sequence[str], name: str) -> None:
+        """Finds the key of its place in a spec that was a mapping, and those of its notes, by their
+        lines in the text called `name`.
+        """
+        def key_of(line: Optional[int]) -> str:
+            return key_paths[line - 1] if line is not None and 0 < line <= len(key_paths) else ""
+
+        self.key = key_of(self.line)
+        place = self.key or name
+        summary = [f"{place}: {self.severity}: {self.message} [{self.code}]"]
+        if self.hint is not None:
+            summary.append(f"  hint: {self.hint}")
+        for note in self.notes or []:
+            if note.get("file") == name:
+                note["key"] = key_of(note.get("line"))
+            at = note.get("key") or note.get("file")
+            summary.append(f"  {at}: note: {note['message']}" if at else f"  note: {note['message']}")
+        self.text = printable("\n".join(summary))
 
     def members(self) -> dict[str, Any]:
         """Its JSON object in the output of `--findings json`."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import json
 import operator
 import os
 from ctypes import POINTER, Structure, c_char_p, c_int, c_size_t, c_uint64, c_void_p
@@ -20,10 +19,7 @@ class Text(Structure):
 
 class Request(Structure):
     _fields_ = [
-        ("spec", c_char_p),
-        ("text", c_char_p),
-        ("text_name", c_char_p),
-        ("catalogue", c_char_p),
+        ("snapshot", c_void_p),
         ("settings", POINTER(c_char_p)),
         ("setting_count", c_size_t),
         ("parameter_files", POINTER(c_char_p)),
@@ -52,12 +48,20 @@ class VariantTexts(Structure):
         ("files_size", c_size_t),
         ("contents", c_void_p),
         ("contents_size", c_size_t),
+        ("inputs", c_void_p),
+        ("inputs_size", c_size_t),
     ]
 
 
 def _load() -> ctypes.CDLL:
     library = ctypes.CDLL(os.path.join(_FOLDER, "lib", "libmjforge.so"))
     for name, result, *arguments in (
+        ("MjforgeNewSnapshot", c_void_p, c_char_p, c_char_p, c_char_p),
+        ("MjforgeReadSnapshot", c_void_p, c_char_p, c_size_t),
+        ("MjforgeCloseSnapshot", None, c_void_p),
+        ("MjforgeSnapshotText", Text, c_void_p),
+        ("MjforgeWords", Text),
+        ("MjforgeManifest", Text, c_char_p, c_uint64, c_uint64),
         ("MjforgeOpen", c_void_p, POINTER(Request)),
         ("MjforgeClose", None, c_void_p),
         ("MjforgeFailure", Text, c_void_p),
@@ -144,11 +148,6 @@ def lines(manifest: str) -> Iterator[bytes]:
             raise OSError("it was cut off")
     finally:
         library.MjforgeCloseLines(handle)
-
-
-def catalogue() -> list[str]:
-    """Names of the bundled specs."""
-    return json.loads(bytes_of(library.MjforgeCatalogue(os.fsencode(CATALOGUE))))
 
 
 def version() -> str:

@@ -2,129 +2,62 @@
 
 from __future__ import annotations
 
-import ctypes
 import itertools
 import json
 import operator
 import os
-from typing import Any, Iterator, Mapping, Optional, Sequence, Union, overload
+import tempfile
+import types
+from typing import Any, Callable, Iterator, Mapping, Optional, Sequence, Union, overload
 
-from . import _command
-from ._findings import Finding, SpecError, VariantError
-from ._library import (CATALOGUE, Request, VariantTexts, bytes_of, c_number, c_text, c_texts,
-                       library)
+from . import _command, _options, _yaml
+from ._findings import Finding, VariantError
+from ._maker import Maker, Snapshot
+from ._options import (Assets, Durability, OnInvalid, Profile, Sampler, Target, Validate)
+from ._parameters import Parameter, parameter_of
+from ._report import Report, manifest_of, report_of
 from ._variant import Variant
 
 Source = Union[str, "os.PathLike[str]", Mapping[str, Any]]
 
-
-def _plain(value: Any) -> Any:
-    """Of NumPy's scalars and arrays, for json.dumps."""
-    if hasattr(value, "tolist"):
-        return value.tolist()
-    if isinstance(value, os.PathLike):
-        return os.fspath(value)
-    raise TypeError(f"a {type(value).__name__} is not a value of a spec: {value!r}")
-
-
-def _yaml(value: Any) -> str:
-    """JSON is YAML. Raises ValueError for infinities and NaN."""
-    return json.dumps(value, default=_plain, ensure_ascii=False, allow_nan=False)
-
-
-def _found(said: bytes) -> tuple[Finding, ...]:
-    return tuple(Finding(members, text) for members, text in json.loads(said or b"[]"))
-
-
-def _reference_and_text(source: Source) -> tuple[Optional[str], Optional[str]]:
-    if isinstance(source, Mapping):
-        return None, _yaml(source)
-    path = os.fspath(source)
-    if not isinstance(path, str):
-        raise TypeError("a spec is a str, a path or a mapping")
-    return (None, path) if "\n" in path else (path, None)
-
-
-class _Maker:
-    """An open spec in the library; for one thread at a time."""
-
-    __slots__ = ("handle", "texts", "pointer")
-
-    def __init__(self, spec: "Spec", options: Mapping[str, Any]) -> None:
-        self.handle = None
-        reference, text = _reference_and_text(spec.source)
-        place_seed = options["place_seed"]
-        pairs = [word for pair in spec.settings.items() for word in pair]
-        request = Request(
-            spec=None if reference is None else c_text(reference, "spec"),
-            text=None if text is None else c_text(text, "spec"),
-            text_name=b"<spec>",
-            catalogue=os.fsencode(CATALOGUE),
-            settings=c_texts(pairs, "set"),
-            setting_count=len(spec.settings),
-            parameter_files=c_texts(spec.parameter_files, "parameters"),
-            parameter_file_count=len(spec.parameter_files),
-            place_seed=(None if place_seed is None else
-                        ctypes.pointer(ctypes.c_uint64(c_number(place_seed, "place_seed")))),
-            **{name: (c_text if isinstance(default, str) else c_number)(options[name], name)
-               for name, default in _DEFAULTS.items() if default is not None},
-        )
-        self.handle = library.MjforgeOpen(ctypes.byref(request))
-        if not self.handle:
-            raise MemoryError
-        self.texts = VariantTexts()
-        self.pointer = ctypes.byref(self.texts)
-
-    def __del__(self) -> None:
-        if self.handle:
-            library.MjforgeClose(self.handle)
-
-    def check(self) -> tuple[Finding, ...]:
-        """Warnings of the loading; raises what hinders."""
-        failure = bytes_of(library.MjforgeFailure(self.handle))
-        if failure:
-            raise ValueError(failure.decode())
-        findings = _found(bytes_of(library.MjforgeFindings(self.handle)))
-        if any(finding.severity == "error" for finding in findings):
-            raise SpecError(findings)
-        return findings
-
-    def make(self, index: int) -> Variant:
-        status = library.MjforgeMake(self.handle, index, self.pointer)
-        texts = self.texts
-        if status == 2:
-            failure = bytes_of(library.MjforgeFailure(self.handle)).decode()
-            raise MemoryError if failure == "not enough memory" else RuntimeError(failure)
-        read = ctypes.string_at
-        size = texts.findings_size
-        findings = _found(read(texts.findings, size)) if size else ()
-        if status == 1:
-            raise VariantError(findings)
-        size = texts.files_size
-        files = read(texts.files, size) if size else b""
-        size = texts.contents_size
-        contents = read(texts.contents, size) if size else b""
-        return Variant(read(texts.xml, texts.xml_size), read(texts.record, texts.record_size),
-                       files, contents, findings)
-
-
-_DEFAULTS = {"name": "", "target": "mujoco", "assets": "inline", "sampler": "random", "on_invalid": "fail",
-             "validate": "none", "seed": 0, "batch": 0, "place_seed": None}
+_DEFAULTS: dict[str, Any] = {
+    "name": "", "target": "mujoco", "assets": "inline", "sampler": "random", "on_invalid": "fail",
+    "validate": "none", "seed": 0, "batch": None, "place_seed": None}
 
 
 class Spec:
-    """A family of objects.
+    """A family of objects, as its files were when it was made.
 
     `spec`: a name in the catalogue, a path, YAML (a text with a line break) or the same as a
-    mapping. `set`: parameters, each as a number, a list or any text a spec allows
-    ("20cm .. 30cm"); "root.joints", "root.start" and "checks.profile" are names, too. `parameters`:
-    YAML files of parameters. Raises SpecError with everything that is wrong.
+    mapping. `set`: parameters, each as a number, a list, a pair (a range) or any text a spec
+    allows ("20cm .. 30cm"); "root.joints", "root.start" and "checks.profile" are names, too.
+    `parameters`: YAML files of parameters. Raises SpecError with everything that is wrong.
+
+    >>> import mjforge
+    >>> hammer = mjforge.Spec("hammer", set={"handle_length": (0.2, 0.3)})
+    >>> hammer.parameters["handle_length"].range
+    (0.2, 0.3)
+    >>> hammer.variants(seed=7)[41].params["handle_length"]
+    0.2...
+
+    The text of the spec and the texts of all files that it imports are read once and held, and
+    pickles have them. Files that variants refer to (meshes, textures, MJCF) are read when they are
+    used: their hashes are held from the first use on, and a file that has changed since is an
+    OSError.
     """
 
     name: str
     description: str
-    parameters: list[dict[str, str]]  # name, unit and doc of each
+    path: Optional[str]  # of the spec's file; None for a text or a mapping
+    sha256: str  # of the texts of the spec and of its imports
+    parameters: Mapping[str, Parameter]
     findings: tuple[Finding, ...]  # warnings
+
+    _snapshot: Snapshot
+    _settings: dict[str, str]
+    _key_paths: tuple[str, ...]  # of the lines of a mapping's text
+    _inputs: dict[str, str]  # hashes of the files that variants refer to, by path
+    parameter_files: tuple[str, ...]
 
     def __init__(
         self,
@@ -133,59 +66,178 @@ class Spec:
         set: Optional[Mapping[str, Any]] = None,
         parameters: Sequence[Union[str, "os.PathLike[str]"]] = (),
     ) -> None:
-        self.source = spec
-        self.settings = self._texts_of(set or {})
-        if isinstance(parameters, (str, bytes, os.PathLike)):
+        reference: Optional[str] = None
+        text: Optional[str] = None
+        self._key_paths = ()
+        if isinstance(spec, Mapping):
+            text, self._key_paths = _yaml.block_text(spec)
+        else:
+            reference = _options.path(spec, "spec")
+            if "\n" in reference:
+                reference, text = None, reference
+        if isinstance(parameters, (str, bytes, os.PathLike)) or not isinstance(parameters, Sequence):
             raise TypeError(f"parameters={parameters!r} is not a list of files: write [{parameters!r}]")
-        self.parameter_files = tuple(os.fspath(path) for path in parameters)
-        maker = _Maker(self, _DEFAULTS)
+        self._snapshot = Snapshot.of(reference, text)
+        self._inputs = {}
+        self._settings = {}
+        self.parameter_files = tuple(
+            os.path.abspath(_options.path(path, "parameters")) for path in parameters)
+        settings = _checked_settings(set)
+        self.parameters = {}
+        if any(isinstance(value, (list, tuple)) or hasattr(value, "tolist")
+               for value in settings.values()):
+            self._open()  # the parameters tell whether a pair of numbers is a range or a vector
+        self._settings = self._texts_of(settings)
+        self._open()
+
+    def _open(self) -> Maker:
+        """Loads the spec and sets what is known about it."""
+        maker = Maker(self, {**_DEFAULTS, "batch": 1})
         self.findings = maker.check()
-        for member, value in json.loads(bytes_of(library.MjforgeDescription(maker.handle))).items():
+        members = maker.description()
+        parameters = [parameter_of(each) for each in members.pop("parameters")]
+        self.parameters = types.MappingProxyType({each.name: each for each in parameters})
+        for member, value in members.items():
             setattr(self, member, value)
+        return maker
 
-    @staticmethod
-    def _texts_of(settings: Mapping[str, Any]) -> dict[str, str]:
-        if not isinstance(settings, Mapping):
-            raise TypeError(f"set={settings!r} is not a mapping of names to values")
-        return {name: v if isinstance(v, str) else _yaml(v) for name, v in settings.items()}
+    def _texts_of(self, settings: Mapping[str, Any]) -> dict[str, str]:
+        def components(name: str) -> Optional[int]:
+            known = self.parameters.get(name)
+            return known.components if known is not None and known.type == "number" else None
 
-    @staticmethod
-    def command_line(
-        source: Source, settings: Mapping[str, Any], parameter_files: Sequence[str]
-    ) -> tuple[str, Optional[str], list[str]]:
-        """For the command: the spec's argument, standard input, options."""
-        reference, text = _reference_and_text(source)
-        words = [f"--set={name}={v}" for name, v in Spec._texts_of(settings).items()]
-        words += [f"--params={path}" for path in parameter_files]
-        return "-" if reference is None else reference, text, words
+        return {name: _yaml.setting_text(value, components(name)) for name, value in settings.items()}
+
+    def _with(self, settings: Optional[Mapping[str, Any]]) -> "Spec":
+        """The same spec with further settings, from the same texts."""
+        if not settings:
+            return self
+        other = Spec.__new__(Spec)
+        other.__dict__.update(self.__dict__)
+        other._settings = {**self._settings, **self._texts_of(_checked_settings(settings))}
+        return other
+
+    @property
+    def settings(self) -> Mapping[str, str]:
+        """What was set, as texts of YAML."""
+        return types.MappingProxyType(self._settings)
+
+    @property
+    def text(self) -> str:
+        """The YAML of the spec."""
+        return self.texts["-" if self.path is None else self.path]
+
+    @property
+    def texts(self) -> dict[str, str]:
+        """The texts that were read, by path: of the spec, of what it imports, and of tables and
+        parameter files; "-" is the path of a spec without a file.
+        """
+        return dict(json.loads(self._snapshot.saved())["texts"])
 
     def variants(
         self,
         seed: int = 0,
         *,
-        target: str = "mujoco",
-        assets: str = "inline",
+        set: Optional[Mapping[str, Any]] = None,
+        target: Target = "mujoco",
+        assets: Assets = "inline",
         name: str = "",
-        sampler: str = "random",
-        batch: int = 0,
-        on_invalid: str = "fail",
-        validate: str = "none",
+        sampler: Sampler = "random",
+        batch: Optional[int] = None,
+        on_invalid: OnInvalid = "fail",
+        validate: Validate = "none",
         place_seed: Optional[int] = None,
     ) -> "Variants":
         """Its variants: the same that `mjforge generate` makes with these options.
 
+        `set`: further parameters, as for Spec, without reading the spec again.
         `assets="files"`: meshes are OBJ and textures PNG, in `Variant.files`, not in the XML.
-        `name`: of the object; "${index}" allowed. `batch`: variants that the draws are spread
-        over, for samplers that need to know. `on_invalid="skip"`: iteration leaves out what cannot
-        be made. `validate`: "none", "load" or "physics", in the MuJoCo that the package contains.
-        `place_seed`: seed of the places alone: the same objects elsewhere.
+        `name`: of the object; "${index}" allowed. `batch`: the number of variants over which the
+        samplers "latin" and "grid" and choices with `exact: true` spread their draws, which cannot
+        do without it. `on_invalid="skip"`: iteration leaves out what cannot be made. `validate`:
+        "none", "load" or "physics", in the MuJoCo that the package contains. `place_seed`: seed of
+        the places alone: the same objects elsewhere.
+
+        >>> import mjforge
+        >>> hammer = mjforge.Spec("hammer")
+        >>> for longest in (0.15, 0.2, 0.25):  # a curriculum
+        ...     variants = hammer.variants(seed=3, set={"handle_length": (0.1, longest)})
+        ...     assert all(v.params["handle_length"] <= longest for v in variants[:5])
         """
-        return Variants(self, {"name": name, "target": target, "assets": assets, "sampler": sampler,
-                               "on_invalid": on_invalid, "validate": validate, "seed": seed,
-                               "batch": batch, "place_seed": place_seed})
+        options = _options.checked({
+            "name": name, "target": target, "assets": assets, "sampler": sampler,
+            "on_invalid": on_invalid, "validate": validate, "seed": seed, "batch": batch,
+            "place_seed": place_seed})
+        return Variants(self._with(set), options)
+
+    def check(
+        self,
+        count: int = 20,
+        *,
+        seed: int = 0,
+        physics: bool = False,
+        profile: Optional[Profile] = None,
+        jobs: Optional[int] = None,
+        time_limit: Optional[float] = None,
+    ) -> Report:
+        """Makes the first `count` variants, loads each in the MuJoCo that the package contains, and
+        reports what fails. Writes nothing.
+
+        `physics`: each is simulated, too. `profile="simready"`: more tests. `jobs`: processes
+        (default: one per core). `time_limit`: s for each variant.
+
+        >>> import mjforge
+        >>> report = mjforge.Spec("mug").check(3)
+        >>> report.ok, report.made, list(report.failed)
+        (True, 3, [])
+        """
+        options = _options.checked({"seed": seed, "physics": physics, "profile": profile})
+        validate = "physics" if physics or profile not in (None, "none") else "load"
+        variants = Variants(self, {**_DEFAULTS, "seed": options["seed"], "validate": validate},
+                            makers=[])
+        with tempfile.TemporaryDirectory() as folder:
+            report = variants.write(os.path.join(folder, "checked.tar"), count, profile=profile,
+                                    jobs=jobs, time_limit=time_limit, durability="none")
+        return Report(report.count, report.made, report.failed, report.skipped, report.findings, None)
+
+    def __reduce__(self) -> Any:
+        return _again, (self._snapshot.saved(), self._settings, self.parameter_files,
+                        self._key_paths, self._inputs)
 
     def __repr__(self) -> str:
         return f"<mjforge.Spec {self.name}>"
+
+
+def _checked_settings(settings: Any) -> dict[str, Any]:
+    """A copy, whose names are texts and whose values a spec can have."""
+    if settings is None:
+        return {}
+    if not isinstance(settings, Mapping):
+        raise TypeError(f"set={settings!r} is not a mapping of names to values")
+    for name, value in settings.items():
+        _options.text(name, "set")
+        if isinstance(value, str):
+            _options.text(value, f"set[{name!r}]")
+            continue
+        try:
+            _yaml.flow_text(value)
+        except ValueError as error:
+            raise ValueError(f"set[{name!r}]={value!r} is not a value of a spec: {error}") from None
+        except TypeError as error:
+            raise TypeError(f"set[{name!r}]: {error}") from None
+    return dict(settings)
+
+
+def _again(snapshot: bytes, settings: dict[str, str], parameter_files: tuple[str, ...],
+           key_paths: tuple[str, ...], inputs: dict[str, str]) -> Spec:
+    spec = Spec.__new__(Spec)
+    spec._snapshot = Snapshot.read(snapshot)
+    spec._settings = settings
+    spec.parameter_files = parameter_files
+    spec._key_paths = key_paths
+    spec._inputs = inputs
+    spec._open()
+    return spec
 
 
 class Variants:
@@ -194,12 +246,12 @@ class Variants:
     """
 
     def __init__(self, spec: Spec, options: dict[str, Any],
-                 indices: Optional[range] = None, makers: Optional[list[_Maker]] = None) -> None:
+                 indices: Optional[range] = None, makers: Optional[list[Maker]] = None) -> None:
         self.spec = spec
         self._options = options
         self._indices = indices
         if makers is None:
-            makers = [_Maker(spec, options)]
+            makers = [Maker(spec, options)]
             makers[0].check()
         self._makers = makers  # idle ones; a list's pop and append are atomic
 
@@ -209,7 +261,7 @@ class Variants:
         try:
             maker = self._makers.pop()
         except IndexError:
-            maker = _Maker(self.spec, self._options)
+            maker = Maker(self.spec, self._options)
             maker.check()
         try:
             return maker.make(index)
@@ -223,9 +275,10 @@ class Variants:
     def __getitem__(self, key: Any) -> Any:
         if isinstance(key, slice):
             return Variants(self.spec, self._options, self._range(key), self._makers)
-        if self._indices is not None:
-            return self._make(self._indices[key])
-        return self._make(operator.index(key))
+        if isinstance(key, bool) or not hasattr(key, "__index__"):
+            raise TypeError(f"{key!r} is not the index of a variant but of type {type(key).__name__}")
+        index = operator.index(key)
+        return self._make(index if self._indices is None else self._indices[index])
 
     def _range(self, key: slice) -> range:
         if self._indices is not None:
@@ -252,38 +305,80 @@ class Variants:
     def write(
         self,
         output: Union[str, "os.PathLike[str]"],
-        count: int,
+        count: Optional[int] = None,
         *,
+        first: Optional[int] = None,
+        progress: Optional[Callable[[int, Optional[int]], object]] = None,
         jobs: Optional[int] = None,
-        validate: str = "load",
-        **options: Any,
-    ) -> None:
-        """Writes the first `count` as `mjforge generate` does, which it runs: files or archives and
-        a manifest.
+        time_limit: Optional[float] = None,
+        resume: bool = False,
+        shard: Optional[str] = None,
+        per_archive: Optional[int] = None,
+        validate: Optional[Validate] = None,
+        profile: Optional[Profile] = None,
+        each: bool = False,
+        force: bool = False,
+        verify: bool = False,
+        if_changed: bool = False,
+        durability: Optional[Durability] = None,
+    ) -> Report:
+        """Writes the first `count`, or those of a slice, as `mjforge generate` does, which it runs:
+        files or archives and a manifest. They are the same as those made here.
 
-        `jobs`: processes (default: one per core). Other options are the command's, such as
-        `resume=True`, `shard="0/4"`, `time_limit=5` (s). Raises VariantError for those that could
-        not be made, after making the others, and OSError where writing fails. After Ctrl-C every
-        file is complete, and `resume=True` continues.
+        `progress(done, total)` is called after each variant of this run; `total` is None for a
+        shard. `jobs`: processes (default: one per core). `time_limit`: s for each variant.
+        `validate`: default: that of `variants()`, but at least "load". All other options are the
+        command's: `first` is the first index, `shard="0/4"` a part of the batch.
+
+        Returns a report, also if variants failed. Raises OSError where writing fails. After Ctrl-C
+        or an exception of `progress` every file is complete, and `resume=True` continues.
+
+        >>> import mjforge, tempfile
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     report = mjforge.Spec("mug").variants(seed=7).write(folder, 3)
+        >>> report.made, report.ok, report.manifest.name
+        (3, True, 'manifest.jsonl')
         """
-        if self._indices is not None:
-            raise ValueError("all variants can be written, not a slice: use first=")
-        spec = self.spec
-        reference, text, words = Spec.command_line(spec.source, spec.settings, spec.parameter_files)
+        span = self._span(count, first)
+        options = _options.checked({
+            "output": output, "jobs": jobs, "time_limit": time_limit, "resume": resume,
+            "shard": shard, "per_archive": per_archive, "profile": profile, "each": each,
+            "force": force, "verify": verify, "if_changed": if_changed, "durability": durability,
+            "progress": progress, "validate": self._validation() if validate is None else validate})
+        if options["output"] in ("", "-"):
+            raise ValueError(f"output={options['output']!r} is not a file, an archive or a folder")
+        del options["progress"]
+        own = {name: value for name, value in self._options.items() if name != "validate"}
+        own["batch"] = own["batch"] or len(span)
+        words = [f"--set={name}={value}" for name, value in self.spec.settings.items()]
+        words += [f"--params={path}" for path in self.spec.parameter_files]
         words += _command.options_of({
-            **{name: value for name, value in self._options.items() if value != _DEFAULTS[name]},
-            "validate": validate, "count": count, "jobs": jobs, "output": output, **options})
-        status, findings = _command.run(["generate", *words, "--", reference], text)
-        if status != 0:
-            raise VariantError(findings)
+            **{name: value for name, value in own.items() if value != _DEFAULTS[name]},
+            "first": span.start, "count": len(span), **options})
+        total = len(span) if shard is None else None
+        findings = _command.run(
+            ["generate", *words, "--", "-"], self.spec._snapshot.saved(),
+            None if progress is None else lambda done: progress(done, total))
+        return report_of(manifest_of(options["output"], shard), span.start, len(span), findings)
+
+    def _span(self, count: Optional[int], first: Optional[int]) -> range:
+        """The indices to write."""
+        if self._indices is None:
+            start = 0 if first is None else _options.number(first, "first")
+            return range(start, start + _options.count(count, "count"))
+        for option, value in (("count", count), ("first", first)):
+            if value is not None:
+                raise ValueError(f"{option}={value!r}: a slice has its variants already")
+        if self._indices.step != 1 or not self._indices:
+            raise ValueError(f"variants {self._indices} are not consecutive, so they cannot be written")
+        return self._indices
+
+    def _validation(self) -> str:
+        return "load" if self._options["validate"] == "none" else str(self._options["validate"])
 
     def __reduce__(self) -> Any:
-        return _again, (self.spec, self._options, self._indices)
+        return Variants, (self.spec, self._options, self._indices)
 
     def __repr__(self) -> str:
         which = "" if self._indices is None else f" {self._indices}"
         return f"<mjforge.Variants of {self.spec.name}{which}>"
-
-
-def _again(spec: Spec, options: dict[str, Any], indices: Optional[range]) -> Variants:
-    return Variants(spec, options, indices)

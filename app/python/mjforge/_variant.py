@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 from typing import TYPE_CHECKING, Any, Optional
@@ -131,6 +132,8 @@ class Variant:
             if path:
                 with open(os.fsencode(path), "rb") as file:
                     files[name] = file.read()
+                if hashlib.sha256(files[name]).hexdigest() != self.record["assets"][name]:
+                    raise OSError(f"'{path}' has changed since this variant was made")
             else:
                 files[name] = self._contents[start:start + size]
                 start += size

@@ -1,0 +1,140 @@
+"""Objects of the library: snapshots of specs, and the makers of variants."""
+
+from __future__ import annotations
+
+import ctypes
+import json
+import os
+from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence
+
+from ._findings import Finding, SpecError, VariantError
+from ._library import (CATALOGUE, Request, VariantTexts, bytes_of, c_number, c_text, c_texts,
+                       library)
+from ._variant import Variant
+
+if TYPE_CHECKING:
+    from ._spec import Spec
+
+TEXT_NAME = "<spec>"  # of a spec without a file, in findings
+
+
+class Snapshot:
+    """A spec with the texts of all files that its loads have read; threads may share it."""
+
+    __slots__ = ("handle",)
+
+    def __init__(self, handle: Optional[int]) -> None:
+        self.handle = handle
+        if not handle:
+            raise MemoryError
+
+    @classmethod
+    def of(cls, reference: Optional[str], text: Optional[str]) -> "Snapshot":
+        """Of a file or a name in the search path, or of a text."""
+        return cls(library.MjforgeNewSnapshot(
+            None if reference is None else c_text(reference, "spec"),
+            None if text is None else c_text(text, "spec"), os.fsencode(CATALOGUE)))
+
+    @classmethod
+    def read(cls, saved: bytes) -> "Snapshot":
+        return cls(library.MjforgeReadSnapshot(saved, len(saved)))
+
+    def saved(self) -> bytes:
+        """JSON for `read`, and for the command as the text of a spec."""
+        return bytes_of(library.MjforgeSnapshotText(self.handle))
+
+    def __del__(self) -> None:
+        if getattr(self, "handle", None):
+            library.MjforgeCloseSnapshot(self.handle)
+
+
+def found(said: bytes, key_paths: Sequence[str] = ()) -> tuple[Finding, ...]:
+    """The findings of MjforgeFindings. `key_paths`: of the lines of a spec that was a mapping."""
+    findings = []
+    for members, text in json.loads(said or b"[]"):
+        finding = Finding(members, text)
+        if key_paths and finding.file == TEXT_NAME:
+            finding.set_keys(key_paths, TEXT_NAME)
+        findings.append(finding)
+    return tuple(findings)
+
+
+class Maker:
+    """An open spec in the library; for one thread at a time."""
+
+    __slots__ = ("handle", "texts", "pointer", "_key_paths", "_inputs", "_changed")
+
+    def __init__(self, spec: "Spec", options: Mapping[str, Any]) -> None:
+        self.handle = None
+        self._key_paths = spec._key_paths
+        self._inputs = spec._inputs
+        self._changed = ""
+        place_seed = options["place_seed"]
+        settings = [word for pair in spec.settings.items() for word in pair]
+        request = Request(
+            snapshot=spec._snapshot.handle,
+            settings=c_texts(settings, "set"),
+            setting_count=len(settings) // 2,
+            parameter_files=c_texts(spec.parameter_files, "parameters"),
+            parameter_file_count=len(spec.parameter_files),
+            place_seed=(None if place_seed is None else
+                        ctypes.pointer(ctypes.c_uint64(c_number(place_seed, "place_seed")))),
+            seed=c_number(options["seed"], "seed"),
+            batch=c_number(options["batch"] or 0, "batch"),
+            **{name: c_text(options[name], name)
+               for name in ("name", "target", "assets", "sampler", "on_invalid", "validate")},
+        )
+        self.handle = library.MjforgeOpen(ctypes.byref(request))
+        if not self.handle:
+            raise MemoryError
+        self.texts = VariantTexts()
+        self.pointer = ctypes.byref(self.texts)
+
+    def __del__(self) -> None:
+        if getattr(self, "handle", None):
+            library.MjforgeClose(self.handle)
+
+    def check(self) -> tuple[Finding, ...]:
+        """Warnings of the loading; raises what hinders."""
+        findings = found(bytes_of(library.MjforgeFindings(self.handle)), self._key_paths)
+        if any(finding.severity == "error" for finding in findings):
+            raise SpecError(findings)
+        failure = bytes_of(library.MjforgeFailure(self.handle))
+        if failure:
+            raise ValueError(failure.decode())
+        return findings
+
+    def description(self) -> dict[str, Any]:
+        return json.loads(bytes_of(library.MjforgeDescription(self.handle)))  # type: ignore[no-any-return]
+
+    def make(self, index: int) -> Variant:
+        if self._changed:
+            raise OSError(self._changed)
+        status = library.MjforgeMake(self.handle, index, self.pointer)
+        texts = self.texts
+        if status == 2:
+            failure = bytes_of(library.MjforgeFailure(self.handle)).decode()
+            raise MemoryError if failure == "not enough memory" else RuntimeError(failure)
+        read = ctypes.string_at
+        size = texts.findings_size
+        findings = found(read(texts.findings, size), self._key_paths) if size else ()
+        if status == 1:
+            raise VariantError(findings)
+        size = texts.inputs_size
+        if size:
+            self._compare(json.loads(read(texts.inputs, size)))
+        size = texts.files_size
+        files = read(texts.files, size) if size else b""
+        size = texts.contents_size
+        contents = read(texts.contents, size) if size else b""
+        return Variant(read(texts.xml, texts.xml_size), read(texts.record, texts.record_size),
+                       files, contents, findings)
+
+    def _compare(self, inputs: list[list[str]]) -> None:
+        """Compares the hashes of files that variants refer to with those at their first use."""
+        for path, sha256 in inputs:
+            first = self._inputs.setdefault(path, sha256)
+            if first != sha256:
+                self._changed = (f"'{path}' has changed since this Spec first used it: its SHA-256 is "
+                                 f"{sha256}, and was {first}; make a new Spec")
+                raise OSError(self._changed)

@@ -1,0 +1,102 @@
+"""Options of functions: their words, and the check of every argument before it reaches C."""
+
+from __future__ import annotations
+
+import difflib
+import json
+import math
+import operator
+import os
+from typing import Any, Callable, Literal, Mapping
+
+from ._library import bytes_of, c_number, c_text, library
+
+Target = Literal["mujoco", "scene", "robosuite", "robocasa", "mjx"]
+Assets = Literal["inline", "files"]
+Sampler = Literal["random", "sobol", "latin", "grid"]
+OnInvalid = Literal["fail", "skip", "resample"]
+Validate = Literal["none", "load", "physics"]
+Durability = Literal["none", "batch"]
+Profile = Literal["none", "simready"]
+
+# The words that the library knows, by option. A test compares the types above with them.
+WORDS: dict[str, list[str]] = json.loads(bytes_of(library.MjforgeWords()))
+
+
+def text(value: Any, option: str) -> str:
+    """A text without zero characters."""
+    c_text(value, option)
+    return str(value)
+
+
+def word(value: Any, option: str) -> str:
+    """One of the words of the option."""
+    words = WORDS[option]
+    if text(value, option) in words:
+        return str(value)
+    meant = difflib.get_close_matches(value, words, 1)
+    hint = f"; did you mean '{meant[0]}'?" if meant else ""
+    raise ValueError(f"{option}={value!r} is not one of {', '.join(words)}{hint}")
+
+
+def number(value: Any, option: str) -> int:
+    """An integer from 0 on that fits into 64 bits."""
+    return c_number(value, option)
+
+
+def count(value: Any, option: str) -> int:
+    """An integer from 1 on."""
+    if c_number(value, option) == 0:
+        raise ValueError(f"{option}=0 is not within 1 .. 2^64 - 1")
+    return operator.index(value)
+
+
+def seconds(value: Any, option: str) -> float:
+    """A positive number."""
+    if isinstance(value, (bool, str, bytes)) or not hasattr(value, "__float__"):
+        raise TypeError(f"{option}={value!r} is not a number but of type {type(value).__name__}")
+    if not 0 < float(value) < math.inf:
+        raise ValueError(f"{option}={value!r} is not a positive number of seconds")
+    return float(value)
+
+
+def flag(value: Any, option: str) -> bool:
+    """True or False."""
+    if not isinstance(value, bool):
+        raise TypeError(f"{option}={value!r} is not True or False but of type {type(value).__name__}")
+    return value
+
+
+def path(value: Any, option: str) -> str:
+    """A file or a folder: a text or a path."""
+    if not isinstance(value, (str, os.PathLike)):
+        raise TypeError(f"{option}={value!r} is not a path but of type {type(value).__name__}")
+    return text(os.fspath(value), option)
+
+
+def function(value: Any, option: str) -> Any:
+    """A callable object."""
+    if not callable(value):
+        raise TypeError(f"{option}={value!r} cannot be called: it is of type {type(value).__name__}")
+    return value
+
+
+# The check of each option, which is the same in all functions that have the option.
+_CHECKS: dict[str, Callable[[Any, str], Any]] = {
+    "seed": number, "place_seed": number, "batch": count, "count": count, "first": number,
+    "jobs": count, "per_archive": count, "time_limit": seconds,
+    "name": text, "shard": text, "output": path,
+    "target": word, "assets": word, "sampler": word, "on_invalid": word, "validate": word,
+    "durability": word, "profile": text,
+    "resume": flag, "verify": flag, "force": flag, "if_changed": flag, "each": flag,
+    "physics": flag, "progress": function,
+}
+# Options that may be None, which stands for their default.
+_OPTIONAL = {"place_seed", "batch", "jobs", "per_archive", "time_limit", "shard", "profile",
+             "progress", "durability"}
+
+
+def checked(options: Mapping[str, Any]) -> dict[str, Any]:
+    """The options after their checks. Raises TypeError or ValueError, which names the option."""
+    return {option: None if value is None and option in _OPTIONAL else _CHECKS[option](value, option)
+            for option, value in options.items()}

@@ -1,0 +1,105 @@
+"""Specs given as mappings: their text, and the key path of each of its lines."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+from typing import Any, Mapping, Optional
+
+_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+
+
+def _plain(value: Any) -> Any:
+    """The same as JSON's types: of NumPy's scalars and arrays, and of paths."""
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    if isinstance(value, Mapping):
+        return dict(value)
+    raise TypeError(f"a {type(value).__name__} is not a value of a spec: {value!r}")
+
+
+def flow_text(value: Any) -> str:
+    """A value on one line: JSON is YAML. Raises TypeError, and ValueError for infinities and NaN."""
+    return json.dumps(value, default=_plain, ensure_ascii=False, allow_nan=False)
+
+
+def _key(path: str, key: str) -> str:
+    if not _NAME.fullmatch(key):
+        return f"{path}[{key!r}]"
+    return f"{path}.{key}" if path else key
+
+
+class _Lines:
+    """A text under construction, with a value or a bracket on each line."""
+
+    def __init__(self) -> None:
+        self.texts: list[str] = []
+        self.paths: list[str] = []
+
+    def add(self, value: Any, path: str, before: str = "", after: str = "") -> None:
+        if not isinstance(value, (str, bytes, Mapping, list, tuple, int, float, type(None))):
+            value = _plain(value)
+        if isinstance(value, Mapping) and value:
+            self._line(f"{before}{{", path)
+            self._items([(_key(path, self._name(key)), f"{flow_text(key)}: ", item)
+                         for key, item in value.items()])
+            self._line(f"}}{after}", path)
+        elif isinstance(value, (list, tuple)) and value:
+            self._line(f"{before}[", path)
+            self._items([(f"{path}[{i}]", "", item) for i, item in enumerate(value)])
+            self._line(f"]{after}", path)
+        else:
+            self._line(f"{before}{flow_text(value)}{after}", path)
+
+    @staticmethod
+    def _name(key: Any) -> str:
+        if not isinstance(key, str):
+            raise TypeError(f"{key!r} is not a key of a spec: it is of type {type(key).__name__}")
+        return key
+
+    def _items(self, items: list[tuple[str, str, Any]]) -> None:
+        for i, (path, before, item) in enumerate(items, 1):
+            self.add(item, path, before, "," if i < len(items) else "")
+
+    def _line(self, text: str, path: str) -> None:
+        self.texts.append(text)
+        self.paths.append(path)
+
+
+def block_text(spec: Mapping[str, Any]) -> tuple[str, tuple[str, ...]]:
+    """The text of a mapping, and the key path of each line: `parts[0].type`."""
+    lines = _Lines()
+    lines.add(spec, "")
+    return "\n".join(lines.texts) + "\n", tuple(lines.paths)
+
+
+def setting_text(value: Any, components: Optional[int]) -> str:
+    """The value of a setting as YAML. A pair of numbers for a parameter that is one number is a
+    range, and so is a pair within the value of a vector. `components`: size of a vector; None if
+    the name is no parameter of numbers.
+    """
+    if isinstance(value, str):
+        return value
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    if components is None or not isinstance(value, (list, tuple)):
+        return flow_text(value)
+    if components == 1:
+        return _range_text(value) or flow_text(value)
+    items = [_range_text(item) or flow_text(item) for item in value]
+    return f"[{', '.join(items)}]"
+
+
+def _range_text(value: Any) -> str:
+    """The range of a pair of numbers, "0.2 .. 0.3"; empty for other values."""
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    if not isinstance(value, (list, tuple)) or len(value) != 2:
+        return ""
+    ends = [end.item() if hasattr(end, "item") else end for end in value]
+    if not all(isinstance(end, (int, float)) and not isinstance(end, bool) for end in ends):
+        return ""
+    return f"{flow_text(ends[0])} .. {flow_text(ends[1])}"

@@ -1,0 +1,14 @@
+// Description of a spec's parameters as JSON.
+#pragma once
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/spec/spec.h"
+
+namespace mjforge::python {
+
+/// Writes a list of objects with the members name, unit, doc, spec (the value as written), type,
+/// components, distribution, low, high and choices. `low` and `high` are numbers, or lists for
+/// vectors. A member is null if the value has none or only a variant determines it.
+void WriteParameters(diag::Json& json, const spec::ObjectSpec& spec);
+
+}  // namespace mjforge::python

@@ -1,0 +1,61 @@
+// C interface: snapshots of specs.
+#include "snapshots.h"
+
+#include <memory>
+#include <system_error>
+
+#include "mjforge/forge/forge.h"
+#include "text_view.h"
+
+using namespace mjforge;
+using python::View;
+
+namespace {
+
+spec::Snapshot NewSnapshot(const char* reference, const char* text, const char* catalogue) {
+  spec::Snapshot snapshot;
+  snapshot.spec = reference != nullptr ? reference : bytes::kStandardInput;
+  std::error_code error;
+  snapshot.folder = std::filesystem::current_path(error);
+  for (const std::filesystem::path& folder : forge::SearchPath(catalogue))
+    snapshot.search_path.push_back(snapshot.folder / folder);
+  if (reference == nullptr) {
+    snapshot.text_name = "<spec>";
+    snapshot.texts[bytes::kStandardInput] = text;
+  }
+  return snapshot;
+}
+
+}  // namespace
+
+MjforgeSnapshot* MjforgeNewSnapshot(const char* reference, const char* text,
+                                    const char* catalogue) {
+  try {
+    auto made = std::make_unique<MjforgeSnapshot>();
+    made->snapshot = NewSnapshot(reference, text, catalogue);
+    return made.release();
+  } catch (const std::exception&) {
+    return nullptr;
+  }
+}
+
+MjforgeSnapshot* MjforgeReadSnapshot(const char* text, std::size_t size) {
+  try {
+    auto made = std::make_unique<MjforgeSnapshot>();
+    std::optional<spec::Snapshot> read = spec::ReadSnapshot({text, size});
+    if (!read) return nullptr;
+    made->snapshot = *std::move(read);
+    return made.release();
+  } catch (const std::exception&) {
+    return nullptr;
+  }
+}
+
+void MjforgeCloseSnapshot(MjforgeSnapshot* snapshot) { delete snapshot; }
+
+MjforgeText MjforgeSnapshotText(MjforgeSnapshot* snapshot) {
+  thread_local std::string text;
+  const std::scoped_lock lock(snapshot->mutex);
+  text = spec::SnapshotText(snapshot->snapshot);
+  return View(text);
+}

@@ -1,0 +1,69 @@
+// C interface: words of options, the catalogue, and names of manifests.
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mjforge/forge/forge.h"
+#include "text_view.h"
+
+using namespace mjforge;
+using python::View;
+
+namespace {
+
+template <typename Words>
+void AddWords(diag::Json& json, std::string_view option, const Words& words) {
+  json.Member(option, std::vector<std::string_view>(std::begin(words), std::end(words)));
+}
+
+}  // namespace
+
+MjforgeText MjforgeWords() {
+  static const std::string words = [] {
+    diag::Json json(nullptr);
+    json.StartObject();
+    AddWords(json, "target", mjcf::TargetNames());
+    AddWords(json, "assets", mjcf::kAssetForms);
+    AddWords(json, "sampler", sample::MethodNames());
+    AddWords(json, "on_invalid", manifest::kOnInvalid);
+    AddWords(json, "validate", manifest::kValidations);
+    AddWords(json, "durability", output::kDurabilities);
+    json.EndObject();
+    return json.Take();
+  }();
+  return View(words);
+}
+
+MjforgeText MjforgeCatalogue(const char* catalogue) {
+  thread_local std::string text;
+  diag::Json json(nullptr);
+  json.StartArray();
+  spec::LoadOptions load;
+  load.search_path = forge::SearchPath(catalogue);
+  std::set<std::string> seen;  // the first folder of the search path has priority
+  for (const std::filesystem::path& folder : load.search_path) {
+    for (const std::string& name : spec::ListSpecs(folder)) {
+      if (!seen.insert(name).second) continue;
+      diag::Sources sources;
+      diag::Findings findings;
+      const auto spec = spec::LoadSpec(name, load, sources, findings);
+      if (spec == nullptr) continue;
+      json.Value(std::vector<std::string>{name, spec->description,
+                                          std::filesystem::absolute(spec->files.front()).string()});
+    }
+  }
+  json.EndArray();
+  text = json.Take();
+  return View(text);
+}
+
+MjforgeText MjforgeManifest(const char* output, std::uint64_t shard, std::uint64_t shards) {
+  using Kind = output::Destination::Kind;
+  thread_local std::string path;
+  std::string why_not;
+  const auto destination = output::ParseDestination(output, 1, why_not);
+  if (!destination || (destination->kind != Kind::kFolder && !destination->IsArchive())) return {};
+  path = destination->Manifest({shard, shards}).string();
+  return View(path);
+}

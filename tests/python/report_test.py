@@ -1,0 +1,203 @@
+"""Writing and checking return reports; parameters, settings and findings say what they are about."""
+
+import contextlib
+import doctest
+import json
+import math
+import os
+import pathlib
+import pickle
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import mjforge
+import mjforge._maker
+
+HALF_FAIL = {"mjforge": 1, "name": "m", "params": {"l": {"value": "22cm .. 30cm"}},
+             "parts": [{"name": "h", "type": "capsule", "size": ["1cm", "l/2"]}], "expect": ["l < 25cm"]}
+ALL_FAIL = {**HALF_FAIL, "expect": ["l < 1cm"]}
+EXACT = {"mjforge": 1, "name": "m", "params": {"c": {"choice": ["a", "b", "c", "d"], "exact": True}},
+         "parts": [{"name": "h", "type": "sphere", "size": ["1cm"]}]}
+KINDS = {"mjforge": 1, "name": "kinds", "params": {
+    "width": {"value": "20cm .. 30cm", "unit": "m", "doc": "Of it."},
+    "gauss": {"normal": [0.5, 0.1], "clip": [0.4, 0.6]}, "free": {"normal": [0, 1]}, "count": {"integer": [1, 4]},
+    "shape": {"choice": ["box", "disc"]}, "level": {"choice": [1, 3, 2]}, "flag": {"bernoulli": 0.5},
+    "size": ["1cm .. 2cm", "3cm", "4cm .. 5cm"], "fixed": 0.25, "twice": "2 * width", "rate": {"exponential": 2}},
+    "parts": [{"name": "a", "type": "box", "size": ["size.x", "size.y", "size.z"],
+               "if": "flag or shape == 'box' or gauss + free + count + level + fixed + rate > -100 or twice > 0 or true"}]}
+
+
+class Reports(unittest.TestCase):
+    def setUp(self):
+        self.enterContext(contextlib.chdir(self.enterContext(tempfile.TemporaryDirectory())))
+
+    def test_failed_variants_are_reported_by_index(self):
+        variants = mjforge.Spec(HALF_FAIL).variants(seed=1)
+        expected = [i for i in range(20) if not self.makes(variants, i)]
+        self.assertTrue(0 < len(expected) < 20)
+        report = variants.write("out", 20)
+        self.assertEqual((report.count, report.made, report.ok), (20, 20 - len(expected), False))
+        self.assertEqual(list(report.failed), expected)
+        for index, findings in report.failed.items():
+            self.assertEqual({finding.index for finding in findings}, {index})
+        self.assertEqual(report.manifest, pathlib.Path("out/manifest.jsonl"))
+        checked = mjforge.Spec(HALF_FAIL).check(20, seed=1)
+        self.assertEqual((list(checked.failed), checked.made, checked.manifest),
+                         (expected, report.made, None))
+        self.assertEqual(list(variants[5:15].write("slice", jobs=1).failed), [i for i in expected if 5 <= i < 15])
+        skipping = mjforge.Spec(HALF_FAIL).variants(seed=1, on_invalid="skip").write("skip", 20)
+        self.assertEqual((skipping.ok, list(skipping.skipped)), (True, expected))
+
+    @staticmethod
+    def makes(variants, index):
+        try:
+            return bool(variants[index])
+        except mjforge.VariantError:
+            return False
+
+    def test_nothing_made_is_a_report_too(self):
+        for output in ("out", "one.xml", "a.tar"):
+            report = mjforge.Spec(ALL_FAIL).variants().write(output, 1)
+            self.assertEqual((report.ok, report.made, list(report.failed), report.manifest), (False, 0, [0], None))
+            self.assertTrue(report.failed[0])
+        self.assertEqual(list(mjforge.Spec(ALL_FAIL).check(3).failed), [0, 1, 2])
+        self.assertEqual(mjforge.Spec("mug").variants().write("one.xml", 1).made, 1)
+
+    def test_options_of_variants_are_used(self):
+        variants = mjforge.Spec("mug").variants(seed=7, validate="physics")
+        report = variants.write("out", 1)
+        self.assertEqual(json.loads(report.manifest.read_text())["validate"], "physics")
+        report = variants.write("again", 1, validate="none")
+        self.assertEqual(json.loads(report.manifest.read_text())["validate"], "none")
+
+    def test_progress_counts_variants(self):
+        told = []
+        mjforge.Spec("mug").variants().write("out", 12, progress=lambda done, total: told.append((done, total)))
+        self.assertEqual(told, [(i, 12) for i in range(1, 13)])
+        report = mjforge.Spec("mug").variants().write("shards", 12, shard="1/3", progress=lambda *_: None)
+        self.assertEqual((report.made, report.manifest.name), (4, "manifest-00001-of-00003.jsonl"))
+
+    def test_an_exception_of_progress_stops_and_resume_finishes(self):
+        variants = mjforge.Spec("mug").variants(seed=3)
+
+        def stop(done, total):
+            if done == 5:
+                raise KeyboardInterrupt
+
+        self.assertRaises(KeyboardInterrupt, variants.write, "out", 3000, jobs=1, progress=stop)
+        self.assertFalse(os.path.exists("out/manifest.jsonl"))
+        self.assertGreater(len(list(pathlib.Path("out").glob("*.xml"))), 4)
+        report = variants.write("out", 3000, resume=True, validate="load")
+        self.assertEqual((report.made, len(list(pathlib.Path("out").glob("*.xml")))), (3000, 3000))
+        self.assertEqual(pathlib.Path("out/mug_000007.xml").read_bytes(), variants[7].xml_bytes)
+
+    def test_batches_that_need_their_size(self):
+        hammer = mjforge.Spec("hammer")
+        for call in (lambda: hammer.variants(sampler="latin"), lambda: hammer.variants(sampler="grid"),
+                     lambda: mjforge.Spec(EXACT).variants()):
+            self.assertRaisesRegex(ValueError, "batch is missing: .*batch=N", call)
+        variants = mjforge.Spec(EXACT).variants(seed=1, batch=20)
+        drawn = [variant.params["c"] for variant in variants[:20]]
+        self.assertEqual([drawn.count(c) for c in "abcd"], [5, 5, 5, 5])
+        self.assertEqual(self.written(variants, 20, "c"), drawn)
+        for sampler in ("latin", "sobol", "random"):
+            variants = hammer.variants(seed=1, sampler=sampler, batch=10)
+            drawn = [variant.params["handle_length"] for variant in variants[:10]]
+            self.assertEqual(self.written(variants, 10, "handle_length"), drawn)
+            self.assertEqual(self.written(variants, 5, "handle_length"), drawn[:5])
+
+    def written(self, variants, count, name):
+        report = variants.write("batch", count, force=True)
+        return [json.loads(line)["params"][name] for line in report.manifest.read_text().splitlines()]
+
+    def test_the_same_mistake_is_the_same_exception(self):
+        for wrong, settings in (("hamer", {}), ("mjforge: 1\nname: a\nparts: []\nprats: []\n", {}),
+                                ("hammer", {"handle_lenght": 1})):
+            raised = []
+            for call in (lambda: mjforge.Spec(wrong, set=settings), lambda: mjforge.check(wrong, set=settings)):
+                with self.assertRaises(mjforge.SpecError) as error:
+                    call()
+                raised.append(str(error.exception))
+            self.assertEqual(raised[0], raised[1])
+        with self.assertRaises(mjforge.SpecError):
+            mjforge.Spec("hammer").variants(set={"handle_lenght": 1})
+
+    def test_findings_of_mappings_have_keys(self):
+        wrong = {"mjforge": 1, "name": "m", "parts": [{"name": "a", "type": "box", "size": [1, 1, 1]},
+                                                     {"name": "b", "type": "capsul", "size": [1, "x +"]}]}
+        with self.assertRaises(mjforge.SpecError) as error:
+            mjforge.Spec(wrong)
+        keys = [finding.key for finding in error.exception.findings]
+        self.assertEqual(keys, ["parts[1].type", "parts[1].size[1]"])
+        self.assertTrue(str(error.exception).startswith("parts[1].type: error: 'capsul' is not one of box"))
+        self.assertEqual([f.key for f in pickle.loads(pickle.dumps(error.exception.findings))], keys)
+        with self.assertRaises(mjforge.VariantError) as error:
+            mjforge.Spec(ALL_FAIL).variants()[0]
+        self.assertEqual(error.exception.findings[0].key, "expect[0]")
+        with self.assertRaises(mjforge.SpecError) as error:
+            mjforge.Spec("mjforge: 1\nname: m\nparts: 5\n")
+        self.assertIsNone(error.exception.findings[0].key)
+
+
+class Parameters(unittest.TestCase):
+    def test_say_what_may_be_drawn(self):
+        known = mjforge.Spec(KINDS).parameters
+        self.assertEqual(list(known), list(KINDS["params"]))
+        width = known["width"]
+        self.assertEqual((width.unit, width.doc, width.default, width.distribution, width.range),
+                         ("m", "Of it.", "20cm .. 30cm", "uniform", (0.2, 0.3)))
+        self.assertEqual({name: known[name].range for name in known if name != "width"}, {
+            "gauss": (0.4, 0.6), "free": (-math.inf, math.inf), "count": (1, 4), "shape": None, "level": (1, 3),
+            "flag": None, "size": ((0.01, 0.03, 0.04), (0.02, 0.03, 0.05)), "fixed": (0.25, 0.25), "twice": None,
+            "rate": (0, math.inf)})
+        self.assertEqual((known["shape"].choices, known["shape"].type), (("box", "disc"), "text"))
+        self.assertEqual((known["level"].choices, known["fixed"].choices), ((1, 3, 2), None))
+        self.assertEqual((known["flag"].type, known["flag"].distribution), ("boolean", "bernoulli"))
+        self.assertEqual(known["size"].components, 3)
+        for variant in mjforge.Spec("hammer").variants()[:50]:
+            for name, value in variant.params.items():
+                parameter = mjforge.Spec("hammer").parameters[name] if variant.index == 0 else None
+                if parameter and parameter.range and parameter.components == 1:
+                    self.assertTrue(parameter.low <= value <= parameter.high, name)
+
+    def test_can_be_set_without_reading_the_spec_again(self):
+        spec = mjforge.Spec("hammer")
+        for value in ((0.2, 0.21), [0.2, 0.21], "20cm .. 21cm"):
+            for variants in (spec.variants(set={"handle_length": value}),
+                             mjforge.Spec("hammer", set={"handle_length": value}).variants()):
+                for variant in variants[:10]:
+                    self.assertTrue(0.2 <= variant.params["handle_length"] <= 0.21)
+        self.assertEqual(spec.settings, {})
+        kinds = mjforge.Spec(KINDS).variants(set={"size": (0.01, (0.02, 0.03), 0.04), "fixed": 7})[0].params
+        self.assertEqual((kinds["size"][0], kinds["size"][2], kinds["fixed"]), (0.01, 0.04, 7))
+        self.assertTrue(0.02 <= kinds["size"][1] <= 0.03)
+        twice = spec.variants(set={"handle_length": 0.2}).spec.variants(set={"handle_shape": "box"})[0]
+        self.assertEqual((twice.params["handle_length"], twice.params["handle_shape"]), (0.2, "box"))
+
+    def test_catalogue_describes_its_specs(self):
+        entries = mjforge.catalogue()
+        self.assertIn("tools/hammer", entries)
+        hammer = entries[entries.index("tools/hammer")]
+        self.assertIn("hammer", hammer.description)
+        self.assertTrue(pathlib.Path(hammer.path).is_file())
+        self.assertEqual(mjforge.Spec(hammer).name, "hammer")
+        self.assertEqual(pickle.loads(pickle.dumps(hammer)).path, hammer.path)
+
+
+class Docstrings(unittest.TestCase):
+    def test_their_examples_are_true(self):
+        import mjforge._parameters
+        import mjforge._spec
+
+        tried = 0
+        for module in (mjforge, mjforge._spec, mjforge._parameters):
+            result = doctest.testmod(module, optionflags=doctest.ELLIPSIS)
+            self.assertEqual(result.failed, 0)
+            tried += result.attempted
+        self.assertGreater(tried, 15)
+
+
+if __name__ == "__main__":
+    unittest.main()

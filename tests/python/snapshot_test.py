@@ -1,0 +1,163 @@
+"""A Spec is what its files were when it was made, in every thread, process and folder."""
+
+import concurrent.futures
+import contextlib
+import json
+import os
+import pathlib
+import pickle
+import subprocess
+import tempfile
+import unittest
+
+import mjforge
+from mjforge._library import PROGRAM
+
+PEG = "mjforge: 1\nname: peg\nparams: {{r: {}}}\nparts: [{{name: a, type: sphere, size: [r]}}]\n"
+PARTS = ("mjforge: 1\nname: pair\nimport: wood.yaml\nbodies:\n  - {name: a, spec: peg.yaml}\n"
+         "  - {name: b, parts: [{name: b, type: box, size: [r, r, r], material: wood}], pos: [1, 0, 0]}\n"
+         "params: {r: 1cm .. 2cm}\n")
+WOOD = "mjforge: 1\nmaterials: {wood: {rgba: [0.5, 0.3, 0.1, 1], density: 600}}\n"
+ROOF = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 {}\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
+HOUSE = {"mjforge": 1, "name": "house", "parts": [
+    {"name": "roof", "type": "mesh", "file": "roof.obj", "density": 100}]}
+
+
+class Snapshot(unittest.TestCase):
+    def setUp(self):
+        folder = self.enterContext(tempfile.TemporaryDirectory())
+        self.enterContext(contextlib.chdir(folder))
+        self.folder = pathlib.Path(folder)
+
+    def put(self, range="1cm .. 2cm"):
+        pathlib.Path("peg.yaml").write_text(PEG.format(range))
+
+    def test_a_changed_file_changes_nothing(self):
+        self.put()
+        spec = mjforge.Spec("peg.yaml")
+        variants = spec.variants(seed=1)
+        before = variants[0].xml
+        self.put("5cm .. 6cm")
+        with concurrent.futures.ThreadPoolExecutor(8) as pool:
+            made = set(pool.map(lambda _: variants[0].xml, range(500)))
+        self.assertEqual(made, {before})
+        self.assertEqual(spec.variants(seed=1)[0].xml, before)
+        self.assertEqual(spec.text, PEG.format("1cm .. 2cm"))
+        self.assertEqual(spec.path, os.path.realpath("peg.yaml"))
+        variants.write("out", 1)
+        self.assertEqual(pathlib.Path("out/peg_000000.xml").read_text(), before)
+        self.assertTrue(spec.check(2).ok)
+        self.assertGreater(mjforge.Spec("peg.yaml").variants(seed=1)[0].params["r"], 0.05)
+
+    def test_imports_nested_specs_and_parameter_files_are_held(self):
+        self.put()
+        pathlib.Path("wood.yaml").write_text(WOOD)
+        pathlib.Path("pair.yaml").write_text(PARTS)
+        pathlib.Path("more.yaml").write_text("r: 1.5cm\n")
+        for source in ("pair.yaml", PARTS):
+            spec = mjforge.Spec(source, parameters=["more.yaml"])
+            before = spec.variants(seed=1)[3].xml
+            saved = pickle.dumps(spec)
+            names = sorted(os.path.basename(path) for path in spec.texts)
+            first = "pair.yaml" if source == "pair.yaml" else "-"
+            self.assertEqual(names, sorted([first, "more.yaml", "peg.yaml", "wood.yaml"]))
+            for file in self.folder.glob("*.yaml"):
+                file.rename(file.with_suffix(".gone"))
+            os.chdir("/")
+            for each in (spec, pickle.loads(saved)):
+                self.assertEqual(each.variants(seed=1)[3].xml, before)
+                self.assertEqual(each.sha256, spec.sha256)
+                each.variants(seed=1).write(self.folder / "out", 4, force=True)
+                self.assertEqual((self.folder / "out/pair_000003.xml").read_text(), before)
+            os.chdir(self.folder)
+            for file in self.folder.glob("*.gone"):
+                file.rename(file.with_suffix(".yaml"))
+
+    def test_a_changed_mapping_changes_nothing(self):
+        source = {"mjforge": 1, "name": "peg", "params": {"r": "1cm .. 2cm"},
+                  "parts": [{"name": "a", "type": "sphere", "size": ["r"]}]}
+        settings = {"r": "1cm"}
+        spec = mjforge.Spec(source)
+        pinned = mjforge.Spec(source, set=settings)
+        source["params"]["r"] = "oops"
+        settings["r"] = "oops"
+        self.assertLess(spec.variants(seed=1)[0].params["r"], 0.02)
+        self.assertEqual(pinned.variants()[0].params["r"], 0.01)
+
+    def test_pickled_variants_are_the_same_in_another_folder(self):
+        self.put()
+        variants = mjforge.Spec("peg.yaml").variants(seed=1)
+        before, saved = variants[0].xml, pickle.dumps(variants[:3])
+        self.put("5cm .. 6cm")
+        os.chdir("/")
+        self.assertEqual(pickle.loads(saved)[0].xml, before)
+
+    def test_a_search_path_that_changes_later_changes_nothing(self):
+        self.put()
+        before = os.environ.get("MJFORGE_PATH")
+        os.environ["MJFORGE_PATH"] = str(self.folder)
+        try:
+            spec = mjforge.Spec("peg")
+            entry, = [entry for entry in mjforge.catalogue() if entry == "peg"]
+            self.assertEqual(os.path.realpath(entry.path), os.path.realpath("peg.yaml"))
+        finally:
+            os.environ.pop("MJFORGE_PATH")
+            if before is not None:
+                os.environ["MJFORGE_PATH"] = before
+        self.assertEqual(spec.variants()[0].record["spec"], "peg")
+        spec.variants().write("out", 1)
+        self.assertEqual(json.loads(pathlib.Path("out/manifest.jsonl").read_text())["spec"], "peg")
+
+    def test_a_changed_mesh_is_an_error(self):
+        mesh = pathlib.Path("roof.obj")
+        mesh.write_text(ROOF.format(1))
+        spec = mjforge.Spec(HOUSE)
+        first = spec.variants()[0]
+        self.assertEqual(list(first.files.values()), [mesh.read_bytes()])
+        saved = pickle.dumps(spec)
+        mesh.write_text(ROOF.format(2))
+        for each in (spec, pickle.loads(saved)):
+            variants = each.variants()
+            for _ in range(2):
+                with self.assertRaisesRegex(OSError, "roof.obj' has changed since"):
+                    variants[0]
+        with self.assertRaisesRegex(OSError, "roof.obj' has changed since"):
+            first.files
+        self.assertAlmostEqual(mjforge.Spec(HOUSE).variants()[0].mass, 2 * first.mass)
+
+    def test_batches_of_texts_and_mappings_can_be_replayed(self):
+        self.put()
+        pathlib.Path("wood.yaml").write_text(WOOD)
+        text = PARTS
+        mapping = {"mjforge": 1, "name": "m", "params": {"l": "22cm .. 30cm"},
+                   "parts": [{"name": "h", "type": "capsule", "size": ["1cm", "l/2"]}]}
+        for number, source in enumerate((text, mapping)):
+            variants = mjforge.Spec(source).variants(seed=1)
+            for output in (f"folder{number}", f"one{number}.tar.zst", f"many{number}_%05d.tar"):
+                report = variants.write(output, 3, per_archive=2 if "%" in output else None)
+                self.assertTrue(report.manifest.with_name(
+                    report.manifest.name.partition(".jsonl")[0] + ".spec.json").exists())
+                for file in self.folder.glob("*.yaml"):
+                    file.rename(file.with_suffix(".gone"))
+                said = subprocess.run([PROGRAM, "replay", f"{report.manifest}:1"], capture_output=True,
+                                      text=True)
+                self.assertEqual(said.returncode, 0, said.stderr)
+                self.assertIn("same bytes", said.stderr + said.stdout)
+                for file in self.folder.glob("*.gone"):
+                    file.rename(file.with_suffix(".yaml"))
+
+    def test_a_snapshot_is_a_spec_for_the_command(self):
+        self.put()
+        mjforge.Spec(PEG.format("1cm")).variants().write("out", 1)
+        self.put("oops")
+        said = subprocess.run([PROGRAM, "inspect", "out/manifest.spec.json"], capture_output=True, text=True)
+        self.assertIn("peg", said.stdout)
+        file = pathlib.Path("out/manifest.spec.json")
+        file.write_text(file.read_text()[:-20])
+        said = subprocess.run([PROGRAM, "check", str(file)], capture_output=True, text=True)
+        self.assertEqual(said.returncode, 3)
+        self.assertIn("'out/manifest.spec.json' is a damaged snapshot of a spec", said.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
