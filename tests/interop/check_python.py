@@ -57,7 +57,8 @@ def written(output, name="laptop", count=3, **options):
     """The path of a batch in a folder of its own."""
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, output)
-        mjforge.Spec(name).variants(seed=3, **options).write(path, count)
+        report = mjforge.Spec(name).variants(seed=3, **options).write(path, count)
+        expect(report.ok, str(report))
         yield path
 
 

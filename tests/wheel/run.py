@@ -147,6 +147,29 @@ def example(place, name, words):
     return said[-1]
 
 
+WRONG_WORDS = """import mjforge
+mjforge.Spec("hammer").variants(target="robosuit")
+mjforge.Spec("hammer").variants(validate="fysics")
+mjforge.Spec("hammer").check("3")
+"""
+
+
+def has_types(place):
+    place.pip("install", "--quiet", "--only-binary=:all:", "mypy", "pyright")
+    place.run(place.bin / "mypy", "--strict", "-p", "mjforge")
+    place.run(place.bin / "pyright", packaged(place))
+    (place.empty / "wrong_words.py").write_text(WRONG_WORDS)
+    for checker in (("mypy", "--strict"), ("pyright",)):
+        said = place.run(place.bin / checker[0], *checker[1:], "wrong_words.py", status=1)
+        found = {int(line) for line in re.findall(r"wrong_words\.py:(\d+)(?::\d+)?.* error: ", said)}
+        expect(found == {2, 3, 4}, f"{checker[0]} says {said}")
+
+
+def chapter(place):
+    place.pip("install", "--quiet", "--only-binary=:all:", "gymnasium")
+    place.run(place.bin / "python", "-B", SOURCE / "tests/python/chapter_test.py", "--all")
+
+
 def goes(place):
     place.pip("uninstall", "--yes", "mjforge")
     left = [path.name for path in place.bin.parent.rglob("*mjforge*")]
@@ -177,6 +200,8 @@ def main():
           r"1000 models of 0\.\d+ to 0\.\d+ kg")
     check("example: a new hammer at each reset", example, place, "new_hammer_each_reset.py",
           r"(hammer \d: (0\.\d+) kg of \2, \d+ mm above the table\n?){3}")
+    check("the chapter's examples", chapter, place)
+    check("types", has_types, place)
     check("the wheel goes", goes, place)
     check("the source distribution says what is missing", sources_say_what_is_missing, place)
     finish()

@@ -109,6 +109,7 @@ class Batch:
             self._bad_manifest(f"cannot read the manifest to its end: {error}")
 
     def _record_of(self, number: int, line: bytes) -> Optional[dict[str, Any]]:
+        record: dict[str, Any] = {}
         try:
             record = json.loads(line)
             problem = problem_of(record)

@@ -151,4 +151,4 @@ def lines(manifest: str) -> Iterator[bytes]:
 
 
 def version() -> str:
-    return library.MjforgeVersion().decode()
+    return str(library.MjforgeVersion().decode())

@@ -90,16 +90,17 @@ class Spec:
         self._settings = self._texts_of(settings)
         self._open()
 
-    def _open(self) -> Maker:
+    def _open(self) -> None:
         """Loads the spec and sets what is known about it."""
-        maker = Maker(self, {**_DEFAULTS, "batch": 1})
+        self._describe(Maker(self, {**_DEFAULTS, "batch": 1}))
+
+    def _describe(self, maker: Maker) -> None:
         self.findings = maker.check()
         members = maker.description()
         parameters = [parameter_of(each) for each in members.pop("parameters")]
         self.parameters = types.MappingProxyType({each.name: each for each in parameters})
         for member, value in members.items():
             setattr(self, member, value)
-        return maker
 
     def _texts_of(self, settings: Mapping[str, Any]) -> dict[str, str]:
         def components(name: str) -> Optional[int]:
@@ -168,7 +169,10 @@ class Spec:
             "name": name, "target": target, "assets": assets, "sampler": sampler,
             "on_invalid": on_invalid, "validate": validate, "seed": seed, "batch": batch,
             "place_seed": place_seed})
-        return Variants(self._with(set), options)
+        variants = Variants(self._with(set), options)
+        if variants.spec is not self:
+            variants.spec._describe(variants._makers[0])
+        return variants
 
     def check(
         self,

@@ -1,16 +1,19 @@
 """One variant of an object."""
+# mypy: disable-error-code="no-any-return, type-arg"
 
 from __future__ import annotations
 
 import hashlib
+import importlib
 import json
 import os
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any
 
 from ._findings import Finding, MismatchError
 
 if TYPE_CHECKING:
     import numpy as np
+    from mujoco import MjModel  # type: ignore[import-not-found, import-untyped, unused-ignore]
 
 _PIP = "python -m pip install 'mujoco>=2.2.2'"
 
@@ -23,11 +26,12 @@ def _numpy() -> Any:
     return numpy
 
 
-def mujoco_of(module: Any) -> Any:
+def mujoco_of(given: Any) -> Any:
     """The given module, or the `mujoco` that is installed. Raises ImportError."""
+    module = given
     if module is None:
         try:
-            import mujoco as module
+            module = importlib.import_module("mujoco")
         except ImportError as error:
             raise ImportError(f"no MuJoCo to load it in: {_PIP}") from error
     version = str(getattr(module, "__version__", ""))
@@ -53,7 +57,7 @@ class Variant:
         self._files_bytes = files
         self._contents = contents
         self.findings = findings
-        self._record: Optional[dict[str, Any]] = None
+        self._record: dict[str, Any] = {}
 
     @property
     def xml(self) -> str:
@@ -63,7 +67,7 @@ class Variant:
     @property
     def record(self) -> dict[str, Any]:
         """Its line of a manifest."""
-        if self._record is None:
+        if not self._record:
             self._record = json.loads(self._record_bytes)
         return self._record
 
@@ -139,11 +143,11 @@ class Variant:
                 start += size
         return files
 
-    def load(self, mujoco: Any = None) -> Any:
+    def load(self, mujoco: Any = None) -> "MjModel":
         """A mujoco.MjModel of it, in the given module or the one that is installed."""
         return mujoco_of(mujoco).MjModel.from_xml_string(self.xml, self.files)
 
-    def verify(self, mujoco: Any = None, tolerance: float = 1e-6) -> Any:
+    def verify(self, mujoco: Any = None, tolerance: float = 1e-6) -> "MjModel":
         """Loads it and compares what was compiled with what was meant: the numbers of bodies,
         joints and geoms, names, mass, center of mass, inertia, bounds and start state. `tolerance`
         is relative to the mass, the size and their products. Returns the model; raises

@@ -91,7 +91,8 @@ class Worker:
         try:
             self._pipe.send(stored)
             if self._pipe.poll(_TIME_LIMIT):
-                return self._pipe.recv()
+                found: list[Difference] = self._pipe.recv()
+                return found
         except (EOFError, OSError):
             return [Difference(f"loading it makes MuJoCo crash {self._end()}", None, "mujoco/error")]
         self.close()

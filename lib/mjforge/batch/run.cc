@@ -22,6 +22,8 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kMaxWaitingBytes = std::size_t{8} << 20;
 // Time that workers have to finish their current variants after a signal.
 constexpr std::chrono::seconds kGrace{2};
+// Number of bytes that all snapshots of specs have in common.
+constexpr std::size_t kSnapshotHead = 20;
 constexpr auto kProgressEvery = std::chrono::milliseconds(100);
 
 std::uint64_t Cores() { return std::max(1U, std::thread::hardware_concurrency()); }
@@ -198,8 +200,9 @@ class BatchRun {
         (destination.kind != output::Destination::Kind::kFolder && !destination.IsArchive()))
       return true;
     const std::filesystem::path file = SnapshotPath(destination);
-    constexpr std::size_t kStart = 64;
-    return output::MayReplace(file, request_.force, kStart, spec::IsSnapshot, findings) &&
+    const auto head = std::string_view(recipe_.snapshot).substr(0, kSnapshotHead);
+    const auto is_snapshot = [&](std::string_view start) { return start == head; };
+    return output::MayReplace(file, request_.force, head.size(), is_snapshot, findings) &&
            output::WriteSingleFile(file, recipe_.snapshot, findings);
   }
 

@@ -11,7 +11,7 @@ namespace mjforge::batch {
 forge::Options OptionsOf(const Request& request);
 
 /// Returns the path of the file beside the manifest that has the snapshot of a spec without a file:
-/// DIR/manifest.spec.json, STEM.manifest.spec.json. It is the same for all shards.
+/// DIR/manifest.spec.json, STEM.manifest.spec.json, for all shards of a batch.
 std::filesystem::path SnapshotPath(const output::Destination& destination);
 
 /// Makes a handler that makes the variants of a task and, if the destination is a folder, writes

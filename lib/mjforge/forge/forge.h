@@ -75,11 +75,6 @@ struct Recipe {
 /// spec::LoadSpec.
 std::optional<Recipe> LoadRecipe(const std::string& reference, const spec::LoadOptions& options,
                                  diag::Sources& sources, diag::Findings& findings);
-/// Loads a spec from a text, like LoadRecipe("-") with the text on standard input: files that the
-/// spec refers to are relative to the working directory. Findings call the text `name`.
-std::optional<Recipe> LoadRecipeText(const std::string& name, std::string text,
-                                     const spec::LoadOptions& options, diag::Sources& sources,
-                                     diag::Findings& findings);
 
 /// Reads thresholds of checks for a file that has no spec. Settings have names like `checks.KEY`.
 std::optional<model::Checks> LoadChecks(const std::vector<spec::Setting>& settings,

@@ -90,13 +90,6 @@ std::optional<Recipe> LoadRecipe(const std::string& reference, const spec::LoadO
   return recipe;
 }
 
-std::optional<Recipe> LoadRecipeText(const std::string& name, std::string text,
-                                     const spec::LoadOptions& options, diag::Sources& sources,
-                                     diag::Findings& findings) {
-  return MakeRecipe(spec::LoadSpecText(name, std::move(text), ".", options, sources, findings),
-                    bytes::kStandardInput, options.search_path);
-}
-
 std::string ExpandName(std::string_view text, std::uint64_t index) {
   constexpr std::string_view kIndex = "${index}";
   std::string name;

@@ -5,6 +5,12 @@
 namespace mjforge::forge {
 namespace {
 
+spec::LoadOptions With(spec::Snapshot& snapshot) {
+  spec::LoadOptions options;
+  options.snapshot = &snapshot;
+  return options;
+}
+
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
 TEST_CASE("a spec that was given as a path is named by its file alone") {
@@ -14,12 +20,43 @@ TEST_CASE("a spec that was given as a path is named by its file alone") {
 TEST_CASE("a text is a spec like any other, which findings call by the name it is given") {
   diag::Sources sources;
   diag::Findings findings;
-  const std::optional<Recipe> recipe = LoadRecipeText("crate", kBoxSpec, {}, sources, findings);
+  spec::Snapshot snapshot;
+  snapshot.text_name = "mine";
+  snapshot.texts["-"] = kBoxSpec;
+  const std::optional<Recipe> recipe = LoadRecipe("-", With(snapshot), sources, findings);
   REQUIRE(recipe);
   CHECK(recipe->reference == "-");
-  CHECK_FALSE(LoadRecipeText("mine", "mjforge: 1\nname: bad\nprats: []\n", {}, sources, findings));
+  snapshot = {};
+  snapshot.text_name = "mine";
+  snapshot.texts["-"] = "mjforge: 1\nname: bad\nprats: []\n";
+  CHECK_FALSE(LoadRecipe("-", With(snapshot), sources, findings));
   REQUIRE(findings.HasErrors());
   CHECK(sources.Name(findings[0].mark.file) == "mine");
+}
+
+TEST_CASE("a snapshot loads without the files that it was read from, also after it was saved") {
+  const harness::TemporaryFolder folder;
+  folder.Write("specs/wood.yaml", "mjforge: 1\nmaterials: {wood: {rgba: [1, 1, 1, 1]}}\n");
+  const auto file = folder.Write("specs/a.yaml",
+                                 "mjforge: 1\nname: a\nimport: wood\nparts: [{name: b, type: "
+                                 "sphere, size: 1, material: wood}]\n");
+  spec::Snapshot snapshot;
+  snapshot.spec = file.string();
+  diag::Sources sources;
+  diag::Findings findings;
+  const auto first = LoadRecipe(snapshot.spec, With(snapshot), sources, findings);
+  REQUIRE(first);
+  std::filesystem::remove_all(folder / "specs");
+  const auto saved = folder.Write("a.spec.json", spec::SnapshotText(snapshot));
+  CHECK(LoadRecipe(snapshot.spec, With(snapshot), sources, findings));
+  const auto again = LoadRecipe(saved.string(), {}, sources, findings);
+  REQUIRE(again);
+  CHECK(again->spec->sha256 == first->spec->sha256);
+  CHECK(again->reference == first->reference);
+  folder.Write("a.spec.json", spec::SnapshotText(snapshot).substr(0, 90));
+  CHECK_FALSE(LoadRecipe(saved.string(), {}, sources, findings));
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0].code == diag::Code::kYamlCannotRead);
 }
 
 TEST_CASE("a spec in the search path is named as the search path names it") {
