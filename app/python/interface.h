@@ -101,8 +101,8 @@ void MjforgeCloseLines(MjforgeLines* lines);
 /// frame.
 int MjforgeNextLine(MjforgeLines* lines, MjforgeText* line);
 
-/// Returns the specs in the search path, whose last folder is `catalogue`, as JSON: [[name,
-/// description, path], ...]. The text is valid until the next call in this thread.
+/// Returns the specs in the search path, whose last folder is `catalogue`, as JSON: [[name, path],
+/// ...]. The text is valid until the next call in this thread.
 MjforgeText MjforgeCatalogue(const char* catalogue);
 /// Returns the path of the manifest of a shard (0 of 1: of the whole batch) that the command writes
 /// with `-o output`; empty if it writes none. The text is valid until the next call in this thread.

@@ -39,18 +39,13 @@ MjforgeText MjforgeCatalogue(const char* catalogue) {
   thread_local std::string text;
   diag::Json json(nullptr);
   json.StartArray();
-  spec::LoadOptions load;
-  load.search_path = forge::SearchPath(catalogue);
   std::set<std::string> seen;  // the first folder of the search path has priority
-  for (const std::filesystem::path& folder : load.search_path) {
+  for (const std::filesystem::path& folder : forge::SearchPath(catalogue)) {
     for (const std::string& name : spec::ListSpecs(folder)) {
       if (!seen.insert(name).second) continue;
-      diag::Sources sources;
-      diag::Findings findings;
-      const auto spec = spec::LoadSpec(name, load, sources, findings);
-      if (spec == nullptr) continue;
-      json.Value(std::vector<std::string>{name, spec->description,
-                                          std::filesystem::absolute(spec->files.front()).string()});
+      std::filesystem::path file = std::filesystem::absolute(folder) / (name + ".yaml");
+      if (!std::filesystem::exists(file)) file.replace_extension(".yml");
+      json.Value(std::vector<std::string>{name, file.string()});
     }
   }
   json.EndArray();

@@ -21,7 +21,9 @@ class Arguments(unittest.TestCase):
         spec = mjforge.Spec("hammer")
         for option in TEXTS:
             for wrong in (True, False, None, 0, 5, 2.5, b"mjx", pathlib.Path("mjx"), ["mjx"], object()):
-                with self.assertRaisesRegex(TypeError, f"{option}=.* is not a text", msg=f"{option}={wrong}"):
+                known = ", ".join(_options.WORDS.get(option, ())) or "a text"
+                with self.assertRaisesRegex(TypeError, f"{option}=.* is not .*{known},? but of type",
+                                            msg=f"{option}={wrong}"):
                     spec.variants(**{option: wrong})
             with self.assertRaisesRegex(ValueError, f"{option}=.*zero character"):
                 spec.variants(**{option: "mjx\0"})
@@ -47,6 +49,9 @@ class Arguments(unittest.TestCase):
     def test_specs_and_settings(self):
         for wrong in (None, True, 5, b"hammer", ["hammer"], object()):
             self.assertRaises(TypeError, mjforge.Spec, wrong)
+        loop = {"mjforge": 1}
+        loop["parts"] = [loop]
+        self.assertRaisesRegex(ValueError, "spec: .*contains itself", mjforge.Spec, loop)
         for wrong in (5, True, "a=1", [("handle_length", 1)]):
             self.assertRaises(TypeError, mjforge.Spec, "hammer", set=wrong)
         for wrong in ({5: 1}, {None: 1}, {b"handle_length": 1}, {"handle_length": object()}):
@@ -104,7 +109,8 @@ class Arguments(unittest.TestCase):
     def test_no_argument_of_any_type_crashes(self):
         variants = SPEC.variants()
         functions = {mjforge.Spec: {}, SPEC.variants: {}, SPEC.check: {}, mjforge.prove: {}, mjforge.check: {},
-                     variants.write: {"count": 1}, variants.__getitem__: {}, variants[:2].write: {}}
+                     variants.write: {"count": 1}, variants.__getitem__: {}, variants[:2].write: {},
+                     variants[0].load: {}, variants[0].verify: {}}
         wrong = [None, True, False, 0, -1, 7, 2**80, 1.5, float("nan"), "", "nothing", "a\0b", "\ud800", b"mjx",
                  b"\xff", [], [5], (), (None,), {}, {"a": object()}, {5: 5}, set(), object(), type, len,
                  pathlib.Path("no/such"), slice(0, 1), 1j, range(3), Exception("x")]
@@ -126,8 +132,12 @@ class Arguments(unittest.TestCase):
                         tried += 1
                         try:
                             call()
-                        except (TypeError, ValueError, IndexError, OSError) as error:
+                        except (TypeError, ValueError, IndexError, OSError, ImportError) as error:
                             self.assertTrue(str(error), (function, name, value))
+                            # A function in `progress` raises what it likes.
+                            if isinstance(error, TypeError) and name not in ("key", "mujoco") and not (
+                                    name == "progress" and callable(value)):
+                                self.assertIn(name, str(error))
         self.assertGreater(tried, 1000)
 
 

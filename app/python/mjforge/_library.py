@@ -98,7 +98,10 @@ def c_text(text: Any, what: str) -> bytes:
         raise TypeError(f"{what}={text!r} is not a text but of type {type(text).__name__}")
     if "\0" in text:
         raise ValueError(f"{what}={text!r} has a zero character")
-    return os.fsencode(text)
+    try:
+        return os.fsencode(text)
+    except UnicodeEncodeError:
+        raise ValueError(f"{what}={text!r} is not valid Unicode") from None
 
 
 def c_texts(texts: Iterable[Any], what: str) -> Any:

@@ -32,6 +32,9 @@ def text(value: Any, option: str) -> str:
 def word(value: Any, option: str) -> str:
     """One of the words of the option."""
     words = WORDS[option]
+    if not isinstance(value, str):
+        raise TypeError(f"{option}={value!r} is not one of {', '.join(words)}, "
+                        f"but of type {type(value).__name__}")
     if text(value, option) in words:
         return str(value)
     meant = difflib.get_close_matches(value, words, 1)

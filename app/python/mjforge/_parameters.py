@@ -46,24 +46,32 @@ def parameter_of(members: dict[str, Any]) -> Parameter:
 
 
 class CatalogueEntry(str):
-    """The name of a spec, with its description and the path of its file."""
+    """The name of a spec, with the path of its file and its description."""
 
-    __slots__ = ("description", "path")
-    description: str
     path: str
+    _description: Optional[str]
 
-    def __new__(cls, name: str, description: str = "", path: str = "") -> "CatalogueEntry":
+    def __new__(cls, name: str, path: str = "") -> "CatalogueEntry":
         entry = super().__new__(cls, name)
-        entry.description = description
         entry.path = path
+        entry._description = None
         return entry
 
     @property
     def name(self) -> str:
         return str(self)
 
+    @property
+    def description(self) -> str:
+        """What the spec says about itself; it is read for that. Raises SpecError."""
+        if self._description is None:
+            from ._spec import Spec
+
+            self._description = Spec(self.path).description
+        return self._description
+
     def __reduce__(self) -> Any:
-        return CatalogueEntry, (str(self), self.description, self.path)
+        return CatalogueEntry, (str(self), self.path)
 
 
 def catalogue() -> list[CatalogueEntry]:

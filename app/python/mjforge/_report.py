@@ -21,7 +21,8 @@ class Report:
 
     count: int  # variants that were asked for; of a shard, those of the shard
     made: int
-    failed: dict[int, tuple[Finding, ...]]  # by index
+    # By index. If no variant at all could be made, equal findings are only at the first index.
+    failed: dict[int, tuple[Finding, ...]]
     skipped: dict[int, tuple[Finding, ...]]  # by index, with on_invalid="skip"
     findings: tuple[Finding, ...]  # errors and warnings of all variants, in index order
     manifest: Optional[pathlib.Path]  # None if there is none: after a check, or for a single file

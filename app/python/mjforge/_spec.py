@@ -72,6 +72,9 @@ class Spec:
         if isinstance(spec, Mapping):
             text, self._key_paths = _yaml.block_text(spec)
         else:
+            if not isinstance(spec, (str, os.PathLike)):
+                raise TypeError(f"spec={spec!r} is not a name, a path, a text or a mapping, but of type "
+                                f"{type(spec).__name__}")
             reference = _options.path(spec, "spec")
             if "\n" in reference:
                 reference, text = None, reference
@@ -247,6 +250,11 @@ def _again(snapshot: bytes, settings: dict[str, str], parameter_files: tuple[str
 class Variants:
     """Variants of a spec, by index: without end, or those of a slice. Made when asked for, each
     time anew; threads may share it, and run in parallel while variants are made.
+
+    >>> import mjforge
+    >>> mugs = mjforge.Spec("mug").variants(seed=7)
+    >>> [v.index for v in mugs[10:20:5]], len(mugs[:100]), mugs[:100][-1].index
+    ([10, 15], 100, 99)
     """
 
     def __init__(self, spec: Spec, options: dict[str, Any],

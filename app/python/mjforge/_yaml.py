@@ -72,7 +72,10 @@ class _Lines:
 def block_text(spec: Mapping[str, Any]) -> tuple[str, tuple[str, ...]]:
     """The text of a mapping, and the key path of each line: `parts[0].type`."""
     lines = _Lines()
-    lines.add(spec, "")
+    try:
+        lines.add(spec, "")
+    except RecursionError:
+        raise ValueError("spec: the mapping is nested too deep, or contains itself") from None
     return "\n".join(lines.texts) + "\n", tuple(lines.paths)
 
 
