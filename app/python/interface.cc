@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <new>
 #include <optional>
@@ -166,7 +167,8 @@ void SetInputs(const forge::Variant& variant, MjforgeMaker& maker) {
   std::vector<std::vector<std::string>> inputs;
   while (maker.known_sources < maker.sources.size()) {
     const std::uint32_t source = ++maker.known_sources;
-    inputs.push_back({maker.sources.Name(source), bytes::Sha256Of(maker.sources.Text(source))});
+    inputs.push_back({std::filesystem::absolute(maker.sources.Name(source)).string(),
+                      bytes::Sha256Of(maker.sources.Text(source))});
   }
   for (const bytes::Asset& asset : variant.document.assets) {
     if (asset.made || !maker.known_assets.insert(asset.file.string()).second) continue;

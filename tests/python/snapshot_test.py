@@ -121,9 +121,24 @@ class Snapshot(unittest.TestCase):
             for _ in range(2):
                 with self.assertRaisesRegex(OSError, "roof.obj' has changed since"):
                     variants[0]
+            with self.assertRaisesRegex(OSError, "roof.obj' has changed since"):
+                variants.write("out", 1)
         with self.assertRaisesRegex(OSError, "roof.obj' has changed since"):
             first.files
         self.assertAlmostEqual(mjforge.Spec(HOUSE).variants()[0].mass, 2 * first.mass)
+
+    def test_a_changed_mjcf_file_is_an_error(self):
+        file = pathlib.Path("arm.xml")
+        text = '<mujoco><worldbody><body name="arm"><geom size="{}"/></body></worldbody></mujoco>'
+        file.write_text(text.format(0.1))
+        spec = mjforge.Spec({"mjforge": 1, "name": "a", "bodies": [{"name": "b", "mjcf": "arm.xml", "body": "arm"}]})
+        variants = spec.variants()
+        before = variants[0].xml
+        file.write_text(text.format(0.2))
+        self.assertEqual(variants[1].xml.partition("-->")[2], before.partition("-->")[2])  # it is in memory
+        os.chdir("/")
+        for call in (lambda: spec.variants()[0], lambda: variants.write(self.folder / "out", 1)):
+            self.assertRaisesRegex(OSError, "arm.xml' has changed since", call)
 
     def test_batches_of_texts_and_mappings_can_be_replayed(self):
         self.put()

@@ -59,6 +59,13 @@ def found(said: bytes, key_paths: Sequence[str] = ()) -> tuple[Finding, ...]:
     return tuple(findings)
 
 
+def compare(path: str, sha256: str, first: str) -> None:
+    """Raises OSError if the hash of a file is not that of its first use."""
+    if sha256 != first:
+        raise OSError(f"'{path}' has changed since this Spec first used it: its SHA-256 is {sha256}, "
+                      f"and was {first}; make a new Spec")
+
+
 class Maker:
     """An open spec in the library; for one thread at a time."""
 
@@ -133,8 +140,8 @@ class Maker:
     def _compare(self, inputs: list[list[str]]) -> None:
         """Compares the hashes of files that variants refer to with those at their first use."""
         for path, sha256 in inputs:
-            first = self._inputs.setdefault(path, sha256)
-            if first != sha256:
-                self._changed = (f"'{path}' has changed since this Spec first used it: its SHA-256 is "
-                                 f"{sha256}, and was {first}; make a new Spec")
-                raise OSError(self._changed)
+            try:
+                compare(path, sha256, self._inputs.setdefault(path, sha256))
+            except OSError as error:
+                self._changed = str(error)
+                raise

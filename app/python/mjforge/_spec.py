@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import itertools
 import json
 import operator
@@ -12,7 +13,7 @@ from typing import Any, Callable, Iterator, Mapping, Optional, Sequence, Union, 
 
 from . import _command, _options, _yaml
 from ._findings import Finding, VariantError
-from ._maker import Maker, Snapshot
+from ._maker import Maker, Snapshot, compare
 from ._options import (Assets, Durability, OnInvalid, Profile, Sampler, Target, Validate)
 from ._parameters import Parameter, parameter_of
 from ._report import Report, manifest_of, report_of
@@ -120,6 +121,12 @@ class Spec:
         other.__dict__.update(self.__dict__)
         other._settings = {**self._settings, **self._texts_of(_checked_settings(settings))}
         return other
+
+    def _compare_inputs(self) -> None:
+        """Compares the files that variants have used with those on the disk."""
+        for path, first in list(self._inputs.items()):
+            with open(path, "rb") as file:
+                compare(path, hashlib.sha256(file.read()).hexdigest(), first)
 
     @property
     def settings(self) -> Mapping[str, str]:
@@ -367,6 +374,7 @@ class Variants:
         words += _command.options_of({
             **{name: value for name, value in own.items() if value != _DEFAULTS[name]},
             "first": span.start, "count": len(span), **options})
+        self.spec._compare_inputs()
         total = len(span) if shard is None else None
         findings = _command.run(
             ["generate", *words, "--", "-"], self.spec._snapshot.saved(),
