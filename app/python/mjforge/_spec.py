@@ -86,7 +86,7 @@ class Spec:
         self._settings = {}
         self.parameter_files = tuple(
             os.path.abspath(_options.path(path, "parameters")) for path in parameters)
-        settings = _checked_settings(set)
+        settings = _yaml.checked_settings(set)
         self.parameters = {}
         if any(isinstance(value, (list, tuple)) or hasattr(value, "tolist")
                for value in settings.values()):
@@ -119,7 +119,7 @@ class Spec:
             return self
         other = Spec.__new__(Spec)
         other.__dict__.update(self.__dict__)
-        other._settings = {**self._settings, **self._texts_of(_checked_settings(settings))}
+        other._settings = {**self._settings, **self._texts_of(_yaml.checked_settings(settings))}
         return other
 
     def _compare_inputs(self) -> None:
@@ -220,26 +220,6 @@ class Spec:
 
     def __repr__(self) -> str:
         return f"<mjforge.Spec {self.name}>"
-
-
-def _checked_settings(settings: Any) -> dict[str, Any]:
-    """A copy, whose names are texts and whose values a spec can have."""
-    if settings is None:
-        return {}
-    if not isinstance(settings, Mapping):
-        raise TypeError(f"set={settings!r} is not a mapping of names to values")
-    for name, value in settings.items():
-        _options.text(name, "set")
-        if isinstance(value, str):
-            _options.text(value, f"set[{name!r}]")
-            continue
-        try:
-            _yaml.flow_text(value)
-        except ValueError as error:
-            raise ValueError(f"set[{name!r}]={value!r} is not a value of a spec: {error}") from None
-        except TypeError as error:
-            raise TypeError(f"set[{name!r}]: {error}") from None
-    return dict(settings)
 
 
 def _again(snapshot: bytes, settings: dict[str, str], parameter_files: tuple[str, ...],

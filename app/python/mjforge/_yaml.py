@@ -1,4 +1,4 @@
-"""Specs given as mappings: their text, and the key path of each of its lines."""
+"""Specs and settings given as objects of Python: their text, and the key path of each of its lines."""
 
 from __future__ import annotations
 
@@ -6,6 +6,8 @@ import json
 import os
 import re
 from typing import Any, Mapping, Optional
+
+from ._options import text as text_option
 
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 
@@ -77,6 +79,26 @@ def block_text(spec: Mapping[str, Any]) -> tuple[str, tuple[str, ...]]:
     except RecursionError:
         raise ValueError("spec: the mapping is nested too deep, or contains itself") from None
     return "\n".join(lines.texts) + "\n", tuple(lines.paths)
+
+
+def checked_settings(settings: Any) -> dict[str, Any]:
+    """A copy, whose names are texts and whose values a spec can have."""
+    if settings is None:
+        return {}
+    if not isinstance(settings, Mapping):
+        raise TypeError(f"set={settings!r} is not a mapping of names to values")
+    for name, value in settings.items():
+        text_option(name, "set")
+        if isinstance(value, str):
+            text_option(value, f"set[{name!r}]")
+            continue
+        try:
+            flow_text(value)
+        except ValueError as error:
+            raise ValueError(f"set[{name!r}]={value!r} is not a value of a spec: {error}") from None
+        except TypeError as error:
+            raise TypeError(f"set[{name!r}]: {error}") from None
+    return dict(settings)
 
 
 def setting_text(value: Any, components: Optional[int]) -> str:
