@@ -36,8 +36,10 @@ batch::FindingSummary VariantFindings() {
 // An object to draw, and the record for the picture's caption and metadata.
 struct PreviewObject {
   std::unique_ptr<picture::Subject> subject;
-  manifest::Record record;  // empty for an MJCF file
+  manifest::Record record;  // for an MJCF file, only the name without its ending
 };
+
+std::string StemOf(const std::string& file) { return std::filesystem::path(file).stem().string(); }
 
 class Preview {
  public:
@@ -55,7 +57,7 @@ class Preview {
 
  private:
   std::optional<std::string> Make() {
-    std::vector<PreviewObject> objects = options_.is_file ? LoadFile() : LoadVariants();
+    std::vector<PreviewObject> objects = options_.is_file ? LoadFiles() : LoadVariants();
     if (objects.empty() || !Pose(objects)) return std::nullopt;
     // Checked before drawing, which may take long.
     if (options_.output != "-" && !MayReplacePicture(place_, options_.force, findings_))
@@ -70,20 +72,21 @@ class Preview {
     place_ = options_.output.empty() ? name + (options_.sweep ? ".gif" : ".png") : options_.output;
   }
 
-  std::vector<PreviewObject> LoadFile() {
-    ChoosePlace(options_.what == "-" ? "stdin"
-                                     : std::filesystem::path(options_.what).stem().string());
+  std::vector<PreviewObject> LoadFiles() {
+    ChoosePlace(options_.what == "-" ? "stdin" : StemOf(options_.what));
     std::vector<PreviewObject> objects;
-    // Reports errors with their places in the file.
-    if (!validate::Loader().Load(options_.what, console_.sources, findings_) ||
-        findings_.HasErrors())
-      return objects;
-    std::string why_not;
-    auto subject = picture::Loader().LoadFile(options_.what, why_not);
-    if (subject) {
+    for (const std::string& what : options_.whats) {
+      // Reports errors with their places in the file.
+      if (!validate::Loader().Load(what, console_.sources, findings_) || findings_.HasErrors())
+        return {};
+      std::string why_not;
+      auto subject = picture::Loader().LoadFile(what, why_not);
+      if (!subject) {
+        findings_.Add(diag::Code::kMujocoError, {}, fmt::format("MuJoCo refused it: {}", why_not));
+        return {};
+      }
       objects.push_back({std::move(subject), {}});
-    } else {
-      findings_.Add(diag::Code::kMujocoError, {}, fmt::format("MuJoCo refused it: {}", why_not));
+      objects.back().record.name = StemOf(what);
     }
     return objects;
   }
@@ -168,7 +171,7 @@ class Preview {
     for (PreviewObject& object : objects) {
       diag::Findings found;
       auto image = renderer.Draw(*object.subject, tile, found);
-      found.SetVariant(options_.spec.seed, object.record.index);
+      if (recipe_) found.SetVariant(options_.spec.seed, object.record.index);
       all.Add(found, false);
       object.subject.reset();
       if (!image) continue;
@@ -177,8 +180,12 @@ class Preview {
     }
     findings_.Append(all.Findings());
     if (tiles.empty()) return std::nullopt;
-    const auto captions = MakeCaptions(records, *recipe_->spec);
-    for (std::size_t i = 0; i < tiles.size(); ++i) tiles[i].caption = captions[i];
+    if (recipe_) {
+      const auto captions = MakeCaptions(records, *recipe_->spec);
+      for (std::size_t i = 0; i < tiles.size(); ++i) tiles[i].caption = captions[i];
+    } else {
+      for (std::size_t i = 0; i < tiles.size(); ++i) tiles[i].caption = {records[i].name};
+    }
     const picture::Image sheet =
         picture::ContactSheet(renderer, tiles, options_.picture.background);
     return picture::EncodePng(sheet, TextsOf(records.front(), fmt::format("+{}", options_.count)));

@@ -82,11 +82,21 @@ std::string CheckPixels(const PreviewOptions& options) {
   return {};
 }
 
+// Returns the message for the first of several WHATs that is not a file; empty if all are.
+std::string FindNoFile(const std::vector<std::string>& whats) {
+  for (const std::string& what : whats) {
+    if (what == "-" || !IsMjcf(what))
+      return fmt::format("'{}' is not a FILE.xml: only files can be several", what);
+  }
+  return {};
+}
+
 std::string FindConflict(const PreviewOptions& options) {
   if (options.count > kMaxTiles)
     return fmt::format("-n {}: a sheet holds at most {} variants", options.count, kMaxTiles);
   if (options.sweep && options.count > 1) return "--sweep takes one object, not a sheet";
   if (std::string wrong = CheckFileName(options); !wrong.empty()) return wrong;
+  if (options.whats.size() > 1) return FindNoFile(options.whats);
   if (!options.is_file) return {};
   if (options.count > 1 || options.first > 0)
     return fmt::format("'{}' is one object: -n and --first take a spec", options.what);
@@ -143,9 +153,10 @@ void AddCamera(CLI::App& command, picture::View& view) {
 }  // namespace
 
 void AddPreviewOptions(CLI::App& command, PreviewOptions& options) {
-  command.add_option("WHAT", options.what, "A spec or a FILE.xml")
+  command
+      .add_option("WHAT", options.whats, "A spec or a FILE.xml; several files make a contact sheet")
       ->required()
-      ->option_text(" ")
+      ->option_text("...")
       ->check(Offers(std::string(kSpecs) + " .xml"));
   AddWholeNumber(command, "-n,--count", options.count, "Variants; several make a contact sheet", 1);
   AddWholeNumber(command, "--first", options.first, "Index of the first variant");
@@ -175,7 +186,12 @@ void AddPreviewOptions(CLI::App& command, PreviewOptions& options) {
 }
 
 std::string ResolvePreviewOptions(PreviewOptions& options) {
+  options.what = options.whats.front();
   options.is_file = IsMjcf(options.what);
+  const bool several = options.whats.size() > 1;
+  if (several && (options.count > 1 || options.first > 0))
+    return "-n and --first take a spec, not several files";
+  if (several) options.count = options.whats.size();
   options.picture.layer = *picture::ParseLayer(options.layer);
   options.picture.background = *picture::ParseBackground(options.background);
   std::string why_not = FindConflict(options);

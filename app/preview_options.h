@@ -12,7 +12,8 @@
 namespace mjforge::app {
 
 struct PreviewOptions {
-  std::string what;  // a spec or a file
+  std::vector<std::string> whats;  // a spec, or one or several files
+  std::string what;                // the first of these
   std::uint64_t count = 1;
   std::uint64_t first = 0;
   std::string output;

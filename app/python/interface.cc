@@ -20,6 +20,7 @@
 #include "mjforge/expr/expr.h"
 #include "mjforge/forge/forge.h"
 #include "mjforge/output/output.h"
+#include "mjforge/xml/xml.h"
 #include "parameters.h"
 #include "snapshots.h"
 #include "text_view.h"
@@ -271,6 +272,23 @@ int MjforgeMake(MjforgeMaker* maker, std::uint64_t index, MjforgeVariant* varian
   return 2;
 }
 
+std::size_t MjforgeMakeRecords(MjforgeMaker* maker, std::uint64_t index, std::uint64_t step,
+                               std::size_t count, MjforgeText* records) {
+  std::size_t made = 0;
+  maker->record.clear();
+  try {
+    for (; made < count; ++made, index += step) {
+      maker->generator->Make(index, maker->variant);
+      if (!maker->variant.ok()) break;
+      manifest::AppendRecord(maker->record, maker->variant.record);
+    }
+  } catch (const std::exception&) {
+    // MjforgeMake of this variant says why.
+  }
+  *records = View(maker->record);
+  return made;
+}
+
 MjforgeText MjforgeFailure(MjforgeMaker* maker) { return View(maker->failure); }
 
 MjforgeArchive* MjforgeOpenArchive(const char* file) {
@@ -315,6 +333,16 @@ int MjforgeNextLine(MjforgeLines* lines, MjforgeText* line) {
     *line = View("not enough memory");
     return 2;
   }
+}
+
+MjforgeText MjforgeElements(const char* mjcf, std::size_t size) {
+  thread_local std::string elements;
+  try {
+    elements = xml::ElementsJson({mjcf, size}).value_or("");
+  } catch (const std::bad_alloc&) {
+    elements.clear();
+  }
+  return View(elements);
 }
 
 const char* MjforgeVersion() { return forge::Version().data(); }

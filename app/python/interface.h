@@ -79,6 +79,10 @@ MjforgeText MjforgeDescription(MjforgeMaker* maker);
 /// Makes a variant and replaces `variant`. Returns 0 on success, 1 if the variant failed for the
 /// reason in its findings, 2 if the reason is MjforgeFailure.
 int MjforgeMake(MjforgeMaker* maker, std::uint64_t index, MjforgeVariant* variant);
+/// Makes at most `count` variants with the indices index, index + step, ... up to the first that
+/// fails, and returns the number of those before it. `records` are their records, one per line.
+std::size_t MjforgeMakeRecords(MjforgeMaker* maker, std::uint64_t index, std::uint64_t step,
+                               std::size_t count, MjforgeText* records);
 
 struct MjforgeArchive;
 
@@ -101,6 +105,10 @@ void MjforgeCloseLines(MjforgeLines* lines);
 /// frame.
 int MjforgeNextLine(MjforgeLines* lines, MjforgeText* line);
 
+/// Returns the elements of an MJCF text as JSON: [tag, {attribute: value}, [child, ...]]; numbers
+/// are numbers or lists of them. Empty if the text is not XML. Valid until the next call in this
+/// thread.
+MjforgeText MjforgeElements(const char* mjcf, std::size_t size);
 /// Returns the specs in the search path, whose last folder is `catalogue`, as JSON: [[name, path],
 /// ...]. The text is valid until the next call in this thread.
 MjforgeText MjforgeCatalogue(const char* catalogue);

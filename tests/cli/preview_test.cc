@@ -80,6 +80,18 @@ TEST_CASE_METHOD(PreviewTest, "a contact sheet has a picture and a caption for e
   }
 }
 
+TEST_CASE_METHOD(PreviewTest, "several files make a contact sheet, each with its name below") {
+  folder().Write("box.xml", kChest);
+  const harness::Png sheet =
+      DecodePng(Draw({"chest.xml", "box.xml", "--joint", "lid_hinge=0.5", "--size", "100"}));
+  CHECK(sheet.width > 200);
+  CHECK(sheet.Edges(12) > DecodePng(Draw({"chest.xml", "--size", "100"})).Edges(12));
+  CHECK(Run({"preview", "chest.xml", "crate.yaml"}).err ==
+        "mjforge: error: 'crate.yaml' is not a FILE.xml: only files can be several\n"
+        "  hint: see 'mjforge preview --help'\n");
+  CHECK(Run({"preview", "chest.xml", "box.xml", "-n", "3"}).status == 2);
+}
+
 TEST_CASE_METHOD(PreviewTest, "a picture of a sheet is the variant's own picture") {
   const std::string third = Draw({"crate.yaml", "--first", "2", "--size", "100"});
   CHECK(third == Draw({"crate.yaml", "--first", "2", "--size", "100"}));

@@ -59,8 +59,9 @@ const std::array kRooms = {
     Room{"picture", {"bytes", "diag", "model", "engine", "backport", "compiled"}},
     Room{"report",
          {"bytes", "diag", "expr", "spec", "sample", "physics", "manifest", "output", "forge"}},
+    // xml: elements of files, for the Python package
     Room{"app",
-         {"bytes", "diag", "expr", "spec", "sample", "model", "mjcf", "validate", "physics",
+         {"bytes", "diag", "expr", "spec", "sample", "xml", "model", "mjcf", "validate", "physics",
           "manifest", "output", "forge", "batch", "picture", "report"}},
 };
 

@@ -57,17 +57,20 @@ HOSTS = {
     "mujoco-3.1": Host(["mujoco==3.1.2", "numpy<2"], ["check_mujoco.py"], MUJOCO,
                        heavy=True),
     "mujoco-3.3": Host(["mujoco==3.3.7"], ["check_mujoco.py", "check_couplings.py", "check_python.py",
-                                            "check_later.py"],
-                       MUJOCO + "; couplings, driven; files with `<frame>` and `<replicate>`, expanded and attached"),
+                                            "check_reset.py", "check_later.py"],
+                       MUJOCO + "; couplings, driven; attached to a scene in Python; "
+                       "files with `<frame>` and `<replicate>`, expanded and attached"),
     "mujoco-newest": Host(["mujoco"], ["check_mujoco.py", "check_couplings.py", "check_files.py",
-                                       "check_python.py"],
-                          MUJOCO + "; couplings, driven; the same with `--assets files`"),
+                                       "check_python.py", "check_reset.py", "check_tables.py"],
+                          MUJOCO + "; couplings, driven; attached to a scene in Python; "
+                          "the same with `--assets files`"),
     "robosuite": Host(["mujoco"] + ROBOSUITE,
                       ["check_robosuite.py", "check_robocasa.py", "check_attached.py"],
                       "`MujocoXMLObject`, its sampler, rest on a table; robocasa's rules for an object; "
                       "robosuite's own files, attached", alone=["robosuite"]),
     # Its environments run with MuJoCo before 3.10.
-    "robosuite-3.3": Host(["mujoco==3.3.7"] + ROBOSUITE, ["check_lift.py", "check_scene.py"],
+    "robosuite-3.3": Host(["mujoco==3.3.7"] + ROBOSUITE, ["check_lift.py", "check_scene.py", "check_example.py"],
+                          "the example of an environment, as written, also with joints; "
                           "the environment `Lift` with a Panda, in which four of the objects are the "
                           "cube; a scene of 11 objects beside a Panda, each a file (`--each`)", alone=["robosuite==1.5.2"]),
     "mjx": Host(["mujoco-mjx"], ["check_mjx.py"],
@@ -76,8 +79,8 @@ HOSTS = {
     "dm_control": Host(["dm_control", "mujoco==3.17.0"], ["check_dm_control.py"],
                        "`mjcf.from_path` and `Physics`: bodies, joints, geoms, masses, with inline "
                        "meshes and with `--assets files`"),
-    "loaders": Host(["pandas", "zstandard", "webdataset"], ["check_batches.py"],
-                    "a compressed series of archives and its manifest"),
+    "loaders": Host(["pandas", "zstandard", "webdataset"], ["check_batches.py", "check_tables.py"],
+                    "a compressed series of archives and its manifest; tables of variants"),
     "drake": Host(["drake"], ["check_drake.py"],
                   "bodies, joints, collision geometries, mass, with `--assets files`; it leaves "
                   "inline meshes out", heavy=True),

@@ -11,7 +11,7 @@ import tempfile
 import unittest
 
 import mjforge
-from mjforge._batch import Batch, manifests_of
+from mjforge._batch import Reader, manifests_of
 
 PACKAGE = pathlib.Path(mjforge.__file__).parents[1]
 # Modules in place of MuJoCo, whose loader does this.
@@ -33,7 +33,7 @@ class Proofs(unittest.TestCase):
         """Objects and findings."""
         findings = []
         objects = [stored for manifest in manifests_of(self.path / batch)
-                   for stored in Batch(manifest, findings.append)]
+                   for stored in Reader(manifest, findings.append)]
         return objects, findings
 
     def prove(self, load, *words):
@@ -51,7 +51,7 @@ class Proofs(unittest.TestCase):
         for output in ("a/", "b.tar", "c.tar.zst", "d_%d.tar.zst"):
             self.write(output, assets="files", name="mug")
             (manifest,) = manifests_of(self.path / output)
-            self.assertEqual(Batch(manifest, print).count(), 3)
+            self.assertEqual(Reader(manifest, print).count(), 3)
             self.assertEqual(manifest.suffix == ".zst", output.endswith(".zst"))
             objects, findings = self.read(output)
             self.assertEqual(findings, [])

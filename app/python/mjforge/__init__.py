@@ -16,10 +16,13 @@ from typing import Any, Mapping, Optional, Union
 from . import _options
 from ._findings import Finding, MismatchError, SpecError, VariantError
 from ._library import version
+from ._members import Joint, Site
 from ._options import Profile
 from ._parameters import CatalogueEntry, Parameter, catalogue
 from ._report import Report
-from ._spec import Source, Spec, Variants
+from ._spec import Source, Spec
+from ._stored import Batch
+from ._variants import Variants
 from ._variant import Variant
 
 __version__ = version()
@@ -70,11 +73,14 @@ def prove(
 
 
 __all__ = [
+    "Batch",
     "CatalogueEntry",
     "Finding",
+    "Joint",
     "MismatchError",
     "Parameter",
     "Report",
+    "Site",
     "Spec",
     "SpecError",
     "Variant",

@@ -55,15 +55,16 @@ class Stored:
     record: Mapping[str, Any]
     xml: bytes
     files: Mapping[str, bytes]  # by their names in the XML
+    line: bytes = b""  # of the manifest
 
 
-class Batch:
+class Reader:
     """Reads the objects of a manifest in their order. Everything that cannot be read becomes a
     finding, which `report` gets.
     """
 
     def __init__(self, manifest: pathlib.Path, report: Callable[[Finding], None]) -> None:
-        self._manifest = manifest
+        self.manifest = manifest
         self._report = report
         self._archive: Optional[str] = None
         self._members: Iterator[tuple[str, bytes]] = iter(())
@@ -76,8 +77,8 @@ class Batch:
     def count(self) -> Optional[int]:
         """The number of records according to the seal; None without one."""
         try:
-            name = self._manifest.name.removesuffix(".zst").removesuffix(".jsonl") + ".seal.json"
-            return int(json.loads(_content(self._manifest.with_name(name)))["records"])
+            name = self.manifest.name.removesuffix(".zst").removesuffix(".jsonl") + ".seal.json"
+            return int(json.loads(_content(self.manifest.with_name(name)))["records"])
         except (OSError, ValueError, KeyError, TypeError):
             return None
 
@@ -94,17 +95,25 @@ class Batch:
             self.objects += 1
             if self._broken and record.get("archive") == self._broken:
                 continue
-            try:
-                stored = self._read(record)
-            except OSError as error:
-                self._missing(record, error)
-            else:
-                if self._is_unchanged(stored):
-                    yield stored
+            stored = self.read(record, line)
+            if stored is not None:
+                yield stored
+
+    def read(self, record: Mapping[str, Any], line: bytes) -> Optional[Stored]:
+        """The object of a record with a file; None after a finding. Those of an archive are read in
+        the order of their records, of which some may be passed over.
+        """
+        try:
+            stored = self._read(record)
+        except OSError as error:
+            self._missing(record, error)
+            return None
+        stored.line = line
+        return stored if self._is_unchanged(stored) else None
 
     def _lines(self) -> Iterator[bytes]:
         try:
-            yield from lines(str(self._manifest))
+            yield from lines(str(self.manifest))
         except OSError as error:
             self._bad_manifest(f"cannot read the manifest to its end: {error}")
 
@@ -122,11 +131,11 @@ class Batch:
 
     def _bad_manifest(self, message: str, **place: int) -> None:
         self._report(Finding({"severity": "error", "code": "output/bad-manifest", "message": message,
-                              "notes": [], "file": str(self._manifest), **place}))
+                              "notes": [], "file": str(self.manifest), **place}))
 
     def _read(self, record: Mapping[str, Any]) -> Stored:
         name = record["file"]
-        below, folder = self._manifest.parent, os.path.dirname(name)
+        below, folder = self.manifest.parent, os.path.dirname(name)
         assets = {asset: os.path.join(folder, asset) for asset in record.get("assets", {})}
         if "archive" in record:
             archive = str(below / record["archive"])

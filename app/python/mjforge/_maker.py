@@ -8,8 +8,8 @@ import os
 from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence
 
 from ._findings import Finding, SpecError, VariantError
-from ._library import (CATALOGUE, Request, VariantTexts, bytes_of, c_number, c_text, c_texts,
-                       library)
+from ._library import (CATALOGUE, Request, Text, VariantTexts, bytes_of, c_number, c_text,
+                       c_texts, library)
 from ._variant import Variant
 
 if TYPE_CHECKING:
@@ -136,6 +136,13 @@ class Maker:
         contents = read(texts.contents, size) if size else b""
         return Variant(read(texts.xml, texts.xml_size), read(texts.record, texts.record_size),
                        files, contents, findings)
+
+    def records(self, indices: range) -> list[bytes]:
+        """The records of these variants up to the first that fails."""
+        text = Text()
+        count = library.MjforgeMakeRecords(self.handle, indices.start % 2**64, indices.step % 2**64,
+                                            len(indices), text)
+        return bytes_of(text).split(b"\n")[:count]
 
     def _compare(self, inputs: list[list[str]]) -> None:
         """Compares the hashes of files that variants refer to with those at their first use."""

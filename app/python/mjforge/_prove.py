@@ -11,7 +11,7 @@ import sys
 import time
 from typing import Any, Optional, Union
 
-from ._batch import Batch, Stored, manifests_of
+from ._batch import Reader, Stored, manifests_of
 from ._comparison import Difference
 from ._findings import Finding, printable
 from ._library import c_number
@@ -80,7 +80,7 @@ def run(batch: Union[str, "os.PathLike[str]"], jobs: Optional[int], progress: bo
 
 
 def _prove(manifest: pathlib.Path, crew: Crew, proof: Proof, progress: bool) -> None:
-    stored_objects = Batch(manifest, proof.findings.append)
+    stored_objects = Reader(manifest, proof.findings.append)
     bar = _Progress(progress, stored_objects.count())
     failed = 0
     first = len(proof.findings)

@@ -1,29 +1,23 @@
-"""A spec, and the variants of it."""
+"""A spec: a family of objects, as its files were when it was read."""
 
 from __future__ import annotations
 
 import hashlib
-import itertools
 import json
-import operator
 import os
 import tempfile
 import types
-from typing import Any, Callable, Iterator, Mapping, Optional, Sequence, Union, overload
+from typing import Any, Mapping, Optional, Sequence, Union
 
-from . import _command, _options, _yaml
-from ._findings import Finding, VariantError
+from . import _options, _yaml
+from ._findings import Finding
 from ._maker import Maker, Snapshot, compare
 from ._options import (Assets, Durability, OnInvalid, Profile, Sampler, Target, Validate)
 from ._parameters import Parameter, parameter_of
-from ._report import Report, manifest_of, report_of
-from ._variant import Variant
+from ._report import Report
+from ._variants import DEFAULTS, Variants, described
 
 Source = Union[str, "os.PathLike[str]", Mapping[str, Any]]
-
-_DEFAULTS: dict[str, Any] = {
-    "name": "", "target": "mujoco", "assets": "inline", "sampler": "random", "on_invalid": "fail",
-    "validate": "none", "seed": 0, "batch": None, "place_seed": None}
 
 
 class Spec:
@@ -96,7 +90,7 @@ class Spec:
 
     def _open(self) -> None:
         """Loads the spec and sets what is known about it."""
-        self._describe(Maker(self, {**_DEFAULTS, "batch": 1}))
+        self._describe(Maker(self, {**DEFAULTS, "batch": 1}))
 
     def _describe(self, maker: Maker) -> None:
         self.findings = maker.check()
@@ -207,7 +201,7 @@ class Spec:
         """
         options = _options.checked({"seed": seed, "physics": physics, "profile": profile})
         validate = "physics" if physics or profile not in (None, "none") else "load"
-        variants = Variants(self, {**_DEFAULTS, "seed": options["seed"], "validate": validate},
+        variants = Variants(self, {**DEFAULTS, "seed": options["seed"], "validate": validate},
                             makers=[])
         with tempfile.TemporaryDirectory() as folder:
             report = variants.write(os.path.join(folder, "checked.tar"), count, profile=profile,
@@ -219,7 +213,7 @@ class Spec:
                         self._key_paths, self._inputs)
 
     def __repr__(self) -> str:
-        return f"<mjforge.Spec {self.name}>"
+        return f"<mjforge.Spec {described(self)}>"
 
 
 def _again(snapshot: bytes, settings: dict[str, str], parameter_files: tuple[str, ...],
@@ -232,153 +226,3 @@ def _again(snapshot: bytes, settings: dict[str, str], parameter_files: tuple[str
     spec._inputs = inputs
     spec._open()
     return spec
-
-
-class Variants:
-    """Variants of a spec, by index: without end, or those of a slice. Made when asked for, each
-    time anew; threads may share it, and run in parallel while variants are made.
-
-    >>> import mjforge
-    >>> mugs = mjforge.Spec("mug").variants(seed=7)
-    >>> [v.index for v in mugs[10:20:5]], len(mugs[:100]), mugs[:100][-1].index
-    ([10, 15], 100, 99)
-    """
-
-    def __init__(self, spec: Spec, options: dict[str, Any],
-                 indices: Optional[range] = None, makers: Optional[list[Maker]] = None) -> None:
-        self.spec = spec
-        self._options = options
-        self._indices = indices
-        if makers is None:
-            makers = [Maker(spec, options)]
-            makers[0].check()
-        self._makers = makers  # idle ones; a list's pop and append are atomic
-
-    def _make(self, index: int) -> Variant:
-        if not 0 <= index < 2**64:
-            raise IndexError(f"{index} is not within 0 .. 2^64 - 1")
-        try:
-            maker = self._makers.pop()
-        except IndexError:
-            maker = Maker(self.spec, self._options)
-            maker.check()
-        try:
-            return maker.make(index)
-        finally:
-            self._makers.append(maker)
-
-    @overload
-    def __getitem__(self, key: int) -> Variant: ...
-    @overload
-    def __getitem__(self, key: slice) -> "Variants": ...
-    def __getitem__(self, key: Any) -> Any:
-        if isinstance(key, slice):
-            return Variants(self.spec, self._options, self._range(key), self._makers)
-        if isinstance(key, bool) or not hasattr(key, "__index__"):
-            raise TypeError(f"{key!r} is not the index of a variant but of type {type(key).__name__}")
-        index = operator.index(key)
-        return self._make(index if self._indices is None else self._indices[index])
-
-    def _range(self, key: slice) -> range:
-        if self._indices is not None:
-            return self._indices[key]
-        start = 0 if key.start is None else operator.index(key.start)
-        if key.stop is None or start < 0 or operator.index(key.stop) < 0:
-            raise IndexError("a slice of variants has a start and an end, counted from 0")
-        return range(start, key.stop, 1 if key.step is None else key.step)
-
-    def __len__(self) -> int:
-        if self._indices is None:
-            raise TypeError("variants are without end: take a slice, such as variants[0:1000]")
-        return len(self._indices)
-
-    def __iter__(self) -> Iterator[Variant]:
-        skip = self._options["on_invalid"] == "skip"
-        for index in itertools.count() if self._indices is None else self._indices:
-            try:
-                yield self._make(index)
-            except VariantError:
-                if not skip:
-                    raise
-
-    def write(
-        self,
-        output: Union[str, "os.PathLike[str]"],
-        count: Optional[int] = None,
-        *,
-        first: Optional[int] = None,
-        progress: Optional[Callable[[int, Optional[int]], object]] = None,
-        jobs: Optional[int] = None,
-        time_limit: Optional[float] = None,
-        resume: bool = False,
-        shard: Optional[str] = None,
-        per_archive: Optional[int] = None,
-        validate: Optional[Validate] = None,
-        profile: Optional[Profile] = None,
-        each: bool = False,
-        force: bool = False,
-        verify: bool = False,
-        if_changed: bool = False,
-        durability: Optional[Durability] = None,
-    ) -> Report:
-        """Writes the first `count`, or those of a slice, as `mjforge generate` does, which it runs:
-        files or archives and a manifest. They are the same as those made here.
-
-        `progress(done, total)` is called after each variant of this run; `total` is None for a
-        shard. `jobs`: processes (default: one per core). `time_limit`: s for each variant.
-        `validate`: default: that of `variants()`, but at least "load". All other options are the
-        command's: `first` is the first index, `shard="0/4"` a part of the batch.
-
-        Returns a report, also if variants failed. Raises OSError where writing fails. After Ctrl-C
-        or an exception of `progress` every file is complete, and `resume=True` continues.
-
-        >>> import mjforge, tempfile
-        >>> with tempfile.TemporaryDirectory() as folder:
-        ...     report = mjforge.Spec("mug").variants(seed=7).write(folder, 3)
-        >>> report.made, report.ok, report.manifest.name
-        (3, True, 'manifest.jsonl')
-        """
-        span = self._span(count, first)
-        options = _options.checked({
-            "output": output, "jobs": jobs, "time_limit": time_limit, "resume": resume,
-            "shard": shard, "per_archive": per_archive, "profile": profile, "each": each,
-            "force": force, "verify": verify, "if_changed": if_changed, "durability": durability,
-            "progress": progress, "validate": self._validation() if validate is None else validate})
-        if options["output"] in ("", "-"):
-            raise ValueError(f"output={options['output']!r} is not a file, an archive or a folder")
-        del options["progress"]
-        own = {name: value for name, value in self._options.items() if name != "validate"}
-        own["batch"] = own["batch"] or len(span)
-        words = [f"--set={name}={value}" for name, value in self.spec.settings.items()]
-        words += [f"--params={path}" for path in self.spec.parameter_files]
-        words += _command.options_of({
-            **{name: value for name, value in own.items() if value != _DEFAULTS[name]},
-            "first": span.start, "count": len(span), **options})
-        self.spec._compare_inputs()
-        total = len(span) if shard is None else None
-        findings = _command.run(
-            ["generate", *words, "--", "-"], self.spec._snapshot.saved(),
-            None if progress is None else lambda done: progress(done, total))
-        return report_of(manifest_of(options["output"], shard), span.start, len(span), findings)
-
-    def _span(self, count: Optional[int], first: Optional[int]) -> range:
-        """The indices to write."""
-        if self._indices is None:
-            start = 0 if first is None else _options.number(first, "first")
-            return range(start, start + _options.count(count, "count"))
-        for option, value in (("count", count), ("first", first)):
-            if value is not None:
-                raise ValueError(f"{option}={value!r}: a slice has its variants already")
-        if self._indices.step != 1 or not self._indices:
-            raise ValueError(f"variants {self._indices} are not consecutive, so they cannot be written")
-        return self._indices
-
-    def _validation(self) -> str:
-        return "load" if self._options["validate"] == "none" else str(self._options["validate"])
-
-    def __reduce__(self) -> Any:
-        return Variants, (self.spec, self._options, self._indices)
-
-    def __repr__(self) -> str:
-        which = "" if self._indices is None else f" {self._indices}"
-        return f"<mjforge.Variants of {self.spec.name}{which}>"

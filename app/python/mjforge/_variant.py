@@ -3,17 +3,26 @@
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import importlib
 import json
 import os
-from typing import TYPE_CHECKING, Any
+import pathlib
+import tempfile
+from typing import TYPE_CHECKING, Any, Iterator, Mapping, Optional, Sequence, Union
 
-from ._findings import Finding, MismatchError
+from ._findings import Finding, MismatchError, VariantError
+from ._json import members_of_record
+from ._members import Joint, Members, Position, Site, elements, members_of
 
 if TYPE_CHECKING:
+    import mujoco as _mujoco  # type: ignore[import-not-found, import-untyped, unused-ignore]
     import numpy as np
     from mujoco import MjModel  # type: ignore[import-not-found, import-untyped, unused-ignore]
+
+    from ._picture import Layer, Picture, Size
+    from ._spec import Source, Spec
 
 _PIP = "python -m pip install 'mujoco>=2.2.2'"
 
@@ -45,19 +54,33 @@ def mujoco_of(given: Any) -> Any:
 class Variant:
     """An MJCF file and what is known about it. Frames: the object's own (m, kg, kg m^2)."""
 
-    __slots__ = ("xml_bytes", "_record_bytes", "_files_bytes", "_contents", "findings", "_record")
+    __slots__ = ("xml_bytes", "record_bytes", "_files_bytes", "_contents", "findings", "_record",
+                 "_members")
 
     xml_bytes: bytes  # the file, as the command writes it
+    record_bytes: bytes  # its line of a manifest, JSON
     findings: tuple[Finding, ...]  # warnings
 
     def __init__(self, xml: bytes, record: bytes, files: bytes, contents: bytes,
                  findings: tuple[Finding, ...]):
         self.xml_bytes = xml
-        self._record_bytes = record
+        self.record_bytes = record
         self._files_bytes = files
         self._contents = contents
         self.findings = findings
         self._record: dict[str, Any] = {}
+        self._members: Optional[Members] = None
+
+    @staticmethod
+    def from_record(record: Mapping[str, Any], spec: "Union[Source, Spec, None]" = None) -> "Variant":
+        """Makes a variant again from its record, a line of a manifest, and compares the hashes.
+
+        `spec`: the spec, if it has moved since, or if it was a text or a mapping. Raises MismatchError
+        if the spec has changed or the file is another one.
+        """
+        from ._again import make_again
+
+        return make_again(record, spec)
 
     @property
     def xml(self) -> str:
@@ -68,8 +91,46 @@ class Variant:
     def record(self) -> dict[str, Any]:
         """Its line of a manifest."""
         if not self._record:
-            self._record = json.loads(self._record_bytes)
+            self._record = json.loads(self.record_bytes)
         return self._record
+
+    def some_of_record(self, *members: str) -> list[Any]:
+        """Members of the record, at a part of the time that reading all of it takes."""
+        if self._record:
+            return [self._record[member] for member in members]
+        return members_of_record(self.record_bytes, members)
+
+    @property
+    def members(self) -> Members:
+        """Its joints, sites, actuators and first body."""
+        if self._members is None:
+            self._members = members_of(elements(self.xml_bytes))
+        return self._members
+
+    @property
+    def name(self) -> str:
+        """The object's name, with which the names in the file begin."""
+        return str(self.record["name"])
+
+    @property
+    def joints(self) -> dict[str, Joint]:
+        """Its joints by name, in the order of MuJoCo's `qpos`; each has name, type, body, range and
+        start.
+        """
+        return self.members.joints
+
+    @property
+    def sites(self) -> dict[str, Site]:
+        """Its sites by name; each has name, body, pos and quat."""
+        return self.members.sites
+
+    @property
+    def pose(self) -> dict[str, Position]:
+        """Start positions of its joints: rad or m; of a ball joint a quaternion, of a free joint pos
+        and quat. The free joint of its first body is left out, because the scene places that body.
+        """
+        members = self.members
+        return {name: joint.start for name, joint in members.joints.items() if name != members.root_joint}
 
     @property
     def index(self) -> int:
@@ -147,6 +208,78 @@ class Variant:
         """A mujoco.MjModel of it, in the given module or the one that is installed."""
         return mujoco_of(mujoco).MjModel.from_xml_string(self.xml, self.files)
 
+    def attach(
+        self,
+        scene: "_mujoco.MjSpec",
+        *,
+        prefix: str = "",
+        pos: Sequence[float] = (0.0, 0.0, 0.0),
+        quat: Sequence[float] = (1.0, 0.0, 0.0, 0.0),
+        stand: bool = True,
+    ) -> "_mujoco.MjsBody":
+        """Adds it to a scene, a mujoco.MjSpec, and returns its first body there.
+
+        `prefix`: in front of its names. `pos`, `quat`: its place in the world. `stand`: its bottom is
+        at `pos`, otherwise its origin; the bottom is that of the box around it at the start. The
+        scene resets to its start, unless that is in a keyframe, as for objects without a free body
+        (Spec(set={"root.start": "zero"}) has none). Keyframes stay out of the scene: call `start`.
+        """
+        from ._attach import attach
+
+        return attach(self, scene, prefix, pos, quat, stand)
+
+    def start(self, model: "_mujoco.MjModel", data: "_mujoco.MjData", prefix: str = "") -> None:
+        """Sets its joints, velocities, activations and controls in a simulation to its start state.
+        Its first body stays where it is, and loose bodies are placed beside it. `prefix`: as it was
+        attached.
+        """
+        from ._attach import start
+
+        start(self, model, data, prefix)
+
+    def save(self, path: Union[str, "os.PathLike[str]"]) -> pathlib.Path:
+        """Writes the file, and beside it the meshes and textures in `files`. `path`: the file, or an
+        existing folder, in which it has the name that the command gives it. Returns the file's path.
+        """
+        if not isinstance(path, (str, os.PathLike)):
+            raise TypeError(f"path={path!r} is not a path but of type {type(path).__name__}")
+        file = pathlib.Path(path)
+        if file.is_dir():
+            file /= os.path.basename(self.record.get("file") or f"{self.name}_{self.index:06}.xml")
+        file.write_bytes(self.xml_bytes)
+        for name, content in self.files.items():
+            beside = file.parent / name
+            beside.parent.mkdir(parents=True, exist_ok=True)
+            beside.write_bytes(content)
+        return file
+
+    @contextlib.contextmanager
+    def as_file(self) -> Iterator[pathlib.Path]:
+        """For hosts that read only files: `with variant.as_file() as path:` has it and its files in a
+        folder that is removed afterwards.
+        """
+        with tempfile.TemporaryDirectory() as folder:
+            yield self.save(folder)
+
+    def png(self, size: "Size" = 640, layer: "Layer" = "visual",
+            pose: Optional[Mapping[str, float]] = None) -> "Picture":
+        """A picture of it, as `mjforge preview` draws it: the bytes of a PNG file.
+
+        `size`: pixels, a number or (width, height). `layer`: "visual", "collision", "bounds",
+        "inertia", "joints" or "regions". `pose`: positions of hinges (rad) and slides (m) that are
+        not at their start. Raises VariantError where nothing can be drawn.
+        """
+        from ._picture import draw
+
+        return draw([self], size, layer, pose)
+
+    def _repr_png_(self) -> Optional[bytes]:
+        """Shows it in a notebook; nothing where no renderer works."""
+        try:
+            return bytes(self.png(320))
+        except (VariantError, OSError):
+            return None
+
     def verify(self, mujoco: Any = None, tolerance: float = 1e-6) -> "MjModel":
         """Loads it and compares what was compiled with what was meant: the numbers of bodies,
         joints and geoms, names, mass, center of mass, inertia, bounds and start state. `tolerance`
@@ -165,4 +298,5 @@ class Variant:
         return model
 
     def __repr__(self) -> str:
-        return f"<mjforge.Variant {self.record['name']} {self.index} of seed {self.seed}>"
+        target = self.record["target"]
+        return f"<mjforge.Variant {self.name} {self.index} of seed {self.seed} for {target}>"

@@ -1,10 +1,12 @@
-"""robosuite's Lift, with a new hammer at each reset in place of the cube.
+"""robosuite's Lift, with a new hammer at each reset in place of the cube, or another object.
 
-    python -m pip install mjforge robosuite
-    python new_hammer_each_reset.py
+    python -m pip install mjforge robosuite==1.5.2 mujoco==3.3.7
+    python new_hammer_each_reset.py [SPEC]
+
+robosuite 1.5.2 refuses MuJoCo from 3.10 on, which pip would take.
 """
 
-import tempfile
+import sys
 
 import mjforge
 import numpy as np
@@ -17,12 +19,24 @@ from robosuite.models.tasks import ManipulationTask
 from robosuite.utils.placement_samplers import UniformRandomSampler
 
 
+class FreeObject(MujocoXMLObject):
+    """An object whose free joint is its first joint, which environments of robosuite set.
+
+    robosuite itself adds the free joint to the file's joints, as the last of them.
+    """
+
+    def _get_object_subtree(self):
+        tree = super()._get_object_subtree()
+        free = tree.find("./joint[@type='free']")
+        tree.remove(free)
+        tree.insert(0, free)
+        return tree
+
+
 def as_object(variant):
     """robosuite reads objects from files."""
-    with tempfile.NamedTemporaryFile(suffix=".xml") as file:
-        file.write(variant.xml_bytes)
-        file.flush()
-        return MujocoXMLObject(file.name, name=variant.record["name"])
+    with variant.as_file() as path:
+        return FreeObject(str(path), name=variant.name)
 
 
 class LiftHammer(Lift):
@@ -48,7 +62,8 @@ class LiftHammer(Lift):
             mujoco_arena=arena, mujoco_robots=[robot], mujoco_objects=self.cube)
 
 
-hammers = mjforge.Spec("hammer").variants(seed=7, target="robosuite")
+spec = mjforge.Spec(sys.argv[1] if len(sys.argv) > 1 else "hammer")
+hammers = spec.variants(seed=7, target="robosuite")
 environment = robosuite.make(
     "LiftHammer", robots="Panda", hammers=hammers, has_renderer=False,
     has_offscreen_renderer=False, use_camera_obs=False, seed=0)
@@ -59,5 +74,5 @@ for _ in range(3):
     body = environment.sim.model.body_name2id(environment.cube.root_body)
     mass = environment.sim.model.body_subtreemass[body]
     height = environment.sim.data.body_xpos[body][2] - environment.table_offset[2]
-    print(f"hammer {environment.hammer.index}: {mass:.3f} kg of {environment.hammer.mass:.3f}, "
+    print(f"{spec.name} {environment.hammer.index}: {mass:.3f} kg of {environment.hammer.mass:.3f}, "
           f"{1000 * height:.0f} mm above the table")

@@ -4,6 +4,7 @@
 #include "mjforge/xml/asset_files.h"
 #include "mjforge/xml/attribute_numbers.h"
 #include "mjforge/xml/element.h"
+#include "mjforge/xml/elements_json.h"
 #include "mjforge/xml/flat_text.h"
 #include "mjforge/xml/places.h"
 #include "mjforge/xml/tree_reader.h"

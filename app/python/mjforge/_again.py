@@ -1,0 +1,64 @@
+"""Makes a variant again from its record."""
+
+from __future__ import annotations
+
+import os
+import pathlib
+from typing import Any, Iterator, Mapping, Optional, Union
+
+from ._findings import MismatchError
+from ._spec import Source, Spec
+from ._variant import Variant
+
+# Options of variants(), and the members of a record that have their values.
+_OPTIONS = {"target": "target", "assets": "assets_as", "sampler": "sampler", "batch": "batch",
+            "on_invalid": "on_invalid", "place_seed": "place_seed", "name": "name"}
+
+
+def _files_of(record: Mapping[str, Any], folder: Optional[pathlib.Path]) -> Iterator[pathlib.Path]:
+    """Places where the file of a record's spec may be; `folder` is that of the manifest."""
+    if folder is not None and record.get("spec_file"):
+        yield folder / record["spec_file"]
+    name = os.path.basename(record["spec"])
+    for place in (pathlib.Path(), folder, folder and folder.parent):
+        if place is not None and name.endswith((".yaml", ".yml")):
+            yield place / name
+
+
+def _spec_of(record: Mapping[str, Any], folder: Optional[pathlib.Path]) -> Spec:
+    found = next((file for file in _files_of(record, folder) if file.is_file()), None)
+    if found is None and record["spec"] in ("-", "<spec>"):
+        # The command keeps a spec that has no file beside the manifest.
+        for snapshot in sorted(folder.glob("*.spec.json")) if folder is not None else ():
+            spec = Spec(snapshot, set=record.get("set", {}))
+            if spec.sha256 == record["spec_sha256"]:
+                return spec
+        raise ValueError("the spec of the record was a text or a mapping: give it as spec=")
+    return Spec(found or record["spec"], set=record.get("set", {}))
+
+
+def make_again(record: Mapping[str, Any], spec: Union[Source, Spec, None],
+               folder: Optional[pathlib.Path] = None) -> Variant:
+    """See Variant.from_record."""
+    if not isinstance(record, Mapping):
+        raise TypeError(f"record={record!r} is not a mapping but of type {type(record).__name__}")
+    missing = [name for name in ("spec", "spec_sha256", "seed", "index", "target", "name") if name not in record]
+    if missing:
+        raise ValueError(f"record has no {missing[0]!r}: it is not a line of a manifest")
+    if record.get("each"):
+        raise ValueError("record is that of a scene whose objects are files of their own (--each)")
+    if spec is None:
+        spec = _spec_of(record, folder)
+    elif not isinstance(spec, Spec):
+        spec = Spec(spec, set=record.get("set", {}))
+    options = {option: record[name] for option, name in _OPTIONS.items() if record.get(name) is not None}
+    variant = spec.variants(record["seed"], **options)[record["index"]]
+    again = variant.record
+    title = f"{record['name']} {record['index']} of seed {record['seed']}"
+    if again["spec_sha256"] != record["spec_sha256"]:
+        raise MismatchError(f"{title}: the spec has changed: its SHA-256 is {again['spec_sha256']}, not "
+                            f"{record['spec_sha256']}")
+    if again.get("sha256") != record.get("sha256"):
+        raise MismatchError(f"{title}: it is another file: its SHA-256 is {again.get('sha256')}, not "
+                            f"{record.get('sha256')}")
+    return variant

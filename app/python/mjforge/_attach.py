@@ -1,0 +1,175 @@
+"""Puts a variant into a scene of MuJoCo, and its joints to the start pose."""
+
+from __future__ import annotations
+
+import importlib
+import math
+from typing import TYPE_CHECKING, Any, Sequence
+
+from ._child import child_of
+from ._library import c_text
+from ._members import Joint, Members, elements, name_of_root, section
+
+if TYPE_CHECKING:
+    import mujoco  # type: ignore[import-untyped, unused-ignore]
+
+    from ._variant import Variant
+
+Quaternion = Sequence[float]  # w x y z
+Pose = tuple[Any, Any]  # position and quaternion, arrays
+
+
+def vector_of(value: Any, size: int, what: str) -> list[float]:
+    """A vector given as an argument. `what` is its name in the TypeError or ValueError."""
+    try:
+        numbers = [float(number) for number in value]
+    except (TypeError, ValueError):
+        raise TypeError(f"{what}={value!r} is not a list of {size} numbers") from None
+    if isinstance(value, (str, bytes)) or len(numbers) != size or not all(map(math.isfinite, numbers)):
+        raise ValueError(f"{what}={value!r} is not a list of {size} finite numbers")
+    return numbers
+
+
+def _unit(quat: Any) -> list[float]:
+    numbers = vector_of(quat, 4, "quat")
+    norm = math.hypot(*numbers)
+    if norm < 1e-9:
+        raise ValueError(f"quat={quat!r} is zero")
+    return [number / norm for number in numbers]
+
+
+def _is(thing: Any, name: str, what: str) -> None:
+    if type(thing).__name__ != name or not type(thing).__module__.startswith("mujoco"):
+        raise TypeError(f"{what}={thing!r} is not a mujoco.{name} but of type {type(thing).__name__}")
+
+
+def _module_of(thing: Any) -> Any:
+    """The MuJoCo that a model or spec belongs to."""
+    return importlib.import_module(type(thing).__module__.partition(".")[0])
+
+
+def _bottom(variant: Variant, quat: Quaternion) -> float:
+    """Lowest point of the box around the object at its start, turned by `quat`, in m."""
+    box, target = variant.some_of_record("aabb", "target")
+    if target == "scene":
+        return 0.0  # the file has the object on the floor
+    w, x, y, z = quat
+    row = (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y))  # z of the turned axes
+    return float(sum(min(factor * low, factor * high)
+                     for factor, low, high in zip(row, box["min"], box["max"])))
+
+
+def attach(variant: Variant, scene: mujoco.MjSpec, prefix: str, pos: Sequence[float], quat: Quaternion,
+           stand: bool) -> mujoco.MjsBody:
+    """Returns the object's first body in the scene; see Variant.attach."""
+    _is(scene, "MjSpec", "scene")
+    c_text(prefix, "prefix")
+    place, turn = vector_of(pos, 3, "pos"), _unit(quat)
+    if not isinstance(stand, bool):
+        raise TypeError(f"stand={stand!r} is not True or False")
+    mujoco = _module_of(scene)
+    if not hasattr(mujoco.MjSpec, "attach"):
+        raise ImportError(f"mujoco {mujoco.__version__} has no MjSpec.attach: "
+                          "python -m pip install 'mujoco>=3.3'")
+    if stand:
+        place[2] -= _bottom(variant, turn)
+    root = elements(variant.xml_bytes)
+    name = name_of_root(section(root, "worldbody"))
+    child = child_of(mujoco, root)
+    if child is None:
+        child = mujoco.MjSpec.from_string(variant.xml, assets=variant.files)
+        child.njmax = child.nconmax = -1  # sizes for the object alone
+        for key in list(child.keys):
+            child.delete(key) if hasattr(child, "delete") else key.delete()
+    scene.attach(child, prefix=prefix, frame=scene.worldbody.add_frame(pos=place, quat=turn))
+    return scene.body(prefix + name)
+
+
+class _Start:
+    """Moves the joints of an object in a simulation to their start positions."""
+
+    def __init__(self, members: Members, model: mujoco.MjModel, data: mujoco.MjData, prefix: str) -> None:
+        self._mujoco = _module_of(model)
+        self._members = members
+        self._model = model
+        self._data = data
+        self._prefix = prefix
+
+    def id_of(self, kind: str, name: str) -> int:
+        number: int = self._mujoco.mj_name2id(
+            self._model, getattr(self._mujoco.mjtObj, f"mjOBJ_{kind.upper()}"), self._prefix + name)
+        if number < 0:
+            raise ValueError(f"prefix={self._prefix!r}: the model has no {kind} {self._prefix + name!r}")
+        return number
+
+    def run(self) -> None:
+        model, data, members = self._model, self._data, self._members
+        speeds = iter(members.key.get("qvel", ()))
+        placed = [j for j in members.joints.values() if j.type == "free" and j.name != members.root_joint]
+        origin = self._origin() if placed else None
+        for joint in members.joints.values():
+            number = self.id_of("joint", joint.name)
+            first, dof = model.jnt_qposadr[number], model.jnt_dofadr[number]
+            width = {"free": 6, "ball": 3}.get(joint.type, 1)
+            velocity = [next(speeds, 0.0) for _ in range(width)]
+            if joint.name == members.root_joint:
+                continue
+            data.qvel[dof:dof + width] = velocity
+            if joint.type == "free":
+                data.qpos[first:first + 7] = self._placed(joint, origin)
+            else:
+                data.qpos[first:first + (4 if joint.type == "ball" else 1)] = joint.start
+        self._start_actuators()
+
+    def _start_actuators(self) -> None:
+        model, data, key = self._model, self._data, self._members.key
+        controls, activations = iter(key.get("ctrl", ())), iter(key.get("act", ()))
+        for name in self._members.actuators:
+            number = self.id_of("actuator", name)
+            data.ctrl[number] = next(controls, 0.0)
+            if model.na and model.actuator_actadr[number] >= 0:
+                first, count = model.actuator_actadr[number], model.actuator_actnum[number]
+                data.act[first:first + count] = [next(activations, 0.0) for _ in range(count)]
+
+    def _origin(self) -> Pose:
+        """Pose of the object's own frame in the world, from the present pose of its first body."""
+        import numpy as np
+
+        mujoco, model, data, members = self._mujoco, self._model, self._data, self._members
+        body = self.id_of("body", members.root)
+        if members.root_joint is not None:
+            first = model.jnt_qposadr[self.id_of("joint", members.root_joint)]
+            now = data.qpos[first:first + 3].copy(), data.qpos[first + 3:first + 7].copy()
+        else:
+            mujoco.mj_kinematics(model, data)
+            parent = model.body_parentid[body]
+            now = self._product((data.xpos[parent], data.xquat[parent]),
+                                (model.body_pos[body], model.body_quat[body]))
+        pos, quat = np.array(members.root_pose[:3]), np.array(members.root_pose[3:])
+        back, moved = np.zeros(4), np.zeros(3)
+        mujoco.mju_negQuat(back, quat)
+        mujoco.mju_rotVecQuat(moved, -pos, back)
+        return self._product(now, (moved, back))
+
+    def _placed(self, joint: Joint, origin: Any) -> Any:
+        """Numbers in qpos of a free body that starts at its pose beside the first one."""
+        import numpy as np
+
+        start = np.array(joint.start)
+        return np.concatenate(self._product(origin, (start[:3], start[3:])))
+
+    def _product(self, outer: Pose, inner: Pose) -> Pose:
+        import numpy as np
+
+        pos, quat = np.zeros(3), np.zeros(4)
+        self._mujoco.mju_rotVecQuat(pos, inner[0], outer[1])
+        self._mujoco.mju_mulQuat(quat, outer[1], inner[1])
+        return pos + outer[0], quat
+
+
+def start(variant: Variant, model: mujoco.MjModel, data: mujoco.MjData, prefix: str) -> None:
+    """See Variant.start."""
+    _is(model, "MjModel", "model")
+    _is(data, "MjData", "data")
+    c_text(prefix, "prefix")
+    _Start(variant.members, model, data, prefix).run()

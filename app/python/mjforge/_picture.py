@@ -1,0 +1,92 @@
+"""Pictures of variants, drawn by the command `mjforge preview`.
+
+The command draws in a process of its own, because a renderer in this process would share OpenGL, and
+its current context, with that of the user's MuJoCo.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import pathlib
+import tempfile
+from typing import TYPE_CHECKING, Any, Iterable, Literal, Mapping, Optional, Union, get_args
+
+from . import _command
+from ._findings import VariantError
+from ._library import c_number, c_text
+
+if TYPE_CHECKING:
+    from ._variant import Variant
+
+Layer = Literal["visual", "collision", "bounds", "inertia", "joints", "regions"]
+Size = Union[int, tuple[int, int]]  # width and height in pixels; one number for both
+
+
+class Picture(bytes):
+    """The bytes of a PNG file, which a notebook shows."""
+
+    def _repr_png_(self) -> bytes:
+        return bytes(self)
+
+    def save(self, path: Union[str, os.PathLike[str]]) -> None:
+        """Writes the file."""
+        pathlib.Path(path).write_bytes(self)
+
+    def __repr__(self) -> str:
+        width, height = (int.from_bytes(self[at:at + 4], "big") for at in (16, 20))
+        return f"<mjforge.Picture {width} x {height}>"
+
+    __str__ = __repr__
+
+
+def _size_of(size: Any) -> str:
+    numbers = size if isinstance(size, (tuple, list)) else (size,)
+    if len(numbers) not in (1, 2):
+        raise ValueError(f"size={size!r} is not a number of pixels or (width, height)")
+    for number in numbers:
+        if not 16 <= c_number(number, "size") <= 4096:
+            raise ValueError(f"size={size!r} is not within 16 .. 4096 pixels")
+    return "x".join(str(int(number)) for number in numbers)
+
+
+def _layer_of(layer: Any) -> str:
+    c_text(layer, "layer")
+    if layer not in get_args(Layer):
+        raise ValueError(f"layer={layer!r} is not one of {', '.join(get_args(Layer))}")
+    return str(layer)
+
+
+def _joints_of(pose: Any) -> list[str]:
+    if not isinstance(pose, Mapping):
+        raise TypeError(f"pose={pose!r} is not a mapping of joints to positions")
+    words = []
+    for joint, value in pose.items():
+        c_text(joint, "pose")
+        if isinstance(value, (str, bytes, bool)) or not hasattr(value, "__float__"):
+            raise TypeError(f"pose={pose!r}: the position of {joint!r} is not a number")
+        if not math.isfinite(value):
+            raise ValueError(f"pose={pose!r}: the position of {joint!r} is not finite")
+        words += ["--joint", f"{joint}={float(value)!r}"]
+    return words
+
+
+def draw(variants: Iterable[Variant], size: Optional[Size], layer: Layer,
+         pose: Optional[Mapping[str, float]] = None) -> Picture:
+    """A picture of a variant, or a contact sheet of several."""
+    words = ["--layer", _layer_of(layer), *_joints_of({} if pose is None else pose)]
+    if size is not None:
+        words += ["--size", _size_of(size)]
+    with tempfile.TemporaryDirectory() as folder:
+        files: list[str] = []
+        for variant in variants:
+            inner = pathlib.Path(folder, str(len(files)))
+            inner.mkdir()
+            files.append(str(variant.save(inner)))
+        if not 0 < len(files) <= 400:
+            raise ValueError(f"a sheet has 1 to 400 variants, not {len(files)}")
+        picture = pathlib.Path(folder, "picture.png")
+        status, findings = _command.run(["preview", *words, "-o", str(picture), "--", *files], None)
+        if status != 0:
+            raise VariantError(findings)
+        return Picture(picture.read_bytes())

@@ -1,0 +1,146 @@
+"""A batch that was written: its objects by number, its records, and checks of all of it."""
+
+from __future__ import annotations
+
+import array
+import itertools
+import json
+import os
+import pathlib
+from typing import Any, Iterator, Optional, Sequence, Union
+
+from . import _command
+from ._batch import Reader, Stored, manifests_of
+from ._findings import Finding, VariantError
+from ._json import members_of_record
+from ._library import c_number, lines
+from ._table import CHUNK, table_of
+from ._variant import Variant
+
+
+def _variant(stored: Stored) -> Variant:
+    files = [[name, "", len(content)] for name, content in stored.files.items()]
+    return Variant(stored.xml, stored.line, json.dumps(files).encode() if files else b"",
+                   b"".join(stored.files.values()), ())
+
+
+def _raise(finding: Finding) -> None:
+    raise VariantError([finding])
+
+
+def _is_stored(record: bytes) -> bool:
+    return bool(members_of_record(record, ["status"])[0] == "ok")
+
+
+class Batch:
+    """The objects of a batch that have a file, by number from 0, as variants.
+
+    `path`: a folder, an archive (.tar, .tar.zst), a series of archives ("x_%05d.tar") or a manifest.
+    Iteration needs constant memory. Archives are read from their start: iterate over them, or take
+    their objects in ascending order. An object that is missing or was changed raises VariantError.
+    Can be pickled; for one thread at a time. Raises FileNotFoundError without a manifest.
+    """
+
+    def __init__(self, path: Union[str, os.PathLike[str]]) -> None:
+        if not isinstance(path, (str, os.PathLike)):
+            raise TypeError(f"path={path!r} is not a path but of type {type(path).__name__}")
+        self.path = pathlib.Path(path)
+        self._manifests = manifests_of(path)
+        self._starts: Optional[list[array.array[int]]] = None  # bytes, of the records of each manifest
+        self._reader: Optional[tuple[int, Reader]] = None  # and the number of the object that it is at
+
+    def __iter__(self) -> Iterator[Variant]:
+        for manifest in self._manifests:
+            for stored in Reader(manifest, _raise):
+                yield _variant(stored)
+
+    def records(self) -> Iterator[dict[str, Any]]:
+        """The records of all variants, also of those that failed and have no file."""
+        for manifest in self._manifests:
+            for line in lines(str(manifest)):
+                yield json.loads(line)
+
+    def __len__(self) -> int:
+        return sum(map(len, self._index()))
+
+    def _index(self) -> list[array.array[int]]:
+        if self._starts is None:
+            self._starts = [self._starts_of(manifest) for manifest in self._manifests]
+        return self._starts
+
+    @staticmethod
+    def _starts_of(manifest: pathlib.Path) -> array.array[int]:
+        starts, start = array.array("Q"), 0
+        for line in lines(str(manifest)):
+            if _is_stored(line):
+                starts.append(start)
+            start += len(line) + 1
+        return starts
+
+    def _line(self, number: int) -> tuple[pathlib.Path, bytes]:
+        """The manifest and the record of an object."""
+        for manifest, starts in zip(self._manifests, self._index()):
+            if number < len(starts):
+                break
+            number -= len(starts)
+        if manifest.suffix == ".zst":
+            stored = filter(_is_stored, lines(str(manifest)))
+            return manifest, next(itertools.islice(stored, number, None))
+        with open(manifest, "rb") as file:
+            file.seek(starts[number])
+            return manifest, file.readline().rstrip(b"\n")
+
+    def _number(self, number: Any) -> int:
+        count = len(self)
+        positive = number + count if isinstance(number, int) and number < 0 else number
+        if not 0 <= c_number(positive, "number") < count:
+            raise IndexError(f"number={number} is not within the {count} objects of '{self.path}'")
+        return int(positive)
+
+    def __getitem__(self, number: int) -> Variant:
+        number = self._number(number)
+        manifest, line = self._line(number)
+        reader = None
+        if self._reader is not None and self._reader[0] < number and self._reader[1].manifest == manifest:
+            reader = self._reader[1]  # goes on in an archive
+        reader = reader or Reader(manifest, _raise)
+        self._reader = None
+        record = json.loads(line)
+        if record.get("each"):
+            raise ValueError(f"number={number} is a scene whose objects are files of their own (--each)")
+        stored = reader.read(record, line)
+        assert stored is not None  # _raise has raised otherwise
+        self._reader = number, reader
+        return _variant(stored)
+
+    def table(self, members: Sequence[str] = ("params", "mass", "bounds"), frame: Optional[bool] = None) -> Any:
+        """A table of the records of its objects; see Variants.table."""
+        stored = filter(_is_stored, itertools.chain.from_iterable(lines(str(each)) for each in self._manifests))
+        chunks = iter(lambda: list(itertools.islice(stored, CHUNK)), [])
+        return table_of(chunks, members, frame)
+
+    def verify(self) -> list[Finding]:
+        """Compares all files with their hashes, as `mjforge verify` does; returns what is wrong."""
+        found = []
+        for manifest in self._manifests:
+            found += _command.run(["verify", "--", str(manifest)], None)[1]
+        return found
+
+    def prove(self, *, jobs: Optional[int] = None, progress: bool = True) -> list[Finding]:
+        """Loads all objects in the `mujoco` that is installed; see mjforge.prove."""
+        from ._prove import run
+
+        return run(self.path, jobs, progress).findings
+
+    def replay(self, number: int) -> Variant:
+        """Makes an object again from its record, and returns it; see Variant.from_record."""
+        from ._again import make_again
+
+        manifest, line = self._line(self._number(number))
+        return make_again(json.loads(line), None, manifest.parent)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_reader": None}
+
+    def __repr__(self) -> str:
+        return f"<mjforge.Batch {str(self.path)!r}>"

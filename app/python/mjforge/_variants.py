@@ -1,0 +1,233 @@
+"""The variants of a spec, by index."""
+
+from __future__ import annotations
+
+import itertools
+import operator
+import os
+from typing import (TYPE_CHECKING, Any, Callable, Iterator, Mapping, Optional, Sequence, Union,
+                    overload)
+
+from . import _command, _options
+from ._findings import VariantError
+from ._maker import Maker
+from ._options import Durability, Profile, Validate
+from ._report import Report, manifest_of, report_of
+from ._variant import Variant
+
+if TYPE_CHECKING:
+    from ._picture import Layer, Picture, Size
+    from ._spec import Spec
+
+DEFAULTS: dict[str, Any] = {
+    "name": "", "target": "mujoco", "assets": "inline", "sampler": "random", "on_invalid": "fail",
+    "validate": "none", "seed": 0, "batch": None, "place_seed": None}
+
+
+def described(spec: "Spec") -> str:
+    """The name of a spec and its settings, as text: "hammer (handle_length=25cm)"."""
+    settings = ", ".join(f"{name}={value}" for name, value in spec.settings.items())
+    return f"{spec.name} ({settings})" if settings else spec.name
+
+
+class Variants:
+    """Variants of a spec, by index: without end, or those of a slice. Made when asked for, each
+    time anew; threads may share it, and run in parallel while variants are made.
+
+    >>> import mjforge
+    >>> mugs = mjforge.Spec("mug").variants(seed=7)
+    >>> [v.index for v in mugs[10:20:5]], len(mugs[:100]), mugs[:100][-1].index
+    ([10, 15], 100, 99)
+    """
+
+    def __init__(self, spec: "Spec", options: dict[str, Any],
+                 indices: Optional[range] = None, makers: Optional[list[Maker]] = None) -> None:
+        self.spec = spec
+        self._options = options
+        self._indices = indices
+        if makers is None:
+            makers = [Maker(spec, options)]
+            makers[0].check()
+        self._makers = makers  # idle ones; a list's pop and append are atomic
+
+    def _idle_maker(self) -> Maker:
+        try:
+            return self._makers.pop()
+        except IndexError:
+            maker = Maker(self.spec, self._options)
+            maker.check()
+            return maker
+
+    def _make(self, index: int) -> Variant:
+        if not 0 <= index < 2**64:
+            raise IndexError(f"{index} is not within 0 .. 2^64 - 1")
+        maker = self._idle_maker()
+        try:
+            return maker.make(index)
+        finally:
+            self._makers.append(maker)
+
+    @overload
+    def __getitem__(self, key: int) -> Variant: ...
+    @overload
+    def __getitem__(self, key: slice) -> "Variants": ...
+    def __getitem__(self, key: Any) -> Any:
+        if isinstance(key, slice):
+            return Variants(self.spec, self._options, self._range(key), self._makers)
+        if isinstance(key, bool) or not hasattr(key, "__index__"):
+            raise TypeError(f"{key!r} is not the index of a variant but of type {type(key).__name__}")
+        index = operator.index(key)
+        return self._make(index if self._indices is None else self._indices[index])
+
+    def _range(self, key: slice) -> range:
+        if self._indices is not None:
+            return self._indices[key]
+        start = 0 if key.start is None else operator.index(key.start)
+        if key.stop is None or start < 0 or operator.index(key.stop) < 0:
+            raise IndexError("a slice of variants has a start and an end, counted from 0")
+        return range(start, key.stop, 1 if key.step is None else key.step)
+
+    def __len__(self) -> int:
+        if self._indices is None:
+            raise TypeError("variants are without end: take a slice, such as variants[0:1000]")
+        return len(self._indices)
+
+    def __iter__(self) -> Iterator[Variant]:
+        skip = self._options["on_invalid"] == "skip"
+        for index in itertools.count() if self._indices is None else self._indices:
+            try:
+                yield self._make(index)
+            except VariantError:
+                if not skip:
+                    raise
+
+    def write(
+        self,
+        output: Union[str, "os.PathLike[str]"],
+        count: Optional[int] = None,
+        *,
+        first: Optional[int] = None,
+        progress: Optional[Callable[[int, Optional[int]], object]] = None,
+        jobs: Optional[int] = None,
+        time_limit: Optional[float] = None,
+        resume: bool = False,
+        shard: Optional[str] = None,
+        per_archive: Optional[int] = None,
+        validate: Optional[Validate] = None,
+        profile: Optional[Profile] = None,
+        each: bool = False,
+        force: bool = False,
+        verify: bool = False,
+        if_changed: bool = False,
+        durability: Optional[Durability] = None,
+    ) -> Report:
+        """Writes the first `count`, or those of a slice, as `mjforge generate` does, which it runs:
+        files or archives and a manifest. They are the same as those made here.
+
+        `progress(done, total)` is called after each variant of this run; `total` is None for a
+        shard. `jobs`: processes (default: one per core). `time_limit`: s for each variant.
+        `validate`: default: that of `variants()`, but at least "load". All other options are the
+        command's: `first` is the first index, `shard="0/4"` a part of the batch.
+
+        Returns a report, also if variants failed. Raises OSError where writing fails. After Ctrl-C
+        or an exception of `progress` every file is complete, and `resume=True` continues.
+
+        >>> import mjforge, tempfile
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     report = mjforge.Spec("mug").variants(seed=7).write(folder, 3)
+        >>> report.made, report.ok, report.manifest.name
+        (3, True, 'manifest.jsonl')
+        """
+        span = self._span(count, first)
+        options = _options.checked({
+            "output": output, "jobs": jobs, "time_limit": time_limit, "resume": resume,
+            "shard": shard, "per_archive": per_archive, "profile": profile, "each": each,
+            "force": force, "verify": verify, "if_changed": if_changed, "durability": durability,
+            "progress": progress, "validate": self._validation() if validate is None else validate})
+        if options["output"] in ("", "-"):
+            raise ValueError(f"output={options['output']!r} is not a file, an archive or a folder")
+        del options["progress"]
+        own = {name: value for name, value in self._options.items() if name != "validate"}
+        own["batch"] = own["batch"] or len(span)
+        words = [f"--set={name}={value}" for name, value in self.spec.settings.items()]
+        words += [f"--params={path}" for path in self.spec.parameter_files]
+        words += _command.options_of({
+            **{name: value for name, value in own.items() if value != DEFAULTS[name]},
+            "first": span.start, "count": len(span), **options})
+        self.spec._compare_inputs()
+        total = len(span) if shard is None else None
+        findings = _command.run(
+            ["generate", *words, "--", "-"], self.spec._snapshot.saved(),
+            None if progress is None else lambda done: progress(done, total))
+        return report_of(manifest_of(options["output"], shard), span.start, len(span), findings)
+
+    def _span(self, count: Optional[int], first: Optional[int]) -> range:
+        """The indices to write."""
+        if self._indices is None:
+            start = 0 if first is None else _options.number(first, "first")
+            return range(start, start + _options.count(count, "count"))
+        for option, value in (("count", count), ("first", first)):
+            if value is not None:
+                raise ValueError(f"{option}={value!r}: a slice has its variants already")
+        if self._indices.step != 1 or not self._indices:
+            raise ValueError(f"variants {self._indices} are not consecutive, so they cannot be written")
+        return self._indices
+
+    def _validation(self) -> str:
+        return "load" if self._options["validate"] == "none" else str(self._options["validate"])
+
+    def sheet(self, size: "Size" = 320, layer: "Layer" = "visual") -> "Picture":
+        """A contact sheet of a slice with at most 400 variants: the bytes of a PNG file. `size` is
+        that of each picture; see Variant.png.
+        """
+        from ._picture import draw
+
+        len(self)  # raises TypeError without a slice
+        return draw(self, size, layer)
+
+    def table(self, members: Sequence[str] = ("params", "mass", "bounds"),
+              frame: Optional[bool] = None) -> Any:
+        """A table of a slice: a column for each number or text in these members of the records
+        ("params.width", "mass", "bounds.min.x"), and the index.
+
+        Returns a pandas.DataFrame if pandas is installed (`frame=True`: otherwise ImportError), or
+        with `frame=False` a dict of NumPy arrays.
+        """
+        from ._table import table_of
+
+        len(self)  # raises TypeError without a slice
+        return table_of(self._records(), members, frame)
+
+    def _records(self) -> Iterator[list[bytes]]:
+        """The records of a slice, in chunks."""
+        from ._table import CHUNK
+
+        indices = self._indices or range(0)
+        while indices:
+            maker = self._idle_maker()
+            try:
+                records = maker.records(indices[:CHUNK])
+            finally:
+                self._makers.append(maker)
+            indices = indices[len(records):]
+            if records:
+                yield records
+            else:
+                self._leave_out(indices[0])
+                indices = indices[1:]
+
+    def _leave_out(self, index: int) -> None:
+        """Raises what a variant fails with, unless iteration leaves it out."""
+        try:
+            self._make(index)
+        except VariantError:
+            if self._options["on_invalid"] != "skip":
+                raise
+
+    def __reduce__(self) -> Any:
+        return Variants, (self.spec, self._options, self._indices)
+
+    def __repr__(self) -> str:
+        which = "" if self._indices is None else f" {self._indices}"
+        return (f"<mjforge.Variants{which} of {described(self.spec)}, seed {self._options['seed']}, "
+                f"target {self._options['target']}>")

@@ -1,0 +1,101 @@
+// Writes the elements of an MJCF text as JSON, for readers without an XML parser.
+#include "mjforge/xml/elements_json.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include <pugixml.hpp>
+
+#include "mjforge/diag/diag.h"
+
+namespace mjforge::xml {
+namespace {
+
+constexpr int kMaxElementDepth = 100;
+constexpr std::string_view kDigits = "0123456789";
+
+// Removes the digits at the start of the text; returns false if there are none.
+bool SkipDigits(std::string_view& text) {
+  const std::size_t end = std::min(text.find_first_not_of(kDigits), text.size());
+  text.remove_prefix(end);
+  return end > 0;
+}
+
+bool Skip(std::string_view& text, char c) {
+  const bool found = text.starts_with(c);
+  if (found) text.remove_prefix(1);
+  return found;
+}
+
+// Returns true if the word is a number by the grammar of JSON.
+bool IsJsonNumber(std::string_view word) {
+  Skip(word, '-');
+  const bool zero = word.starts_with('0');
+  const std::size_t before = word.size();
+  if (!SkipDigits(word) || (zero && before - word.size() > 1)) return false;
+  if (Skip(word, '.') && !SkipDigits(word)) return false;
+  if (word.starts_with('e') || word.starts_with('E')) {
+    word.remove_prefix(1);
+    if (!Skip(word, '-')) Skip(word, '+');
+    if (!SkipDigits(word)) return false;
+  }
+  return word.empty();
+}
+
+// Calls `use` with each word, separated by blanks, until it returns false. Returns the number of
+// words, or 0 if `use` returned false.
+template <typename Use>
+int EachWord(std::string_view text, const Use& use) {
+  constexpr std::string_view kBlanks = " \t\r\n";
+  int count = 0;
+  for (std::size_t start = 0; (start = text.find_first_not_of(kBlanks, start)) != text.npos;) {
+    const std::size_t end = std::min(text.find_first_of(kBlanks, start), text.size());
+    if (!use(text.substr(start, end - start))) return 0;
+    start = end;
+    ++count;
+  }
+  return count;
+}
+
+void WriteValue(std::string_view value, diag::Json& json) {
+  const int numbers = EachWord(value, IsJsonNumber);
+  if (numbers == 0) return json.Value(value);
+  if (numbers > 1) json.StartArray();
+  EachWord(value, [&](std::string_view word) {
+    json.Raw(word);
+    return true;
+  });
+  if (numbers > 1) json.EndArray();
+}
+
+// Returns false if elements are nested too deep.
+bool WriteElement(const pugi::xml_node& element, int depth, diag::Json& json) {
+  if (depth > kMaxElementDepth) return false;
+  json.StartArray();
+  json.Value(element.name());
+  json.StartObject();
+  for (const pugi::xml_attribute& attribute : element.attributes()) {
+    json.Key(attribute.name());
+    WriteValue(attribute.value(), json);
+  }
+  json.EndObject();
+  json.StartArray();
+  for (const pugi::xml_node& child : element.children()) {
+    if (child.type() == pugi::node_element && !WriteElement(child, depth + 1, json)) return false;
+  }
+  json.EndArray();
+  json.EndArray();
+  return true;
+}
+
+}  // namespace
+
+std::optional<std::string> ElementsJson(std::string_view mjcf) {
+  pugi::xml_document document;
+  if (!document.load_buffer(mjcf.data(), mjcf.size())) return std::nullopt;
+  diag::Json json(nullptr);
+  if (!WriteElement(document.document_element(), 1, json)) return std::nullopt;
+  return json.Take();
+}
+
+}  // namespace mjforge::xml

@@ -1,0 +1,161 @@
+"""Variants in a scene of the user's MuJoCo: attached without their text being parsed, they are the
+same models as from the text; they stand on their bottoms, and start where they should.
+
+    check_reset.py FOLDER
+"""
+
+import mjforge
+import mujoco
+import numpy as np
+from mjforge import _attach
+from mjforge._comparison import PIECES
+
+from report import check, expect, finish
+
+# The scene's defaults and units must not change the object.
+SCENE = """<mujoco><compiler angle="degree" autolimits="false"/>
+<default><geom friction=".3 .1 .1" rgba="1 0 0 1"/><joint damping="3"/></default>
+<worldbody><geom type="plane" size="2 2 .1"/>
+<body name="table" pos="0 0 .4"><geom name="table" type="box" size=".4 .4 .02"/></body></worldbody></mujoco>"""
+DOOR = """
+mjforge: 1
+name: door
+joints: none
+parts: [{name: frame, type: box, size: [0.1, 0.1, 0.1]}]
+pose: {swing: 0.5}
+bodies:
+  - name: leaf
+    pos: [0.2, 0, 0]
+    joints: [{name: swing, type: hinge, axis: [0, 0, 1], range: [0, 1.5]}]
+    parts: [{name: leaf, type: box, size: [0.05, 0.01, 0.05]}]
+"""
+
+
+def scene_with(variant, parsed=False, **options):
+    """The model of a scene; `parsed`: the object is parsed from its text."""
+    scene = mujoco.MjSpec.from_string(SCENE)
+    child_of = _attach.child_of
+    if parsed:
+        _attach.child_of = lambda *_: None
+    try:
+        body = variant.attach(scene, prefix="o/", **options)
+    finally:
+        _attach.child_of = child_of
+    expect(body.name == "o/" + variant.members.root, f"the body is {body.name}")
+    return scene.compile()
+
+
+def differing_fields(one, other):
+    for name in dir(one):
+        mine, its = getattr(one, name), getattr(other, name)
+        if isinstance(mine, np.ndarray):
+            same = mine.shape == its.shape and np.array_equal(mine, its, equal_nan=mine.dtype.kind == "f")
+        elif isinstance(mine, (int, float, bytes)) and name != "signature":
+            same = mine == its
+        else:
+            continue
+        if not same and not name.startswith("_"):
+            yield name
+
+
+def is_the_same_as_parsed(name):
+    for target in ("mujoco", "robosuite"):
+        try:
+            variant = mjforge.Spec(name).variants(seed=3, target=target)[1]
+        except mjforge.VariantError as error:
+            expect("target/one-root" in str(error), str(error))
+            continue
+        expect(_attach.child_of(mujoco, _attach.elements(variant.xml_bytes)) is not None, "it has to be parsed")
+        place = {"pos": (0.1, 0.2, 0.42), "quat": (0.8, 0, 0, 0.6)}
+        wrong = list(differing_fields(scene_with(variant, **place), scene_with(variant, True, **place)))
+        expect(not wrong, f"for {target} these differ: {', '.join(wrong)}")
+
+
+def stands(name):
+    """Its lowest point is on the table, also on its side."""
+    variant = mjforge.Spec(name).variants(seed=3)[2]
+    for quat in ((1, 0, 0, 0), (1, 1, 0, 0), (1, 0, -1, 0)):
+        model = scene_with(variant, pos=(0, 0, 0.42), quat=quat)
+        data = mujoco.MjData(model)
+        mujoco.mj_kinematics(model, data)
+        lowest = min(low_of(model, data, geom) for geom in range(2, model.ngeom))
+        # Bounds are those of the true solid, beyond which pieces that collide reach a little.
+        allowed = 5e-5 if quat == (1, 0, 0, 0) else PIECES * np.ptp(variant.bounds, axis=0).max()
+        expect(-allowed < lowest - 0.42 < 2e-3, f"turned by {quat} its lowest point is at {lowest:.6f} m")
+    model = scene_with(variant, pos=(0, 0, 0.42), stand=False)
+    expect(model.body("o/" + variant.name).pos[2] == 0.42, "stand=False moves it")
+
+
+def low_of(model, data, geom):
+    box = model.geom_aabb[geom]
+    turn = data.geom_xmat[geom].reshape(3, 3)
+    return (data.geom_xpos[geom] + turn @ box[:3])[2] - (np.abs(turn) @ box[3:])[2]
+
+
+def starts(name, prefix="o/"):
+    """Joints are at the start after a reset and after start(), and the root stays where it is."""
+    variant = mjforge.Spec(name).variants(seed=3)[1]
+    model = scene_with(variant, pos=(0.1, 0, 0.42), quat=(0.8, 0, 0, 0.6))
+    expect(model.nkey == 0, "the scene has the object's keyframe")
+    data = mujoco.MjData(model)
+    zero, root = data.qpos.copy(), variant.members.root_joint
+    for joint, position in variant.pose.items():
+        if isinstance(position, float):
+            expect(data.joint(prefix + joint).qpos[0] == position, f"{joint} is not at its start")
+    data.qpos += 0.1
+    data.qvel += 1
+    variant.start(model, data, prefix)
+    if root is not None:
+        expect(np.allclose(data.joint(prefix + root).qpos, zero[:7] + 0.1), "the root has moved")
+        data.joint(prefix + root).qpos = zero[:7]
+        variant.start(model, data, prefix)
+        data.joint(prefix + root).qvel = 0
+    expect(np.allclose(data.qpos, zero, atol=1e-9), f"qpos differs by {abs(data.qpos - zero).max():g}")
+    expect(not data.qvel.any(), "it moves")
+
+
+def starts_as_its_keyframe():
+    variant = mjforge.Spec(DOOR).variants()[0]
+    model = scene_with(variant)
+    data = mujoco.MjData(model)
+    expect(data.qpos[0] == 0, "it starts at zero")
+    variant.start(model, data, "o/")
+    expect(data.qpos[0] == 0.5, f"it starts at {data.qpos[0]}")
+
+
+def raises(error, words, action, *arguments, **options):
+    try:
+        action(*arguments, **options)
+    except error as raised:
+        expect(words in str(raised), str(raised))
+    else:
+        raise AssertionError(f"{arguments} {options} are taken")
+
+
+def names_wrong_arguments():
+    variant = mjforge.Spec("laptop").variants()[0]
+    scene = mujoco.MjSpec.from_string(SCENE)
+    for wrong in (5, None, "scene", scene.compile()):
+        raises(TypeError, "scene=", variant.attach, wrong)
+    for name, wrong, error in (("prefix", 5, TypeError), ("pos", 5, TypeError), ("pos", "abc", TypeError),
+                               ("pos", (1, 2), ValueError), ("pos", (1, 2, float("nan")), ValueError),
+                               ("quat", (0, 0, 0, 0), ValueError), ("quat", None, TypeError),
+                               ("stand", 1, TypeError)):
+        raises(error, f"{name}=", variant.attach, scene, **{name: wrong})
+    model = scene_with(variant)
+    data = mujoco.MjData(model)
+    raises(TypeError, "model=", variant.start, data, data)
+    raises(TypeError, "data=", variant.start, model, model)
+    raises(TypeError, "prefix=", variant.start, model, data, None)
+    raises(ValueError, "the model has no joint 'p/laptop_", variant.start, model, data, "p/")
+
+
+for name in mjforge.catalogue():
+    check(f"{name} attached as parsed", is_the_same_as_parsed, name)
+for name in ("hammer", "laptop", "mug"):
+    check(f"{name} stands on its bottom", stands, name)
+for name in ("laptop", "cardboard_box", "fridge", "plug_and_socket", "scenes/desk"):
+    check(f"{name} starts where it should", starts, name)
+check("a keyframe is applied", starts_as_its_keyframe)
+check("wrong arguments are named", names_wrong_arguments)
+finish()

@@ -1,0 +1,123 @@
+"""Tables of variants and of batches, as NumPy arrays and, if it is installed, in pandas.
+
+    check_tables.py FOLDER
+"""
+
+import importlib.util
+import os
+import tempfile
+
+import mjforge
+import numpy as np
+from mjforge import _table
+
+from report import check, expect, finish
+
+MEMBERS = ["params", "mass", "com", "inertia", "bounds", "name", "sha256"]
+
+
+def has_the_numbers_of_the_records(name):
+    variants = mjforge.Spec(name).variants(seed=1)[3:43:2]
+    columns = variants.table(MEMBERS, frame=False)
+    for number, variant in enumerate(variants):
+        row = {column: values[number] for column, values in columns.items()}
+        expect(row["index"] == variant.index and row["mass"] == variant.mass, f"row {number}: {row}")
+        expect(row["sha256"] == variant.record["sha256"], "another hash")
+        bounds = [[row[f"bounds.{end}.{axis}"] for axis in "xyz"] for end in ("min", "max")]
+        expect(np.array_equal(bounds, variant.bounds), f"row {number}: bounds {bounds}")
+        inertia = [row[f"inertia.{axes}"] for axes in ("xx", "yy", "zz", "xy", "xz", "yz")]
+        expect(inertia == variant.record["inertia"], f"row {number}: inertia {inertia}")
+        for parameter, value in variant.params.items():
+            column = row.get(f"params.{parameter}")
+            if isinstance(value, list):
+                column = [row[f"params.{parameter}.{each}"] for each in range(len(value))]
+            expect(column == value, f"row {number}: {parameter} is {column}, not {value}")
+    expect(columns["mass"].dtype == float and columns["index"].dtype == int, "other types")
+
+
+def reads_slices_as_whole_records():
+    records = [variant.record_bytes for variant in mjforge.Spec("hammer").variants()[:50]]
+    quick = _table.table_of([records], MEMBERS, False)
+    slices, _table._slices = _table._slices, lambda *_: None
+    try:
+        whole = _table.table_of([records[:20], records[20:]], MEMBERS, False)
+    finally:
+        _table._slices = slices
+    expect(list(quick) == list(whole), f"{list(quick)} are not {list(whole)}")
+    for name in quick:
+        expect(np.array_equal(quick[name], whole[name]) and quick[name].dtype == whole[name].dtype, name)
+
+
+def parameters_may_be_named_like_members():
+    spec = mjforge.Spec({"mjforge": 1, "name": "ball", "params": {"mass": "1 .. 2", "com": "3 .. 4", "aabb": 5},
+                         "parts": [{"name": "ball", "type": "sphere", "size": [0.02]}]})
+    variants = spec.variants()[:10]
+    columns = variants.table(["mass", "params"], frame=False)
+    expect(list(columns["mass"]) == [variant.mass for variant in variants], "the masses are parameters")
+    expect(list(columns["params.mass"]) == [variant.params["mass"] for variant in variants], "another mass")
+
+
+def leaves_out_what_iteration_leaves_out():
+    spec = mjforge.Spec({"mjforge": 1, "name": "ball", "params": {"r": "1cm .. 2cm"}, "expect": ["r < 15mm"],
+                         "parts": [{"name": "ball", "type": "sphere", "size": ["r"]}]})
+    some = spec.variants(on_invalid="skip")[:40]
+    made = [variant.index for variant in some]
+    expect(1 < len(made) < 40 and list(some.table(frame=False)["index"]) == made, f"{made}")
+    try:
+        spec.variants()[:40].table(frame=False)
+    except mjforge.VariantError as error:
+        expect(error.findings[0].index not in made, "another variant failed")
+    else:
+        raise AssertionError("no variant failed")
+
+
+def batches_have_the_same():
+    some = mjforge.Spec("mug").variants(seed=5)
+    with tempfile.TemporaryDirectory() as folder:
+        some.write(os.path.join(folder, "x.tar.zst"), 30)
+        stored = mjforge.Batch(os.path.join(folder, "x.tar.zst")).table(MEMBERS, frame=False)
+    made = some[:30].table(MEMBERS, frame=False)
+    expect(list(stored) == list(made), "other columns")
+    for name in set(made) - {"sha256"}:  # the command says how many there are
+        expect(np.array_equal(stored[name], made[name]), name)
+
+
+def is_a_frame_of_pandas():
+    some = mjforge.Spec("mug").variants(seed=5)[:30]
+    table = some.table()
+    if importlib.util.find_spec("pandas") is None:
+        expect(isinstance(table, dict), f"it is a {type(table)}")
+        raises(ImportError, "frame=True", some.table, frame=True)
+        return "it is not installed"
+    expect(table.shape[0] == 30 and table["mass"].mean() > 0, "another shape")
+    return None
+
+
+def raises(error, words, action, *arguments, **options):
+    try:
+        action(*arguments, **options)
+    except error as raised:
+        expect(words in str(raised), str(raised))
+    else:
+        raise AssertionError(f"{arguments} {options} are taken")
+
+
+def names_wrong_arguments():
+    some = mjforge.Spec("mug").variants()
+    raises(TypeError, "take a slice", some.table)
+    for wrong in ("mass", 5, None, [5], b"mass"):
+        raises(TypeError, "members=", some[:3].table, wrong)
+    raises(ValueError, "'masz' is in no record", some[:3].table, ["masz"])
+    for wrong in (1, "yes"):
+        raises(TypeError, "frame=", some[:3].table, frame=wrong)
+
+
+for name in ("hammer", "mug", "laptop", "scenes/desk"):
+    check(f"table of {name}", has_the_numbers_of_the_records, name)
+check("slices are whole records", reads_slices_as_whole_records)
+check("parameters are named like members", parameters_may_be_named_like_members)
+check("a table leaves out failed variants", leaves_out_what_iteration_leaves_out)
+check("a table of a batch", batches_have_the_same)
+check("a table in pandas", is_a_frame_of_pandas)
+check("wrong arguments of tables are named", names_wrong_arguments)
+finish()

@@ -1,0 +1,99 @@
+"""What a variant has: members of its file, parts of its record, and files on a disk."""
+
+import json
+import os
+import pathlib
+import pickle
+import tempfile
+import unittest
+
+import mjforge
+from mjforge._json import members_of_record
+
+# Fixed, so that a keyframe has its start.
+DOOR = """
+mjforge: 1
+name: door
+joints: none
+pose: {swing: 0.5}
+parts: [{name: frame, type: box, size: [0.1, 0.1, 0.1]}]
+bodies:
+  - name: leaf
+    pos: [0.2, 0, 0]
+    joints: [{name: swing, type: hinge, axis: [0, 0, 1], range: [0, 1.5]}]
+    sites: [{name: knob, pos: [0.1, 0, 0]}]
+    parts: [{name: leaf, type: box, size: [0.05, 0.01, 0.05]}]
+"""
+
+
+class Members(unittest.TestCase):
+    def test_are_those_of_the_file(self):
+        variant = mjforge.Spec("laptop").variants(seed=3)[1]
+        self.assertEqual(variant.name, "laptop")
+        self.assertEqual(list(variant.joints), ["laptop_joint0", "laptop_hinge"])
+        hinge = variant.joints["laptop_hinge"]
+        self.assertEqual((hinge.type, hinge.body), ("hinge", "laptop_display"))
+        self.assertEqual(hinge.range, (0, variant.params["reach"]))
+        self.assertEqual(variant.pose, {"laptop_hinge": variant.params["open"]})
+        self.assertIsNone(variant.joints["laptop_joint0"].range)
+        self.assertEqual(variant.sites["laptop_grasp"].body, "laptop_display")
+        self.assertEqual(len(variant.sites["laptop_grasp"].pos), 3)
+        again = pickle.loads(pickle.dumps(variant))
+        self.assertEqual(again.pose, variant.pose)
+
+    def test_loose_bodies_start_beside_the_first(self):
+        pose = mjforge.Spec("plug_and_socket").variants(seed=3)[1].pose
+        self.assertEqual([len(position) for position in pose.values()], [7])
+
+    def test_a_keyframe_has_the_start(self):
+        variant = mjforge.Spec(DOOR).variants()[0]
+        self.assertEqual(variant.pose, {"door_swing": 0.5})
+        self.assertEqual(variant.sites["door_knob"].pos, (0.1, 0, 0))
+
+    def test_robosuite_names_its_root_below_a_body_without_a_name(self):
+        variant = mjforge.Spec("hinged_box").variants(target="robosuite")[0]
+        self.assertEqual(variant.members.root, "object")
+        self.assertEqual(list(variant.pose), ["box_hinge"])
+
+
+class Records(unittest.TestCase):
+    def test_some_members_are_those_of_all(self):
+        variants = mjforge.Spec("hammer").variants(seed=5)[:5]
+        for variant in variants:
+            names = ["mass", "aabb", "params", "status", "findings", "spec"]
+            self.assertEqual(members_of_record(variant.record_bytes, names),
+                             [variant.record[name] for name in names])
+
+    def test_inner_objects_may_have_the_same_keys(self):
+        record = {"params": {"mass": 1, "index": 2, "status": "ok"}, "mass": 3, "index": 4, "status": "failed"}
+        text = json.dumps(record, separators=(",", ":")).encode()
+        self.assertEqual(members_of_record(text, ["mass", "index", "status"]), [3, 4, "failed"])
+        self.assertRaises(KeyError, members_of_record, text, ["com"])
+
+
+class Files(unittest.TestCase):
+    def test_are_those_of_the_command(self):
+        variants = mjforge.Spec("spoon").variants(seed=3, assets="files")
+        with tempfile.TemporaryDirectory() as folder:
+            variants.write(pathlib.Path(folder, "made"), 2)
+            saved = pathlib.Path(folder, "saved")
+            saved.mkdir()
+            self.assertEqual(variants[1].save(saved), saved / "spoon_000001.xml")
+            variants[0].save(saved / "spoon_000000.xml")
+            for file in pathlib.Path(folder, "made").rglob("*"):
+                if file.suffix in (".xml", ".obj", ".png"):
+                    there = saved / file.relative_to(pathlib.Path(folder, "made"))
+                    self.assertEqual(there.read_bytes(), file.read_bytes())
+            self.assertRaises(OSError, variants[0].save, pathlib.Path(folder, "no", "a.xml"))
+        self.assertRaisesRegex(TypeError, "path=5", variants[0].save, 5)
+
+    def test_may_be_there_for_a_while(self):
+        variant = mjforge.Spec("spoon").variants(assets="files")[0]
+        with variant.as_file() as path:
+            self.assertEqual(path.read_bytes(), variant.xml_bytes)
+            self.assertTrue(any(path.parent.rglob("*.obj")))
+        self.assertFalse(os.path.exists(path))
+
+
+if __name__ == "__main__":
+    unittest.main()

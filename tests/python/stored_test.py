@@ -1,0 +1,122 @@
+"""Batches that were written are read by number, in order, and made again."""
+
+import contextlib
+import os
+import pathlib
+import pickle
+import tempfile
+import unittest
+
+import mjforge
+
+FORMS = ("out/", "x.tar", "x.tar.zst")
+UNLUCKY = """
+mjforge: 1
+name: ball
+params: {r: "1cm .. 2cm"}
+expect: ["r < 15mm"]
+parts: [{name: ball, type: sphere, size: [r]}]
+"""
+
+
+@contextlib.contextmanager
+def written(output, variants, count, **options):
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, output)
+        variants.write(path, count, **options)
+        yield path
+
+
+class Batches(unittest.TestCase):
+    def test_have_the_variants_that_were_written(self):
+        variants = mjforge.Spec("spoon").variants(seed=7, assets="files")
+        for output in FORMS:
+            with written(output, variants, 6) as path:
+                batch = mjforge.Batch(path)
+                self.assertEqual(len(batch), 6)
+                for number in (4, 5, 1, 1, -1):
+                    variant = batch[number]
+                    self.assertEqual(variant.xml_bytes, variants[number % 6].xml_bytes)
+                    self.assertEqual(variant.files, variants[number % 6].files)
+                    self.assertEqual(variant.record["index"], number % 6)
+                self.assertEqual([variant.index for variant in batch], list(range(6)))
+                self.assertEqual([record["index"] for record in batch.records()], list(range(6)))
+                self.assertEqual(pickle.loads(pickle.dumps(batch))[3].xml, batch[3].xml)
+                self.assertEqual(batch.replay(3).xml_bytes, batch[3].xml_bytes)
+                self.assertEqual(batch.verify(), [])
+
+    def test_are_series_and_shards(self):
+        variants = mjforge.Spec("hammer").variants(seed=7)
+        with written("x_%02d.tar", variants, 10, per_archive=4) as path:
+            self.assertEqual([variant.index for variant in mjforge.Batch(path)], list(range(10)))
+            self.assertEqual(mjforge.Batch(path)[9].xml, variants[9].xml)
+            folder = mjforge.Batch(os.path.dirname(path))
+            self.assertEqual((len(folder), folder[5].index), (10, 5))
+
+    def test_count_only_objects_with_a_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            spec = pathlib.Path(folder, "ball.yaml")
+            spec.write_text(UNLUCKY)
+            variants = mjforge.Spec(spec).variants(on_invalid="skip")
+            path = pathlib.Path(folder, "out")
+            variants.write(f"{path}/", 20)
+            batch = mjforge.Batch(path)
+            made = [variant.index for variant in variants[:20]]
+            self.assertTrue(1 < len(made) < 20)
+            self.assertEqual(len(batch), len(made))
+            self.assertEqual([batch[number].index for number in range(len(made))], made)
+            self.assertEqual(len(list(batch.records())), 20)
+            self.assertEqual(batch.replay(1).index, made[1])
+
+    def test_say_what_is_missing_or_changed(self):
+        with written("out/", mjforge.Spec("hammer").variants(), 3) as path:
+            batch = mjforge.Batch(path)
+            file = pathlib.Path(path, batch[1].record["file"])
+            file.write_bytes(file.read_bytes() + b" ")
+            pathlib.Path(path, batch[2].record["file"]).unlink()
+            for number, code in ((1, "batch/changed"), (2, "batch/missing")):
+                with self.assertRaises(mjforge.VariantError) as raised:
+                    batch[number]
+                self.assertEqual([f.code for f in raised.exception.findings], [code])
+            self.assertEqual(batch[0].index, 0)
+            self.assertRaises(mjforge.VariantError, list, batch)
+            self.assertEqual([f.code for f in batch.verify()], ["batch/changed", "batch/missing"])
+
+    def test_wrong_arguments_are_named(self):
+        for wrong in (5, None, True, b"out"):
+            self.assertRaisesRegex(TypeError, "path=", mjforge.Batch, wrong)
+        self.assertRaises(FileNotFoundError, mjforge.Batch, "no/such/batch")
+        with written("out/", mjforge.Spec("hammer").variants(), 2) as path:
+            batch = mjforge.Batch(path)
+            for wrong in ("1", 1.0, None, True):
+                self.assertRaisesRegex(TypeError, "number=", batch.__getitem__, wrong)
+            self.assertRaisesRegex(IndexError, "number=2 is not within the 2 objects", batch.__getitem__, 2)
+            self.assertRaises(IndexError, batch.replay, 2)
+
+
+class Replays(unittest.TestCase):
+    def test_of_records_compare_hashes(self):
+        spec = mjforge.Spec("mug", set={"root.joints": "none"})
+        options = {"target": "mjx", "sampler": "latin", "batch": 9, "name": "m${index}", "assets": "files"}
+        record = spec.variants(seed=3, **options)[4].record
+        self.assertEqual(mjforge.Variant.from_record(record).record, record)
+        with self.assertRaisesRegex(mjforge.MismatchError, "m4 4 of seed 3: it is another file"):
+            mjforge.Variant.from_record({**record, "sha256": "0" * 64})
+        with self.assertRaisesRegex(mjforge.MismatchError, "the spec has changed"):
+            mjforge.Variant.from_record({**record, "spec_sha256": "0" * 64})
+
+    def test_need_the_spec_of_a_text(self):
+        text = UNLUCKY.replace('expect: ["r < 15mm"]\n', "")
+        record = mjforge.Spec(text).variants(seed=2)[1].record
+        self.assertRaisesRegex(ValueError, "give it as spec=", mjforge.Variant.from_record, record)
+        self.assertEqual(mjforge.Variant.from_record(record, text).record, record)
+        self.assertEqual(mjforge.Variant.from_record(record, mjforge.Spec(text)).record, record)
+
+    def test_refuse_what_is_not_a_record(self):
+        for wrong in (5, None, "x", [1]):
+            self.assertRaisesRegex(TypeError, "record=", mjforge.Variant.from_record, wrong)
+        self.assertRaisesRegex(ValueError, "record has no 'spec'", mjforge.Variant.from_record, {})
+
+
+if __name__ == "__main__":
+    unittest.main()
