@@ -45,6 +45,13 @@ class Batches(unittest.TestCase):
                 self.assertEqual(batch.replay(3).xml_bytes, batch[3].xml_bytes)
                 self.assertEqual(batch.verify(), [])
 
+    def test_of_texts_are_made_again(self):
+        spec = mjforge.Spec(UNLUCKY.replace('expect: ["r < 15mm"]\n', ""))
+        for output in FORMS:
+            with written(output, spec.variants(seed=5), 3) as path:
+                batch = mjforge.Batch(path)
+                self.assertEqual(batch.replay(2).xml_bytes, batch[2].xml_bytes)
+
     def test_are_series_and_shards(self):
         variants = mjforge.Spec("hammer").variants(seed=7)
         with written("x_%02d.tar", variants, 10, per_archive=4) as path:
