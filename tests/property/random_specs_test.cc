@@ -136,7 +136,8 @@ class SpecAuthor {
         return ", type: prism, height: " + Number() +
                ", polygon: [[0, 0], [0.6, 0], [0.6, 0.6], [0.2, 0.3], [0, 0.6]]" +
                Pick({"", ", round: 0.01", ", bevel: 0.002",
-                     ", holes: [[[0.1, 0.1], [0.2, 0.1], [0.1, '0.1 + x']]]"});
+                     ", holes: [[[0.1, 0.1], [0.2, 0.1], [0.1, '0.1 + x']]]",
+                     ", holes: [{axis: x, outlines: [[[0.1, 0], [0.2, 0], [x, 0.002]]]}]"});
       case 3:
         return ", type: box, size: [0.1, 0.1, " + Number() + "], round: 0.005" +
                Pick({"", ", round_collision: false"});

@@ -28,12 +28,14 @@ struct Solid {
 std::vector<Solid> Solids() {
   const std::vector<std::string> rounded = {"", ", round_collision: false"};
   const std::string concave = std::string("height: 0.2, polygon: ") + kConcave;
+  const std::string along_x = "{axis: x, outlines: [[[0.05, -0.02], [0.1, 0], [0.05, 0.02]]]}";
   const std::string bent = "path: [[0, 0, 0], [0.3, 0, 0.2], [0.2, 0.1, 0.5]], radius: 0.03";
   const std::string ring =
       "path: [[0, 0, 0], [0.3, 0, 0], [0.3, 0.3, 0]], radius: 0.02, closed: true";
   const std::string cup = "profile: [[0, 0], [0.2, 0], [0.3, 0.2]]";
   return {{"box", "size: [0.1, 0.2, 0.3]"},
           {"box", "size: [0.1, 0.2, 0.3], round: 0.02", rounded},
+          {"box", "size: [0.1, 0.2, 0.3], holes: [" + along_x + ", [[0, 0], [0.05, 0], [0, 0.1]]]"},
           {"sphere", "size: 0.1"},
           {"cylinder", "size: [0.1, 0.2]"},
           {"cylinder", "size: [0.1, 0.2], round: 0.02", rounded},
@@ -45,6 +47,8 @@ std::vector<Solid> Solids() {
           {"prism", concave + ", round: 0.02"},
           {"prism", concave + ", bevel: 0.01"},
           {"prism", concave + ", holes: [[[0.1, 0.1], [0.2, 0.1], [0.1, 0.2]]]"},
+          {"prism", concave + ", holes: [" + along_x +
+                        ", {axis: y, outlines: [[[0.2, -0.05], [0.3, -0.05], [0.2, 0.05]]]}]"},
           {"lathe", "profile: [[0, 0], [0.2, 0], [0.2, 0.3], [0, 0.3]]"},
           {"lathe", "profile: [[0.1, 0], [0.2, 0], [0.2, 0.3]]"},
           {"lathe", cup + ", wall: 0.01"},

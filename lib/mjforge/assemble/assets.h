@@ -24,12 +24,18 @@ inline sample::StreamId MaterialPath(const sample::Evaluator& values,
   return sample::Child(sample::Child(values.root(), "materials"), material.name);
 }
 
+/// An outline of a shape in findings.
+struct OutlinePlace {
+  std::string name = {};                     // "hole 1 along x"; empty for the outer outline
+  std::vector<diag::SourceMark> marks = {};  // places of its points, or empty
+};
+
 /// A shape of the room `solid`, and its places in the spec for findings.
 struct SolidInput {
   const solid::SolidShape& shape;
   const spec::Field& field;  // the outer outline, the path or the size
-  /// Places of the points of each outline: the outer one, then the holes.
-  const std::vector<std::vector<diag::SourceMark>>& marks;
+  /// Indexed by solid::Fault::loop: the outer outline, then the holes.
+  const std::vector<OutlinePlace>& outlines;
 };
 
 /// Returns `count` factors from `scale`, all 1 without this field; nothing after a finding.

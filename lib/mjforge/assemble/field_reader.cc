@@ -92,7 +92,7 @@ std::optional<sample::PointList> FieldReader::Points(const spec::Field& field) {
   return values_.Points(field.value, PathOf(field));
 }
 
-std::optional<std::vector<sample::PointList>> FieldReader::Outlines(const spec::Field& field) {
+std::optional<std::vector<sample::HoleOutline>> FieldReader::Outlines(const spec::Field& field) {
   return values_.Outlines(field.value, PathOf(field));
 }
 

@@ -40,7 +40,7 @@ class FieldReader {
   }
   bool HasCount(const spec::Field& field, const sample::Numbers& numbers, std::size_t count);
   std::optional<sample::PointList> Points(const spec::Field& field);
-  std::optional<std::vector<sample::PointList>> Outlines(const spec::Field& field);
+  std::optional<std::vector<sample::HoleOutline>> Outlines(const spec::Field& field);
   std::optional<std::string> Text(const spec::Field& field);
   /// Returns one of the words that the field table lists.
   std::optional<std::string> Word(const spec::Field& field);

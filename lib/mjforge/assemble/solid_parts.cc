@@ -82,19 +82,18 @@ std::vector<model::Part> Assets::AddSolid(const std::shared_ptr<const solid::Sol
 }
 
 void Assets::Report(const FieldReader& reader, const SolidInput& input, const solid::Fault& fault) {
-  // Examples: "hole 2 of part 'lid'", "profile of part 'mug': point 3", "part 'pin'".
+  // Examples: "hole 2 along x of part 'lid'", "profile of part 'mug': point 3", "part 'pin'".
   std::string where = reader.Owner();
   diag::SourceMark mark = input.field.value.mark;
-  const auto& marks = input.marks;
-  const bool has_marks = fault.loop < marks.size() && !marks[fault.loop].empty();
+  const OutlinePlace& outline = input.outlines[fault.loop];
   if (fault.loop > 0) {
-    where = fmt::format("hole {} of {}", fault.loop, where);
+    where = fmt::format("{} of {}", outline.name, where);
   } else if (fault.point) {
     where = fmt::format("{} of {}", input.field.info->key, where);
   }
   if (fault.point) where += fmt::format(": point {}", *fault.point + 1);
-  if (has_marks && (fault.loop > 0 || fault.point))
-    mark = marks[fault.loop][fault.point.value_or(0)];
+  if (!outline.marks.empty() && (fault.loop > 0 || fault.point))
+    mark = outline.marks[fault.point.value_or(0)];
   findings_.Add(Code::kModelBadShape, mark, fmt::format("{} {}", where, fault.message));
 }
 

@@ -6,10 +6,26 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace mjforge::assemble {
 namespace {
 
 using spec::Key;
+
+std::vector<Eigen::Vector2d> PointsIn(const sample::PointList& list,
+                                      const Eigen::Vector2d& scale = Eigen::Vector2d::Ones()) {
+  std::vector<Eigen::Vector2d> points;
+  for (std::size_t i = 0; i + 1 < list.numbers.size(); i += 2)
+    points.emplace_back(list.numbers[i] * scale.x(), list.numbers[i + 1] * scale.y());
+  return points;
+}
+
+// Returns the name of a hole in findings. Holes are counted along each axis.
+std::string NameOfHole(std::size_t number, std::size_t axis) {
+  if (axis == 2) return fmt::format("hole {}", number);
+  return fmt::format("hole {} along {}", number, axis == 0 ? "x" : "y");
+}
 
 // Reads the fields of one shape, and makes the shape unless a field is invalid.
 class SolidReader {
@@ -36,19 +52,28 @@ class SolidReader {
         field_ != nullptr ? reader_.Points(*field_) : std::nullopt;
     is_good_ &= points.has_value();
     if (!points) return {};
-    // In a solid::Fault this outline is loop 0, before the holes.
-    marks_.insert(marks_.begin(), points->marks);
+    outlines_.front().marks = points->marks;
     return *std::move(points);
   }
 
-  std::vector<sample::PointList> Outlines(Key key) {
-    const spec::Field* field = entry_.Find(key);
-    if (field == nullptr) return {};
-    auto outlines = reader_.Outlines(*field);
-    is_good_ &= outlines.has_value();
-    if (!outlines) return {};
-    for (const sample::PointList& outline : *outlines) marks_.push_back(outline.marks);
-    return *std::move(outlines);
+  /// Reads the holes of a prism in the order of solid::Fault::loop: along z, x, y.
+  void Holes(const Eigen::Vector3d& scale, solid::Prism& prism) {
+    const spec::Field* field = entry_.Find(Key::kHoles);
+    if (field == nullptr) return;
+    const auto holes = reader_.Outlines(*field);
+    is_good_ &= holes.has_value();
+    if (!holes) return;
+    for (const std::size_t axis : {2, 0, 1}) {
+      std::vector<std::vector<Eigen::Vector2d>>& along = axis == 2   ? prism.holes
+                                                         : axis == 0 ? prism.holes_x
+                                                                     : prism.holes_y;
+      const Eigen::Vector2d own_scale(scale[axis == 0 ? 1 : 0], scale[axis == 2 ? 1 : 2]);
+      for (const sample::HoleOutline& hole : *holes) {
+        if (hole.axis != axis) continue;
+        along.push_back(PointsIn(hole.points, own_scale));
+        outlines_.push_back({.name = NameOfHole(along.size(), axis), .marks = hole.points.marks});
+      }
+    }
   }
 
   /// Returns the `count` numbers of a required field; `last`, if given, is the last of them.
@@ -67,10 +92,11 @@ class SolidReader {
     is_good_ &= Required(reader_, entry_, key, name, mark_) != nullptr;
   }
 
-  void Refuse(Key key, std::string_view why) {
+  /// Reports a field that the other fields exclude, unless it is a default.
+  void Refuse(Key key, std::string_view why, std::string hint = {}) {
     const spec::Field* field = entry_.Find(key);
     if (field == nullptr || field->is_default) return;
-    reader_.Report(diag::Code::kModelBadValue, *field, why);
+    reader_.Report(diag::Code::kModelBadValue, *field, why, std::move(hint));
     is_good_ = false;
   }
 
@@ -84,7 +110,8 @@ class SolidReader {
   std::optional<std::vector<model::Part>> Make(const solid::SolidShape& shape, Assets& assets,
                                                model::Part& part) {
     if (!is_good_) return std::nullopt;
-    return assets.AddShape(reader_, {.shape = shape, .field = *field_, .marks = marks_}, part);
+    return assets.AddShape(reader_, {.shape = shape, .field = *field_, .outlines = outlines_},
+                           part);
   }
 
  private:
@@ -100,18 +127,10 @@ class SolidReader {
   FieldReader& reader_;
   const spec::Entry& entry_;
   diag::SourceMark mark_;
-  std::vector<std::vector<diag::SourceMark>> marks_;
+  std::vector<OutlinePlace> outlines_ = {OutlinePlace()};
   const spec::Field* field_ = nullptr;
   bool is_good_ = true;
 };
-
-std::vector<Eigen::Vector2d> PointsIn(const sample::PointList& list,
-                                      const Eigen::Vector2d& scale = Eigen::Vector2d::Ones()) {
-  std::vector<Eigen::Vector2d> points;
-  for (std::size_t i = 0; i + 1 < list.numbers.size(); i += 2)
-    points.emplace_back(list.numbers[i] * scale.x(), list.numbers[i + 1] * scale.y());
-  return points;
-}
 
 solid::Lathe ReadLathe(SolidReader& read, const solid::TextureMapping& texture) {
   solid::Lathe lathe;
@@ -133,9 +152,29 @@ solid::Prism ReadPrism(SolidReader& read, const solid::TextureMapping& texture) 
   const Eigen::Vector2d scale = read.Scale();
   prism.facets = read.Integer(Key::kFacets, prism.facets);
   prism.texture = texture;
-  for (const sample::PointList& hole : read.Outlines(Key::kHoles))
-    prism.holes.push_back(PointsIn(hole, scale));
+  read.Holes({scale.x(), scale.y(), 1}, prism);
   prism.polygon = PointsIn(read.Points(Key::kPolygon, "polygon"), scale);
+  if (prism.holes_x.empty() && prism.holes_y.empty()) return prism;
+  constexpr std::string_view kWhy = "has no meaning beside holes along x or y";
+  read.Refuse(Key::kRound, kWhy,
+              "round the polygon by arcs of points, as in {arc: [[x, y], radius, 0, 90deg]}");
+  read.Refuse(Key::kBevel, kWhy, "leave it out");
+  prism.round = prism.bevel = 0;  // defaults
+  return prism;
+}
+
+// Reads a box with holes, which is a prism with a rectangle as its polygon.
+solid::Prism ReadCutBox(SolidReader& read, const solid::TextureMapping& texture,
+                        const std::optional<double>& half_length) {
+  const sample::Numbers half = read.Numbers(Key::kSize, "size", 3, half_length);
+  solid::Prism prism;
+  prism.texture = texture;
+  prism.polygon = {
+      {-half[0], -half[1]}, {half[0], -half[1]}, {half[0], half[1]}, {-half[0], half[1]}};
+  prism.height = 2 * half[2];
+  read.Holes(Eigen::Vector3d::Ones(), prism);
+  read.Refuse(Key::kRound, "has no meaning for a box with holes",
+              "use a prism, whose polygon can have round corners, or several parts");
   return prism;
 }
 
@@ -192,11 +231,12 @@ solid::RoundedCylinder ReadCylinder(SolidReader& read, const solid::TextureMappi
 
 solid::SolidShape ReadSolidShape(SolidReader& read, std::string_view type,
                                  const solid::TextureMapping& texture,
-                                 const std::optional<double>& half_length) {
+                                 const std::optional<double>& half_length, bool has_holes) {
   if (type == "lathe") return ReadLathe(read, texture);
   if (type == "prism") return ReadPrism(read, texture);
   if (type == "tube") return ReadTube(read, texture);
   if (type == "hull") return ReadHull(read, texture);
+  if (type == "box" && has_holes) return ReadCutBox(read, texture, half_length);
   if (type == "box") return ReadBox(read, texture, half_length);
   return ReadCylinder(read, texture, half_length);
 }
@@ -204,6 +244,7 @@ solid::SolidShape ReadSolidShape(SolidReader& read, std::string_view type,
 }  // namespace
 
 bool IsSolid(std::string_view type, const spec::Entry& entry) {
+  if (type == "box" && entry.Find(Key::kHoles) != nullptr) return true;
   if (type == "box" || type == "cylinder") return entry.Find(Key::kRound) != nullptr;
   return type == "prism" || type == "lathe" || type == "tube" || type == "hull";
 }
@@ -214,7 +255,8 @@ std::optional<std::vector<model::Part>> ReadSolid(FieldReader& reader, const spe
                                                   const solid::TextureMapping& texture,
                                                   Assets& assets, model::Part& part) {
   SolidReader read(reader, entry, part.mark);
-  const solid::SolidShape shape = ReadSolidShape(read, type, texture, half_length);
+  const bool has_holes = entry.Find(Key::kHoles) != nullptr;
+  const solid::SolidShape shape = ReadSolidShape(read, type, texture, half_length, has_holes);
   return read.Make(shape, assets, part);
 }
 

@@ -230,12 +230,22 @@ std::optional<PointList> Evaluator::Points(const spec::Value& value, StreamId pa
   return reader.Take();
 }
 
-std::optional<std::vector<PointList>> Evaluator::Outlines(const spec::Value& value, StreamId path) {
-  std::vector<PointList> outlines;
-  const auto read = [&](const spec::Value& points, StreamId own) {
-    std::optional<PointList> outline = Points(points, own);
-    if (!outline) return false;
-    outlines.push_back(*std::move(outline));
+std::optional<std::vector<HoleOutline>> Evaluator::Outlines(const spec::Value& value,
+                                                            StreamId path) {
+  std::vector<HoleOutline> outlines;
+  const auto read = [&](const spec::Value& item, StreamId own) {
+    if (const auto* along = std::get_if<spec::AxisOutlines>(&item.form)) {
+      std::optional<std::vector<HoleOutline>> others = Outlines(*along->outlines, own);
+      if (!others) return false;
+      for (HoleOutline& outline : *others) {
+        outline.axis = along->axis;
+        outlines.push_back(std::move(outline));
+      }
+      return outlines.size() <= kMost;
+    }
+    std::optional<PointList> points = Points(item, own);
+    if (!points) return false;
+    outlines.push_back({.points = *std::move(points)});
     return outlines.size() <= kMost;
   };
   const auto* list = std::get_if<spec::List>(&value.form);

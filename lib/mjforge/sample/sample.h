@@ -53,7 +53,7 @@ class Evaluator {
   /// Evaluates a value of any kind. A vector of one component is a vector if written as a list.
   std::optional<ParameterValue> Any(const spec::Value& value, StreamId path);
   std::optional<PointList> Points(const spec::Value& value, StreamId path);
-  std::optional<std::vector<PointList>> Outlines(const spec::Value& value, StreamId path);
+  std::optional<std::vector<HoleOutline>> Outlines(const spec::Value& value, StreamId path);
   std::optional<LoopRange> RangeOf(const spec::Loop& loop);
   std::optional<bool> Condition(const expr::Expression& expression, diag::SourceMark mark);
   /// Returns "a = 1, b = true": the values of an expression's names, without texts.

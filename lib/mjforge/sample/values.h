@@ -51,6 +51,12 @@ struct PointList {
   std::vector<diag::SourceMark> marks;
 };
 
+/// The outline of a hole along an axis: 0, 1 and 2 are x, y and z.
+struct HoleOutline {
+  PointList points;
+  std::size_t axis = 2;
+};
+
 /// The values that a loop's variable takes.
 struct LoopRange {
   std::size_t count = 0;

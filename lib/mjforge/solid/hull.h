@@ -18,7 +18,8 @@ namespace mjforge::solid {
 struct Fault {
   std::string message;  // "crosses itself", as the end of a sentence
   std::optional<std::size_t> point = std::nullopt;
-  std::size_t loop = 0;  // 0 for the outline, 1 for a prism's first hole
+  /// 0 for the outline, 1 for a prism's first hole; those along x and y follow those along z.
+  std::size_t loop = 0;
 };
 
 struct Polytope {

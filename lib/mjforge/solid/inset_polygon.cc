@@ -1,10 +1,13 @@
-// Validation of holes, rounding and bevels of a prism, and its cross sections.
+// Validation of rounding and bevels of a prism, and its cross sections.
 
 #include "mjforge/solid/inset_polygon.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
+
+#include "mjforge/solid/hole_outlines.h"
 
 namespace mjforge::solid {
 namespace {
@@ -22,28 +25,6 @@ Outline Discretized(const Outline& outline, double round) {
   for (const Point2& point : PointsOf(*Rounded(outline, round, 0, unused), kPerTurn, false))
     discretized.Add(point, 0);
   return discretized;
-}
-
-bool HolesAreValid(const std::vector<Outline>& loops, double round, Fault& fault) {
-  const Outline outline = Discretized(loops[0], round);
-  for (std::size_t i = 1; i < loops.size(); ++i) {
-    const Outline& hole = loops[i];
-    if (const auto at = FirstContact(hole, outline)) {
-      fault = {"begins a line that crosses or touches the polygon", hole.sources[*at], i};
-    } else if (!Contains(outline, hole.corners[0])) {
-      fault = {"is outside of the polygon", std::nullopt, i};
-    }
-    for (std::size_t k = 1; k < i && fault.message.empty(); ++k) {
-      if (const auto at = FirstContact(hole, loops[k])) {
-        fault = {fmt::format("begins a line that crosses or touches hole {}", k), hole.sources[*at],
-                 i};
-      } else if (Contains(loops[k], hole.corners[0]) || Contains(hole, loops[k].corners[0])) {
-        fault = {fmt::format("and hole {} lie in each other", k), std::nullopt, i};
-      }
-    }
-    if (!fault.message.empty()) return false;
-  }
-  return true;
 }
 
 /// Rejects bevels that remove a whole side, or that make loops touch each other or themselves.
@@ -136,20 +117,11 @@ std::optional<BasePolygon> BasePolygonOf(const Prism& prism, Fault& fault) {
   std::optional<Outline> outline = OutlineOf(prism.polygon, fault);
   if (!outline || !Rounded(*outline, prism.round, 0, fault)) return std::nullopt;
   base.loops.push_back(*std::move(outline));
-  std::size_t count = prism.polygon.size();
-  for (const std::vector<Point2>& points : prism.holes) {
-    std::optional<Outline> hole = OutlineOf(points, fault);
-    count += points.size();
-    if (hole && count > kMostPoints)
-      fault = {fmt::format("is one of holes with more than {} points", kMostPoints), std::nullopt};
-    if (!hole || count > kMostPoints) {
-      fault.loop = base.loops.size();
-      return std::nullopt;
-    }
-    hole->Reverse();
-    base.loops.push_back(*std::move(hole));
-  }
-  if (!HolesAreValid(base.loops, prism.round, fault)) return std::nullopt;
+  std::optional<std::vector<Outline>> holes =
+      HolesIn(Discretized(base.loops[0], prism.round),
+              {.outlines = prism.holes, .other_points = prism.polygon.size()}, fault);
+  if (!holes) return std::nullopt;
+  std::ranges::move(*holes, std::back_inserter(base.loops));
   if (prism.bevel > 0 && !BevelIsValid(base, prism, fault)) return std::nullopt;
   return base;
 }

@@ -8,6 +8,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 
 #include "mjforge/solid/convex_partition.h"
+#include "mjforge/solid/cut_prism.h"
 #include "mjforge/solid/inset_polygon.h"
 #include "mjforge/solid/loft.h"
 #include "mjforge/solid/moments.h"
@@ -133,6 +134,10 @@ std::optional<Solid> PlainPrism(const Prism& prism) {
 }  // namespace
 
 std::optional<Solid> Make(const Prism& prism, Fault& fault) {
+  if (!prism.holes_x.empty() || !prism.holes_y.empty()) {
+    const std::optional<BasePolygon> cut = BasePolygonOf(prism, fault);
+    return cut ? MakeCutPrism(prism, *cut, fault) : std::nullopt;
+  }
   std::optional<Solid> plain = PlainPrism(prism);
   // MuJoCo also renders the piece, but without texture coordinates.
   if (plain && prism.texture.unit == TextureMapping::Unit::kNone) return plain;

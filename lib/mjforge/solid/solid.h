@@ -95,10 +95,13 @@ struct Lathe {
 /// Like all functions Make: returns nothing and sets `fault` if the shape is not a solid.
 std::optional<Solid> Make(const Lathe& input, Fault& fault);
 
-/// An outline in x, y with holes, extruded along z, centred on z = 0.
+/// An outline in x, y with holes, extruded along z, centred on z = 0. With holes along x or y it
+/// has neither rounded corners nor bevels.
 struct Prism {
   std::vector<Eigen::Vector2d> polygon;
-  std::vector<std::vector<Eigen::Vector2d>> holes = {};
+  std::vector<std::vector<Eigen::Vector2d>> holes = {};    // along z
+  std::vector<std::vector<Eigen::Vector2d>> holes_x = {};  // along x: outlines in y, z
+  std::vector<std::vector<Eigen::Vector2d>> holes_y = {};  // along y: outlines in x, z
   double height = 0;
   double round = 0;  // radius of the polygon's corners
   double bevel = 0;  // width of the cut at all edges of both ends, along z and across

@@ -19,9 +19,9 @@ constexpr std::array kFieldKinds = {
     FieldKindInfo{FieldKind::kText, "text", R"("@is text")", "text"},
     FieldKindInfo{FieldKind::kNumbers, "", "", "numbers"},
     FieldKindInfo{FieldKind::kPoints, "list of points"},
-    FieldKindInfo{FieldKind::kOutlines, "list of lists of points",
+    FieldKindInfo{FieldKind::kOutlines, "list of outlines",
                   R"("type": "array", "items": )"
-                  R"({"anyOf": [{"@is points"}, {"@is outline_loop"}]})"},
+                  R"({"anyOf": [{"@is points"}, {"@is outline_loop"}, {"@is axis_outlines"}]})"},
     FieldKindInfo{FieldKind::kPosition, "number or 4 numbers", R"("@is position")"},
     FieldKindInfo{FieldKind::kPlainText, "fixed text"},
     FieldKindInfo{FieldKind::kFormat, "1", R"("const": 1)"},

@@ -285,7 +285,9 @@ constexpr FieldInfo kPartFields[] = {
             "Beside `fromto`: the direction that the part's y axis takes, as far as it can."),
     Points({"polygon", Key::kPolygon}, {2, 2}, "Corners x, y of a prism's outline."),
     Points({"holes", Key::kHoles}, {2, 2},
-           "Outlines x, y of holes through a prism, each a list of points.", FieldKind::kOutlines),
+           "Holes through a prism or a box: outlines x, y of holes along z, each a list of points, "
+           "and `{axis: x, outlines: [...]}` for holes along another axis.",
+           FieldKind::kOutlines),
     Number({"height", Key::kHeight}, "m", Above(0), "",
            "Full height of a prism along z, centred on its position."),
     Number({"round", Key::kRound}, "m", Above(0), "",

@@ -45,11 +45,38 @@ Value ValueReader::ReadOutlines(const ExpectedForm& expected, const YamlNode& no
   const auto read = [&](const YamlNode& points) { return ReadPoints(expected, points); };
   List outlines;
   for (const YamlNode& item : node.items) {
-    outlines.items.push_back(item.Find("for") != nullptr ? ReadPointLoop(item, "points", read)
-                                                         : read(item));
+    const bool is_loop = item.Find("for") != nullptr;
+    const bool has_axis = item.Find("axis") != nullptr || item.Find("outlines") != nullptr;
+    outlines.items.push_back(is_loop    ? ReadPointLoop(item, "points", read)
+                             : has_axis ? ReadAxisOutlines(expected, item)
+                                        : read(item));
   }
   value.form = std::move(outlines);
   return value;
+}
+
+Value ValueReader::ReadAxisOutlines(const ExpectedForm& expected, const YamlNode& map) {
+  AllowKeys(map, {"axis", "outlines"}, "holes along an axis");
+  for (const std::string_view key : {"axis", "outlines"}) {
+    if (map.Find(key) != nullptr) continue;
+    findings_.Add(Code::kSpecMissingKey, map.mark,
+                  fmt::format("holes along an axis without '{}'", key),
+                  "as in {axis: x, outlines: [[[-1cm, -1cm], [1cm, -1cm], [0, 1cm]]]}");
+    return Harmless(map);
+  }
+  const Value axis = ReadAxis(
+      map, "holes", "outlines along x have points [y, z], along y [x, z], and along z [x, y]");
+  const YamlNode& outlines = *map.Find("outlines");
+  for (const YamlNode& item : outlines.items) {
+    const YamlNode* nested = item.Find("axis");
+    if (nested == nullptr) continue;
+    findings_.Add(Code::kSpecBadValue, nested->mark, "holes along an axis within others",
+                  "give each axis its own entry of `holes`");
+    return Harmless(map);
+  }
+  AxisOutlines along{.axis = static_cast<std::size_t>(std::get<double>(axis.form)),
+                     .outlines = std::make_shared<const Value>(ReadOutlines(expected, outlines))};
+  return {.mark = map.mark, .components = along.outlines->components, .form = std::move(along)};
 }
 
 Value ValueReader::ReadPoints(const ExpectedForm& expected, const YamlNode& node) {
@@ -99,7 +126,10 @@ Value ValueReader::ReadArc(const ExpectedForm& expected, const YamlNode& map) {
   arc.center = std::make_shared<const Value>(ReadPoint(expected, node.items[0]));
   if (has_center) {
     arc.measures = ReadArcMeasures(node);
-    if (in_space) arc.measures.push_back(ReadAxis(map));
+    if (in_space)
+      arc.measures.push_back(ReadAxis(map, "an arc",
+                                      "angles are counted from y towards z about x, from z towards "
+                                      "x about y, and from x towards y about z"));
   } else {
     for (const std::size_t i : {1, 2}) arc.measures.push_back(ReadPoint(expected, node.items[i]));
   }
@@ -121,15 +151,14 @@ std::vector<Value> ValueReader::ReadArcMeasures(const YamlNode& arc) {
   return measures;
 }
 
-Value ValueReader::ReadAxis(const YamlNode& arc) {
-  const YamlNode* axis = arc.Find("axis");
-  if (axis == nullptr) return {.mark = arc.mark, .form = 2.0};
+Value ValueReader::ReadAxis(const YamlNode& map, std::string_view what, std::string_view hint) {
+  const YamlNode* axis = map.Find("axis");
+  if (axis == nullptr) return {.mark = map.mark, .form = 2.0};
   constexpr std::string_view kAxes = "xyz";
   const std::size_t index = axis->text.size() == 1 ? kAxes.find(axis->text) : std::string::npos;
   if (axis->kind != YamlNode::Kind::kScalar || index == std::string::npos) {
-    findings_.Add(Code::kSpecBadValue, axis->mark, "the axis of an arc is none of x, y and z",
-                  "angles are counted from y towards z about x, from z towards x about y, and from "
-                  "x towards y about z");
+    findings_.Add(Code::kSpecBadValue, axis->mark,
+                  fmt::format("the axis of {} is none of x, y and z", what), std::string(hint));
     return Harmless(*axis);
   }
   return {.mark = axis->mark, .form = static_cast<double>(index)};

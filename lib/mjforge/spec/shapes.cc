@@ -9,7 +9,7 @@ namespace mjforge::spec {
 namespace {
 
 constexpr std::array kSize = {Key::kSize};
-constexpr std::array kRoundBox = {Key::kRound, Key::kRoundCollision};
+constexpr std::array kBox = {Key::kHoles, Key::kRound, Key::kRoundCollision};
 constexpr std::array kRoundCylinder = {Key::kRound, Key::kRoundCollision, Key::kFacets,
                                        Key::kCrease};
 constexpr std::array kHowRoundBox = {Key::kRoundCollision};
@@ -29,7 +29,7 @@ constexpr std::array kFile = {Key::kFile};
 constexpr std::array kMesh = {Key::kScale, Key::kInertia};
 
 constexpr std::array kShapes = {
-    ShapeInfo{"box", 3, 2, kSize, kRoundBox, kHowRoundBox},
+    ShapeInfo{"box", 3, 2, kSize, kBox, kHowRoundBox},
     ShapeInfo{"sphere", 1, 0, kSize},
     ShapeInfo{"cylinder", 2, 1, kSize, kRoundCylinder, kHowRoundCylinder},
     ShapeInfo{"capsule", 2, 1, kSize},

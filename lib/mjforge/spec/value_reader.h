@@ -108,6 +108,7 @@ class ValueReader {
   Value ReadVector(const ExpectedForm& expected, const YamlNode& node);
   Value ReadList(const ExpectedForm& expected, const YamlNode& node);
   Value ReadOutlines(const ExpectedForm& expected, const YamlNode& node);
+  Value ReadAxisOutlines(const ExpectedForm& expected, const YamlNode& map);
   Value ReadPoints(const ExpectedForm& expected, const YamlNode& node);
   Value ReadPoint(const ExpectedForm& expected, const YamlNode& node);
   // Reads {for: loops, KEY: value}, and the value with `read`.
@@ -115,7 +116,8 @@ class ValueReader {
   Value ReadPointLoop(const YamlNode& map, std::string_view key, Reader&& read);
   Value ReadArc(const ExpectedForm& expected, const YamlNode& map);
   std::vector<Value> ReadArcMeasures(const YamlNode& arc);  // radius, from, to
-  Value ReadAxis(const YamlNode& arc);                      // 0, 1 or 2 for x, y or z
+  /// Reads the key `axis` of `what`, x, y or z without it, as 0, 1 or 2.
+  Value ReadAxis(const YamlNode& map, std::string_view what, std::string_view hint);
   void AllowKeys(const YamlNode& map, std::initializer_list<std::string_view> allowed,
                  std::string_view what);
   Value ReadItems(expr::Type type, const YamlNode& node);

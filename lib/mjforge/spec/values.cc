@@ -39,6 +39,7 @@ bool HasDraw(const Value& value) {
       [](const PointLoop& points) {
         return std::ranges::any_of(*points.loops, HasDraw, &Loop::range) || HasDraw(*points.at);
       },
+      [](const AxisOutlines& along) { return HasDraw(*along.outlines); },
       [&](const Arc& arc) {
         return has_draws(arc.measures) || HasDraw(*arc.center) || HasDraw(*arc.steps);
       },

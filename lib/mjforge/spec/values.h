@@ -112,6 +112,12 @@ struct Arc {
   std::shared_ptr<const Value> steps;
 };
 
+/// Outlines of holes along an axis, an item of a list of outlines: {axis: x, outlines: [...]}.
+struct AxisOutlines {
+  std::size_t axis = 2;  // 0, 1 or 2: x, y or z
+  std::shared_ptr<const Value> outlines;
+};
+
 /// The kinds of draws among the values of a spec.
 struct DrawKinds {
   bool random = false;  // a draw that depends on the seed: any but `cycle`
@@ -134,7 +140,7 @@ struct Value {
       {};  // dimensions of a number, of a vector, or of each item of a list
   std::variant<double, bool, Text, expr::Expression, VariableReference, List, Draw, RandomRotation,
                RotationAbout, PointOnSphere, HsvColor, Each, Arrangement, SharedParameter,
-               PointLoop, Arc>
+               PointLoop, Arc, AxisOutlines>
       form = 0.0;
 };
 

@@ -2,27 +2,11 @@
 
 #include <catch2/catch.hpp>
 
-#include <fmt/format.h>
-
 #include "harness/effort.h"
-#include "reference_geometry.h"
+#include "reference_prism.h"
 
 namespace mjforge::solid {
 namespace {
-
-using Points = std::vector<Vector2d>;
-
-/// Returns a star-shaped polygon about a middle point.
-Points RandomStar(Random& random, const Vector2d& middle, double least, double most, int corners) {
-  Points points;
-  for (int i = 0; i < corners; ++i) {
-    const double turn = 2 * kPi * (i + random.Uniform(0.25, 0.75)) / corners;
-    points.push_back(middle +
-                     random.Uniform(least, most) * Vector2d(std::cos(turn), std::sin(turn)));
-  }
-  if (random.Integer(2) == 0) std::ranges::reverse(points);
-  return points;
-}
 
 /// Returns a star-shaped prism with up to three disjoint holes in its middle.
 Prism RandomPrism(Random& random) {
@@ -175,12 +159,6 @@ TEST_CASE("the mass of rounded and bevelled prisms is that of quadrature") {
   }
 }
 
-bool IsInside(const Prism& prism, const Vector3d& p) {
-  const auto in = [&](const Points& polygon) { return Contains(polygon, p.x(), p.y()); };
-  return std::abs(p.z()) <= prism.height / 2 && in(prism.polygon) &&
-         std::ranges::none_of(prism.holes, in);
-}
-
 TEST_CASE("the pieces of a prism fill it, and nothing else") {
   Random random(23);
   for (int i = 0; i < harness::Effort(100); ++i) {
@@ -230,35 +208,28 @@ TEST_CASE("the pieces of rounded and bevelled prisms stay in what is seen, and n
   CHECK(inside > 0.97 * seen);
 }
 
-std::string FaultOf(const Prism& prism) {
-  Fault fault;
-  if (Make(prism, fault)) return "ok";
-  const std::string hole = fault.loop > 0 ? fmt::format("hole {} ", fault.loop) : "";
-  return hole + (fault.point ? fmt::format("{}: ", *fault.point) : "") + fault.message;
-}
-
 TEST_CASE("prisms that cannot be are told why, at the point") {
   const Points square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   const auto with = [&](Points hole) {
     return Prism{.polygon = square, .holes = {std::move(hole)}, .height = 1};
   };
-  CHECK(FaultOf(with({{0.2, 0.2}, {0.8, 0.2}, {0.5, 0.8}})) == "ok");
-  CHECK(FaultOf(with({{0.2, 0.2}, {1, 0.2}, {0.5, 0.8}})).starts_with("hole 1 "));
-  CHECK(FaultOf(with({{2, 2}, {3, 2}, {3, 3}})) == "hole 1 is outside of the polygon");
-  CHECK(FaultOf(with({{0.2, 0.2}, {0.8, 0.8}, {0.8, 0.2}, {0.2, 0.8}})).starts_with("hole 1 "));
+  CHECK(PrismFault(with({{0.2, 0.2}, {0.8, 0.2}, {0.5, 0.8}})) == "ok");
+  CHECK(PrismFault(with({{0.2, 0.2}, {1, 0.2}, {0.5, 0.8}})).starts_with("hole 1 "));
+  CHECK(PrismFault(with({{2, 2}, {3, 2}, {3, 3}})) == "hole 1 is outside of the shape");
+  CHECK(PrismFault(with({{0.2, 0.2}, {0.8, 0.8}, {0.8, 0.2}, {0.2, 0.8}})).starts_with("hole 1 "));
   Prism two = with({{0.1, 0.1}, {0.9, 0.1}, {0.9, 0.9}, {0.1, 0.9}});
   two.holes.push_back({{0.4, 0.4}, {0.6, 0.4}, {0.5, 0.6}});
-  CHECK(FaultOf(two) == "hole 2 and hole 1 lie in each other");
+  CHECK(PrismFault(two) == "hole 2 and hole 1 lie in each other");
   two.holes[1] = {{0.05, 0.4}, {0.6, 0.4}, {0.5, 0.6}};
-  CHECK(FaultOf(two) == "hole 2 1: begins a line that crosses or touches hole 1");
-  CHECK(FaultOf({.polygon = square, .height = 1, .round = 0.5}) == "ok");
-  CHECK(FaultOf({.polygon = square, .height = 1, .round = 0.6}) ==
+  CHECK(PrismFault(two) == "hole 2 1: begins a line that crosses or touches hole 1");
+  CHECK(PrismFault({.polygon = square, .height = 1, .round = 0.5}) == "ok");
+  CHECK(PrismFault({.polygon = square, .height = 1, .round = 0.6}) ==
         "0: leaves a side of 1 m, too short for corners of 0.6 m");
-  CHECK(FaultOf({.polygon = square, .height = 1, .bevel = 0.5}) ==
+  CHECK(PrismFault({.polygon = square, .height = 1, .bevel = 0.5}) ==
         "is bevelled by 0.5 m, half its height of 1 m or more");
-  CHECK(FaultOf({.polygon = square, .height = 2, .bevel = 0.6}) ==
+  CHECK(PrismFault({.polygon = square, .height = 2, .bevel = 0.6}) ==
         "0: begins a side of 1 m, too short for a bevel of 0.6 m");
-  CHECK(FaultOf({.polygon = square, .height = 2, .round = 0.1, .bevel = 0.1}) ==
+  CHECK(PrismFault({.polygon = square, .height = 2, .round = 0.1, .bevel = 0.1}) ==
         "is bevelled by 0.1 m, no less than its corners are rounded with: 0.1 m");
 }
 

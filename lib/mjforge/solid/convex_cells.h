@@ -1,0 +1,73 @@
+// Convex cells of space, bounded by planes: clipping, and convex polyhedra made of cells.
+
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "mjforge/solid/outline.h"
+#include "mjforge/solid/polytope.h"
+
+namespace mjforge::solid {
+
+/// A convex polygon in space.
+using SpacePolygon = std::vector<Eigen::Vector3d>;
+
+/// The points p with dot(normal, p) <= limit.
+struct HalfSpace {
+  Eigen::Vector3d normal;  // unit vector
+  double limit = 0;        // m
+};
+
+/// An intersection of half-spaces, which may be unbounded, within `box`.
+struct Cell {
+  std::vector<HalfSpace> sides = {};
+  Eigen::AlignedBox3d box;
+};
+
+/// The coordinate plane in which a cross section is given, and the axis perpendicular to it: 0, 1
+/// and 2 are x, y and z.
+struct SectionPlane {
+  int u = 0;  // first coordinate of a Point2
+  int v = 1;
+  int axis = 2;
+
+  Eigen::Vector3d At(const Point2& p, double along) const;
+};
+/// Planes of the cross sections of holes along x, y and z.
+inline constexpr SectionPlane kSectionPlanes[] = {{1, 2, 0}, {0, 2, 1}, {0, 1, 2}};
+
+/// Returns the cells of a convex partition of an area, unbounded along the axis of `plane`.
+std::vector<Cell> CellsOf(const Area& area, const SectionPlane& plane);
+
+/// Returns the part of a polygon in a half-space; `near`, m: points at this distance from the plane
+/// are on it. Empty if there is none.
+SpacePolygon Clipped(const SpacePolygon& polygon, const HalfSpace& half, double near);
+
+/// Returns the area of a convex polygon, m^2.
+double AreaOf(const SpacePolygon& polygon);
+
+/// Returns true for polygons whose area is less than that of a strip along their sides.
+bool IsThin(const SpacePolygon& polygon, double width);
+
+/// Returns the parts of the polygons that are in one of the cells after the polygons are moved by
+/// `offset`, which decides to which of two cells a polygon on their common plane belongs. Parts
+/// thinner than the offset's length are rounding errors and are removed.
+std::vector<SpacePolygon> ClippedByCells(const std::vector<SpacePolygon>& polygons,
+                                         const std::vector<Cell>& cells,
+                                         const Eigen::Vector3d& offset);
+
+/// Removes the inside of a cell from polyhedra. Each one that the cell meets is cut along the
+/// cell's sides, one after the other, into convex parts. Returns false if there are more than
+/// `most` parts.
+bool Subtract(const Cell& cell, std::vector<Polytope>& polyhedra, double near, std::size_t most);
+
+/// Joins two polyhedra with a common face if the union is convex, largest faces first, until there
+/// are no more such pairs.
+void JoinPolyhedra(std::vector<Polytope>& polyhedra, double near);
+
+/// Returns the number of groups of polyhedra that do not touch each other at a face.
+std::size_t CountSeparateParts(const std::vector<Polytope>& polyhedra, double near);
+
+}  // namespace mjforge::solid

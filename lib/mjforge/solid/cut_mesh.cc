@@ -1,0 +1,168 @@
+// Render mesh of a prism with holes along more than one axis.
+
+#include <algorithm>
+#include <cmath>
+
+#include "mjforge/solid/convex_cells.h"
+#include "mjforge/solid/cut_prism.h"
+#include "mjforge/solid/polytope.h"
+#include "mjforge/solid/render_mesh.h"
+
+namespace mjforge::solid {
+namespace {
+
+using Eigen::Vector3d;
+
+// Distance at which a point inside or outside of a face is tested, as a share of the prism's size.
+constexpr double kBeside = 1e-8;
+
+/// A side of an extruded outline: a rectangle along the axis of its section.
+struct Strip {
+  Point2 from = Point2::Zero();
+  Point2 to = Point2::Zero();
+  Point2 outward = Point2::Zero();
+  Point2 normal_from = Point2::Zero();  // blended with the neighbours' where the edge is smooth
+  Point2 normal_to = Point2::Zero();
+  double along = 0;  // length of the outline up to `from`
+};
+
+std::vector<Strip> StripsOf(const Area& area, std::size_t loop, double crease) {
+  const auto [first, count] = area.Loop(loop);
+  std::vector<Strip> strips(count);
+  double along = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    Strip& strip = strips[i];
+    strip.from = area.corners[first + i];
+    strip.to = area.corners[first + (i + 1) % count];
+    const Point2 side = strip.to - strip.from;
+    strip.outward = Point2(side.y(), -side.x()).normalized();
+    strip.along = along;
+    along += side.norm();
+  }
+  const auto blended = [&](const Point2& a, const Point2& b) {
+    return a.dot(b) >= std::cos(crease) ? Point2((a + b).normalized()) : a;
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    strips[i].normal_from = blended(strips[i].outward, strips[(i + count - 1) % count].outward);
+    strips[i].normal_to = blended(strips[i].outward, strips[(i + 1) % count].outward);
+  }
+  return strips;
+}
+
+class CutMesher {
+ public:
+  CutMesher(const Prism& prism, const CutSections& sections) : prism_(prism), sections_(sections) {
+    for (const Point2& p : sections[2].corners) {
+      box_.extend(Vector3d(p.x(), p.y(), -prism.height / 2));
+      box_.extend(Vector3d(p.x(), p.y(), prism.height / 2));
+    }
+    beside_ = kBeside * box_.diagonal().norm();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      cells_[axis] = CellsOf(sections[axis], kSectionPlanes[axis]);
+    cap_scale_ = prism.texture.repeat;
+    side_scale_ = prism.texture.repeat;
+    if (prism.texture.unit == TextureMapping::Unit::kMetre) return;
+    cap_scale_ = cap_scale_.cwiseQuotient(Point2(box_.sizes().head<2>()));
+    const Strip last = StripsOf(sections[2], 0, prism.crease).back();
+    const double around = last.along + (last.to - last.from).norm();
+    side_scale_ = side_scale_.cwiseQuotient(Point2(around, prism.height));
+  }
+
+  TriangleMesh Run() {
+    AddCaps();
+    for (const std::size_t axis : {2, 0, 1}) {
+      // Loop 0 of the sections along x and y is the rectangle around the prism.
+      for (std::size_t loop = axis == 2 ? 0 : 1; loop < sections_[axis].ends.size(); ++loop) {
+        for (const Strip& strip : StripsOf(sections_[axis], loop, prism_.crease))
+          AddStrip(axis, strip);
+      }
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  int AddVertex(const Vector3d& p, const Vector3d& normal, const Point2& texcoord) {
+    mesh_.vertices.push_back(p);
+    mesh_.normals.push_back(normal);
+    mesh_.texcoords.push_back(texcoord);
+    return static_cast<int>(mesh_.vertices.size()) - 1;
+  }
+
+  void AddCaps() {
+    const Area& area = sections_[2];
+    const std::vector<std::array<int, 3>> triangles = PartitionOf(area).triangles;
+    for (const double side : {-1.0, 1.0}) {
+      const int first = static_cast<int>(mesh_.vertices.size());
+      for (const Point2& p : area.corners) {
+        const Point2 at(p.x() - box_.min().x(), box_.max().y() - p.y());
+        AddVertex({p.x(), p.y(), side * prism_.height / 2}, {0, 0, side},
+                  at.cwiseProduct(cap_scale_));
+      }
+      for (std::array<int, 3> triangle : triangles) {
+        if (side < 0) std::swap(triangle[1], triangle[2]);
+        for (int& corner : triangle) corner += first;
+        mesh_.triangles.push_back(triangle);
+      }
+    }
+  }
+
+  /// Adds the parts of a strip that are on the surface. The solid is on their inner side. A plane
+  /// in which several extrusions end belongs to the first of z, x and y: the others' parts must
+  /// also have the first ones' extrusions on their outer side.
+  void AddStrip(std::size_t axis, const Strip& strip) {
+    const SectionPlane& plane = kSectionPlanes[axis];
+    const double low = box_.min()[plane.axis];
+    const double high = box_.max()[plane.axis];
+    std::vector<SpacePolygon> parts = {{plane.At(strip.from, low), plane.At(strip.to, low),
+                                        plane.At(strip.to, high), plane.At(strip.from, high)}};
+    const Vector3d outward = beside_ * plane.At(strip.outward, 0);
+    for (const std::size_t other : {2, 0, 1}) {
+      if (other != axis) parts = ClippedByCells(parts, cells_[other], -outward);
+    }
+    for (const std::size_t other : {2, 0}) {
+      if (other == axis) break;
+      parts = ClippedByCells(parts, cells_[other], outward);
+    }
+    for (const SpacePolygon& part : parts) AddPart(plane, strip, part);
+  }
+
+  void AddPart(const SectionPlane& plane, const Strip& strip, const SpacePolygon& corners) {
+    const Point2 side = strip.to - strip.from;
+    const int first = static_cast<int>(mesh_.vertices.size());
+    for (const Vector3d& p : corners) {
+      const double share =
+          (Point2(p[plane.u], p[plane.v]) - strip.from).dot(side) / side.squaredNorm();
+      const Point2 normal = (1 - share) * strip.normal_from + share * strip.normal_to;
+      const Point2 at(strip.along + share * side.norm(), box_.max()[plane.axis] - p[plane.axis]);
+      AddVertex(p, plane.At(normal.normalized(), 0), at.cwiseProduct(side_scale_));
+    }
+    const Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+    const bool is_reversed = normal.dot(plane.At(strip.outward, 0)) < 0;
+    for (int i = 1; i + 1 < static_cast<int>(corners.size()); ++i) {
+      mesh_.triangles.push_back(
+          {first, first + i + (is_reversed ? 1 : 0), first + i + (is_reversed ? 0 : 1)});
+    }
+  }
+
+  const Prism& prism_;
+  const CutSections& sections_;
+  Eigen::AlignedBox3d box_;
+  double beside_ = 0;
+  std::array<std::vector<Cell>, 3> cells_;
+  Point2 cap_scale_;
+  Point2 side_scale_;
+  TriangleMesh mesh_;
+};
+
+}  // namespace
+
+TriangleMesh MakeCutMesh(const Prism& prism, const CutSections& sections) {
+  TriangleMesh mesh = CutMesher(prism, sections).Run();
+  const bool has_texture = prism.texture.unit != TextureMapping::Unit::kNone;
+  if (!has_texture) mesh.texcoords.clear();
+  RoundCoordinates(mesh);
+  if (!has_texture) RemoveRepeats(mesh);
+  return mesh;
+}
+
+}  // namespace mjforge::solid
