@@ -11,6 +11,7 @@
 
 #include "mjforge/expr/expr.h"
 #include "mjforge/report/axis.h"
+#include "mjforge/report/colors.h"
 
 namespace mjforge::report {
 namespace {
@@ -67,6 +68,7 @@ class CardMaker {
     for (const ParameterTally& tally : batch.summary.params.list()) {
       if (Varies(tally)) varied_.insert(tally.name);
     }
+    if (batch.recipe) colors_ = ColorsOf(*batch.recipe->spec);
   }
 
   // Sets `has_picture` to false if the variant has a file but no picture.
@@ -108,6 +110,8 @@ class CardMaker {
     Dictionary& shown = Section(list, "PARAM");
     Set(shown, "NAME", Clean(param.first, kValueBytes));
     Set(shown, "VALUE", ValueText(param.second) + UnitOf(param.first));
+    if (!colors_.contains(param.first)) return;
+    ShowText(shown, "SWATCH", HexColor(param.second).value_or(""));
   }
 
   void AddParams(Dictionary& card, const Params& params) const {
@@ -165,6 +169,7 @@ class CardMaker {
   const Request& request_;
   const Thumbnailer& thumbnailer_;
   std::set<std::string> varied_;
+  std::set<std::string> colors_;
 };
 
 // Returns the failed and slow variants in their order, then the sample in bit-reversed order, any

@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "mjforge/report/charts.h"
+#include "mjforge/report/colors.h"
 
 namespace mjforge::report {
 namespace {
@@ -73,7 +75,8 @@ class ParameterPanels {
                           [&](const auto& setting) { return setting.first == drawn.name; });
   }
 
-  void operator()() {
+  /// `colors`: some of the drawn values, if they are colours.
+  void operator()(const std::vector<std::string>& colors) {
     const auto values = drawn_.Values();
     if (!values.empty()) {
       AddValues(values);
@@ -82,6 +85,7 @@ class ParameterPanels {
     const std::size_t count = drawn_.numbers.size();
     for (std::size_t i = 0; i < std::min(count, kMaxComponents); ++i) {
       Dictionary& panel = AddPanel(drawn_.NameOf(i), i == 0);
+      if (i == 0) AddColors(panel, colors);
       const bool is_known = expected_ != nullptr && i < expected_->numbers.size();
       AddNumbers(panel, {fmt::format("{}-{}", id_, i), Title(), Unit(), &drawn_.numbers[i],
                          is_known ? &expected_->numbers[i] : nullptr});
@@ -102,6 +106,13 @@ class ParameterPanels {
                              CountText(ParameterTally::kMaxTexts)));
       }
     }
+  }
+
+  static void AddColors(Dictionary& panel, const std::vector<std::string>& colors) {
+    if (colors.empty()) return;
+    Dictionary& shown = Section(panel, "COLORS");
+    Set(shown, "COUNT", CountText(colors.size(), "variant"));
+    for (const std::string& color : colors) ShowText(shown, "SWATCH", color);
   }
 
   Dictionary& AddPanel(const std::string& name, bool with_words) {
@@ -212,8 +223,9 @@ void AddParameters(Dictionary& body, const Batch& batch) {
         section, "MORE",
         fmt::format("The first {} of {}.", kMaxParameters, CountText(drawn.size(), "parameter")));
   }
+  std::map<std::string, std::vector<std::string>> colors = DrawnColors(batch);
   for (std::size_t i = 0; i < std::min(drawn.size(), kMaxParameters); ++i)
-    ParameterPanels(section, batch, drawn[i], i)();
+    ParameterPanels(section, batch, drawn[i], i)(colors[drawn[i].name]);
   if (batch.spec_text.empty()) return;
   Dictionary& text = Section(section, "SPEC_TEXT");
   Set(text, "FILE", Clean(batch.summary.first->spec));

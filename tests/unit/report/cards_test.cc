@@ -7,12 +7,6 @@
 namespace mjforge::report {
 namespace {
 
-std::size_t Count(const std::string& text, std::string_view words) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(words); at != text.npos; at = text.find(words, at + 1)) ++count;
-  return count;
-}
-
 struct CardsTest {
   explicit CardsTest(std::uint64_t count = 20, std::uint64_t bad = 0)
       : batch{ManifestSummary(count), {}, {}, {}, {}} {

@@ -41,6 +41,12 @@ std::string ManifestOf(std::uint64_t count, std::uint64_t bad) {
   return text;
 }
 
+std::size_t Count(const std::string& text, std::string_view words) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(words); at != text.npos; at = text.find(words, at + 1)) ++count;
+  return count;
+}
+
 Thumbnail Picture(std::size_t bytes) { return {std::string(bytes, 'x'), 320, 240}; }
 
 }  // namespace mjforge::report

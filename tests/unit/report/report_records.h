@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "mjforge/manifest/manifest.h"
 #include "mjforge/report/report.h"
@@ -18,6 +19,9 @@ std::string FindingOf(const std::string& code, const std::string& message,
 
 /// The text of a manifest with `count` of them, every `bad`-th failed (0: none).
 std::string ManifestOf(std::uint64_t count, std::uint64_t bad = 0);
+
+/// Returns the number of places at which the text contains the words.
+std::size_t Count(const std::string& text, std::string_view words);
 
 /// Returns a thumbnail of this size in bytes, which is no real image.
 Thumbnail Picture(std::size_t bytes);
