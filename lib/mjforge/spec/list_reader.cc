@@ -29,9 +29,12 @@ bool ValueReader::IsPlainText(const YamlNode& node) const {
 
 bool ValueReader::IsBoolean(const YamlNode& node) const {
   if (node.kind != YamlNode::Kind::kScalar) return false;
-  const auto* variable = LoneName(node);
-  return IsBooleanWord(node) ||
-         (variable != nullptr && variable->type == Type::kBoolean && !variable->is_list());
+  if (IsBooleanWord(node)) return true;
+  if (const auto* variable = LoneName(node))
+    return variable->type == Type::kBoolean && !variable->is_list();
+  expr::Error unused;
+  const auto expression = expr::Expression::Compile(node.text, names_, unused);
+  return expression && expression->type() == Type::kBoolean;
 }
 
 // Returns kBoolean if an item can only be a boolean; kText if every item can be text and at least

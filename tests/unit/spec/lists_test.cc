@@ -45,6 +45,12 @@ TEST_CASE("booleans in brackets are a list, and its items are conditions") {
   CHECK(ReportOf("{a: [true, false], b: {each: {bernoulli: 0.5}, count: 3}, c: {shuffle: a}, "
                  "d: ['b[0]', true, {bernoulli: 0.1}], e: 'a[1] and not b[2]', n: 'sum(b) * 2cm'}")
             .empty());
+  CHECK(ReportOf(
+            "{n: 2, a: [n > 1, n < 1], b: ['a[0] and n == 2'], c: [{bernoulli: 0.5}, 'not a[1]']}")
+            .empty());
+  CHECK(ReportOf("{n: 2, a: [n > 1, n]}") ==
+        Strings{"3:27 spec/wrong-type: expected a condition, but 'n' is a number (compare it with "
+                "something, as in `x > 0`)"});
   CHECK(ReportOf("{a: [true, 2]}") ==
         Strings{"3:20 spec/wrong-type: expected a condition, but '2' is a number (compare it with "
                 "something, as in `x > 0`)"});
