@@ -647,7 +647,7 @@ constexpr FieldInfo kPlaceFields[] = {
     Row({"by", Key::kBy}, FieldKind::kText, "its own frame",
         "A site of this body, NAME or INNER.NAME, whose frame is laid on that of the site `at`."),
     Row("beside", FieldKind::kBeside, "An earlier body that it stands next to."),
-    Number({"yaw", Key::kYaw}, "rad", kAnyNumber,
+    Number({"yaw", Key::kYaw}, "rad", Between(-2 * std::numbers::pi, 2 * std::numbers::pi),
            "drawn uniformly; at a site or with `facing` or `beside` 0",
            "Turn about the vertical: from the axes of the region or site, from where it faces, or "
            "from the direction of the body that it is beside."),
