@@ -121,6 +121,7 @@ bool ShareArea(const Polytope& a, const Polytope& b, double near) {
 
 void JoinPolyhedra(std::vector<Polytope>& polyhedra, double near) {
   std::vector<Bounded> bodies;
+  bodies.reserve(polyhedra.size());
   for (Polytope& polyhedron : polyhedra) bodies.emplace_back(std::move(polyhedron));
   while (true) {
     std::vector<bool> is_joined(bodies.size());

@@ -69,6 +69,10 @@ std::optional<PlaceEntry> ReadPlace(const YamlNode& body, Context& context) {
   const YamlNode* pile = map->Find("pile");
   if (pile == nullptr || !IsMap(*pile, "how a pile is made", context)) return place;
   RejectBeside("pile", kNotInPiles, *map, "the simulation decides how the body lies", context);
+  if (const YamlNode::Pair* fewer = body.FindPair("fewer")) {
+    context.findings.Add(Code::kSpecConflict, fewer->mark,
+                         "'fewer' together with 'pile': a pile has room for every body");
+  }
   CheckKeys(kPileElement, *pile, context);
   place.pile = ReadFields(kPileElement, *pile, context);
   const YamlNode* joints = body.Find("joints");

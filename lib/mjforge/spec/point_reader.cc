@@ -76,7 +76,9 @@ Value ValueReader::ReadAxisOutlines(const ExpectedForm& expected, const YamlNode
   }
   AxisOutlines along{.axis = static_cast<std::size_t>(std::get<double>(axis.form)),
                      .outlines = std::make_shared<const Value>(ReadOutlines(expected, outlines))};
-  return {.mark = map.mark, .components = along.outlines->components, .form = std::move(along)};
+  Value value{.mark = map.mark, .components = along.outlines->components};
+  value.form = std::move(along);
+  return value;
 }
 
 Value ValueReader::ReadPoints(const ExpectedForm& expected, const YamlNode& node) {
