@@ -13,6 +13,11 @@ using python::View;
 namespace {
 
 spec::Snapshot NewSnapshot(const char* reference, const char* text, const char* catalogue) {
+  diag::Findings none;
+  if (reference != nullptr && reference != bytes::kStandardInput) {
+    if (std::optional<spec::Snapshot> kept = spec::OpenSnapshot(reference, none))
+      return *std::move(kept);
+  }
   spec::Snapshot snapshot;
   snapshot.spec = reference != nullptr ? reference : bytes::kStandardInput;
   std::error_code error;
@@ -55,7 +60,11 @@ void MjforgeCloseSnapshot(MjforgeSnapshot* snapshot) { delete snapshot; }
 
 MjforgeText MjforgeSnapshotText(MjforgeSnapshot* snapshot) {
   thread_local std::string text;
-  const std::scoped_lock lock(snapshot->mutex);
-  text = spec::SnapshotText(snapshot->snapshot);
+  try {
+    const std::scoped_lock lock(snapshot->mutex);
+    text = spec::SnapshotText(snapshot->snapshot);
+  } catch (const std::exception&) {
+    return {};
+  }
   return View(text);
 }

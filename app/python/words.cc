@@ -2,6 +2,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "mjforge/forge/forge.h"
@@ -43,8 +44,9 @@ MjforgeText MjforgeCatalogue(const char* catalogue) {
   for (const std::filesystem::path& folder : forge::SearchPath(catalogue)) {
     for (const std::string& name : spec::ListSpecs(folder)) {
       if (!seen.insert(name).second) continue;
-      std::filesystem::path file = std::filesystem::absolute(folder) / (name + ".yaml");
-      if (!std::filesystem::exists(file)) file.replace_extension(".yml");
+      std::error_code error;
+      std::filesystem::path file = std::filesystem::absolute(folder, error) / (name + ".yaml");
+      if (!std::filesystem::exists(file, error)) file.replace_extension(".yml");
       json.Value(std::vector<std::string>{name, file.string()});
     }
   }

@@ -7,8 +7,6 @@ import math
 import os
 import pathlib
 import pickle
-import subprocess
-import sys
 import tempfile
 import unittest
 

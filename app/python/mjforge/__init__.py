@@ -48,7 +48,7 @@ def check(
     """
     if not isinstance(spec, Spec):
         spec = Spec(spec, set=set)
-    elif set:
+    elif set is not None:
         raise ValueError(f"set={set!r}: a Spec has its settings already")
     return spec.check(count, seed=seed, physics=physics, profile=profile, jobs=jobs,
                       time_limit=time_limit)

@@ -28,11 +28,6 @@ def _files_of(record: Mapping[str, Any], folder: Optional[pathlib.Path]) -> Iter
 def _spec_of(record: Mapping[str, Any], folder: Optional[pathlib.Path]) -> Spec:
     found = next((file for file in _files_of(record, folder) if file.is_file()), None)
     if found is None and record["spec"] in ("-", "<spec>"):
-        # The command keeps a spec that has no file beside the manifest.
-        for snapshot in sorted(folder.glob("*.spec.json")) if folder is not None else ():
-            spec = Spec(snapshot, set=record.get("set", {}))
-            if spec.sha256 == record["spec_sha256"]:
-                return spec
         raise ValueError("the spec of the record was a text or a mapping: give it as spec=")
     return Spec(found or record["spec"], set=record.get("set", {}))
 
@@ -52,7 +47,9 @@ def make_again(record: Mapping[str, Any], spec: Union[Source, Spec, None],
     elif not isinstance(spec, Spec):
         spec = Spec(spec, set=record.get("set", {}))
     options = {option: record[name] for option, name in _OPTIONS.items() if record.get(name) is not None}
-    variant = spec.variants(record["seed"], **options)[record["index"]]
+    if record.get("attempt"):  # earlier attempts may have been rejected by what validates them
+        options["validate"] = record.get("validate", "none")
+    variant = spec.variants(record["seed"], set=record.get("set"), **options)[record["index"]]
     again = variant.record
     title = f"{record['name']} {record['index']} of seed {record['seed']}"
     if again["spec_sha256"] != record["spec_sha256"]:

@@ -11,7 +11,7 @@ from ._library import c_text
 from ._members import Joint, Members, elements, name_of_root, section
 
 if TYPE_CHECKING:
-    import mujoco  # type: ignore[import-untyped, unused-ignore]
+    import mujoco  # type: ignore[import-not-found, import-untyped, unused-ignore]
 
     from ._variant import Variant
 

@@ -139,6 +139,8 @@ class Maker:
 
     def records(self, indices: range) -> list[bytes]:
         """The records of these variants up to the first that fails."""
+        if self._changed:
+            raise OSError(self._changed)
         text = Text()
         count = library.MjforgeMakeRecords(self.handle, indices.start % 2**64, indices.step % 2**64,
                                             len(indices), text)

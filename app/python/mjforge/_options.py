@@ -7,7 +7,7 @@ import json
 import math
 import operator
 import os
-from typing import Any, Callable, Literal, Mapping
+from typing import Any, Callable, Literal, Mapping, get_args
 
 from ._library import bytes_of, c_number, c_text, library
 
@@ -31,7 +31,7 @@ def text(value: Any, option: str) -> str:
 
 def word(value: Any, option: str) -> str:
     """One of the words of the option."""
-    words = WORDS[option]
+    words = WORDS[option] if option in WORDS else get_args(Profile)
     if not isinstance(value, str):
         raise TypeError(f"{option}={value!r} is not one of {', '.join(words)}, "
                         f"but of type {type(value).__name__}")
@@ -90,7 +90,7 @@ _CHECKS: dict[str, Callable[[Any, str], Any]] = {
     "jobs": count, "per_archive": count, "time_limit": seconds,
     "name": text, "shard": text, "output": path,
     "target": word, "assets": word, "sampler": word, "on_invalid": word, "validate": word,
-    "durability": word, "profile": text,
+    "durability": word, "profile": word,
     "resume": flag, "verify": flag, "force": flag, "if_changed": flag, "each": flag,
     "physics": flag, "progress": function,
 }

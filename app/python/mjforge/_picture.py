@@ -86,7 +86,7 @@ def draw(variants: Iterable[Variant], size: Optional[Size], layer: Layer,
         if not 0 < len(files) <= 400:
             raise ValueError(f"a sheet has 1 to 400 variants, not {len(files)}")
         picture = pathlib.Path(folder, "picture.png")
-        status, findings = _command.run(["preview", *words, "-o", str(picture), "--", *files], None)
-        if status != 0:
+        findings = _command.run(["preview", *words, "-o", str(picture), "--", *files], b"")
+        if not picture.exists():
             raise VariantError(findings)
         return Picture(picture.read_bytes())

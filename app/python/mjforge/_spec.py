@@ -12,7 +12,7 @@ from typing import Any, Mapping, Optional, Sequence, Union
 from . import _options, _yaml
 from ._findings import Finding
 from ._maker import Maker, Snapshot, compare
-from ._options import (Assets, Durability, OnInvalid, Profile, Sampler, Target, Validate)
+from ._options import Assets, OnInvalid, Profile, Sampler, Target, Validate
 from ._parameters import Parameter, parameter_of
 from ._report import Report
 from ._variants import DEFAULTS, Variants, described
@@ -71,6 +71,8 @@ class Spec:
                 raise TypeError(f"spec={spec!r} is not a name, a path, a text or a mapping, but of type "
                                 f"{type(spec).__name__}")
             reference = _options.path(spec, "spec")
+            if reference == "-":
+                raise ValueError("spec='-' is not a name, a path or a text")
             if "\n" in reference:
                 reference, text = None, reference
         if isinstance(parameters, (str, bytes, os.PathLike)) or not isinstance(parameters, Sequence):
@@ -109,11 +111,12 @@ class Spec:
 
     def _with(self, settings: Optional[Mapping[str, Any]]) -> "Spec":
         """The same spec with further settings, from the same texts."""
+        settings = _yaml.checked_settings(settings)
         if not settings:
             return self
         other = Spec.__new__(Spec)
         other.__dict__.update(self.__dict__)
-        other._settings = {**self._settings, **self._texts_of(_yaml.checked_settings(settings))}
+        other._settings = {**self._settings, **self._texts_of(settings)}
         return other
 
     def _compare_inputs(self) -> None:

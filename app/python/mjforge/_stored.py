@@ -5,6 +5,7 @@ from __future__ import annotations
 import array
 import itertools
 import json
+import operator
 import os
 import pathlib
 from typing import Any, Iterator, Optional, Sequence, Union
@@ -13,7 +14,7 @@ from . import _command
 from ._batch import Reader, Stored, manifests_of
 from ._findings import Finding, VariantError
 from ._json import members_of_record
-from ._library import c_number, lines
+from ._library import lines
 from ._table import CHUNK, table_of
 from ._variant import Variant
 
@@ -91,11 +92,12 @@ class Batch:
             return manifest, file.readline().rstrip(b"\n")
 
     def _number(self, number: Any) -> int:
-        count = len(self)
-        positive = number + count if isinstance(number, int) and number < 0 else number
-        if not 0 <= c_number(positive, "number") < count:
+        if isinstance(number, bool) or not hasattr(number, "__index__"):
+            raise TypeError(f"number={number!r} is not an integer but of type {type(number).__name__}")
+        at, count = operator.index(number), len(self)
+        if not -count <= at < count:
             raise IndexError(f"number={number} is not within the {count} objects of '{self.path}'")
-        return int(positive)
+        return at % count
 
     def __getitem__(self, number: int) -> Variant:
         number = self._number(number)
@@ -121,16 +123,16 @@ class Batch:
 
     def verify(self) -> list[Finding]:
         """Compares all files with their hashes, as `mjforge verify` does; returns what is wrong."""
-        found = []
+        found: list[Finding] = []
         for manifest in self._manifests:
-            found += _command.run(["verify", "--", str(manifest)], None)[1]
+            found += _command.run(["verify", "--", str(manifest)], b"")
         return found
 
     def prove(self, *, jobs: Optional[int] = None, progress: bool = True) -> list[Finding]:
         """Loads all objects in the `mujoco` that is installed; see mjforge.prove."""
-        from ._prove import run
+        from . import prove
 
-        return run(self.path, jobs, progress).findings
+        return prove(self.path, jobs=jobs, progress=progress)
 
     def replay(self, number: int) -> Variant:
         """Makes an object again from its record, and returns it; see Variant.from_record."""

@@ -95,7 +95,7 @@ def _letters(name: str, count: int) -> list[str]:
 def _array(numpy: Any, values: Sequence[Any]) -> Any:
     """An array of numbers, in which None is NaN, of texts, or of objects if a column has both."""
     column = numpy.array(values) if type(values[0]) in (int, float, bool) else None
-    if column is not None and column.dtype.kind in "bif":
+    if column is not None and column.dtype.kind in "biuf":
         return column
     kinds = set(map(type, values))
     if kinds <= {int, float, type(None)} and kinds != {type(None)}:

@@ -5,8 +5,7 @@ from __future__ import annotations
 import itertools
 import operator
 import os
-from typing import (TYPE_CHECKING, Any, Callable, Iterator, Mapping, Optional, Sequence, Union,
-                    overload)
+from typing import TYPE_CHECKING, Any, Callable, Iterator, Optional, Sequence, Union, overload
 
 from . import _command, _options
 from ._findings import VariantError
@@ -187,8 +186,8 @@ class Variants:
 
     def table(self, members: Sequence[str] = ("params", "mass", "bounds"),
               frame: Optional[bool] = None) -> Any:
-        """A table of a slice: a column for each number or text in these members of the records
-        ("params.width", "mass", "bounds.min.x"), and the index.
+        """A table of a slice: a column for each number or text in these members of the records,
+        such as "params.width" and "bounds.min.x", and the index.
 
         Returns a pandas.DataFrame if pandas is installed (`frame=True`: otherwise ImportError), or
         with `frame=False` a dict of NumPy arrays.
@@ -203,6 +202,9 @@ class Variants:
         from ._table import CHUNK
 
         indices = self._indices or range(0)
+        if indices and not (min(indices[0], indices[-1]) >= 0 and max(indices[0], indices[-1]) < 2**64):
+            raise IndexError(f"{indices} is not within 0 .. 2^64 - 1")
+        self.spec._compare_inputs()
         while indices:
             maker = self._idle_maker()
             try:
