@@ -90,10 +90,13 @@ void Assembly::AddSpec(Scope& scope) {
   AddViews(scope, spec.views, scope.values.root());
   if (!spec.bodies.empty()) AddBodies(scope);
   if (spec.mass) ScaleObject(scope, first_part, first_body);
+  const std::size_t before = findings_.size();
   SetWholeProperties(scope);
-  AddListedJoints(scope);
+  // A joint without a torque would be reported again.
+  const bool has_all = !findings_.HasErrors(before);
+  if (has_all) AddListedJoints(scope);
   if (!spec.sections.empty()) sections_.Add(scope, &spec == spec_);
-  if (&spec == spec_) AddRootJoints(scope);
+  if (has_all && &spec == spec_) AddRootJoints(scope);
   ReadStarts(scope);
   ApplyStarts(scope, first_start, first_body);
   for (std::size_t i = first_search; i < face_searches_.size(); ++i) {

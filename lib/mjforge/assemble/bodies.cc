@@ -61,26 +61,14 @@ void Assembly::AddBodies(Scope& scope) {
   for (const spec::BodyEntry& entry : spec.bodies) ClearProperties(entry, scope.values);
   for (const spec::BodyEntry& entry : spec.bodies) {
     if (!repetition_.Count(entry.head, scope.values, object_.bodies.size())) continue;
-    const std::size_t before = findings_.size();
-    if (!entry.joints.empty()) scope.jointed.push_back({&entry});
     repetition_.ForEach(entry.head, scope.values, bodies, [&] { AddBody(scope, entry, bodies); });
-    if (!entry.joints.empty()) scope.jointed.back().has_failed = findings_.HasErrors(before);
   }
 }
 
-// After an error, the variables of an instance may have no values.
 void Assembly::ForEachJointed(Scope& scope, const JointedVisitor& visit) {
-  const sample::StreamId bodies = sample::Child(scope.values.root(), "bodies");
   for (const Scope::Jointed& jointed : scope.jointed) {
-    const spec::Entry& head = jointed.entry->head;
-    std::size_t at = 0;
-    const auto next = [&] {
-      if (at < jointed.bodies.size()) visit(*jointed.entry, jointed.bodies[at++]);
-    };
-    if (head.loops.empty() && head.locals.empty())
-      next();
-    else if (!jointed.has_failed)
-      repetition_.ForEach(head, scope.values, bodies, next);
+    scope.values.Restore(jointed.variables);
+    visit(*jointed.entry, jointed.body);
   }
 }
 
@@ -166,7 +154,8 @@ model::Bounds Assembly::AddContents(Scope& scope, const spec::BodyEntry& entry, 
   AddViews(scope, entry.views, path);
   LeaveLink(scope);
   AddOwnJoints(entry, link);
-  if (link.number == 0 && !entry.joints.empty()) scope.jointed.back().bodies.push_back(index);
+  if (link.number == 0 && !entry.joints.empty())
+    scope.jointed.push_back({&entry, index, scope.values.Save(entry.head)});
   ReadAttributes(reader, entry.head, object_.bodies[index].attributes);
   current_body_ = outer;
   scope.X_BS = X_BS;

@@ -30,11 +30,27 @@ void SetUnlessGiven(std::string_view name, sample::Numbers numbers, model::Joint
   joint.attributes.push_back({.name = name, .numbers = std::move(numbers), .text = {}});
 }
 
+// Returns true if the entry has a spring of its own, or is a thread, which replaces a detent of the
+// defaults.
+bool HasOwnSpring(const spec::Entry& entry, const spec::Field& detent) {
+  const auto is_spring = [](const spec::Field& field) {
+    return !field.is_default &&
+           (field.info->key == "stiffness" || field.info->key == "springdamper");
+  };
+  return detent.is_default && (entry.FindChild(spec::kScrewElement) != nullptr ||
+                               std::ranges::any_of(entry.fields, is_spring));
+}
+
 }  // namespace
 
 bool ReadDetent(FieldReader& reader, const spec::Entry& entry, model::Joint& joint) {
   const spec::Field* field = entry.Find(Key::kDetent);
-  if (field == nullptr) return true;
+  if (field == nullptr || HasOwnSpring(entry, *field)) return true;
+  if (joint.type != "hinge" && joint.type != "slide") {
+    reader.Report(Code::kModelBadValue, *field,
+                  fmt::format("has no meaning for a {} joint", joint.type));
+    return false;
+  }
   const std::optional<double> holding = reader.Number(*field);
   if (!holding) return false;
   if (!joint.range) {
@@ -54,8 +70,9 @@ bool ReadDetent(FieldReader& reader, const spec::Entry& entry, model::Joint& joi
   }
   // At the nearer end the joint is held by less.
   const double stiffness = *holding / std::max(upper - centre, centre - lower);
-  std::erase_if(joint.attributes,
-                [](const model::Attribute& attribute) { return attribute.name == "stiffness"; });
+  std::erase_if(joint.attributes, [](const model::Attribute& attribute) {
+    return attribute.name == "stiffness" || attribute.name == "springdamper";
+  });
   SetUnlessGiven("stiffness", {-stiffness}, joint);
   SetUnlessGiven("damping", {stiffness * kSnapTime}, joint);
   SetUnlessGiven("armature", {stiffness * kPeriod * kPeriod}, joint);

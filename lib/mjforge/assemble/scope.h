@@ -39,12 +39,11 @@ struct Scope {
   Scope* outer = nullptr;
   std::vector<std::pair<std::string, std::string>> substitutes;
   std::optional<Eigen::Vector3d> total_size;
-  /// An entry of `bodies:` with a list of joints, and the indices of its bodies in the order of the
-  /// instances that exist.
+  /// A body with a list of joints: its entry, its index, and the variables of the instance.
   struct Jointed {
     const spec::BodyEntry* entry;
-    std::vector<std::size_t> bodies = {};
-    bool has_failed = false;  // an instance has an error, which ends its loops
+    std::size_t body;
+    sample::SavedVariables variables;
   };
   std::vector<Jointed> jointed = {};
   /// Slot and value, kg, of NAME.mass of each body, because the spec's `mass:` scales these masses.

@@ -37,6 +37,14 @@ std::pair<std::size_t, const model::Site*> FindSite(const model::Object& object,
   return {0, nullptr};
 }
 
+// Returns true if a body does not hang on the root, because `place:` puts it or a parent of it
+// somewhere later.
+bool IsPlacedLater(const model::Object& object, std::size_t body, std::size_t root) {
+  while (body != root && object.bodies[body].parent >= 0)
+    body = static_cast<std::size_t>(object.bodies[body].parent);
+  return body != root;
+}
+
 // Returns the largest torque, Nm, by which gravity turns what a hinge or ball joint bears, over all
 // directions of gravity: the weight times the distance of the centre of mass from the axis, or from
 // the centre of the ball joint. The centre of mass is in the frame of the joint's body.
@@ -76,7 +84,9 @@ void WholeProperties::SetSubtrees(const std::unordered_map<std::string, int>& bo
   for (const spec::BodyEntry& entry : scope_.values.spec().bodies) {
     if (entry.first_subtree_property < 0) continue;
     const auto name = spec::LiteralText(entry.head.name);
-    const auto found = bodies.find(scope_.prefix + std::string(name.value_or("")));
+    std::string full = scope_.prefix + std::string(name.value_or(""));
+    if (entry.head.FindChild(spec::kChainElement) != nullptr) full += "_0";  // its first link
+    const auto found = bodies.find(full);
     if (found == bodies.end()) continue;  // left out by `if`
     const auto index = static_cast<std::size_t>(found->second);
     SetMeasures(model::SubtreeBounds(object_.bodies, index),
@@ -96,7 +106,7 @@ void WholeProperties::SetPositions(std::size_t root) {
       const auto name = spec::LiteralText(entry.name);
       if (entry.slot < 0 || !name) continue;
       const auto [body, site] = FindSite(object_, scope_.prefix + std::string(*name));
-      if (site == nullptr) continue;
+      if (site == nullptr || IsPlacedLater(object_, body, root)) continue;
       const Eigen::Vector3d p_S = (X_SW * X_WB[body] * site->X_BS).p;
       for (int i = 0; i < 3; ++i) scope_.values.SetVariable(entry.slot + i, p_S[i]);
     }
@@ -127,7 +137,7 @@ void Assembly::SetWholeProperties(Scope& scope) {
   whole.Clear();
   whole.SetSubtrees(bodies_);
   whole.SetPositions(current_body_);
-  if (&spec == spec_ && AreUsed(spec.joints)) {
+  if (AreUsed(spec.joints)) {
     assets_.SumMass(body());
     whole.SetTorques(spec.joints, current_body_, sample::Child(scope.values.root(), "joints"));
   }

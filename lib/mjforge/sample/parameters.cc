@@ -119,6 +119,25 @@ void Evaluator::SetVariable(const spec::Loop& loop, const LoopRange& range, std:
   }
 }
 
+SavedVariables Evaluator::Save(const spec::Entry& entry) const {
+  SavedVariables saved;
+  const auto add = [&](int first, int count) {
+    for (int slot = first; slot < first + count; ++slot)
+      saved.push_back({slot, Variable(slot), texts_[static_cast<std::size_t>(slot)]});
+  };
+  for (const spec::Loop& loop : entry.loops) add(loop.slot, 1);
+  for (const spec::Local& local : entry.locals)
+    add(local.slot, std::max(local.value.components, 1));
+  return saved;
+}
+
+void Evaluator::Restore(const SavedVariables& saved) {
+  for (const SavedVariable& variable : saved) {
+    SetVariable(variable.slot, variable.number);
+    texts_[static_cast<std::size_t>(variable.slot)] = variable.text;
+  }
+}
+
 void Evaluator::ClearVariables(int slot, int list, const spec::Value& value) {
   const int count = value.is_list ? 1 : std::max(value.components, 1);
   for (int k = 0; k < count; ++k) SetVariable(slot + k, kFailedNumber);

@@ -62,6 +62,9 @@ class Evaluator {
   void SetVariable(int slot, double value);
   void SetVariable(int slot, std::string_view text);
   void SetVariable(const spec::Loop& loop, const LoopRange& range, std::size_t i);
+  /// Returns the variables of an entry's loops and its local values, for Restore().
+  SavedVariables Save(const spec::Entry& entry) const;
+  void Restore(const SavedVariables& saved);
   /// Marks the variables of a value as failed. `list` is the value's list of numbers; -1: none.
   void ClearVariables(int slot, int list, const spec::Value& value);
   /// Sets the variable of a number, boolean or text, or the variables of a vector from `slot` on.

@@ -57,6 +57,14 @@ struct HoleOutline {
   std::size_t axis = 2;
 };
 
+/// The value of a variable; `text` is that of a variable of texts.
+struct SavedVariable {
+  int slot = 0;
+  double number = 0;
+  std::string text = {};
+};
+using SavedVariables = std::vector<SavedVariable>;
+
 /// The values that a loop's variable takes.
 struct LoopRange {
   std::size_t count = 0;

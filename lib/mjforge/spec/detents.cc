@@ -17,7 +17,8 @@ constexpr std::string_view kNotBeside[] = {"stiffness", "springdamper", "screw"}
 void CheckDetent(const YamlNode& joint, const Entry& entry, Context& context) {
   const Field* detent = entry.Find(Key::kDetent);
   if (detent == nullptr) return;
-  RejectBeside("detent", kNotBeside, joint, "a detent is a spring between two ends", context);
+  if (joint.Find("detent") != nullptr)
+    RejectBeside("detent", kNotBeside, joint, "a detent is a spring between two ends", context);
   const Field* type = entry.Find(Key::kType);
   const std::string_view motion = type == nullptr ? "hinge" : LiteralText(type->value).value_or("");
   if (motion == "free" || motion == "ball") {

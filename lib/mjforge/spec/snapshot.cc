@@ -68,7 +68,8 @@ std::string SnapshotText(const Snapshot& snapshot) {
   json.Member("folder", (snapshot.folder.empty() ? CurrentFolder() : snapshot.folder).string());
   json.Key("search_path");
   json.StartArray();
-  for (const fs::path& folder : snapshot.search_path) json.Value(fs::absolute(folder).string());
+  for (const fs::path& folder : snapshot.search_path)
+    json.Value((snapshot.folder / folder).string());
   json.EndArray();
   json.Key("found");
   json.StartArray();

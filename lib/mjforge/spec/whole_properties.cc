@@ -1,6 +1,8 @@
 // Properties that expressions can read when all bodies are there: of subtrees, joints and sites.
 
 #include <algorithm>
+#include <map>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -14,73 +16,88 @@ using diag::Code;
 // The dimension of a torque, N m.
 constexpr expr::Dimension kTorque{2, 1, -2};
 
-// Keys of a joint from which its torque is computed.
-constexpr std::string_view kGeometry[] = {"type", "pos", "axis"};
+// Keys of a joint from which torques are computed.
+constexpr std::string_view kGeometry[] = {"type", "pos", "axis", "for", "if", "let"};
 
 // Joints with these types have a torque.
 constexpr std::string_view kTurning[] = {"hinge", "ball"};
 
-void DeclareTorque(const YamlNode& joint, expr::SymbolTable& names) {
+// Returns the type that `defaults:` gives joints.
+std::string_view DefaultType(const Context& context) {
+  const Field* type = FindField(context.spec.defaults.joint, Key::kType);
+  return type == nullptr ? "hinge" : LiteralText(type->value).value_or("");
+}
+
+void DeclareTorque(const YamlNode& joint, Context& context) {
   const YamlNode* name = joint.Find("name");
   const YamlNode* type = joint.Find("type");
-  if (name == nullptr || !expr::IsName(name->text)) return;
-  if (type != nullptr && std::ranges::find(kTurning, type->text) == std::end(kTurning)) return;
+  if (name == nullptr || !expr::IsName(name->text) || joint.Find("screw") != nullptr) return;
+  const std::string_view word = type == nullptr ? DefaultType(context) : type->text;
+  if (std::ranges::find(kTurning, word) == std::end(kTurning)) return;
+  expr::SymbolTable& names = context.spec.names;
   const std::string torque = expr::TorqueVariable(name->text);
   if (names.Find(torque) == nullptr) names.Declare(torque, expr::Type::kNumber, 1, {kTorque});
 }
 
-void DeclarePositions(std::vector<Entry>& sites, expr::SymbolTable& names) {
+// Slots by name. A name is declared once, although entries with different conditions may have it,
+// and not at all where a parameter of a nested spec has the name already.
+using Declared = std::map<std::string, int>;
+
+void DeclarePositions(std::vector<Entry>& sites, expr::SymbolTable& names, Declared& declared) {
   for (Entry& site : sites) {
     const auto name = LiteralText(site.name);
     if (!name || !expr::IsName(*name)) continue;
     const std::string position = expr::PositionVariable(*name);
-    const auto* known = names.Find(position);
-    const auto* variable =
-        known != nullptr ? known
-                         : &names.Declare(position, expr::Type::kNumber, 3, *DimensionsOf("m"));
-    site.slot = variable->slot;
+    if (!declared.contains(position) && names.Find(position) == nullptr) {
+      const auto& variable = names.Declare(position, expr::Type::kNumber, 3, *DimensionsOf("m"));
+      declared.emplace(position, variable.slot);
+    }
+    if (declared.contains(position)) site.slot = declared.at(position);
   }
+}
+
+void DeclareSubtree(BodyEntry& body, expr::SymbolTable& names, Declared& declared) {
+  const auto name = LiteralText(body.head.name);
+  if (!name || !expr::IsName(*name)) return;
+  const std::string prefix = fmt::format("{}.{}", *name, kSubtreePrefix);
+  const auto is_taken = [&](std::string_view property) {
+    return names.Find(prefix + std::string(property)) != nullptr;
+  };
+  if (!declared.contains(prefix) && std::ranges::none_of(BodyPropertyNames(), is_taken))
+    declared.emplace(prefix, DeclareMeasures(prefix, names));
+  if (declared.contains(prefix)) body.first_subtree_property = declared.at(prefix);
 }
 
 }  // namespace
 
 void DeclareWholeProperties(std::span<const YamlNode* const> joint_lists, Context& context) {
   expr::SymbolTable& names = context.spec.names;
+  Declared declared;
   for (BodyEntry& body : context.spec.bodies) {
-    const auto name = LiteralText(body.head.name);
-    if (!name || !expr::IsName(*name)) continue;
-    const std::string prefix = fmt::format("{}.{}", *name, kSubtreePrefix);
-    const auto* known = names.Find(prefix + std::string(BodyPropertyNames().front()));
-    body.first_subtree_property = known ? known->slot : DeclareMeasures(prefix, names);
-  }
-  for (BodyEntry& body : context.spec.bodies) {
+    DeclareSubtree(body, names, declared);
     // The pose of a placed body is not known yet.
-    if (!body.place) DeclarePositions(body.sites, names);
+    if (!body.place) DeclarePositions(body.sites, names, declared);
   }
-  DeclarePositions(context.spec.sites, names);
+  DeclarePositions(context.spec.sites, names, declared);
   for (const YamlNode* list : joint_lists) {
-    for (const YamlNode& joint : list->items) DeclareTorque(joint, names);
+    for (const YamlNode& joint : list->items) DeclareTorque(joint, context);
   }
 }
 
 void ReadTorqueUse(const YamlNode& joint, Entry& entry, Context& context) {
   const auto name = LiteralText(entry.name);
-  if (!name) return;
-  const auto* torque = context.spec.names.Find(expr::TorqueVariable(*name));
-  if (torque == nullptr) return;
-  entry.slot = torque->slot;
+  const auto* torque = context.spec.names.Find(expr::TorqueVariable(name.value_or("")));
+  if (torque != nullptr) entry.slot = torque->slot;
+  if (context.spec.names.Find("torque") != nullptr) return;  // a parameter of this name
   for (const std::string_view key : kGeometry) {
     const YamlNode* value = joint.Find(key);
     if (value == nullptr) continue;
     std::vector<std::string> used;
     CollectNames(*value, used);
-    const bool calls = std::ranges::find(used, "torque") != used.end() &&
-                       context.spec.names.Find("torque") == nullptr;
-    if (!calls) continue;
-    context.findings.Add(Code::kSpecConflict, value->mark,
-                         fmt::format("the '{}' of a joint with torque() is a circle: the torque is "
-                                     "computed from it",
-                                     key));
+    if (std::ranges::find(used, "torque") == used.end()) continue;
+    context.findings.Add(
+        Code::kSpecConflict, value->mark,
+        fmt::format("'{}' of a joint cannot use torque(), which is computed from it", key));
   }
 }
 

@@ -106,7 +106,7 @@ TEST_CASE("a property of a body that is left out has no value") {
                          "1}]}\n");
   CHECK(thing.findings() ==
         std::vector<std::string>{"5:19 expression 'a.top' uses 'a.top', which has no value in this "
-                                 "variant (its body was left out by 'if')"});
+                                 "variant (it was left out by 'if', or is placed later)"});
 }
 
 TEST_CASE("a text parameter of a body that is left out has no value") {
@@ -119,11 +119,12 @@ TEST_CASE("a text parameter of a body that is left out has no value") {
     return Assembling(spec, 1, 0, folder.path()).findings();
   };
   CHECK(findings_of("{name: b, parts: [{name: \"h_${a.kind}\", type: sphere, size: 1}]}") ==
-        std::vector<std::string>{
-            "5:28 'a.kind' has no value in this variant (its body was left out by 'if')"});
+        std::vector<std::string>{"5:28 'a.kind' has no value in this variant (it was left out by "
+                                 "'if', or is placed later)"});
   CHECK(findings_of("{name: b, if: a.kind == 'long', parts: [{name: h, type: sphere, size: 1}]}") ==
-        std::vector<std::string>{"5:3 expression 'a.kind == 'long'' uses 'a.kind', which has no "
-                                 "value in this variant (its body was left out by 'if')"});
+        std::vector<std::string>{
+            "5:3 expression 'a.kind == 'long'' uses 'a.kind', which has no "
+            "value in this variant (it was left out by 'if', or is placed later)"});
 }
 
 TEST_CASE("a nested spec brings its bodies, loses its joints, and keeps the deeper ones") {

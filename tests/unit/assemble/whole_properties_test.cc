@@ -84,6 +84,65 @@ TEST_CASE("each body of a loop has its own values of what its joints use") {
   CHECK(AttributeOf(row.object(), "thing_h_2", "stiffness") > 0);
 }
 
+TEST_CASE("a condition that changes with the mass of the whole leaves each joint at its body") {
+  const Assembling row(
+      "mass: 0.5\n"
+      "joints: none\n"
+      "bodies:\n"
+      "- {name: a, parts: [{name: g, type: sphere, size: 10cm, mass: 1}]}\n"
+      "- name: 'b_${i}'\n"
+      "  for: {i: 4}\n"
+      "  if: a.mass < 0.5 or i == 3 or i == 1\n"
+      "  parts: [{name: 'p_${i}', type: sphere, size: 1cm, mass: 1}]\n"
+      "  joints: [{name: 'j_${i}', axis: [0, 1, 0], armature: i + 1}]\n");
+  REQUIRE(row.object().bodies.size() == 4);
+  CHECK(row.object().bodies[2].joints.at(0).name == "thing_j_1");
+  CHECK(row.object().bodies[3].joints.at(0).name == "thing_j_3");
+  CHECK(AttributeOf(row.object(), "thing_j_3", "armature") == 4);
+}
+
+TEST_CASE("torque() follows the type of the defaults, and a thread has none") {
+  const std::string part = "parts: [{name: a, type: sphere, size: 1cm, mass: 1}]\n";
+  CHECK(OnlyFinding("defaults: {joint: {type: slide}}\n" + part +
+                    "joints: [{name: j, armature: torque(j) / 1Nm}]\n")
+            .find("no torque of a joint 'j' is known here") != std::string::npos);
+  CHECK(OnlyFinding(part + "joints: [{name: j, armature: torque(j) / 1Nm, "
+                           "screw: {axis: [1, 0, 0], lead: 1mm, turns: 3}}]\n")
+            .find("no torque of a joint 'j' is known here") != std::string::npos);
+}
+
+TEST_CASE("an axis without a direction is reported once, although torque() needs it") {
+  CHECK(OnlyFinding("params: {z: 0}\n"
+                    "parts: [{name: a, type: sphere, size: 1cm}]\n"
+                    "joints: [{name: j, axis: [0, 0, z], armature: torque(j) / 1Nm}]\n")
+            .find("axis of joint 'j' is zero") != std::string::npos);
+}
+
+TEST_CASE("a chain has the subtree properties of its first link") {
+  const Assembling rope(
+      "joints: none\n"
+      "bodies:\n"
+      "- name: rope\n"
+      "  chain: {links: 3, length: 30cm}\n"
+      "  parts: [{name: l, type: capsule, size: [5mm, 4cm], pos: [0, 0, -5cm], mass: 2}]\n"
+      "  joints: [{name: top, armature: rope.subtree_mass / 1kg}]\n");
+  CHECK(AttributeOf(rope.object(), "thing_top", "armature") == Approx(6));
+}
+
+TEST_CASE("a parameter of a nested spec keeps its name beside a site") {
+  const TemporaryFolder folder;
+  folder.Write("inner.yaml",
+               "mjforge: 1\nname: inner\nparams: {pos: [1, 2, 3]}\n"
+               "parts: [{name: g, type: sphere, size: 1cm, pos: pos}]\n");
+  const Assembling thing(
+      "joints: none\n"
+      "sites: [{name: a, pos: [0.2, 0, 0]}]\n"
+      "bodies:\n"
+      "- {name: a, spec: inner.yaml, joints: [{name: j, armature: a.pos.x}]}\n",
+      1, 0, folder.path());
+  CHECK(AttributeOf(thing.object(), "thing_j", "armature") == 1);
+}
+
 TEST_CASE("subtree properties are those of a body and of all below it, and of no other") {
   const Assembling thing(
       "joints: none\n"
@@ -139,7 +198,7 @@ TEST_CASE("what is left out has no torque and no position") {
   CHECK(Assembling(one).findings() ==
         std::vector<std::string>{
             "5:34 expression 'torque(b)' uses 'torque(b)', which has no value in this variant "
-            "(its body was left out by 'if')"});
+            "(it was left out by 'if', or is placed later)"});
 }
 
 }  // namespace mjforge::assemble
