@@ -90,7 +90,7 @@ TEST_CASE_METHOD(BatchTest, "a worker that is killed costs one variant, which is
   folder().Write("heap.yaml", kHeap);
   const std::string signal = GENERATE(as<std::string>(), "ABRT", "KILL");
   const CommandResult result = Shell(
-      "$mjforge generate heap.yaml -n 200 -j 2 --seed 7 -o out & p=$!\n"
+      "$mjforge generate heap.yaml -n 400 -j 2 --seed 7 -o out & p=$!\n"
       "until [ -s out/.manifest.jsonl.part ]; do sleep 0.01; done\n"
       "echo '<mujoco' > out/.heap_000033.xml.tmp1-0\n"  // as if the worker was writing it
       "kill -" +
@@ -102,10 +102,10 @@ TEST_CASE_METHOD(BatchTest, "a worker that is killed costs one variant, which is
   CHECK_FALSE(std::filesystem::exists(folder() / "out/.heap_000033.xml.tmp1-0"));
   CHECK(result.err.find(": its worker was killed by SIG" + signal + " (seed 7, index ") !=
         std::string::npos);
-  CHECK(result.err.find(": 199 ok, 1 failed") != std::string::npos);
+  CHECK(result.err.find(": 399 ok, 1 failed") != std::string::npos);
   const CommandResult again = Shell(
-      "$mjforge generate heap.yaml -n 200 --seed 7 -o out --resume -q &&"
-      "$mjforge generate heap.yaml -n 200 --seed 7 -o whole -q && diff -r out whole");
+      "$mjforge generate heap.yaml -n 400 --seed 7 -o out --resume -q &&"
+      "$mjforge generate heap.yaml -n 400 --seed 7 -o whole -q && diff -r out whole");
   CHECK(again.status == 0);
   CHECK(again.out.empty());
 }
