@@ -43,7 +43,7 @@ std::optional<fs::path> FindFile(const std::string& reference, const fs::path& f
   const std::pair key(Canonical(folder.empty() ? "." : folder), reference);
   if (const auto known = snapshot->found.find(key); known != snapshot->found.end())
     return known->second;
-  const auto file = Locate(reference, folder, options.search_path);
+  auto file = Locate(reference, folder, options.search_path);
   std::error_code error;
   if (file) snapshot->found.emplace(key, fs::absolute(*file, error));
   return file;
