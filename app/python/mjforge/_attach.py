@@ -11,7 +11,7 @@ from ._library import c_text
 from ._members import Joint, Members, elements, name_of_root, section
 
 if TYPE_CHECKING:
-    import mujoco  # type: ignore[import-not-found, import-untyped, unused-ignore]
+    from mujoco import MjData, MjModel, MjsBody, MjSpec  # type: ignore[import-not-found, import-untyped, unused-ignore]
 
     from ._variant import Variant
 
@@ -59,8 +59,8 @@ def _bottom(variant: Variant, quat: Quaternion) -> float:
                      for factor, low, high in zip(row, box["min"], box["max"])))
 
 
-def attach(variant: Variant, scene: mujoco.MjSpec, prefix: str, pos: Sequence[float], quat: Quaternion,
-           stand: bool) -> mujoco.MjsBody:
+def attach(variant: Variant, scene: MjSpec, prefix: str, pos: Sequence[float], quat: Quaternion,
+           stand: bool) -> MjsBody:
     """Returns the object's first body in the scene; see Variant.attach."""
     _is(scene, "MjSpec", "scene")
     c_text(prefix, "prefix")
@@ -88,7 +88,7 @@ def attach(variant: Variant, scene: mujoco.MjSpec, prefix: str, pos: Sequence[fl
 class _Start:
     """Moves the joints of an object in a simulation to their start positions."""
 
-    def __init__(self, members: Members, model: mujoco.MjModel, data: mujoco.MjData, prefix: str) -> None:
+    def __init__(self, members: Members, model: MjModel, data: MjData, prefix: str) -> None:
         self._mujoco = _module_of(model)
         self._members = members
         self._model = model
@@ -167,7 +167,7 @@ class _Start:
         return pos + outer[0], quat
 
 
-def start(variant: Variant, model: mujoco.MjModel, data: mujoco.MjData, prefix: str) -> None:
+def start(variant: Variant, model: MjModel, data: MjData, prefix: str) -> None:
     """See Variant.start."""
     _is(model, "MjModel", "model")
     _is(data, "MjData", "data")

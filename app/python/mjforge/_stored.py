@@ -80,10 +80,11 @@ class Batch:
 
     def _line(self, number: int) -> tuple[pathlib.Path, bytes]:
         """The manifest and the record of an object."""
-        for manifest, starts in zip(self._manifests, self._index()):
-            if number < len(starts):
-                break
+        shards = zip(self._manifests, self._index())
+        manifest, starts = next(shards)
+        while number >= len(starts):
             number -= len(starts)
+            manifest, starts = next(shards)
         if manifest.suffix == ".zst":
             stored = filter(_is_stored, lines(str(manifest)))
             return manifest, next(itertools.islice(stored, number, None))

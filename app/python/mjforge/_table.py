@@ -9,7 +9,7 @@ from typing import Any, Iterable, Optional, Sequence
 
 # Members of a record under the names that a Variant has.
 _RECORDED = {"bounds": "aabb", "swept_bounds": "swept_aabb"}
-_AXES = {"com": "x y z".split(), "inertia": "xx yy zz xy xz yz".split()}
+_AXES: dict[str, list[str]] = {"com": ["x", "y", "z"], "inertia": ["xx", "yy", "zz", "xy", "xz", "yz"]}
 _KNOWN = ("index", "params", "mass", "com", "inertia", "bounds", "swept_bounds", "physics")
 CHUNK = 1000  # records that are read together
 

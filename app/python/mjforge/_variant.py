@@ -17,9 +17,8 @@ from ._json import members_of_record
 from ._members import Joint, Members, Position, Site, elements, members_of
 
 if TYPE_CHECKING:
-    import mujoco as _mujoco  # type: ignore[import-not-found, import-untyped, unused-ignore]
     import numpy as np
-    from mujoco import MjModel  # type: ignore[import-not-found, import-untyped, unused-ignore]
+    from mujoco import MjData, MjModel, MjsBody, MjSpec  # type: ignore[import-not-found, import-untyped, unused-ignore]
 
     from ._picture import Layer, Picture, Size
     from ._spec import Source, Spec
@@ -210,13 +209,13 @@ class Variant:
 
     def attach(
         self,
-        scene: "_mujoco.MjSpec",
+        scene: "MjSpec",
         *,
         prefix: str = "",
         pos: Sequence[float] = (0.0, 0.0, 0.0),
         quat: Sequence[float] = (1.0, 0.0, 0.0, 0.0),
         stand: bool = True,
-    ) -> "_mujoco.MjsBody":
+    ) -> "MjsBody":
         """Adds it to a scene, a mujoco.MjSpec, and returns its first body there.
 
         `prefix`: in front of its names. `pos`, `quat`: its place in the world. `stand`: its bottom is
@@ -228,7 +227,7 @@ class Variant:
 
         return attach(self, scene, prefix, pos, quat, stand)
 
-    def start(self, model: "_mujoco.MjModel", data: "_mujoco.MjData", prefix: str = "") -> None:
+    def start(self, model: "MjModel", data: "MjData", prefix: str = "") -> None:
         """Sets its joints, velocities, activations and controls in a simulation to its start state.
         Its first body stays where it is, and loose bodies are placed beside it. `prefix`: as it was
         attached.
