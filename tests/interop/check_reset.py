@@ -10,7 +10,7 @@ import numpy as np
 from mjforge import _attach
 from mjforge._comparison import PIECES
 
-from report import check, expect, finish
+from report import check, expect, finish, raises
 
 # The scene's defaults and units must not change the object.
 SCENE = """<mujoco><compiler angle="degree" autolimits="false"/>
@@ -121,15 +121,6 @@ def starts_as_its_keyframe():
     expect(data.qpos[0] == 0, "it starts at zero")
     variant.start(model, data, "o/")
     expect(data.qpos[0] == 0.5, f"it starts at {data.qpos[0]}")
-
-
-def raises(error, words, action, *arguments, **options):
-    try:
-        action(*arguments, **options)
-    except error as raised:
-        expect(words in str(raised), str(raised))
-    else:
-        raise AssertionError(f"{arguments} {options} are taken")
 
 
 def names_wrong_arguments():

@@ -11,7 +11,7 @@ import mjforge
 import numpy as np
 from mjforge import _table
 
-from report import check, expect, finish
+from report import check, expect, finish, raises
 
 MEMBERS = ["params", "mass", "com", "inertia", "bounds", "name", "sha256"]
 
@@ -91,15 +91,6 @@ def is_a_frame_of_pandas():
         return "it is not installed"
     expect(table.shape[0] == 30 and table["mass"].mean() > 0, "another shape")
     return None
-
-
-def raises(error, words, action, *arguments, **options):
-    try:
-        action(*arguments, **options)
-    except error as raised:
-        expect(words in str(raised), str(raised))
-    else:
-        raise AssertionError(f"{arguments} {options} are taken")
 
 
 def names_wrong_arguments():

@@ -41,6 +41,16 @@ def expect(condition, message):
         raise AssertionError(message)
 
 
+def raises(error, words, action, *arguments, **options):
+    """The action raises this error, and these words are in its message."""
+    try:
+        action(*arguments, **options)
+    except error as raised:
+        expect(words in str(raised), str(raised))
+    else:
+        raise AssertionError(f"{arguments} {options} are taken")
+
+
 def finish():
     print(f"{_passed} passed, {_failed} failed")
     sys.exit(1 if _failed else 0)
