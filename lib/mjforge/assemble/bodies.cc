@@ -19,10 +19,7 @@ using spec::Key;
 
 // Properties have no value until their body exists, because `if` may leave the body out.
 void ClearProperties(const spec::BodyEntry& entry, sample::Evaluator& values) {
-  const int count =
-      entry.first_property < 0 ? 0 : static_cast<int>(spec::BodyPropertyNames().size());
-  for (int i = 0; i < count; ++i)
-    values.SetVariable(entry.first_property + i, sample::kFailedNumber);
+  ClearSlots(entry.first_property, spec::BodyPropertyNames().size(), values);
   for (std::size_t i = 0; i < entry.parameter_slots.size(); ++i) {
     const int slot = entry.parameter_slots[i];
     if (slot >= 0) values.ClearVariables(slot, -1, entry.head.nested->parameters[i].value);

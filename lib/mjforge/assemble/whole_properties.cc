@@ -15,15 +15,8 @@ namespace {
 // MuJoCo's default gravity, m/s^2.
 constexpr double kGravity = 9.81;
 
-// Clears `count` variables from `slot` on, unless that is negative.
-void ClearSlots(int slot, std::size_t count, sample::Evaluator& values) {
-  if (slot < 0) return;
-  for (std::size_t i = 0; i < count; ++i)
-    values.SetVariable(slot + static_cast<int>(i), sample::kFailedNumber);
-}
-
-void ClearSlots(const std::vector<spec::Entry>& entries, std::size_t count,
-                sample::Evaluator& values) {
+void ClearEntries(const std::vector<spec::Entry>& entries, std::size_t count,
+                  sample::Evaluator& values) {
   for (const spec::Entry& entry : entries) ClearSlots(entry.slot, count, values);
 }
 
@@ -57,6 +50,12 @@ double GravityTorque(const model::MassProperties& subtree, const model::Joint& j
 
 }  // namespace
 
+void ClearSlots(int slot, std::size_t count, sample::Evaluator& values) {
+  if (slot < 0) return;
+  for (std::size_t i = 0; i < count; ++i)
+    values.SetVariable(slot + static_cast<int>(i), sample::kFailedNumber);
+}
+
 bool AreUsed(const std::vector<spec::Entry>& entries) {
   return std::ranges::any_of(entries, [](const spec::Entry& entry) { return entry.slot >= 0; });
 }
@@ -73,11 +72,11 @@ void WholeProperties::Clear() {
   const spec::ObjectSpec& spec = scope_.values.spec();
   for (const spec::BodyEntry& body : spec.bodies) {
     ClearSlots(body.first_subtree_property, spec::BodyPropertyNames().size(), scope_.values);
-    ClearSlots(body.sites, 3, scope_.values);
-    ClearSlots(body.joints, 1, scope_.values);
+    ClearEntries(body.sites, 3, scope_.values);
+    ClearEntries(body.joints, 1, scope_.values);
   }
-  ClearSlots(spec.sites, 3, scope_.values);
-  ClearSlots(spec.joints, 1, scope_.values);
+  ClearEntries(spec.sites, 3, scope_.values);
+  ClearEntries(spec.joints, 1, scope_.values);
 }
 
 void WholeProperties::SetSubtrees(const std::unordered_map<std::string, int>& bodies) {

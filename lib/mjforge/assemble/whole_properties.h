@@ -12,6 +12,8 @@
 
 namespace mjforge::assemble {
 
+/// Clears `count` variables from `slot` on, unless that is negative: they have no value.
+void ClearSlots(int slot, std::size_t count, sample::Evaluator& values);
 /// Sets the variables from `slot` on to the properties of a body, in the order of
 /// spec::BodyProperty. `mass` is in kg.
 void SetMeasures(const model::Bounds& bounds, double mass, int slot, sample::Evaluator& values);
