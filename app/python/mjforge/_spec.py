@@ -176,10 +176,12 @@ class Spec:
             "name": name, "target": target, "assets": assets, "sampler": sampler,
             "on_invalid": on_invalid, "validate": validate, "seed": seed, "batch": batch,
             "place_seed": place_seed})
-        variants = Variants(self._with(set), options)
-        if variants.spec is not self:
-            variants.spec._describe(variants._makers[0])
-        return variants
+        spec = self._with(set)
+        if spec is self:
+            return Variants(self, options)
+        maker = Maker(spec, options)
+        spec._describe(maker)
+        return Variants(spec, options, None, [maker])
 
     def check(
         self,
