@@ -14,6 +14,7 @@ function(mjforge_room name)
   file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${include_dir}/mjforge/${name} SYMBOLIC)
 
   add_library(mjforge_${name} STATIC ${room_SOURCES})
+  set_property(GLOBAL APPEND PROPERTY mjforge_rooms mjforge_${name})
   add_library(mjforge::${name} ALIAS mjforge_${name})
   set_target_properties(mjforge_${name} PROPERTIES EXPORT_NAME ${name})
   target_compile_features(mjforge_${name} PUBLIC cxx_std_20)

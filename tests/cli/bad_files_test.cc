@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 
 #include <filesystem>
+#include <future>
 
 #include "bad_input.h"
 
@@ -117,8 +118,12 @@ TEST_CASE_METHOD(BadInputTest, "waiting has a time limit, too, although it takes
   CHECK(both.status == 1);
   CHECK(both.out.starts_with("<stdin>: failed\ngood.xml: ok"));
   CHECK(CountOf(both.err, "error: '<stdin>' took more than 5.1 s of wall time") == 1);
-  for (const char* command : {"check", "generate"}) {
-    const auto result = wait(std::string(command) + " --time-limit 0.01 -");
+  // Both wait at the same time.
+  std::vector<std::future<harness::CommandResult>> results;
+  for (const char* command : {"check", "generate"})
+    results.push_back(std::async(std::launch::async, wait, std::string(command) + " --time-limit 0.01 -"));
+  for (auto& waiting : results) {
+    const auto result = waiting.get();
     CHECK(result.status == 1);
     CHECK(result.err ==
           "mjforge: error: loading '-' took more than 5.1 s of wall time [batch/too-slow]\n"

@@ -164,6 +164,7 @@ int CompareForms(Loaded& loaded, Options options, std::uint64_t count) {
 TEST_CASE("every bundled spec compiles to the same with its meshes and textures in files") {
   int files = 0;
   for (const auto& spec : BundledSpecs()) {
+    if (spec.parent_path().filename() == "scenes") continue;  // of objects of the other specs
     Loaded loaded(spec);
     Options options = Seeded(5);
     options.validation = Validation::kLoad;
