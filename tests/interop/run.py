@@ -124,8 +124,10 @@ def generate(program, folder, is_all):
     for target, (_, options) in SETS.items():
         for name in names:
             scene = name.startswith("scenes/")
-            if scene and target not in ("mujoco", "files"):
-                continue  # several roots; MJX would reserve memory for all pairs of geoms
+            # Several roots; MJX would reserve memory for all pairs of geoms. With --assets files a
+            # scene has the files of its objects.
+            if scene and target != "mujoco" and not (is_all and target == "files"):
+                continue
             try:
                 count = min(count_of(target, is_all), 2) if scene else count_of(target, is_all)
                 run([program, "generate", name, "-n", str(count), *options,
