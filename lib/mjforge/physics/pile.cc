@@ -47,12 +47,19 @@ class PileReport {
     for (const PiledBody& body : bodies_) {
       const Eigen::Vector3d p_R = X_WR.Inverse() * VectorAt(d_.subtree_com, body.id);
       const double outside = model::DistanceOutside(pile_.region, p_R.head<2>());
-      if (outside <= kEdge && p_R.z() > 0) continue;
+      std::string where;
+      if (outside > kEdge) {
+        where = fmt::format("{} mm outside of", RoundedText(1000 * outside));
+      } else if (p_R.z() <= 0) {
+        where = "below";
+      } else if (p_R.z() > pile_.region.height) {
+        where = "above the `height` of";
+      } else {
+        continue;
+      }
       has_left = true;
       reporter_.Error(Code::kPhysicsPileLeft, pile_.mark,
-                      outside > kEdge ? fmt::format("'{}' lies {} mm outside of '{}'", NameOf(body),
-                                                    RoundedText(1000 * outside), pile_.at)
-                                      : fmt::format("'{}' lies below '{}'", NameOf(body), pile_.at),
+                      fmt::format("'{}' lies {} '{}'", NameOf(body), where, pile_.at),
                       "pile up fewer or smaller bodies, or in a deeper region");
     }
     return has_left;

@@ -106,6 +106,15 @@ TEST_CASE("a body that falls out of its region is reported") {
   CHECK(findings.begin()->code == diag::Code::kPhysicsPileLeft);
 }
 
+TEST_CASE("a body that lies above the height of its region is reported") {
+  Object object = Crate(1);
+  object.piles.front().region.height = 0.015;  // less than the centre of a cube on the floor
+  diag::Findings findings;
+  CHECK_FALSE(PileSettler().Settle(object, findings));
+  REQUIRE_FALSE(findings.empty());
+  CHECK(findings.begin()->message == "'cube_0' lies above the `height` of 'crate.inside'");
+}
+
 TEST_CASE("a pile that needs more time is reported with its fastest body") {
   Object object = Crate(12);
   object.piles.front().time = 0.004;
