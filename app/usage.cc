@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <new>
 #include <system_error>
 
@@ -39,12 +40,13 @@ std::vector<std::string> OptionNames(const CLI::App& command) {
 
 std::string UnexpectedWord(const CLI::App& app, const CLI::App& command) {
   for (const std::string& word : app.remaining(true)) {
-    if (word.size() < 2 || word[0] != '-') continue;
+    if (word.size() < 2 || word[0] != '-' || word == "--") continue;
     const std::string name = word.substr(0, word.find('='));
     return WithSuggestion(fmt::format("there is no option '{}'", name), name, OptionNames(command));
   }
-  const std::vector<std::string> words = app.remaining(true);
-  return fmt::format("'{}' is one word too many", words.empty() ? "" : words.front());
+  std::vector<std::string> words = app.remaining(true);
+  std::erase(words, "--");
+  return fmt::format("'{}' is one word too many", words.front());
 }
 
 }  // namespace
@@ -70,7 +72,9 @@ ExitStatus ExplainParseError(const CLI::App& app, const CLI::ParseError& error,
   }
   const CLI::App& command = parsed.empty() ? app : *parsed.back();
   const std::string name = parsed.empty() ? std::string() : command.get_name();
-  if (!app.remaining(true).empty()) return WrongUsage(UnexpectedWord(app, command), name);
+  // "--", which ends the options, is no word.
+  if (std::ranges::any_of(app.remaining(true), [](const auto& word) { return word != "--"; }))
+    return WrongUsage(UnexpectedWord(app, command), name);
   if (parsed.empty()) return WrongUsage("a command is missing", {});
   return WrongUsage(error.what(), name);
 }

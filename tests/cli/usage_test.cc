@@ -28,6 +28,9 @@ TEST_CASE_METHOD(UsageTest, "unknown words are named, with what was probably mea
   CHECK(WrongUsage({"generate", "crate.yaml", "--sed", "3"}) ==
         "mjforge: error: there is no option '--sed'; did you mean '--seed'?");
   CHECK(WrongUsage({"schema", "object", "more"}) == "mjforge: error: 'more' is one word too many");
+  CHECK(WrongUsage({"schema", "object", "--", "more"}) ==
+        "mjforge: error: 'more' is one word too many");
+  CHECK(WrongUsage({"replay", "--"}) == "mjforge: error: VARIANT is required");
 }
 
 TEST_CASE_METHOD(UsageTest, "values that an option cannot take are wrong usage") {
