@@ -1,5 +1,9 @@
 // `mjforge catalogue`: the specs that can be used by name.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
 #include <map>
 #include <memory>
 #include <set>
@@ -12,8 +16,26 @@
 namespace mjforge::app {
 namespace {
 
-// Returns the descriptions of all specs in the search path, by name.
-std::map<std::string, std::string> ListItems(Console& console) {
+std::string LowerCase(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+// Returns true if the name, the description or the parameters of a spec contain each word.
+bool HasWords(const std::string& name, const spec::ObjectSpec& spec,
+              const std::vector<std::string>& words) {
+  std::string text = name + '\n' + spec.description;
+  for (const spec::Parameter& parameter : spec.parameters)
+    text += '\n' + parameter.name + ' ' + parameter.doc;
+  text = LowerCase(std::move(text));
+  return std::ranges::all_of(words, [&](const std::string& word) {
+    return text.find(LowerCase(word)) != std::string::npos;
+  });
+}
+
+// Returns the descriptions of the specs in the search path that have these words, by name.
+std::map<std::string, std::string> ListItems(const std::vector<std::string>& words,
+                                             Console& console) {
   spec::LoadOptions load;
   load.search_path = forge::SearchPath();
   std::set<std::string> seen;  // the first folder of the search path has priority
@@ -22,7 +44,7 @@ std::map<std::string, std::string> ListItems(Console& console) {
     for (const std::string& name : spec::ListSpecs(folder)) {
       if (!seen.insert(name).second) continue;
       const auto spec = spec::LoadSpec(name, load, console.sources, console.findings);
-      if (spec != nullptr) items[name] = spec->description;
+      if (spec != nullptr && HasWords(name, *spec, words)) items[name] = spec->description;
     }
   }
   return items;
@@ -50,10 +72,18 @@ std::string JsonText(const std::map<std::string, std::string>& items) {
 }  // namespace
 
 Action AddCatalogue(CLI::App& command) {
+  auto words = std::make_shared<std::vector<std::string>>();
+  command.add_option("WORD", *words, "Specs with this in name, text or parameters")
+      ->option_text(" ");
   auto json = std::make_shared<bool>(false);
   command.add_flag("--json", *json, "One JSON array");
-  return [json](Console& console) {
-    const auto items = ListItems(console);
+  return [words, json](Console& console) {
+    const auto items = ListItems(*words, console);
+    if (items.empty() && !words->empty()) {
+      console.findings.Add(diag::Code::kSpecNotFound, {},
+                           fmt::format("no spec has '{}'", fmt::join(*words, "' and '")),
+                           "`mjforge catalogue` lists all specs");
+    }
     const ExitStatus status = console.Report();
     return Worse(status, *json ? PrintBytes(JsonText(items)) : Print(Text(items)));
   };

@@ -57,8 +57,12 @@ constexpr Command kCommands[] = {
      "  mjforge replay out/manifest.jsonl:42\n"
      "  mjforge replay hammers.manifest.jsonl.zst:7777777\n"
      "  mjforge replay out/hammer_000042.xml --spec old/hammer.yaml"},
+    {"new", "Write a spec to start from, or a copy of another one", AddNew,
+     "  mjforge new lamp.yaml\n"
+     "  mjforge new my_chair.yaml --like furniture/chair"},
     {"catalogue", "List the specs that can be used by name", AddCatalogue,
      "  mjforge catalogue\n"
+     "  mjforge catalogue lid hinge\n"
      "  MJFORGE_PATH=~/my-specs mjforge catalogue --json"},
     {"schema", "Print a JSON Schema", AddSchema,
      "  mjforge schema > object.schema.json\n"

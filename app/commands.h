@@ -27,6 +27,7 @@ Action AddMerge(CLI::App& command);
 Action AddVerify(CLI::App& command);
 Action AddReplay(CLI::App& command);
 Action AddReport(CLI::App& command);
+Action AddNew(CLI::App& command);
 Action AddCatalogue(CLI::App& command);
 Action AddSchema(CLI::App& command);
 

@@ -121,7 +121,8 @@ TEST_CASE_METHOD(BadInputTest, "waiting has a time limit, too, although it takes
   // Both wait at the same time.
   std::vector<std::future<harness::CommandResult>> results;
   for (const char* command : {"check", "generate"})
-    results.push_back(std::async(std::launch::async, wait, std::string(command) + " --time-limit 0.01 -"));
+    results.push_back(
+        std::async(std::launch::async, wait, std::string(command) + " --time-limit 0.01 -"));
   for (auto& waiting : results) {
     const auto result = waiting.get();
     CHECK(result.status == 1);

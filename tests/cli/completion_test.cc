@@ -34,7 +34,7 @@ TEST_CASE_METHOD(CompletionTest, "commands are completed, and say what they do")
   CHECK(Ask({"help", "merge", ""}) == ":\n");
   CHECK(Words({""}) ==
         "generate\ncheck\ninspect\nvalidate\npreview\nview\nreport\nmerge\nverify\nreplay\n"
-        "catalogue\nschema\nhelp\n");
+        "new\ncatalogue\nschema\nhelp\n");
   CHECK(Words({}) == Words({""}));
   CHECK(Words({"-"}) == "--help\n--version\n");
   CHECK(Ask({"nosuch", ""}) == ":\n");

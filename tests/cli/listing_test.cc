@@ -28,6 +28,31 @@ TEST_CASE_METHOD(CrateTest, "catalogue lists the specs of MJFORGE_PATH, too") {
         std::string::npos);
 }
 
+TEST_CASE_METHOD(CrateTest, "catalogue finds words in names, descriptions and parameters") {
+  folder().Write("mine/crate.yaml", kText);
+  const std::map<std::string, std::string> path = {{"MJFORGE_PATH", (folder() / "mine").string()}};
+  const auto names = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), "catalogue");
+    const auto result = Run(words, {}, path);
+    CHECK(result.status == 0);
+    std::vector<std::string> found;
+    for (std::size_t at = result.out.find('\n') + 1; at < result.out.size();
+         at = result.out.find('\n', at) + 1)
+      found.push_back(result.out.substr(at, result.out.find(' ', at) - at));
+    return found;
+  };
+  CHECK(names({"A BOX."}) == std::vector<std::string>{"crate"});
+  CHECK(names({"tools/hammer"}) == std::vector<std::string>{"tools/hammer"});
+  CHECK(names({"handle_length", "hammer"}) == std::vector<std::string>{"tools/hammer"});
+  CHECK(names({"Gas spring"}) == std::vector<std::string>{"furniture/office_chair"});
+  const auto none = Run({"catalogue", "--json", "xyz", "lid"}, {}, path);
+  CHECK(none.status == 1);
+  CHECK(none.out == "[]\n");
+  CHECK(none.err ==
+        "mjforge: error: no spec has 'xyz' and 'lid' [spec/not-found]\n"
+        "  hint: `mjforge catalogue` lists all specs\n");
+}
+
 TEST_CASE_METHOD(CrateTest, "every spec that catalogue names can be checked") {
   const auto list = Run({"catalogue"});
   std::size_t line = list.out.find('\n') + 1;
