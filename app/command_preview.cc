@@ -13,6 +13,7 @@
 #include "preview_captions.h"
 #include "preview_options.h"
 #include "usage.h"
+#include "watched_files.h"
 
 namespace mjforge::app {
 namespace {
@@ -209,6 +210,34 @@ class Preview {
   std::filesystem::path place_;
 };
 
+ExitStatus DrawInChild(const PreviewOptions& options, Console& console) {
+  return RunInChild(options.what, options.time_limit, console,
+                    [&] { return Preview(options, console)(); });
+}
+
+// Returns the files of a preview: MJCF files, or the files that a spec is read from, as far as they
+// can be read now.
+std::vector<std::filesystem::path> FilesOf(const PreviewOptions& options) {
+  std::vector<std::filesystem::path> files(options.whats.begin(), options.whats.end());
+  if (options.is_file) return files;
+  Console silent{MessageOptions()};
+  LoadRecipe(options.what, options.spec, silent);
+  for (std::uint32_t i = 1; i <= silent.sources.size(); ++i)
+    files.emplace_back(silent.sources.Name(i));
+  return files;
+}
+
+// Draws again after each change of a file, until a signal ends the process.
+[[noreturn]] void Watch(const PreviewOptions& options, Console& console) {
+  while (true) {
+    WatchedFiles files(FilesOf(options));
+    const bool is_drawn = DrawInChild(options, console) == ExitStatus::kDone;
+    console.PrintLine(fmt::format("mjforge: note: {}waiting for a change (Ctrl-C ends)",
+                                  is_drawn ? "drawn; " : ""));
+    files.Wait();
+  }
+}
+
 }  // namespace
 
 Action AddPreview(CLI::App& command) {
@@ -219,8 +248,8 @@ Action AddPreview(CLI::App& command) {
     if (!why_not.empty()) return WrongUsage(why_not, "preview");
     if (options->output == "-" && ::isatty(STDOUT_FILENO) != 0)
       return WrongUsage("-o -: a terminal cannot show a picture", "preview");
-    return RunInChild(options->what, options->time_limit, console,
-                      [&] { return Preview(*options, console)(); });
+    if (options->watch) Watch(*options, console);
+    return DrawInChild(*options, console);
   };
 }
 

@@ -36,6 +36,7 @@ constexpr Command kCommands[] = {
     {"preview", "Draw an object, or a sheet of variants", AddPreview,
      "  mjforge preview hammer -n 16 -o hammers.png\n"
      "  mjforge preview hinged_box --joint hinge=45deg\n"
+     "  mjforge preview lamp.yaml --watch -o lamp.png\n"
      "  mjforge preview faucet --sweep -o faucet.gif --size 320\n"
      "  mjforge preview robot.xml --layer collision --azimuth 90 --elevation -20"},
     {"view", "Open an object in MuJoCo's own viewer", AddView,

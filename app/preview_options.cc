@@ -94,6 +94,8 @@ std::string FindNoFile(const std::vector<std::string>& whats) {
 std::string FindConflict(const PreviewOptions& options) {
   if (options.count > kMaxTiles)
     return fmt::format("-n {}: a sheet holds at most {} variants", options.count, kMaxTiles);
+  if (options.watch && (options.what == "-" || options.output == "-"))
+    return "--watch takes files, not standard input or output";
   if (options.sweep && options.count > 1) return "--sweep takes one object, not a sheet";
   if (std::string wrong = CheckFileName(options); !wrong.empty()) return wrong;
   if (options.whats.size() > 1) return FindNoFile(options.whats);
@@ -181,6 +183,7 @@ void AddPreviewOptions(CLI::App& command, PreviewOptions& options) {
       ->check(Offers(fmt::format("{}", fmt::join(kBackgrounds, " "))))
       ->option_text("COLOR [studio]");
   command.add_flag("--sweep", options.sweep, "Animate all joints, or --joint NAME");
+  command.add_flag("--watch", options.watch, "Draw again whenever a file of WHAT is saved");
   AddTimeLimit(command, options.time_limit);
   command.add_flag("--force", options.force, "Overwrite a file that mjforge did not make");
 }

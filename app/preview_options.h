@@ -22,6 +22,7 @@ struct PreviewOptions {
   std::string background = "studio";
   std::vector<std::string> joints;  // NAME=EXPRESSION
   bool sweep = false;
+  bool watch = false;
   Seconds time_limit{600};
   bool force = false;
   SpecOptions spec;

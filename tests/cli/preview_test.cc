@@ -317,5 +317,37 @@ TEST_CASE_METHOD(PreviewTest, "meshes and textures come from their files") {
   CHECK(png.Seen() > 1000);
 }
 
+TEST_CASE_METHOD(PreviewTest, "with --watch a picture follows its files, and survives mistakes") {
+  folder().Write("size.yaml", "mjforge: 1\nparams: {a: 0.1}\n");
+  folder().Write("cube.yaml",
+                 "mjforge: 1\nname: cube\nimport: [size.yaml]\n"
+                 "parts: [{name: cube, type: box, size: [a, a, a]}]\n");
+  // Waits up to 60 s for a condition, which is a command of the shell.
+  const std::string script =
+      "until_true() { for i in $(seq 1200); do if eval \"$1\"; then return; fi; sleep 0.05; done; "
+      "echo \"never: $1\"; }\n"
+      "waits() { grep -c 'waiting for a change' err; }\n"
+      "\"$1\" preview cube.yaml --watch -o x.png --size 64 2>err & pid=$!\n"
+      "until_true '[ $(waits) = 1 ]'; cp x.png first.png\n"
+      "printf 'mjforge: 1\\nparams: {a: unknown}\\n' >new; mv new size.yaml\n"
+      "until_true '[ $(waits) = 2 ]'; cmp x.png first.png && echo same\n"
+      "grep -q 'cube.yaml:4:.*: error: ' err && echo reported\n"
+      "printf 'mjforge: 1\\nparams: {a: [0.1, 0.2]}\\n' >size.yaml\n"
+      "printf 'mjforge: 1\\nname: cube\\nparts: [{name: c, type: sphere, size: 1}]\\n' >cube.yaml\n"
+      "until_true '! cmp -s x.png first.png'\n"
+      "kill -TERM $pid; wait $pid; echo $?\n";
+  const auto result =
+      harness::Command{.program = "bash",
+                       .arguments = {"-c", script, "bash", harness::MjforgeProgram().string()},
+                       .folder = folder().path()}
+          .Run();
+  CHECK(result.out == "same\nreported\n143\n");
+}
+
+TEST_CASE_METHOD(PreviewTest, "a preview that watches takes files only") {
+  CHECK(Run({"preview", "-", "--watch"}, "x").status == 2);
+  CHECK(Run({"preview", "cube.yaml", "--watch", "-o", "-"}).status == 2);
+}
+
 }  // namespace
 }  // namespace mjforge

@@ -1,0 +1,44 @@
+// Files that are watched for changes, as editors make them.
+#include "watched_files.h"
+
+#include <sys/stat.h>
+
+#include <chrono>
+#include <thread>
+
+namespace mjforge::app {
+
+namespace {
+
+constexpr std::chrono::milliseconds kInterval(50);
+
+}  // namespace
+
+WatchedFiles::WatchedFiles(const std::vector<std::filesystem::path>& files) {
+  for (const std::filesystem::path& file : files) stamps_[file];
+  stamps_ = Now();
+}
+
+WatchedFiles::Stamps WatchedFiles::Now() const {
+  Stamps now;
+  for (const auto& [file, old] : stamps_) {
+    struct stat found = {};
+    if (::stat(file.c_str(), &found) != 0) found = {};
+    now[file] = {found.st_dev, found.st_ino, static_cast<std::uint64_t>(found.st_size),
+                 found.st_mtim.tv_sec, found.st_mtim.tv_nsec};
+  }
+  return now;
+}
+
+void WatchedFiles::Wait() {
+  Stamps last = Now();
+  for (bool is_steady = false; last == stamps_ || !is_steady;) {
+    std::this_thread::sleep_for(kInterval);
+    Stamps now = Now();
+    is_steady = now == last;
+    last = std::move(now);
+  }
+  stamps_ = std::move(last);
+}
+
+}  // namespace mjforge::app
