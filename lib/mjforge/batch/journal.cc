@@ -115,8 +115,9 @@ void Journal::ReadPreviousSeal() {
   for (const auto& [name, sha256] : previous_seal_->assets) made_assets_.insert(sha256);
 }
 
-// Returns true if manifest and seal do not exist or were made by an earlier run. A damaged manifest
-// is recognized by its seal, a damaged seal by the names of its first and its last member.
+// Returns true if manifest, seal and the snapshot of the spec do not exist or were made by an
+// earlier run. A damaged manifest is recognized by its seal, a damaged seal by the names of its
+// first and its last member.
 bool Journal::MayReplaceOutputs(diag::Findings& findings) const {
   const bool force = options_.request.force;
   const bool is_sealed = previous_seal_ && previous_seal_->manifest.file == file_.filename();
@@ -127,7 +128,8 @@ bool Journal::MayReplaceOutputs(diag::Findings& findings) const {
   };
   if (!MayReplaceManifest(file_, force || is_sealed, findings) ||
       !output::MayReplace(manifest::SealPathOf(file_), force, manifest::kMaxSeal, is_seal,
-                          findings)) {
+                          findings) ||
+      !MayReplaceSnapshot(findings)) {
     return false;
   }
   if (force || !previous_seal_ || previous_seal_->output == seal_.output) return true;
@@ -138,6 +140,13 @@ bool Journal::MayReplaceOutputs(diag::Findings& findings) const {
                   previous_seal_->output),
       "give the archive a name that differs in more than its ending, or overwrite with --force");
   return false;
+}
+
+bool Journal::MayReplaceSnapshot(diag::Findings& findings) const {
+  const std::string& spec_file = options_.batch.spec_file;
+  if (options_.batch.spec != bytes::kStandardInput || spec_file.empty()) return true;
+  return output::MayReplace(file_.parent_path() / spec_file, options_.request.force,
+                            spec::kSnapshotHead, spec::IsSnapshot, findings);
 }
 
 bool Journal::HasMadeArchive(const std::string& archive) const {

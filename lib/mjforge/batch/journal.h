@@ -83,6 +83,7 @@ class Journal {
 
  private:
   bool MayReplaceOutputs(diag::Findings& findings) const;
+  bool MayReplaceSnapshot(diag::Findings& findings) const;
   void DropEmpty();
   bool IsOfThisBatch(diag::Findings& findings) const;
   void ReadPreviousSeal();

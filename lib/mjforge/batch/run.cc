@@ -22,8 +22,6 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kMaxWaitingBytes = std::size_t{8} << 20;
 // Time that workers have to finish their current variants after a signal.
 constexpr std::chrono::seconds kGrace{2};
-// Number of bytes that all snapshots of specs have in common.
-constexpr std::size_t kSnapshotHead = 20;
 constexpr auto kProgressEvery = std::chrono::milliseconds(100);
 
 std::uint64_t Cores() { return std::max(1U, std::thread::hardware_concurrency()); }
@@ -194,16 +192,12 @@ class BatchRun {
   }
 
   // Writes the snapshot of a spec without a file beside the manifest, so that replaying finds it.
+  // Journal::Open has checked that an existing file there may be replaced.
   bool WriteSnapshot(diag::Findings& findings) const {
-    const output::Destination& destination = request_.destination;
-    if (recipe_.snapshot.empty() ||
-        (destination.kind != output::Destination::Kind::kFolder && !destination.IsArchive()))
-      return true;
-    const std::filesystem::path file = SnapshotPath(destination);
-    const auto head = std::string_view(recipe_.snapshot).substr(0, kSnapshotHead);
-    const auto is_snapshot = [&](std::string_view start) { return start == head; };
-    return output::MayReplace(file, request_.force, head.size(), is_snapshot, findings) &&
-           output::WriteSingleFile(file, recipe_.snapshot, findings);
+    const bool has_manifest = request_.destination.kind == output::Destination::Kind::kFolder ||
+                              request_.destination.IsArchive();
+    return recipe_.snapshot.empty() || !has_manifest ||
+           output::WriteSingleFile(SnapshotPath(request_.destination), recipe_.snapshot, findings);
   }
 
   void ShowProgress() {

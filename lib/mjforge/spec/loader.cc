@@ -293,8 +293,8 @@ void ParseSetting(const Setting& setting, std::vector<NamedNode>& out, diag::Sou
 
 void ParseParameterFile(const fs::path& file, Snapshot* snapshot, std::vector<NamedNode>& out,
                         diag::Sources& sources, diag::Findings& findings) {
-  const auto source = ReadSource(snapshot == nullptr ? file : Canonical(snapshot->folder / file),
-                                 file.string(), {}, snapshot, sources, findings);
+  const auto source = ReadSource(snapshot == nullptr ? file : Canonical(file), file.string(), {},
+                                 snapshot, sources, findings, &Snapshot::parameter_texts);
   auto root = source ? ParseYaml(*source, sources, findings) : std::nullopt;
   if (!root) return;
   if (root->kind != YamlNode::Kind::kMap) {

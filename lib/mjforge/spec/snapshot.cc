@@ -12,8 +12,10 @@ namespace mjforge::spec {
 namespace {
 
 namespace fs = std::filesystem;
+using Texts = Snapshot::Texts;
 
 constexpr std::string_view kStart = R"({"mjforge_snapshot":1,)";
+static_assert(kStart.size() == kSnapshotHead);
 // Limit of the size of a snapshot: that of several specs of the largest size.
 constexpr std::uint64_t kMaxBytes = std::uint64_t{64} << 20;
 
@@ -29,12 +31,28 @@ std::string TextOf(const rapidjson::Value& value) {
   return {value.GetString(), value.GetStringLength()};
 }
 
+// Adds texts by path; returns false if the list has another form.
+bool ReadTexts(const rapidjson::Value& list, Texts& texts) {
+  for (const rapidjson::Value& file : list.GetArray()) {
+    if (!IsTexts(file) || file.Size() != 2) return false;
+    texts[TextOf(file[0])] = TextOf(file[1]);
+  }
+  return true;
+}
+
+void WriteTexts(diag::Json& json, std::string_view key, const Texts& texts) {
+  json.Key(key);
+  json.StartArray();
+  for (const auto& [file, text] : texts) json.Value(std::vector<std::string>{file.string(), text});
+  json.EndArray();
+}
+
 // Fills the snapshot; returns false if a member is missing or has another type.
 bool ReadMembers(const rapidjson::Document& json, Snapshot& snapshot) {
   for (const char* name : {"spec", "text_name", "folder"}) {
     if (!json.HasMember(name) || !json[name].IsString()) return false;
   }
-  for (const char* name : {"search_path", "found", "texts"}) {
+  for (const char* name : {"search_path", "found", "texts", "parameter_texts"}) {
     if (!json.HasMember(name) || !json[name].IsArray()) return false;
   }
   snapshot.spec = TextOf(json["spec"]);
@@ -47,11 +65,8 @@ bool ReadMembers(const rapidjson::Document& json, Snapshot& snapshot) {
     if (!IsTexts(found) || found.Size() != 3) return false;
     snapshot.found[{TextOf(found[0]), TextOf(found[1])}] = TextOf(found[2]);
   }
-  for (const rapidjson::Value& file : json["texts"].GetArray()) {
-    if (!IsTexts(file) || file.Size() != 2) return false;
-    snapshot.texts[TextOf(file[0])] = TextOf(file[1]);
-  }
-  return true;
+  return ReadTexts(json["texts"], snapshot.texts) &&
+         ReadTexts(json["parameter_texts"], snapshot.parameter_texts);
 }
 
 fs::path CurrentFolder() {
@@ -76,11 +91,8 @@ std::string SnapshotText(const Snapshot& snapshot) {
   for (const auto& [key, file] : snapshot.found)
     json.Value(std::vector<std::string>{key.first.string(), key.second, file.string()});
   json.EndArray();
-  json.Key("texts");
-  json.StartArray();
-  for (const auto& [file, text] : snapshot.texts)
-    json.Value(std::vector<std::string>{file.string(), text});
-  json.EndArray();
+  WriteTexts(json, "texts", snapshot.texts);
+  WriteTexts(json, "parameter_texts", snapshot.parameter_texts);
   json.EndObject();
   return json.Take() + '\n';
 }
@@ -99,13 +111,15 @@ std::optional<Snapshot> ReadSnapshot(std::string text) {
 std::optional<Snapshot> OpenSnapshot(const std::string& reference, diag::Findings& findings) {
   if (reference != bytes::kStandardInput && !reference.ends_with(".json")) return std::nullopt;
   std::string why_not;
-  const auto start = bytes::ReadStart(reference, kStart.size(), why_not);
+  const auto start = bytes::ReadStart(reference, kSnapshotHead, why_not);
   if (!start || !IsSnapshot(*start)) return std::nullopt;
   std::optional<std::string> text = bytes::Read(reference, kMaxBytes, why_not);
   std::optional<Snapshot> snapshot = text ? ReadSnapshot(*std::move(text)) : std::nullopt;
   if (!snapshot) {
     findings.Add(diag::Code::kYamlCannotRead, {},
                  fmt::format("'{}' is a damaged snapshot of a spec", reference));
+  } else if (reference != bytes::kStandardInput) {
+    snapshot->parameter_texts.clear();
   }
   return snapshot;
 }

@@ -51,17 +51,19 @@ std::optional<fs::path> FindFile(const std::string& reference, const fs::path& f
 
 std::optional<std::uint32_t> ReadSource(const fs::path& file, std::string_view name,
                                         SourceMark mark, Snapshot* snapshot, diag::Sources& sources,
-                                        diag::Findings& findings) {
+                                        diag::Findings& findings,
+                                        Snapshot::Texts Snapshot::*held_texts) {
   const bool is_text = snapshot != nullptr && file == bytes::kStandardInput;
   const std::string shown = is_text ? snapshot->text_name : DisplayName(file);
   if (snapshot != nullptr) {
-    const auto held = snapshot->texts.find(file);
-    if (held != snapshot->texts.end()) return sources.Add(shown, held->second);
+    const Snapshot::Texts& texts = snapshot->*held_texts;
+    const auto held = texts.find(file);
+    if (held != texts.end()) return sources.Add(shown, held->second);
   }
   std::string why_not;
   auto text = bytes::ReadStart(file, kMaxYamlBytes + 1, why_not);
   if (text) {
-    if (snapshot != nullptr) snapshot->texts.emplace(file, *text);
+    if (snapshot != nullptr) (snapshot->*held_texts).emplace(file, *text);
     return sources.Add(shown, *std::move(text));
   }
   findings.Add(Code::kYamlCannotRead, mark, fmt::format("cannot read '{}': {}", name, why_not));

@@ -25,11 +25,13 @@ std::optional<std::filesystem::path> FindFile(const std::string& reference,
                                               const std::filesystem::path& folder,
                                               const LoadOptions& options);
 
-/// Reads a file, adds its text to `sources` and returns its number. A snapshot, unless null, comes
-/// before the disk. Returns nothing, and adds a finding with `name`, if reading fails.
+/// Reads a file, adds its text to `sources` and returns its number. The texts of a snapshot, unless
+/// it is null, come before the disk. Returns nothing, and adds a finding with `name`, if reading
+/// fails.
 std::optional<std::uint32_t> ReadSource(const std::filesystem::path& file, std::string_view name,
                                         diag::SourceMark mark, Snapshot* snapshot,
-                                        diag::Sources& sources, diag::Findings& findings);
+                                        diag::Sources& sources, diag::Findings& findings,
+                                        Snapshot::Texts Snapshot::*held_texts = &Snapshot::texts);
 
 class SpecFiles {
  public:
