@@ -23,6 +23,7 @@
 #include "mjforge/xml/xml.h"
 #include "parameters.h"
 #include "snapshots.h"
+#include "table.h"
 #include "text_view.h"
 
 using namespace mjforge;
@@ -163,9 +164,11 @@ void SetFiles(const mjcf::MjcfDocument& document, MjforgeMaker& maker) {
   maker.files_json = json.Take();
 }
 
-// Sets `inputs_json` to the files that the variant is the first to use; empty if there are none.
-void SetInputs(const forge::Variant& variant, MjforgeMaker& maker) {
-  std::vector<std::vector<std::string>> inputs;
+using Inputs = std::vector<std::vector<std::string>>;  // path and SHA-256 of files
+
+// Adds the files that the maker's variant is the first to use.
+void AddInputs(MjforgeMaker& maker, Inputs& inputs) {
+  const forge::Variant& variant = maker.variant;
   while (maker.known_sources < maker.sources.size()) {
     const std::uint32_t source = ++maker.known_sources;
     inputs.push_back({std::filesystem::absolute(maker.sources.Name(source)).string(),
@@ -177,9 +180,14 @@ void SetInputs(const forge::Variant& variant, MjforgeMaker& maker) {
                                         &std::pair<std::string, std::string>::first);
     if (hash != variant.record.assets.end()) inputs.push_back({asset.file.string(), hash->second});
   }
+}
+
+// Returns the JSON of MjforgeVariant::inputs.
+MjforgeText InputsJson(const Inputs& inputs, MjforgeMaker& maker) {
   diag::Json json(nullptr);
   json.Value(inputs);
   maker.inputs_json = inputs.empty() ? "" : json.Take();
+  return View(maker.inputs_json);
 }
 
 int Make(MjforgeMaker& maker, std::uint64_t index, MjforgeVariant& made) {
@@ -194,8 +202,9 @@ int Make(MjforgeMaker& maker, std::uint64_t index, MjforgeVariant& made) {
     made.findings = View(maker.findings_json);
   }
   if (!variant.ok()) return 1;
-  SetInputs(variant, maker);
-  made.inputs = View(maker.inputs_json);
+  Inputs inputs;
+  AddInputs(maker, inputs);
+  made.inputs = InputsJson(inputs, maker);
   made.xml = View(variant.document.text);
   if (!variant.document.assets.empty()) {
     SetFiles(variant.document, maker);
@@ -272,20 +281,23 @@ int MjforgeMake(MjforgeMaker* maker, std::uint64_t index, MjforgeVariant* varian
   return 2;
 }
 
-std::size_t MjforgeMakeRecords(MjforgeMaker* maker, std::uint64_t index, std::uint64_t step,
-                               std::size_t count, MjforgeText* records) {
+std::size_t MjforgeMakeRows(MjforgeMaker* maker, std::uint64_t index, std::uint64_t step,
+                            std::size_t count, MjforgeTable* table, MjforgeText* inputs) {
   std::size_t made = 0;
-  maker->record.clear();
+  Inputs used;
   try {
     for (; made < count; ++made, index += step) {
       maker->generator->Make(index, maker->variant);
       if (!maker->variant.ok()) break;
-      manifest::AppendRecord(maker->record, maker->variant.record);
+      AddInputs(*maker, used);
+      std::string record;
+      manifest::AppendRecord(record, maker->variant.record);
+      table->columns.Add(std::move(record));
     }
   } catch (const std::exception&) {
     // MjforgeMake of this variant says why.
   }
-  *records = View(maker->record);
+  *inputs = InputsJson(used, *maker);
   return made;
 }
 

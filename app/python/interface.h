@@ -3,8 +3,8 @@
 //
 // No function throws. The package declares the same structs in _library.py. Texts are UTF-8. Input
 // texts end with a zero byte. Output texts have a size and are valid until the next call with the
-// same maker, archive or manifest, which must be used by one thread at a time; different ones are
-// independent.
+// same maker, table, archive or manifest, which must be used by one thread at a time; different
+// ones are independent.
 #pragma once
 
 #include <cstddef>
@@ -79,10 +79,27 @@ MjforgeText MjforgeDescription(MjforgeMaker* maker);
 /// Makes a variant and replaces `variant`. Returns 0 on success, 1 if the variant failed for the
 /// reason in its findings, 2 if the reason is MjforgeFailure.
 int MjforgeMake(MjforgeMaker* maker, std::uint64_t index, MjforgeVariant* variant);
+
+struct MjforgeTable;
+
+/// Opens a table of members of records. Returns null only if there is not enough memory.
+MjforgeTable* MjforgeOpenTable(const char* const* members, std::size_t count);
+void MjforgeCloseTable(MjforgeTable* table);
 /// Makes at most `count` variants with the indices index, index + step, ... up to the first that
-/// fails, and returns the number of those before it. `records` are their records, one per line.
-std::size_t MjforgeMakeRecords(MjforgeMaker* maker, std::uint64_t index, std::uint64_t step,
-                               std::size_t count, MjforgeText* records);
+/// fails, adds their records to a table, and returns the number of those before it. `inputs` is as
+/// in MjforgeVariant.
+std::size_t MjforgeMakeRows(MjforgeMaker* maker, std::uint64_t index, std::uint64_t step,
+                            std::size_t count, MjforgeTable* table, MjforgeText* inputs);
+/// Adds a record, a line of a manifest. Returns 0 on success, 1 if it is not a JSON object, 2 if
+/// there is not enough memory.
+int MjforgeAddRecord(MjforgeTable* table, const char* record, std::size_t size);
+/// Returns [number of rows, texts, columns] as JSON, where a column is [key, kinds, inner columns],
+/// with the kinds of manifest::Column; empty if there is not enough memory. Columns are numbered,
+/// each before its inner columns.
+MjforgeText MjforgeLayout(MjforgeTable* table);
+/// Return the kind and the value of each row of a column of the last layout.
+const char* MjforgeKinds(MjforgeTable* table, std::size_t column);
+const std::uint64_t* MjforgeValues(MjforgeTable* table, std::size_t column);
 
 struct MjforgeArchive;
 

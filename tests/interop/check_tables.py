@@ -4,7 +4,9 @@
 """
 
 import importlib.util
+import json
 import os
+import pathlib
 import tempfile
 
 import mjforge
@@ -35,17 +37,47 @@ def has_the_numbers_of_the_records(name):
     expect(columns["mass"].dtype == float and columns["index"].dtype == int, "other types")
 
 
-def reads_slices_as_whole_records():
-    records = [variant.record_bytes for variant in mjforge.Spec("hammer").variants()[:50]]
-    quick = _table.table_of([records], MEMBERS, False)
-    slices, _table._slices = _table._slices, lambda *_: None
-    try:
-        whole = _table.table_of([records[:20], records[20:]], MEMBERS, False)
-    finally:
-        _table._slices = slices
-    expect(list(quick) == list(whole), f"{list(quick)} are not {list(whole)}")
-    for name in quick:
-        expect(np.array_equal(quick[name], whole[name]) and quick[name].dtype == whole[name].dtype, name)
+def has_a_column_for_each_kind():
+    """Rows of lists that differ in length, missing members, and numbers beyond 63 bits."""
+    table = _table.Table(["index", "a", "b", "c", "d", "e"], False)
+    rows = [{"index": 0, "a": [1, 2], "b": {"x": 1, "y": "u"}, "c": 2**64 - 1, "d": True, "e": None},
+            {"index": 1, "a": [], "b": {"x": 0.1, "z": [1.5, 2]}, "c": 3, "d": False, "e": "t"},
+            {"index": 2, "a": [[3]], "b": {"x": -7, "y": "w"}, "c": 4, "d": True}]
+    for row in rows:
+        table.add(json.dumps(row).encode())
+    raises(ValueError, "it is not the record of a variant", table.add, b"[1]")
+    columns = table.finish()
+    expect(list(columns) == ["index", "a", "b.x", "b.y", "b.z.0", "b.z.1", "c", "d", "e"], f"{list(columns)}")
+    expect(columns["a"].tolist() == [row["a"] for row in rows], f"{columns['a']}")
+    expect(columns["b.x"].tolist() == [1, 0.1, -7] and columns["b.x"].dtype == float, f"{columns['b.x']}")
+    expect(columns["b.y"].tolist() == ["u", None, "w"], f"{columns['b.y']}")
+    expect(np.array_equal(columns["b.z.0"], [np.nan, 1.5, np.nan], equal_nan=True), f"{columns['b.z.0']}")
+    expect(columns["c"].tolist() == [2**64 - 1, 3, 4], f"{columns['c']}")
+    expect(columns["d"].dtype == bool and columns["d"].tolist() == [True, False, True], f"{columns['d']}")
+    expect(columns["e"].tolist() == [None, "t", None], f"{columns['e']}")
+
+
+def looks_for_members_in_all_records():
+    """A member that only the last of 1,500 records has is a column."""
+    table = _table.Table(["left_out"], False)
+    for index in range(1500):
+        table.add(b'{"index":%d%s}' % (index, b',"left_out":["a"]' if index == 1499 else b""))
+    expect(table.finish()["left_out.0"].tolist()[-2:] == [None, "a"], "no column")
+
+
+def holds_the_meshes_that_it_uses_first():
+    with tempfile.TemporaryDirectory() as folder:
+        mesh = pathlib.Path(folder, "roof.obj")
+        text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 {}\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
+        mesh.write_text(text.format(1))
+        file = pathlib.Path(folder, "house.yaml")
+        file.write_text("{mjforge: 1, name: house, parts: [{name: roof, type: mesh, file: roof.obj, density: 100}]}")
+        variants = mjforge.Spec(file).variants()
+        variants[:2].table(frame=False)
+        mesh.write_text(text.format(2))
+        for call in (lambda: variants[:2].table(frame=False), lambda: variants.spec.variants()[0],
+                     lambda: variants.spec.variants()[:2].table(frame=False)):
+            raises(OSError, "roof.obj' has changed since", call)
 
 
 def parameters_may_be_named_like_members():
@@ -105,7 +137,9 @@ def names_wrong_arguments():
 
 for name in ("hammer", "mug", "laptop", "scenes/desk"):
     check(f"table of {name}", has_the_numbers_of_the_records, name)
-check("slices are whole records", reads_slices_as_whole_records)
+check("a column for each kind of value", has_a_column_for_each_kind)
+check("members of late records", looks_for_members_in_all_records)
+check("hashes of meshes are held", holds_the_meshes_that_it_uses_first)
 check("parameters are named like members", parameters_may_be_named_like_members)
 check("a table leaves out failed variants", leaves_out_what_iteration_leaves_out)
 check("a table of a batch", batches_have_the_same)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import hashlib
-import json
 import os
 import pathlib
 import re
@@ -12,6 +11,7 @@ import stat
 from typing import Any, Callable, Iterator, Mapping, Optional, Union
 
 from ._findings import Finding
+from ._json import loads
 from ._library import lines, members
 
 # Must be bytes::kMaxAsset of the library.
@@ -78,7 +78,7 @@ class Reader:
         """The number of records according to the seal; None without one."""
         try:
             name = self.manifest.name.removesuffix(".zst").removesuffix(".jsonl") + ".seal.json"
-            return int(json.loads(_content(self.manifest.with_name(name)))["records"])
+            return int(loads(_content(self.manifest.with_name(name)))["records"])
         except (OSError, ValueError, KeyError, TypeError):
             return None
 
@@ -120,7 +120,7 @@ class Reader:
     def _record_of(self, number: int, line: bytes) -> Optional[dict[str, Any]]:
         record: dict[str, Any] = {}
         try:
-            record = json.loads(line)
+            record = loads(line)
             problem = problem_of(record)
         except (ValueError, RecursionError):
             problem = "it is not JSON"

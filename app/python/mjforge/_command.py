@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import re
 import signal
@@ -10,6 +9,7 @@ import subprocess
 from typing import IO, Any, Callable, Mapping, Optional
 
 from ._findings import Finding
+from ._json import loads
 from ._library import PROGRAM, c_text
 
 # A line of `generate --verbose`.
@@ -29,7 +29,7 @@ class _Messages:
         for encoded in stream:
             line = encoded.decode(errors="replace").rstrip("\n")
             if line.startswith("{"):
-                self.findings.append(Finding(json.loads(line)))
+                self.findings.append(Finding(loads(encoded)))
             elif self._progress is not None and _VARIANT.fullmatch(line):
                 self._done += 1
                 self._progress(self._done)

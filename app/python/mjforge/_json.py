@@ -1,4 +1,4 @@
-"""Reads some members of a record without reading the others."""
+"""JSON of the library and the command, and members of records."""
 
 from __future__ import annotations
 
@@ -14,6 +14,13 @@ _ALWAYS = frozenset(("name", "index", "seed", "params", "mass", "com", "inertia"
                      "target", "status", "sha256"))
 
 
+def loads(said: bytes) -> Any:
+    """Reads JSON. Bytes of paths that are not UTF-8 become the characters that os.fsdecode makes of
+    them, so that os.fsencode gives these bytes back.
+    """
+    return json.loads(said.decode(errors="surrogateescape"))
+
+
 def members_of_record(record: bytes, members: Sequence[str]) -> list[Any]:
     """The values of members of a record, as the library writes it: without blanks. Raises KeyError
     for a member that it does not have.
@@ -23,7 +30,7 @@ def members_of_record(record: bytes, members: Sequence[str]) -> list[Any]:
         key = b'"%s":' % member.encode()
         start = record.find(key)
         if member not in _ALWAYS or start < 0 or record.find(key, start + 1) >= 0:
-            whole = json.loads(record)
+            whole = loads(record)
             return [whole[member] for member in members]
-        values.append(_decode(record[start + len(key):].decode())[0])
+        values.append(_decode(record[start + len(key):].decode(errors="surrogateescape"))[0])
     return values

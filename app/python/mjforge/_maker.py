@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import ctypes
-import json
 import os
 from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence
 
 from ._findings import Finding, SpecError, VariantError
+from ._json import loads
 from ._library import (CATALOGUE, Request, Text, VariantTexts, bytes_of, c_number, c_text,
                        c_texts, library)
 from ._variant import Variant
 
 if TYPE_CHECKING:
     from ._spec import Spec
+    from ._table import Table
 
 TEXT_NAME = "<spec>"  # of a spec without a file, in findings
 
@@ -37,7 +38,11 @@ class Snapshot:
 
     @classmethod
     def read(cls, saved: bytes) -> "Snapshot":
-        return cls(library.MjforgeReadSnapshot(saved, len(saved)))
+        """Of a text of `saved`. Raises ValueError if it is damaged."""
+        handle = library.MjforgeReadSnapshot(saved, len(saved))
+        if not handle:
+            raise ValueError(f"a pickled Spec is damaged: {saved[:40]!r} does not begin a snapshot")
+        return cls(handle)
 
     def saved(self) -> bytes:
         """JSON for `read`, and for the command as the text of a spec."""
@@ -51,7 +56,7 @@ class Snapshot:
 def found(said: bytes, key_paths: Sequence[str] = ()) -> tuple[Finding, ...]:
     """The findings of MjforgeFindings. `key_paths`: of the lines of a spec that was a mapping."""
     findings = []
-    for members, text in json.loads(said or b"[]"):
+    for members, text in loads(said or b"[]"):
         finding = Finding(members, text)
         if key_paths and finding.file == TEXT_NAME:
             finding.set_keys(key_paths, TEXT_NAME)
@@ -112,7 +117,8 @@ class Maker:
         return findings
 
     def description(self) -> dict[str, Any]:
-        return json.loads(bytes_of(library.MjforgeDescription(self.handle)))  # type: ignore[no-any-return]
+        description: dict[str, Any] = loads(bytes_of(library.MjforgeDescription(self.handle)))
+        return description
 
     def make(self, index: int) -> Variant:
         if self._changed:
@@ -129,7 +135,7 @@ class Maker:
             raise VariantError(findings)
         size = texts.inputs_size
         if size:
-            self._compare(json.loads(read(texts.inputs, size)))
+            self._compare(loads(read(texts.inputs, size)))
         size = texts.files_size
         files = read(texts.files, size) if size else b""
         size = texts.contents_size
@@ -137,14 +143,15 @@ class Maker:
         return Variant(read(texts.xml, texts.xml_size), read(texts.record, texts.record_size),
                        files, contents, findings)
 
-    def records(self, indices: range) -> list[bytes]:
-        """The records of these variants up to the first that fails."""
+    def add_rows(self, indices: range, table: "Table") -> int:
+        """Adds the records of these variants up to the first that fails; returns how many."""
         if self._changed:
             raise OSError(self._changed)
-        text = Text()
-        count = library.MjforgeMakeRecords(self.handle, indices.start % 2**64, indices.step % 2**64,
-                                            len(indices), text)
-        return bytes_of(text).split(b"\n")[:count]
+        inputs = Text()
+        count: int = library.MjforgeMakeRows(self.handle, indices.start % 2**64, indices.step % 2**64,
+                                             len(indices), table.handle, inputs)
+        self._compare(loads(bytes_of(inputs) or b"[]"))
+        return count
 
     def _compare(self, inputs: list[list[str]]) -> None:
         """Compares the hashes of files that variants refer to with those at their first use."""

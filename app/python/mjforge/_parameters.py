@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import dataclasses
-import json
 import os
 from typing import Any, Optional, Union
 
+from ._json import loads
 from ._library import CATALOGUE, bytes_of, library
 
 Number = Union[float, "tuple[float, ...]"]
@@ -83,5 +83,5 @@ def catalogue() -> list[CatalogueEntry]:
     >>> {entry.name: entry.description for entry in mjforge.catalogue()}["primitives/ball"]
     'A ball of random radius.'
     """
-    entries = json.loads(bytes_of(library.MjforgeCatalogue(os.fsencode(CATALOGUE))))
+    entries = loads(bytes_of(library.MjforgeCatalogue(os.fsencode(CATALOGUE))))
     return [CatalogueEntry(*entry) for entry in entries]

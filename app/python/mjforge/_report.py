@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import dataclasses
-import json
 import os
 import pathlib
 from typing import Optional
 
 from ._findings import Finding
+from ._json import loads
 from ._library import bytes_of, library, lines
 
 _OK = b'"status":"ok"'
@@ -63,7 +63,7 @@ def report_of(manifest: Optional[pathlib.Path], first: int, count: int,
         if _OK in line and _CLEAN in line:
             made += 1
             continue
-        record = json.loads(line)
+        record = loads(line)
         own = tuple(Finding(members) for members in record["findings"])
         findings += own
         if record["status"] == "ok":

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import json
 import os
 import tempfile
 import types
@@ -11,6 +10,7 @@ from typing import Any, Mapping, Optional, Sequence, Union
 
 from . import _options, _yaml
 from ._findings import Finding
+from ._json import loads
 from ._maker import Maker, Snapshot, compare
 from ._options import Assets, OnInvalid, Profile, Sampler, Target, Validate
 from ._parameters import Parameter, parameter_of
@@ -140,7 +140,8 @@ class Spec:
         """The texts that were read, by path: of the spec, of what it imports, and of tables and
         parameter files; "-" is the path of a spec without a file.
         """
-        return dict(json.loads(self._snapshot.saved())["texts"])
+        saved = loads(self._snapshot.saved())
+        return dict([*saved["texts"], *saved["parameter_texts"]])
 
     def variants(
         self,

@@ -13,9 +13,9 @@ from typing import Any, Iterator, Optional, Sequence, Union
 from . import _command
 from ._batch import Reader, Stored, manifests_of
 from ._findings import Finding, VariantError
-from ._json import members_of_record
+from ._json import loads, members_of_record
 from ._library import lines
-from ._table import CHUNK, table_of
+from ._table import Table
 from ._variant import Variant
 
 
@@ -59,7 +59,7 @@ class Batch:
         """The records of all variants, also of those that failed and have no file."""
         for manifest in self._manifests:
             for line in lines(str(manifest)):
-                yield json.loads(line)
+                yield loads(line)
 
     def __len__(self) -> int:
         return sum(map(len, self._index()))
@@ -108,7 +108,7 @@ class Batch:
             reader = self._reader[1]  # goes on in an archive
         reader = reader or Reader(manifest, _raise)
         self._reader = None
-        record = json.loads(line)
+        record = loads(line)
         if record.get("each"):
             raise ValueError(f"number={number} is a scene whose objects are files of their own (--each)")
         stored = reader.read(record, line)
@@ -119,8 +119,10 @@ class Batch:
     def table(self, members: Sequence[str] = ("params", "mass", "bounds"), frame: Optional[bool] = None) -> Any:
         """A table of the records of its objects; see Variants.table."""
         stored = filter(_is_stored, itertools.chain.from_iterable(lines(str(each)) for each in self._manifests))
-        chunks = iter(lambda: list(itertools.islice(stored, CHUNK)), [])
-        return table_of(chunks, members, frame)
+        table = Table(members, frame)
+        for record in stored:
+            table.add(record)
+        return table.finish()
 
     def verify(self) -> list[Finding]:
         """Compares all files with their hashes, as `mjforge verify` does; returns what is wrong."""
@@ -140,7 +142,7 @@ class Batch:
         from ._again import make_again
 
         manifest, line = self._line(self._number(number))
-        return make_again(json.loads(line), None, manifest.parent)
+        return make_again(loads(line), None, manifest.parent)
 
     def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "_reader": None}

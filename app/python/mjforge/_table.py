@@ -2,86 +2,140 @@
 
 from __future__ import annotations
 
+import ctypes
+import dataclasses
 import importlib
 import itertools
 import json
-from typing import Any, Iterable, Optional, Sequence
+from typing import Any, Iterable, Iterator, Sequence
+
+from ._library import bytes_of, c_texts, library
 
 # Members of a record under the names that a Variant has.
 _RECORDED = {"bounds": "aabb", "swept_bounds": "swept_aabb"}
 _AXES: dict[str, list[str]] = {"com": ["x", "y", "z"], "inertia": ["xx", "yy", "zz", "xy", "xz", "yz"]}
 _KNOWN = ("index", "params", "mass", "com", "inertia", "bounds", "swept_bounds", "physics")
-CHUNK = 1000  # records that are read together
+# Kinds of values in app/python/interface.h.
+_ABSENT, _WHOLE, _NATURAL, _NUMBER, _FLAG, _TEXT, _LIST, _OBJECT = " iufbtlo"
+CHUNK = 1000  # variants that are made together
 
 
-def _slices(records: Sequence[bytes], member: str, following: str) -> Optional[list[Any]]:
-    """The values of a member, whose text ends where the member `following` begins; None if that is
-    not so in a record. Parses only these texts, because parsing records takes longer than making
-    small objects.
-    """
-    key, end_key = b'"%s":' % member.encode(), b',"%s":' % following.encode()
-    texts = []
-    for record in records:
-        start = record.find(key) + len(key)
-        end = record.find(end_key, start)
-        # An inner object may have the same key.
-        if start < len(key) or end < 0 or record.find(key, end) >= 0:
-            return None
-        texts.append(record[start:end])
-    try:
-        values: list[Any] = json.loads(b"[" + b",".join(texts) + b"]")
-    except ValueError:
-        return None
-    return values if len(values) == len(records) else None
+@dataclasses.dataclass
+class _Column:
+    key: str
+    kinds: frozenset[str]  # of the values that are there
+    inner: list["_Column"]
+    bits: Any = None  # 64 for each row, as integers
+    kind: Any = None  # of each row, as the number of its character
 
 
-def _read(records: Sequence[bytes], names: Sequence[str]) -> dict[str, Sequence[Any]]:
-    """The columns of members."""
-    first = json.loads(records[0])
-    following = dict(zip(first, itertools.islice(first, 1, None)))
-    whole: Optional[list[Any]] = None
-    columns: dict[str, Sequence[Any]] = {}
-    for name in names:
-        member = _RECORDED.get(name, name)
-        values = _slices(records, member, following[member]) if member in following else None
-        if values is None:
-            whole = [json.loads(record) for record in records] if whole is None else whole
-            values = [record.get(member) for record in whole]
-        if name not in _KNOWN and not any(value is not None for value in values):
-            raise ValueError(f"members: {name!r} is in no record; there are {', '.join(_KNOWN)} "
-                             "and the others of a manifest")
-        _flatten(name, values, columns)
-    return columns
+class Table:
+    """Columns that the library fills from records, and their arrays."""
 
+    def __init__(self, members: Any, frame: Any) -> None:
+        self._handle = None
+        self._names = list(dict.fromkeys(["index", *_members_of(members)]))
+        self._pandas = _pandas(frame)
+        try:
+            self._numpy = importlib.import_module("numpy")
+        except ImportError as error:
+            raise ImportError("this needs NumPy: python -m pip install numpy") from error
+        recorded = c_texts((_RECORDED.get(name, name) for name in self._names), "members")
+        self._handle = library.MjforgeOpenTable(recorded, len(self._names))
+        if not self._handle:
+            raise MemoryError
 
-def _flatten(name: str, values: Sequence[Any], columns: dict[str, Sequence[Any]]) -> None:
-    """Adds the columns of a member: "bounds.min.x". Rows are turned into columns by zip(), because a
-    loop over all numbers would take several times longer.
-    """
-    kinds = set(map(type, values)) - {type(None)}
-    if kinds not in ({dict}, {list}):
-        columns[name] = values
-        return
-    present = [value for value in values if value is not None]
-    if kinds == {list}:
-        counts = set(map(len, present))
-        if len(counts) > 1:
-            columns[name] = values
-            return
-        keys: Any = _letters(name, counts.pop())
-        rows = values if len(present) == len(values) else [value or [None] * len(keys) for value in values]
-    else:
-        keys, rows = _rows_of(values, present)
-    for key, column in zip(keys, zip(*rows)):
-        _flatten(f"{name}.{key}", column, columns)
+    def __del__(self) -> None:
+        if self._handle:
+            library.MjforgeCloseTable(self._handle)
 
+    @property
+    def handle(self) -> Any:
+        """For library.MjforgeMakeRows."""
+        return self._handle
 
-def _rows_of(values: Sequence[Any], present: Sequence[dict[str, Any]]) -> tuple[list[str], list[Any]]:
-    """The keys of all objects, and the values of each object in the order of the keys."""
-    keys = list(dict.fromkeys(itertools.chain.from_iterable(set(map(tuple, present)))))
-    if len(present) == len(values) and set(map(tuple, present)) == {tuple(keys)}:
-        return keys, [value.values() for value in values]
-    return keys, [[(value or {}).get(key) for key in keys] for value in values]
+    def add(self, record: bytes) -> None:
+        """Adds a row."""
+        status = library.MjforgeAddRecord(self._handle, record, len(record))
+        if status == 1:
+            raise ValueError(f"it is not the record of a variant: {record[:80]!r}")
+        if status == 2:
+            raise MemoryError
+
+    def finish(self) -> Any:
+        """A pandas.DataFrame, or a dict of NumPy arrays; see Variants.table."""
+        said = bytes_of(library.MjforgeLayout(self._handle))
+        if not said:
+            raise MemoryError
+        self._rows, self._texts, layout = json.loads(said)
+        arrays: dict[str, Any] = {}
+        if self._rows:
+            numbers = itertools.count()
+            for name, column in zip(self._names, [self._read(each, numbers) for each in layout]):
+                if name not in _KNOWN and not column.kinds:
+                    raise ValueError(f"members: {name!r} is in no record; there are {', '.join(_KNOWN)} "
+                                     "and the others of a manifest")
+                self._flatten(name, column, arrays)
+        return arrays if self._pandas is None else self._pandas.DataFrame(arrays)
+
+    def _read(self, layout: Sequence[Any], numbers: Iterator[int]) -> _Column:
+        number, (key, kinds, inner) = next(numbers), layout
+        column = _Column(key, frozenset(kinds) - {_ABSENT}, [self._read(each, numbers) for each in inner])
+        numpy, at = self._numpy, ctypes.string_at
+        column.kind = numpy.frombuffer(at(library.MjforgeKinds(self._handle, number), self._rows), "uint8")
+        column.bits = numpy.frombuffer(at(library.MjforgeValues(self._handle, number), 8 * self._rows), "int64")
+        return column
+
+    def _flatten(self, name: str, column: _Column, arrays: dict[str, Any]) -> None:
+        """Adds the arrays of a member: "bounds.min.x"."""
+        lengths = set(column.bits[column.kind == ord(_LIST)].tolist())
+        if column.kinds == {_LIST} and len(lengths) == 1:
+            for letter, item in zip(_letters(name, lengths.pop()), column.inner):
+                self._flatten(f"{name}.{letter}", item, arrays)
+        elif column.kinds == {_OBJECT}:
+            for member in column.inner:
+                self._flatten(f"{name}.{member.key}", member, arrays)
+        else:
+            arrays[name] = self._array(column)
+
+    def _array(self, column: _Column) -> Any:
+        """An array of numbers, in which None is NaN, of texts, or of objects if a column has both."""
+        numpy, bits = self._numpy, column.bits
+        is_whole = bool((column.kind != ord(_ABSENT)).all())
+        if is_whole and column.kinds == {_WHOLE}:
+            return bits
+        if is_whole and column.kinds == {_FLAG}:
+            return bits.astype(bool)
+        if is_whole and column.kinds == {_TEXT}:
+            used, numbers = numpy.unique(bits, return_inverse=True)
+            return numpy.array([self._texts[text] for text in used])[numbers]
+        if column.kinds and column.kinds <= {_WHOLE, _NUMBER}:
+            numbers = bits.view(float).copy()
+            numbers[column.kind == ord(_WHOLE)] = bits[column.kind == ord(_WHOLE)]
+            numbers[column.kind == ord(_ABSENT)] = numpy.nan
+            return numbers
+        values = [self._value(column, row) for row in range(self._rows)]
+        if column.kinds and column.kinds <= {_WHOLE, _NATURAL, _NUMBER}:
+            is_natural = is_whole and column.kinds <= {_WHOLE, _NATURAL} and min(values) >= 0
+            return numpy.array(values, dtype="uint64" if is_natural else float)
+        objects = numpy.empty(len(values), dtype=object)
+        objects[:] = values
+        return objects
+
+    def _value(self, column: _Column, row: int) -> Any:
+        """The value of one row, as JSON has it."""
+        kind, bits = chr(column.kind[row]), column.bits[row]
+        if kind == _LIST:
+            return [self._value(item, row) for item in column.inner[:bits]]
+        if kind == _OBJECT:
+            return {item.key: self._value(item, row) for item in column.inner if item.kind[row] != ord(_ABSENT)}
+        if kind == _TEXT:
+            return self._texts[bits]
+        if kind == _NATURAL:
+            return int(bits.view("uint64"))
+        if kind == _NUMBER:
+            return float(bits.view(float))
+        return None if kind == _ABSENT else bool(bits) if kind == _FLAG else int(bits)
 
 
 def _letters(name: str, count: int) -> list[str]:
@@ -90,36 +144,6 @@ def _letters(name: str, count: int) -> list[str]:
     if count == 3 and name.partition(".")[0] in ("bounds", "swept_bounds"):
         return ["x", "y", "z"]
     return list(map(str, range(count)))
-
-
-def _array(numpy: Any, values: Sequence[Any]) -> Any:
-    """An array of numbers, in which None is NaN, of texts, or of objects if a column has both."""
-    column = numpy.array(values) if type(values[0]) in (int, float, bool) else None
-    if column is not None and column.dtype.kind in "biuf":
-        return column
-    kinds = set(map(type, values))
-    if kinds <= {int, float, type(None)} and kinds != {type(None)}:
-        return numpy.array(values, dtype=float)
-    if kinds == {str}:
-        return numpy.array(values)
-    column = numpy.empty(len(values), dtype=object)
-    column[:] = values
-    return column
-
-
-def _joined(numpy: Any, chunks: Sequence[dict[str, Sequence[Any]]], sizes: Sequence[int]) -> dict[str, Any]:
-    """The columns of all chunks, with None where a chunk does not have a column."""
-    arrays = {}
-    for name in dict.fromkeys(itertools.chain.from_iterable(chunks)):
-        parts = [chunk.get(name) for chunk in chunks]
-        made = [None if part is None else _array(numpy, part) for part in parts]
-        kinds = {None if part is None else part.dtype.kind for part in made}
-        if len(kinds) == 1 or kinds <= {"i", "f"}:
-            arrays[name] = numpy.concatenate(made)
-        else:
-            values = [(None,) * size if part is None else part for part, size in zip(parts, sizes)]
-            arrays[name] = _array(numpy, list(itertools.chain.from_iterable(values)))
-    return arrays
 
 
 def _members_of(members: Any) -> list[str]:
@@ -143,21 +167,3 @@ def _pandas(frame: Any) -> Any:
         if frame:
             raise ImportError("frame=True needs pandas: python -m pip install pandas") from error
         return None
-
-
-def table_of(chunks_of_records: Iterable[Sequence[bytes]], members: Any, frame: Any) -> Any:
-    """See Variants.table. The records are JSON as the library writes it."""
-    names, pandas = _members_of(members), _pandas(frame)
-    try:
-        import numpy
-    except ImportError as error:
-        raise ImportError("this needs NumPy: python -m pip install numpy") from error
-    wanted = ["index", *(name for name in names if name != "index")]
-    chunks: list[dict[str, Sequence[Any]]] = []
-    sizes: list[int] = []
-    for chunk in chunks_of_records:
-        chunks.append(_read(chunk, wanted))
-        sizes.append(len(chunk))
-    arrays = _joined(numpy, chunks, sizes)
-    return arrays if pandas is None else pandas.DataFrame(arrays)
-

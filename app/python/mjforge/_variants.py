@@ -192,15 +192,10 @@ class Variants:
         Returns a pandas.DataFrame if pandas is installed (`frame=True`: otherwise ImportError), or
         with `frame=False` a dict of NumPy arrays.
         """
-        from ._table import table_of
+        from ._table import CHUNK, Table
 
         len(self)  # raises TypeError without a slice
-        return table_of(self._records(), members, frame)
-
-    def _records(self) -> Iterator[list[bytes]]:
-        """The records of a slice, in chunks."""
-        from ._table import CHUNK
-
+        table = Table(members, frame)
         indices = self._indices or range(0)
         if indices and not (min(indices[0], indices[-1]) >= 0 and max(indices[0], indices[-1]) < 2**64):
             raise IndexError(f"{indices} is not within 0 .. 2^64 - 1")
@@ -208,15 +203,14 @@ class Variants:
         while indices:
             maker = self._idle_maker()
             try:
-                records = maker.records(indices[:CHUNK])
+                count = maker.add_rows(indices[:CHUNK], table)
             finally:
                 self._makers.append(maker)
-            indices = indices[len(records):]
-            if records:
-                yield records
-            else:
+            indices = indices[count:]
+            if not count:
                 self._leave_out(indices[0])
                 indices = indices[1:]
+        return table.finish()
 
     def _leave_out(self, index: int) -> None:
         """Raises what a variant fails with, unless iteration leaves it out."""
@@ -225,6 +219,8 @@ class Variants:
         except VariantError:
             if self._options["on_invalid"] != "skip":
                 raise
+        else:
+            raise MemoryError  # there was no room for its row
 
     def __reduce__(self) -> Any:
         return Variants, (self.spec, self._options, self._indices)

@@ -2,11 +2,15 @@
 
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include <rapidjson/document.h>
 
 namespace mjforge::manifest {
+
+/// Memory on the stack for the values of a record; a longer record also takes some from the heap.
+inline constexpr std::size_t kParserBytes = std::size_t{16} << 10;
 
 /// Parses a JSON text. Returns false if the text is not JSON, is nested more than
 /// diag::kMaxJsonDepth deep or contains a number that is too large. Numbers are correctly rounded;

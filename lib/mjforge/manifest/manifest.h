@@ -14,6 +14,7 @@
 
 #include "mjforge/bytes/bytes.h"
 #include "mjforge/diag/diag.h"
+#include "mjforge/manifest/columns.h"
 #include "mjforge/manifest/placement.h"
 #include "mjforge/manifest/seal.h"
 #include "mjforge/mjcf/mjcf.h"

@@ -12,9 +12,6 @@
 namespace mjforge::manifest {
 namespace {
 
-// Memory on the stack for the values of a record; a longer record also takes some from the heap.
-constexpr std::size_t kParserBytes = std::size_t{16} << 10;
-
 // Returns the value of each field, or null if the object does not have it. Members usually have the
 // order of the table, so that the search for a key begins after the previous one.
 std::vector<const rapidjson::Value*> ValuesOf(const rapidjson::Document& object) {

@@ -1,0 +1,17 @@
+// Tables behind the C interface.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "interface.h"
+#include "mjforge/manifest/manifest.h"
+
+/// Columns of records, and what the last calls have returned of them.
+struct MjforgeTable {
+  explicit MjforgeTable(std::vector<std::string> members) : columns(std::move(members)) {}
+
+  mjforge::manifest::Columns columns;
+  std::vector<const mjforge::manifest::Column*> all;  // each before its inner columns
+  std::string layout;
+};
