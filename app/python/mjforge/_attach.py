@@ -6,9 +6,8 @@ import importlib
 import math
 from typing import TYPE_CHECKING, Any, Sequence
 
-from ._child import child_of
 from ._library import c_text
-from ._members import Joint, Members, elements, name_of_root, section
+from ._members import Joint, Members
 
 if TYPE_CHECKING:
     from mujoco import MjData, MjModel, MjsBody, MjSpec  # type: ignore[import-not-found, import-untyped, unused-ignore]
@@ -59,6 +58,11 @@ def _bottom(variant: Variant, quat: Quaternion) -> float:
                      for factor, low, high in zip(row, box["min"], box["max"])))
 
 
+def _name_of_root(parent: MjsBody) -> str:
+    """Name of the first body in a body that has one; empty if none has."""
+    return next((name for body in parent.bodies if (name := str(body.name) or _name_of_root(body))), "")
+
+
 def attach(variant: Variant, scene: MjSpec, prefix: str, pos: Sequence[float], quat: Quaternion,
            stand: bool) -> MjsBody:
     """Returns the object's first body in the scene; see Variant.attach."""
@@ -73,14 +77,12 @@ def attach(variant: Variant, scene: MjSpec, prefix: str, pos: Sequence[float], q
                           "python -m pip install 'mujoco>=3.3'")
     if stand:
         place[2] -= _bottom(variant, turn)
-    root = elements(variant.xml_bytes)
-    name = name_of_root(section(root, "worldbody"))
-    child = child_of(mujoco, root)
-    if child is None:
-        child = mujoco.MjSpec.from_string(variant.xml, assets=variant.files)
-        child.njmax = child.nconmax = -1  # sizes for the object alone
-        for key in list(child.keys):
-            child.delete(key) if hasattr(child, "delete") else key.delete()
+    # Adding the elements by MjSpec's functions costs more than parsing: each number is converted.
+    child = mujoco.MjSpec.from_string(variant.xml, assets=variant.files)
+    child.njmax = child.nconmax = -1  # sizes for the object alone
+    for key in list(child.keys):
+        child.delete(key) if hasattr(child, "delete") else key.delete()
+    name = _name_of_root(child.worldbody)
     scene.attach(child, prefix=prefix, frame=scene.worldbody.add_frame(pos=place, quat=turn))
     return scene.body(prefix + name)
 

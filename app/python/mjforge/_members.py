@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import dataclasses
-import json
 from typing import Any, Optional, Union
 
+from ._json import loads
 from ._library import bytes_of, library
 
 # Position of a joint: rad or m; a quaternion of a ball joint; pos and quat of a free joint.
@@ -23,7 +23,7 @@ def elements(xml: bytes) -> Element:
     said = bytes_of(library.MjforgeElements(xml, len(xml)))
     if not said:
         raise ValueError("it is not XML")
-    root: Element = json.loads(said)
+    root: Element = loads(said)
     return root
 
 
@@ -75,14 +75,6 @@ def _list(value: Any) -> list[float]:
 
 def _pose(attributes: dict[str, Any]) -> tuple[float, ...]:
     return (*attributes.get("pos", (0.0, 0.0, 0.0)), *attributes.get("quat", (1.0, 0.0, 0.0, 0.0)))
-
-
-def name_of_root(bodies: list[Element]) -> str:
-    """Name of the first body that has one; empty if none has."""
-    for tag, attributes, children in bodies:
-        if tag == "body":
-            return str(attributes["name"]) if "name" in attributes else name_of_root(children)
-    return ""
 
 
 def members_of(root: Element) -> Members:

@@ -1,15 +1,9 @@
-"""Makes an MjSpec of an object with MuJoCo's own functions, from the elements of its MJCF file.
+"""The calls of MjSpec that make an object, with all numbers at hand."""
 
-Parsing the text costs MuJoCo several times more. Elements and attributes that are not in the tables
-below have no such MjSpec, and are parsed as text by the caller.
-"""
-
-from __future__ import annotations
-
-import functools
 from typing import Any, Callable, Mapping, Optional
 
-from ._members import Element
+import mujoco
+from mjforge._members import elements
 
 # Attributes of an element that MuJoCo takes by the same name and as they are, and for all others the
 # name in MuJoCo and the conversion of the value.
@@ -42,9 +36,9 @@ _SOLIMP = _padded(0.9, 0.95, 0.001, 0.5, 2)
 
 
 class _Tables:
-    """The tables for a release of MuJoCo."""
+    """The tables for the release of MuJoCo."""
 
-    def __init__(self, mujoco: Any) -> None:
+    def __init__(self) -> None:
         def words(enum: str, prefix: str) -> Callable[[Any], Any]:
             values = getattr(mujoco, enum).__members__
             known = {name[len(prefix):].lower(): value for name, value in values.items()}
@@ -86,9 +80,6 @@ class _Tables:
         self.joints = mujoco.mjtEq.mjEQ_JOINT
 
 
-_tables = functools.lru_cache(maxsize=8)(_Tables)
-
-
 def _arguments(attributes: dict[str, Any], table: _Table) -> dict[str, Any]:
     """Changes the attributes to arguments for MuJoCo, and returns them."""
     if not table.known.issuperset(attributes):
@@ -100,81 +91,51 @@ def _arguments(attributes: dict[str, Any], table: _Table) -> dict[str, Any]:
     return attributes
 
 
-def child_of(mujoco: Any, root: Element) -> Any:
-    """An MjSpec of the object, without its keyframe; None if the tables do not have all of it."""
-    child = mujoco.MjSpec()
-    child.compiler.degree = False
-    try:
-        builder = _Builder(_tables(mujoco), child)
+class ByHand:
+    """The calls of MjSpec that make the object of a variant, with all numbers at hand: a lower bound
+    for a program that draws and computes them. It adds to the scene itself, without an attachment.
+    """
+
+    def __init__(self, variant):
+        self.assets, self.bodies = [], []
+        tables = _Tables()
+        root = elements(variant.xml_bytes)
         for tag, attributes, children in root[2]:
-            getattr(builder, "add_" + tag)(attributes, children)
-    except (AttributeError, KeyError, TypeError, ValueError):
-        return None
-    return child
+            if tag == "asset":
+                for kind, its, _ in children:
+                    texture = its.pop("texture", None)
+                    self.assets.append((kind, _arguments(its, getattr(tables, kind)), texture))
+            elif tag == "worldbody":
+                self.bodies = [self._body(tables, *child) for child in children]
+        self.rgb = tables.rgb
 
-
-class _Builder:
-    """Adds sections of a file to an MjSpec. Each `add_` has the tag of its section as its name."""
-
-    def __init__(self, tables: _Tables, child: Any) -> None:
-        self._tables = tables
-        self._child = child
-
-    def add_compiler(self, attributes: dict[str, Any], _: list[Element]) -> None:
-        if attributes != {"angle": "radian", "usethread": "false"}:
-            raise KeyError(str(attributes))
-
-    # MuJoCo does not attach these three either: they belong to the scene.
-    def add_option(self, *_: Any) -> None: ...
-    def add_size(self, *_: Any) -> None: ...
-    def add_keyframe(self, *_: Any) -> None: ...
-
-    def add_asset(self, _: Any, children: list[Element]) -> None:
-        child, tables = self._child, self._tables
-        for tag, attributes, _inner in children:
-            if tag == "material":
-                texture = attributes.pop("texture", None)
-                material = child.add_material(**_arguments(attributes, tables.material))
-                if texture is not None:
-                    material.textures[tables.rgb] = texture
-            elif tag == "texture":
-                values = _arguments(attributes, tables.texture)
-                child.add_texture(**values)
-            elif tag == "mesh":
-                values = _arguments(attributes, tables.mesh)
-                child.add_mesh(**values)
-            else:
-                raise KeyError(tag)
-
-    def add_worldbody(self, _: Any, children: list[Element]) -> None:
-        self._add_to(self._child.worldbody, children)
-
-    def _add_to(self, body: Any, children: list[Element]) -> None:
-        tables = self._tables
-        for tag, attributes, inner in children:
-            if tag == "geom":
-                body.add_geom(**_arguments(attributes, tables.geom))
-            elif tag == "site":
-                body.add_site(**_arguments(attributes, tables.site))
-            elif tag == "joint":
-                body.add_joint(**_arguments(attributes, tables.joint))
-            elif tag == "body":
-                self._add_to(body.add_body(**_arguments(attributes, tables.body)), inner)
+    def _body(self, tables, _, attributes, children):
+        inertial, elements, inner = {}, [], []
+        for tag, its, below in children:
+            if tag == "body":
+                inner.append(self._body(tables, tag, its, below))
             elif tag == "inertial":
-                body.explicitinertial = True
-                for name, value in _arguments(attributes, tables.inertial).items():
-                    setattr(body, name, value)
+                inertial = _arguments(its, tables.inertial)
             else:
-                raise KeyError(tag)
+                elements.append((tag, _arguments(its, getattr(tables, tag))))
+        return _arguments(attributes, tables.body), inertial, elements, inner
 
-    def add_contact(self, _: Any, children: list[Element]) -> None:
-        for tag, attributes, _inner in children:
-            {"exclude": self._child.add_exclude}[tag](**_arguments(attributes, self._tables.exclude))
+    def add_to(self, scene):
+        for kind, arguments, texture in self.assets:
+            made = getattr(scene, "add_" + kind)(**arguments)
+            if texture is not None:
+                made.textures[self.rgb] = texture
+        for body in self.bodies:
+            self._add(scene.worldbody, body)
 
-    def add_equality(self, _: Any, children: list[Element]) -> None:
-        tables = self._tables
-        for tag, attributes, _inner in children:
-            values = {"joint": _arguments(attributes, tables.equality)}[tag]
-            data = values["data"]
-            values["data"] = data + tables.equality_data[len(data):]
-            self._child.add_equality(type=tables.joints, **values)
+    def _add(self, parent, body):
+        arguments, inertial, elements, inner = body
+        made = parent.add_body(**arguments)
+        if inertial:
+            made.explicitinertial = True
+            for name, value in inertial.items():
+                setattr(made, name, value)
+        for tag, its in elements:
+            getattr(made, "add_" + tag)(**its)
+        for each in inner:
+            self._add(made, each)
