@@ -1,14 +1,13 @@
 """A wrong argument is a TypeError or a ValueError that names it, never a crash of the interpreter."""
 
-import contextlib
 import functools
 import inspect
 import pathlib
-import tempfile
 import typing
 import unittest
 
 import mjforge
+from in_folder import InFolder
 from mjforge import _options
 
 TEXTS = ("validate", "target", "assets", "name", "sampler", "on_invalid")
@@ -16,7 +15,7 @@ NUMBERS = ("seed", "batch")
 SPEC = mjforge.Spec("hammer")
 
 
-class Arguments(unittest.TestCase):
+class Arguments(InFolder):
     def test_options_that_are_not_texts(self):
         spec = mjforge.Spec("hammer")
         for option in TEXTS:
@@ -115,29 +114,28 @@ class Arguments(unittest.TestCase):
                  b"\xff", [], [5], (), (None,), {}, {"a": object()}, {5: 5}, set(), object(), type, len,
                  pathlib.Path("no/such"), slice(0, 1), 1j, range(3), Exception("x")]
         tried = 0
-        with tempfile.TemporaryDirectory() as folder, contextlib.chdir(folder):
-            for function, given in functions.items():
-                names = inspect.signature(function).parameters
-                for name, parameter in names.items():
-                    for value in wrong:
-                        arguments = {"output": "out", **given} if "output" in names else dict(given)
-                        if parameter.kind is inspect.Parameter.POSITIONAL_ONLY:
-                            call = functools.partial(function, value)
-                        elif function in (mjforge.Spec, mjforge.check) and name != "spec":
-                            call = functools.partial(function, "mug", **{**arguments, name: value})
-                        elif function == mjforge.prove and name != "batch":
-                            call = functools.partial(function, "no/such", **{name: value})
-                        else:
-                            call = functools.partial(function, **{**arguments, name: value})
-                        tried += 1
-                        try:
-                            call()
-                        except (TypeError, ValueError, IndexError, OSError, ImportError) as error:
-                            self.assertTrue(str(error), (function, name, value))
-                            # A function in `progress` raises what it likes.
-                            if isinstance(error, TypeError) and name not in ("key", "mujoco") and not (
-                                    name == "progress" and callable(value)):
-                                self.assertIn(name, str(error))
+        for function, given in functions.items():
+            names = inspect.signature(function).parameters
+            for name, parameter in names.items():
+                for value in wrong:
+                    arguments = {"output": "out", **given} if "output" in names else dict(given)
+                    if parameter.kind is inspect.Parameter.POSITIONAL_ONLY:
+                        call = functools.partial(function, value)
+                    elif function in (mjforge.Spec, mjforge.check) and name != "spec":
+                        call = functools.partial(function, "mug", **{**arguments, name: value})
+                    elif function == mjforge.prove and name != "batch":
+                        call = functools.partial(function, "no/such", **{name: value})
+                    else:
+                        call = functools.partial(function, **{**arguments, name: value})
+                    tried += 1
+                    try:
+                        call()
+                    except (TypeError, ValueError, IndexError, OSError, ImportError) as error:
+                        self.assertTrue(str(error), (function, name, value))
+                        # A function in `progress` raises what it likes.
+                        if isinstance(error, TypeError) and name not in ("key", "mujoco") and not (
+                                name == "progress" and callable(value)):
+                            self.assertIn(name, str(error))
         self.assertGreater(tried, 1000)
 
 

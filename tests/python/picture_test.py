@@ -24,6 +24,7 @@ class Pictures(unittest.TestCase):
                        "--joint", "hinge=0.25", "-o", "-"]
             drawn = subprocess.run(command, capture_output=True, check=True).stdout
             self.assertEqual(drawn, pathlib.Path(folder, "a.png").read_bytes())
+        self.assertIs(type(picture), mjforge.Picture)
         self.assertEqual((repr(picture), str(picture)), ("<mjforge.Picture 120 x 80>",) * 2)
         self.assertNotEqual(variant.png((120, 80), "joints"), picture)
         self.assertEqual(picture._repr_png_(), bytes(picture))

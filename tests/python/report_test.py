@@ -1,17 +1,16 @@
 """Writing and checking return reports; parameters, settings and findings say what they are about."""
 
-import contextlib
 import doctest
 import json
 import math
 import os
 import pathlib
 import pickle
-import tempfile
 import unittest
 
 import mjforge
 import mjforge._maker
+from in_folder import InFolder
 
 HALF_FAIL = {"mjforge": 1, "name": "m", "params": {"l": {"value": "22cm .. 30cm"}},
              "parts": [{"name": "h", "type": "capsule", "size": ["1cm", "l/2"]}], "expect": ["l < 25cm"]}
@@ -27,10 +26,7 @@ KINDS = {"mjforge": 1, "name": "kinds", "params": {
                "if": "flag or shape == 'box' or gauss + free + count + level + fixed + rate > -100 or twice > 0 or true"}]}
 
 
-class Reports(unittest.TestCase):
-    def setUp(self):
-        self.enterContext(contextlib.chdir(self.enterContext(tempfile.TemporaryDirectory())))
-
+class Reports(InFolder):
     def test_failed_variants_are_reported_by_index(self):
         variants = mjforge.Spec(HALF_FAIL).variants(seed=1)
         expected = [i for i in range(20) if not self.makes(variants, i)]

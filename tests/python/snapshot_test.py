@@ -1,16 +1,15 @@
 """A Spec is what its files were when it was made, in every thread, process and folder."""
 
 import concurrent.futures
-import contextlib
 import json
 import os
 import pathlib
 import pickle
 import subprocess
-import tempfile
 import unittest
 
 import mjforge
+from in_folder import InFolder
 from mjforge._library import PROGRAM
 
 PEG = "mjforge: 1\nname: peg\nparams: {{r: {}}}\nparts: [{{name: a, type: sphere, size: [r]}}]\n"
@@ -23,12 +22,7 @@ HOUSE = {"mjforge": 1, "name": "house", "parts": [
     {"name": "roof", "type": "mesh", "file": "roof.obj", "density": 100}]}
 
 
-class Snapshot(unittest.TestCase):
-    def setUp(self):
-        folder = self.enterContext(tempfile.TemporaryDirectory())
-        self.enterContext(contextlib.chdir(folder))
-        self.folder = pathlib.Path(folder)
-
+class Snapshot(InFolder):
     def put(self, range="1cm .. 2cm"):
         pathlib.Path("peg.yaml").write_text(PEG.format(range))
 
@@ -172,6 +166,65 @@ class Snapshot(unittest.TestCase):
         said = subprocess.run([PROGRAM, "check", str(file)], capture_output=True, text=True)
         self.assertEqual(said.returncode, 3)
         self.assertIn("'out/manifest.spec.json' is a damaged snapshot of a spec", said.stderr)
+
+    def test_a_snapshot_takes_parameter_files_from_the_disk(self):
+        more = pathlib.Path("more.yaml")
+        more.write_text("r: 11mm\n")
+        mjforge.Spec(PEG.format("1cm .. 2cm"), parameters=[more]).variants().write("out", 1)
+        more.write_text("r: 12mm\n")
+        os.mkdir("elsewhere")
+        os.chdir("elsewhere")
+        pathlib.Path("more.yaml").write_text("r: 13mm\n")
+        snapshot = self.folder / "out/manifest.spec.json"
+        for file, radius in ((self.folder / more, 0.012), (more, 0.013)):
+            made = subprocess.run([PROGRAM, "generate", snapshot, "--params", file, "-n", "1", "-o", "-"],
+                                  capture_output=True, text=True)
+            self.assertIn(f'size="{radius}"', made.stdout, made.stderr)
+            spec = mjforge.Spec(snapshot, parameters=[file])
+            self.assertEqual(spec.variants()[0].params["r"], radius)
+        more.write_text("r: 14mm\n")
+        self.assertEqual(spec.variants()[0].params["r"], 0.013)  # a Spec holds them
+
+    def test_a_foreign_file_in_place_of_the_snapshot_stops_a_batch_at_its_start(self):
+        for output, name in (("out", "manifest.spec.json"), ("x.tar", "x.manifest.spec.json")):
+            foreign = self.folder / (f"out/{name}" if output == "out" else name)
+            foreign.parent.mkdir(exist_ok=True)
+            foreign.write_text('{"mine": 1}')
+            variants, done = mjforge.Spec(PEG.format("1cm")).variants(), []
+            with self.assertRaisesRegex(OSError, f"{name}' exists and was not made by mjforge"):
+                variants.write(output, 3, progress=lambda made, _: done.append(made))
+            self.assertEqual((done, foreign.read_text()), ([], '{"mine": 1}'))
+            made = [path for path in self.folder.glob(f"{output}*/*") if path != foreign]
+            self.assertEqual(made + list(self.folder.glob(f"{output}.part")), [])
+            variants.write(output, 3, force=True)
+            variants.write(output, 3)
+            self.assertEqual(len(mjforge.Batch(output)), 3)
+
+    def test_a_damaged_pickle_is_a_value_error(self):
+        saved = pickle.dumps(mjforge.Spec(PEG.format("1cm")))
+        for wrong in (saved.replace(b"mjforge_snapshot", b"mjforge_snapshop"), saved.replace(b'"texts"', b'"textz"')):
+            self.assertRaisesRegex(ValueError, "a pickled Spec is damaged", pickle.loads, wrong)
+
+    def test_folders_need_not_be_utf8(self):
+        folder = pathlib.Path(os.fsdecode(b"caf\xe9"))
+        folder.mkdir()
+        os.chdir(folder)
+        pathlib.Path("wood.yaml").write_text(WOOD)
+        pathlib.Path("roof.obj").write_text(ROOF.format(1))
+        pathlib.Path("house.yaml").write_text(json.dumps({**HOUSE, "import": "wood.yaml"}))
+        for reference in ("house.yaml", self.folder / folder / "house.yaml"):
+            spec = mjforge.Spec(reference)
+            self.assertEqual(os.fsencode(spec.path), os.fsencode(os.path.realpath("house.yaml")))
+            self.assertEqual([os.path.basename(path) for path in sorted(spec.texts)], ["house.yaml", "wood.yaml"])
+            variant = pickle.loads(pickle.dumps(spec)).variants()[0]
+            self.assertEqual(list(variant.files.values()), [pathlib.Path("roof.obj").read_bytes()])
+            report = spec.variants().write(self.folder / folder / "out", 2)
+            self.assertTrue(report.ok, report.findings)
+            self.assertEqual(mjforge.Batch(report.manifest)[1].xml_bytes, spec.variants()[1].xml_bytes)
+        pathlib.Path("house.yaml").write_text("mjforge: 2\n")
+        with self.assertRaises(mjforge.SpecError) as raised:
+            mjforge.Spec(self.folder / folder / "house.yaml")
+        str(raised.exception).encode()  # can be printed
 
 
 if __name__ == "__main__":

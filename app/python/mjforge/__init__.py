@@ -19,6 +19,7 @@ from ._library import version
 from ._members import Joint, Site
 from ._options import Profile
 from ._parameters import CatalogueEntry, Parameter, catalogue
+from ._picture import Picture
 from ._report import Report
 from ._spec import Source, Spec
 from ._stored import Batch
@@ -79,6 +80,7 @@ __all__ = [
     "Joint",
     "MismatchError",
     "Parameter",
+    "Picture",
     "Report",
     "Site",
     "Spec",

@@ -54,11 +54,16 @@ def count(value: Any, option: str) -> int:
     return operator.index(value)
 
 
+def real(value: Any, option: str) -> float:
+    """A number of any type."""
+    if isinstance(value, (bool, str, bytes, complex)) or not hasattr(value, "__float__"):
+        raise TypeError(f"{option}={value!r} is not a number but of type {type(value).__name__}")
+    return float(value)
+
+
 def seconds(value: Any, option: str) -> float:
     """A positive number."""
-    if isinstance(value, (bool, str, bytes)) or not hasattr(value, "__float__"):
-        raise TypeError(f"{option}={value!r} is not a number but of type {type(value).__name__}")
-    if not 0 < float(value) < math.inf:
+    if not 0 < real(value, option) < math.inf:
         raise ValueError(f"{option}={value!r} is not a positive number of seconds")
     return float(value)
 

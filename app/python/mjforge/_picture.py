@@ -63,7 +63,7 @@ def _joints_of(pose: Any) -> list[str]:
     words = []
     for joint, value in pose.items():
         c_text(joint, "pose")
-        if isinstance(value, (str, bytes, bool)) or not hasattr(value, "__float__"):
+        if isinstance(value, (str, bytes, bool, complex)) or not hasattr(value, "__float__"):
             raise TypeError(f"pose={pose!r}: the position of {joint!r} is not a number")
         if not math.isfinite(value):
             raise ValueError(f"pose={pose!r}: the position of {joint!r} is not finite")

@@ -6,15 +6,16 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import importlib
-import json
+import math
 import os
 import pathlib
 import tempfile
 from typing import TYPE_CHECKING, Any, Iterator, Mapping, Optional, Sequence, Union
 
 from ._findings import Finding, MismatchError, VariantError
-from ._json import members_of_record
+from ._json import loads, members_of_record
 from ._members import Joint, Members, Position, Site, elements, members_of
+from ._options import real
 
 if TYPE_CHECKING:
     import numpy as np
@@ -90,7 +91,7 @@ class Variant:
     def record(self) -> dict[str, Any]:
         """Its line of a manifest."""
         if not self._record:
-            self._record = json.loads(self.record_bytes)
+            self._record = loads(self.record_bytes)
         return self._record
 
     def some_of_record(self, *members: str) -> list[Any]:
@@ -192,7 +193,7 @@ class Variant:
         """
         files = {}
         start = 0
-        for name, path, size in json.loads(self._files_bytes or b"[]"):
+        for name, path, size in loads(self._files_bytes or b"[]"):
             if path:
                 with open(os.fsencode(path), "rb") as file:
                     files[name] = file.read()
@@ -287,6 +288,8 @@ class Variant:
         """
         from ._comparison import Comparison
 
+        if not 0 <= real(tolerance, "tolerance") < math.inf:
+            raise ValueError(f"tolerance={tolerance!r} is not a number from 0 on")
         mujoco = mujoco_of(mujoco)
         model = self.load(mujoco)
         differences = Comparison(mujoco, model, self.record, self.xml_bytes, tolerance).run()
