@@ -2,9 +2,10 @@
 """Installs the wheel where nothing else of mjforge is, and tries the command, the module and the
 examples there. Says a line about each check and counts them.
 
-    run.py DIST FOLDER
+    run.py DIST FOLDER PYTHON
 
-DIST has the wheel and the source distribution. The folder is made anew.
+DIST has the wheel and the source distribution. The folder is made anew. PYTHON is the Python of the
+environment.
 """
 
 import json
@@ -26,13 +27,13 @@ SYSTEM = re.compile(r"(ld-linux-x86-64|linux-vdso|lib(c|m|dl|rt|pthread|stdc\+\+
 MEGABYTES = 12
 # Of what robosuite depends on, its devices and controllers are left out: they need a compiler and
 # a display.
-ROBOSUITE = ["mujoco==3.3.7", "numpy<2", "numba", "scipy", "Pillow", "opencv-python-headless", "termcolor"]
+ROBOSUITE = ["mujoco==3.3.7", "numpy<2; python_version<'3.13'", "numba", "scipy", "Pillow", "opencv-python-headless", "termcolor"]
 
 
 class Place:
     """An empty virtual environment, and an empty folder to work in."""
 
-    def __init__(self, dist, folder):
+    def __init__(self, dist, folder, python):
         shutil.rmtree(folder, ignore_errors=True)
         self.wheel, = dist.glob("*.whl")
         self.sources, = dist.glob("*.tar.gz")
@@ -41,7 +42,9 @@ class Place:
         self.empty.mkdir(parents=True)
         self.pip_python = folder / "pip/bin/python"
         venv.create(folder / "pip", with_pip=True)
-        venv.create(folder / "venv")
+        subprocess.run([python, "-m", "venv", "--without-pip", folder / "venv"], check=True)
+        said = self.run(self.bin / "python", "-c", "import sys; print(*sys.version_info[:2])")
+        self.version = tuple(map(int, said.split()))
 
     def run(self, *command, status=0):
         """Its standard output and error. No variable leads to a checkout."""
@@ -170,6 +173,26 @@ def chapter(place):
     place.run(place.bin / "python", "-B", SOURCE / "tests/python/chapter_test.py", "--all")
 
 
+def has_its_tests_passed(place):
+    said = place.run(place.bin / "python", "-B", "-m", "unittest", "discover", "--start-directory",
+                     SOURCE / "tests/python", "--pattern", "*_test.py")
+    return re.search(r"Ran \d+ tests", said)[0].lower()
+
+
+def resets_in(place, requirement, *count):
+    """Attaches and simulates objects in a release of MuJoCo."""
+    place.pip("install", "--quiet", "--only-binary=:all:", "--upgrade", requirement, "numpy")
+    return place.run(place.bin / "python", "-B", SOURCE / "tests/wheel/resets.py", *count).strip()
+
+
+def mujoco_of_mjlab(place):
+    """The release of MuJoCo that the newest mjlab asks for."""
+    report = json.loads(place.run(place.pip_python, "-m", "pip", "--disable-pip-version-check", "install", "--quiet",
+                                  "--dry-run", "--no-deps", "--ignore-installed", "--report", "-", "mjlab"))
+    asked = report["install"][0]["metadata"]["requires_dist"]
+    return next(each for each in asked if re.match(r"mujoco\b(?!-)", each))
+
+
 def goes(place):
     place.pip("uninstall", "--yes", "mjforge")
     left = [path.name for path in place.bin.parent.rglob("*mjforge*")]
@@ -184,7 +207,8 @@ def sources_say_what_is_missing(place):
 
 
 def main():
-    place = Place(*(pathlib.Path(argument).resolve() for argument in sys.argv[1:3]))
+    dist, folder = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
+    place = Place(dist, folder, sys.argv[3])
     check("the wheel is small", is_small, place)
     check("the wheel needs no other package", installs_alone, place)
     check("the wheel needs no other library", needs_nothing_else, place)
@@ -200,8 +224,14 @@ def main():
           r"1000 models of 0\.\d+ to 0\.\d+ kg")
     check("example: a new hammer at each reset", example, place, "new_hammer_each_reset.py",
           r"(hammer \d: (0\.\d+) kg of \2, \d+ mm above the table\n?){3}")
-    check("the chapter's examples", chapter, place)
+    check("resets in the MuJoCo of robosuite", resets_in, place, "mujoco==3.3.7")
     check("types", has_types, place)
+    check("the chapter's examples", chapter, place)
+    check("the package's tests", has_its_tests_passed, place)
+    # mjlab needs Python 3.10.
+    if place.version >= (3, 10):
+        check("resets in the MuJoCo of mjlab", lambda: resets_in(place, mujoco_of_mjlab(place)))
+    check("resets in the newest MuJoCo", resets_in, place, "mujoco", "10000")
     check("the wheel goes", goes, place)
     check("the source distribution says what is missing", sources_say_what_is_missing, place)
     finish()
