@@ -23,14 +23,13 @@ struct Column {
   static constexpr char kList = 'l';     // number of items
   static constexpr char kObject = 'o';   // number of members
 
-  std::string key;  // the name of a member, or the number of an item
-  std::string kinds;
-  std::vector<std::uint64_t> values;  // one per row, like `kinds`
-  std::vector<Column> inner;          // in the order in which they first occur
+  std::string key;                    // the name of a member, or the number of an item
+  std::string kinds;                  // kind of each row's value
+  std::vector<std::uint64_t> values;  // value of each row
+  std::vector<Column> inner;          // columns of the items or members, in order of occurrence
 };
 
-/// Reads members of records, one record per row. Takes a fifth of the time of reading whole records
-/// in Python.
+/// Reads members of records, one record per row.
 class Columns {
  public:
   explicit Columns(std::vector<std::string> members);
