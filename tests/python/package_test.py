@@ -9,6 +9,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import time
 import types
 import unittest
 
@@ -193,13 +194,15 @@ class Errors(unittest.TestCase):
                 variant.load(wrong)
 
     def test_ctrl_c_ends_a_write_with_whole_files(self):
-        program = ("import mjforge, sys\n"
+        # A job in the background of a shell ignores the signal.
+        program = ("import mjforge, signal, sys\n"
+                   "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
                    "mjforge.Spec('hammer').variants().write(sys.argv[1], 10_000_000)")
         with tempfile.TemporaryDirectory() as folder:
             process = subprocess.Popen([sys.executable, "-c", program, folder],
                                        stderr=subprocess.PIPE)
             while not any(pathlib.Path(folder).glob("hammer_*.xml")) and process.poll() is None:
-                pass
+                time.sleep(0.01)
             os.kill(process.pid, signal.SIGINT)
             said = process.communicate(timeout=60)[1]
             self.assertIn(b"KeyboardInterrupt", said)
