@@ -1,0 +1,168 @@
+// Differences of two structures, and their description.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "mjforge/structure/structure.h"
+#include "mjforge/structure/tables.h"
+
+namespace mjforge::structure {
+namespace {
+
+constexpr std::size_t kShownElements = 3;
+
+// Counts, names and fields of a structure, by kind.
+class View {
+ public:
+  explicit View(const Structure& structure) : structure_(structure) {
+    const std::size_t kinds = Kinds().size();
+    std::size_t at = kinds;
+    std::size_t name = 0;
+    auto field = Fields().begin();
+    for (std::size_t k = 0; k < kinds; ++k) {
+      const Kind& kind = Kinds()[k];
+      for (; field != Fields().end() && field->kind == kind.type; ++field) {
+        columns_.push_back(at);
+        at += static_cast<std::size_t>(Count(k));
+      }
+      std::vector<std::string_view>& names = names_.emplace_back();
+      for (int i = 0; kind.names != nullptr && i < Count(k); ++i) {
+        names.emplace_back(structure.names.c_str() + name);
+        name += names.back().size() + 1;
+      }
+    }
+  }
+
+  int Count(std::size_t kind) const { return structure_.integers[kind]; }
+  const std::vector<std::string_view>& Names(std::size_t kind) const { return names_[kind]; }
+  int Value(std::size_t field, int element) const {
+    return structure_.integers[columns_[field] + static_cast<std::size_t>(element)];
+  }
+
+  // Returns the name of an element for messages; that of its joint for a degree of freedom.
+  std::string NameOf(std::size_t kind, int element) const {
+    const mjtObj type = Kinds()[kind].type;
+    if (type == mjOBJ_DOF) {
+      const int joint = Value(FieldAt("dof_jntid"), element);
+      return NameOf(KindAt(mjOBJ_JOINT), joint);
+    }
+    const auto i = static_cast<std::size_t>(element);
+    if (i < names_[kind].size() && !names_[kind][i].empty()) return std::string(names_[kind][i]);
+    if (type == mjOBJ_BODY && element == 1) return "root";
+    return fmt::format("{} {}", Kinds()[kind].word, element);
+  }
+
+ private:
+  static std::size_t FieldAt(std::string_view name) {
+    return static_cast<std::size_t>(std::ranges::find(Fields(), name, &Field::name) -
+                                    Fields().begin());
+  }
+  static std::size_t KindAt(mjtObj type) {
+    return static_cast<std::size_t>(std::ranges::find(Kinds(), type, &Kind::type) -
+                                    Kinds().begin());
+  }
+
+  const Structure& structure_;
+  std::vector<std::size_t> columns_;  // indices of the first element of each field
+  std::vector<std::vector<std::string_view>> names_;
+};
+
+std::string WordOf(const Field& field, int value) {
+  const auto i = static_cast<std::size_t>(value);
+  return i < field.words.size() ? std::string(field.words[i]) : fmt::format("{}", value);
+}
+
+// Names that are in one list more often than in the other.
+std::vector<std::string> OneSided(const std::vector<std::string_view>& a,
+                                  const std::vector<std::string_view>& b) {
+  std::map<std::string_view, int> surplus;
+  for (const std::string_view name : a) ++surplus[name];
+  for (const std::string_view name : b) --surplus[name];
+  std::vector<std::string> names;
+  for (const auto& [name, count] : surplus) {
+    if (count != 0 && !name.empty()) names.emplace_back(name);
+  }
+  return names;
+}
+
+// Compares number and names of the elements of a kind.
+std::optional<Difference> DifferenceOfNames(const View& a, const View& b, std::size_t kind) {
+  const auto& names_a = a.Names(kind);
+  const auto& names_b = b.Names(kind);
+  if (a.Count(kind) != b.Count(kind)) {
+    return Difference{std::string(Kinds()[kind].number),
+                      OneSided(names_a, names_b),
+                      {fmt::format("{}", a.Count(kind)), fmt::format("{}", b.Count(kind))}};
+  }
+  const auto [in_a, in_b] = std::ranges::mismatch(names_a, names_b);
+  if (in_a == names_a.end()) return std::nullopt;
+  return Difference{fmt::format("{} names", Kinds()[kind].word),
+                    OneSided(names_a, names_b),
+                    {std::string(*in_a), std::string(*in_b)}};
+}
+
+std::optional<Difference> DifferenceOfField(const View& a, const View& b, std::size_t kind,
+                                            std::size_t number) {
+  const Field& field = Fields()[number];
+  Difference difference{std::string(field.name), {}, {}, field.is_coincidence};
+  for (int i = 0; i < a.Count(kind); ++i) {
+    const int in_a = a.Value(number, i);
+    const int in_b = b.Value(number, i);
+    if (in_a == in_b) continue;
+    if (difference.elements.empty()) {
+      difference.values = {WordOf(field, in_a), WordOf(field, in_b)};
+    }
+    std::string name = kind == 0 ? std::string("model") : a.NameOf(kind, i);
+    if (std::ranges::find(difference.elements, name) == difference.elements.end()) {
+      difference.elements.push_back(std::move(name));
+    }
+  }
+  if (difference.elements.empty()) return std::nullopt;
+  return difference;
+}
+
+}  // namespace
+
+std::vector<Difference> DifferencesOf(const Structure& a, const Structure& b) {
+  std::vector<Difference> differences;
+  if (a.empty() || b.empty() || a == b) return differences;
+  const View view_a(a);
+  const View view_b(b);
+  std::size_t field = 0;
+  for (std::size_t k = 0; k < Kinds().size(); ++k) {
+    // The number of degrees of freedom and of wraps follows from fields of joints and tendons.
+    auto of_names =
+        Kinds()[k].names == nullptr ? std::nullopt : DifferenceOfNames(view_a, view_b, k);
+    const bool is_comparable = view_a.Count(k) == view_b.Count(k) && !of_names;
+    if (of_names) differences.push_back(*std::move(of_names));
+    for (; field < Fields().size() && Fields()[field].kind == Kinds()[k].type; ++field) {
+      if (!is_comparable) continue;
+      if (auto found = DifferenceOfField(view_a, view_b, k, field))
+        differences.push_back(*std::move(found));
+    }
+  }
+  return differences;
+}
+
+std::string Describe(const Difference& difference) {
+  const auto& [first, second] = difference.values;
+  std::string elements;
+  const std::size_t count = difference.elements.size();
+  for (std::size_t i = 0; i < std::min(count, kShownElements); ++i) {
+    elements += fmt::format("{}'{}'", i == 0 ? "" : ", ", difference.elements[i]);
+  }
+  if (count > kShownElements) elements += fmt::format(" and {} more", count - kShownElements);
+  if (difference.field.ends_with(" names"))
+    return fmt::format("{} differ ('{}', not '{}')", difference.field, second, first);
+  if (difference.field.starts_with('n')) {
+    return fmt::format("{} is {}, not {}{}", difference.field, second, first,
+                       elements.empty() ? "" : fmt::format(" ({})", elements));
+  }
+  if (difference.field.starts_with("option"))
+    return fmt::format("{} is {}, not {}", difference.field, second, first);
+  return fmt::format("{} of {} is {}, not {}", difference.field, elements, second, first);
+}
+
+}  // namespace mjforge::structure

@@ -1,0 +1,34 @@
+// Tables of the kinds of elements and of the fields that make up a structure.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "mjforge/engine/engine.h"
+
+namespace mjforge::structure {
+
+/// Kind of element of mjModel.
+struct Kind {
+  mjtObj type;
+  std::string_view word;                    // "geom"
+  std::string_view number;                  // name of its count: "ngeom"
+  engine::Count mjModel::*count = nullptr;  // null: the model itself, one element
+  /// Addresses of names. Null for degrees of freedom and wraps, whose number follows from fields of
+  /// joints and tendons.
+  int* mjModel::*names = nullptr;
+};
+std::span<const Kind> Kinds();
+
+/// Field of all elements of a kind.
+struct Field {
+  std::string_view name;
+  mjtObj kind;  // mjOBJ_UNKNOWN: the model itself
+  int (*value)(const mjModel& m, int element);
+  std::span<const std::string_view> words = {};  // meanings of values from 0 on
+  bool is_coincidence = false;
+};
+/// Fields by kind, in the order of Kinds().
+std::span<const Field> Fields();
+
+}  // namespace mjforge::structure
