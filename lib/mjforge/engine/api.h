@@ -102,6 +102,16 @@ inline void EnableMultipleContacts(mjOption& option) {
 #endif
 }
 
+/// Returns mjOption::enableflags without the bit for several contact points, which releases from
+/// 3.8 on do not have.
+inline int EnableFlags(const mjOption& option) {
+#if mjVERSION_HEADER >= 3008000
+  return option.enableflags;
+#else
+  return option.enableflags & ~mjENBL_MULTICCD;
+#endif
+}
+
 /// Makes the solver converge to the last digits. From 3.0 on, its default tolerance is too large
 /// for light bodies that are pressed between heavy ones: they shake.
 inline void TightenTolerance([[maybe_unused]] mjOption& option) {

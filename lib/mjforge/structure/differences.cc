@@ -87,37 +87,73 @@ std::vector<std::string> OneSided(const std::vector<std::string_view>& a,
   return names;
 }
 
+std::string Joined(const std::vector<std::string_view>& names) {
+  std::string text;
+  for (const std::string_view name : names) text.append(name).push_back('\0');
+  return text;
+}
+
 // Compares number and names of the elements of a kind.
 std::optional<Difference> DifferenceOfNames(const View& a, const View& b, std::size_t kind) {
   const auto& names_a = a.Names(kind);
   const auto& names_b = b.Names(kind);
+  Difference difference;
+  difference.elements = OneSided(names_a, names_b);
+  difference.contents = Joined(names_b);
   if (a.Count(kind) != b.Count(kind)) {
-    return Difference{std::string(Kinds()[kind].number),
-                      OneSided(names_a, names_b),
-                      {fmt::format("{}", a.Count(kind)), fmt::format("{}", b.Count(kind))}};
+    difference.field = Kinds()[kind].number;
+    difference.values = {fmt::format("{}", a.Count(kind)), fmt::format("{}", b.Count(kind))};
+    return difference;
   }
   const auto [in_a, in_b] = std::ranges::mismatch(names_a, names_b);
   if (in_a == names_a.end()) return std::nullopt;
-  return Difference{fmt::format("{} names", Kinds()[kind].word),
-                    OneSided(names_a, names_b),
-                    {std::string(*in_a), std::string(*in_b)}};
+  difference.field = fmt::format("{} names", Kinds()[kind].word);
+  difference.values = {std::string(*in_a), std::string(*in_b)};
+  return difference;
+}
+
+// Returns true for fields whose values are ids, which depend on the other elements.
+bool IsReference(const Field& field) {
+  return field.name.ends_with("id") || field.name.ends_with("id2") || field.kind == mjOBJ_PAIR ||
+         field.kind == mjOBJ_EXCLUDE;
+}
+
+// Pairs of elements to compare: their ids in both structures.
+using Elements = std::vector<std::pair<int, int>>;
+
+// Returns the elements whose names both structures have once.
+Elements CommonElements(const std::vector<std::string_view>& a,
+                        const std::vector<std::string_view>& b) {
+  Elements elements;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (std::ranges::count(a, a[i]) != 1 || std::ranges::count(b, a[i]) != 1) continue;
+    const auto in_b = std::ranges::find(b, a[i]) - b.begin();
+    elements.emplace_back(static_cast<int>(i), static_cast<int>(in_b));
+  }
+  return elements;
+}
+
+Elements AllElements(int count) {
+  Elements elements;
+  for (int i = 0; i < count; ++i) elements.emplace_back(i, i);
+  return elements;
 }
 
 std::optional<Difference> DifferenceOfField(const View& a, const View& b, std::size_t kind,
-                                            std::size_t number) {
+                                            std::size_t number, const Elements& elements) {
   const Field& field = Fields()[number];
-  Difference difference{std::string(field.name), {}, {}, field.is_coincidence};
-  for (int i = 0; i < a.Count(kind); ++i) {
-    const int in_a = a.Value(number, i);
-    const int in_b = b.Value(number, i);
+  Difference difference;
+  difference.field = field.name;
+  difference.is_coincidence = field.is_coincidence;
+  for (const auto& [id_a, id_b] : elements) {
+    const int in_a = a.Value(number, id_a);
+    const int in_b = b.Value(number, id_b);
     if (in_a == in_b) continue;
-    if (difference.elements.empty()) {
-      difference.values = {WordOf(field, in_a), WordOf(field, in_b)};
-    }
-    std::string name = kind == 0 ? std::string("model") : a.NameOf(kind, i);
-    if (std::ranges::find(difference.elements, name) == difference.elements.end()) {
+    if (difference.elements.empty()) difference.values = {WordOf(field, in_a), WordOf(field, in_b)};
+    std::string name = kind == 0 ? std::string("model") : a.NameOf(kind, id_a);
+    difference.contents += fmt::format("{}={};", name, in_b);
+    if (std::ranges::find(difference.elements, name) == difference.elements.end())
       difference.elements.push_back(std::move(name));
-    }
   }
   if (difference.elements.empty()) return std::nullopt;
   return difference;
@@ -132,14 +168,15 @@ std::vector<Difference> DifferencesOf(const Structure& a, const Structure& b) {
   const View view_b(b);
   std::size_t field = 0;
   for (std::size_t k = 0; k < Kinds().size(); ++k) {
-    // The number of degrees of freedom and of wraps follows from fields of joints and tendons.
-    auto of_names =
-        Kinds()[k].names == nullptr ? std::nullopt : DifferenceOfNames(view_a, view_b, k);
-    const bool is_comparable = view_a.Count(k) == view_b.Count(k) && !of_names;
+    const bool is_named = Kinds()[k].names != nullptr;
+    auto of_names = is_named ? DifferenceOfNames(view_a, view_b, k) : std::nullopt;
+    const bool is_same = view_a.Count(k) == view_b.Count(k) && !of_names;
+    const Elements elements =
+        is_same ? AllElements(view_a.Count(k)) : CommonElements(view_a.Names(k), view_b.Names(k));
     if (of_names) differences.push_back(*std::move(of_names));
     for (; field < Fields().size() && Fields()[field].kind == Kinds()[k].type; ++field) {
-      if (!is_comparable) continue;
-      if (auto found = DifferenceOfField(view_a, view_b, k, field))
+      if (!is_same && IsReference(Fields()[field])) continue;
+      if (auto found = DifferenceOfField(view_a, view_b, k, field, elements))
         differences.push_back(*std::move(found));
     }
   }

@@ -51,12 +51,15 @@ struct Difference {
   std::string field;                  // "geom_type"; "ngeom" for a count; "geom names"
   std::vector<std::string> elements;  // elements that differ, or that only one of the two has
   std::pair<std::string, std::string> values;  // values of the first element, or the counts
+  /// Everything that differs in the field. Differences of two structures from a third are the same
+  /// if their contents are equal.
+  std::string contents;
   /// True if the field depends on numbers being exactly zero or equal. A base model whose flag is
   /// not set is right for every variant.
   bool is_coincidence = false;
 };
-/// Returns the differences, causes before consequences: if the number or the names of a kind of
-/// element differ, its fields are not compared.
+/// Returns the differences. If the number or the names of a kind of element differ, fields are
+/// compared for the names that both structures have, without references between elements.
 std::vector<Difference> DifferencesOf(const Structure& a, const Structure& b);
 
 /// Describes a difference for a message: "geom_type of 'handle' and 'neck' is box, not cylinder",

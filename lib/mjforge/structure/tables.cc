@@ -34,6 +34,8 @@ int Option(Model m, int /*element*/) {
   return static_cast<int>(m.opt.*option);
 }
 
+int EnableFlags(Model m, int /*element*/) { return engine::EnableFlags(m.opt); }
+
 int HasFluid(Model m, int /*element*/) {
   const bool has_wind = std::ranges::any_of(m.opt.wind, [](mjtNum speed) { return speed != 0; });
   return has_wind || m.opt.density > 0 || m.opt.viscosity > 0 ? 1 : 0;
@@ -171,7 +173,7 @@ constexpr Field kFields[] = {
     {"option iterations", mjOBJ_UNKNOWN, Option<&mjOption::iterations>},
     {"option noslip_iterations", mjOBJ_UNKNOWN, Option<&mjOption::noslip_iterations>},
     {"option disableflags", mjOBJ_UNKNOWN, Option<&mjOption::disableflags>},
-    {"option enableflags", mjOBJ_UNKNOWN, Option<&mjOption::enableflags>},
+    {"option enableflags", mjOBJ_UNKNOWN, EnableFlags},
     {"option has_fluid", mjOBJ_UNKNOWN, HasFluid, kFlagWords, kIsCoincidence},
     {"nuserdata", mjOBJ_UNKNOWN, CountOf<&M::nuserdata>},
     {"nskin", mjOBJ_UNKNOWN, CountOf<&M::nskin>},

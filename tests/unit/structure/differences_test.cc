@@ -45,6 +45,17 @@ TEST_CASE("counts name the elements that only one structure has") {
   CHECK(Described(Geom("a"), Geom("b")) == Texts{"geom names differ ('b', not 'a')"});
 }
 
+TEST_CASE("elements that both structures have are compared if others are missing") {
+  CHECK(Described(Geom("a") + Geom("b") + Geom("c"),
+                  Geom("b") + Geom("c", "type='ellipsoid' condim='4'")) ==
+        Texts{"ngeom is 2, not 3 ('a')", "geom_type of 'c' is ellipsoid, not sphere",
+              "geom_condim of 'c' is 4, not 3"});
+  // Ids of elements follow from the names.
+  const std::string joints = "<joint name='tool_j'/><joint name='tool_k' axis='1 0 0'/>";
+  CHECK(Described(Geom("a") + joints, Geom("a") + "<joint name='tool_k' axis='1 0 0'/>") ==
+        Texts{"njnt is 1, not 2 ('j')"});
+}
+
 TEST_CASE("what follows from another difference is not reported") {
   // nv and the fields of degrees of freedom follow from the joint.
   CHECK(Described(Inertial("0 0 1") + Geom("a") + "<joint name='tool_j' type='ball'/>",
