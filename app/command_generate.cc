@@ -16,6 +16,7 @@
 #include "make_options.h"
 #include "options.h"
 #include "progress_bar.h"
+#include "structures.h"
 #include "usage.h"
 
 namespace mjforge::app {
@@ -33,6 +34,7 @@ struct GenerateOptions : BatchOptions {
   std::string validate = "load";
   std::string on_invalid = "fail";
   std::string sampler = "random";
+  std::string layout = "any";
   std::string durability = "batch";
   bool verbose = false;
   MakeOptions make;
@@ -94,6 +96,22 @@ std::string FindEachConflict(const GenerateOptions& options, const batch::Reques
                      options.target, fmt::join(targets, ", "));
 }
 
+// Returns the message if the structures of variants are not known, or have no folders.
+std::string FindLayoutConflict(const GenerateOptions& options, const batch::Request& request) {
+  if (request.variant.layout == manifest::Layout::kAny) return {};
+  if (request.variant.validation == manifest::Validation::kNone)
+    return fmt::format(
+        "--layout {} reads structures from the models that MuJoCo loads, and "
+        "--validate none loads none",
+        options.layout);
+  const Kind kind = request.destination.kind;
+  if (request.variant.layout == manifest::Layout::kSplit &&
+      (kind == Kind::kFile || kind == Kind::kStandardOutput))
+    return fmt::format("--layout split makes folders: -o {} must be a folder or an archive",
+                       options.output);
+  return {};
+}
+
 std::string FindMakeConflict(const GenerateOptions& options, const batch::Request& request) {
   const MakeOptions& make = options.make;
   if (!make.wanted()) return {};
@@ -136,6 +154,7 @@ void AddGenerateOptions(CLI::App& command, GenerateOptions& options) {
   AddWord(command, "--validate", options.validate, manifest::kValidations, "MuJoCo's verdict");
   AddProfile(command, options.spec.settings, [&options] { options.validate = "physics"; });
   AddWord(command, "--on-invalid", options.on_invalid, manifest::kOnInvalid, "Invalid variants");
+  AddWord(command, "--layout", options.layout, manifest::kLayouts, "Structures of compiled models");
   AddWord(command, "--sampler", options.sampler, sample::MethodNames(), "Spread of draws");
   AddWholeNumber(command, "--batch", options.request.variant.batch,
                  "Variants the draws are spread over", 1)
@@ -152,6 +171,7 @@ std::optional<batch::Request> RequestOf(const GenerateOptions& options, std::str
   request.variant.assets = *manifest::Find<mjcf::AssetForm>(options.assets);
   request.variant.sampler = *sample::FindMethod(options.sampler);
   request.variant.validation = *manifest::Find<forge::Validation>(options.validate);
+  request.variant.layout = *manifest::Find<manifest::Layout>(options.layout);
   request.variant.on_invalid = *manifest::Find<forge::OnInvalid>(options.on_invalid);
   request.durability =
       options.durability == "none" ? output::Durability::kNone : output::Durability::kBatch;
@@ -176,6 +196,7 @@ std::optional<batch::Request> RequestOf(const GenerateOptions& options, std::str
     why_not = FindConflict(options, request);
     if (why_not.empty()) why_not = FindMakeConflict(options, request);
     if (why_not.empty()) why_not = FindEachConflict(options, request);
+    if (why_not.empty()) why_not = FindLayoutConflict(options, request);
   }
   return why_not.empty() ? std::optional(std::move(request)) : std::nullopt;
 }
@@ -305,6 +326,8 @@ class Generation {
     if (request.destination.kind == Kind::kStandardOutput)
       return Worse(status, PrintBytes(summary.text));
     PrintSummary(recipe, request, summary, start);
+    if (request.variant.layout == manifest::Layout::kOne && summary.ok < summary.done())
+      PrintDifferences(request.destination.Manifest(request.shard));
     return status;
   }
 
@@ -327,6 +350,19 @@ class Generation {
     const bool is_batch = request.destination.kind != Kind::kFile;
     if (is_batch && (summary.interrupted || summary.files_failed) && summary.done() > 0)
       console_.PrintLine("  hint: the same command with --resume continues from there");
+  }
+
+  // Prints in which fields the variants of a batch differ, and which parameters separate them.
+  void PrintDifferences(const std::filesystem::path& manifest) {
+    diag::Sources sources;
+    diag::Findings ignored;
+    std::uint64_t bad_lines = 0;
+    const auto batch = report::Summarize(manifest, 0, sources, ignored, bad_lines);
+    if (!batch) return;
+    for (const std::string& line :
+         DifferencesText(CompareStructures(*batch, manifest.parent_path()))) {
+      console_.PrintLine("  " + line);
+    }
   }
 
   std::set<std::string> FilesOf(const forge::Recipe& recipe, const batch::Summary& summary) const {

@@ -7,6 +7,7 @@
 #include "json_output.h"
 #include "mjforge/report/report.h"
 #include "options.h"
+#include "structures.h"
 #include "text_table.h"
 
 namespace mjforge::app {
@@ -85,7 +86,7 @@ void AddMeasures(const ManifestSummary& batch, TextTable& table) {
   }
 }
 
-std::string Tables(const ManifestSummary& batch) {
+std::string Tables(const ManifestSummary& batch, const BatchStructures& structures) {
   std::string text;
   if (const std::optional<Record>& first = batch.first) {
     text += OneLine(fmt::format("batch of {}, seed {}, target {}, validate {}{}{}", first->spec,
@@ -94,6 +95,7 @@ std::string Tables(const ManifestSummary& batch) {
             "\n";
   }
   text += fmt::format("{} variants: {}\n", batch.variants, StatusesText(batch));
+  text += StructuresText(structures);
   TextTable codes({"finding", "variants"});
   for (const auto& [code, tally] : batch.codes)
     codes.Add({code, fmt::format("{}", tally.variants)});
@@ -146,7 +148,7 @@ void WriteCounts(JsonOutput& json, const ManifestSummary& batch) {
   });
 }
 
-std::string AsJson(const ManifestSummary& batch) {
+std::string AsJson(const ManifestSummary& batch, const BatchStructures& structures) {
   return JsonLine([&](JsonOutput& json) {
     if (const std::optional<Record>& first = batch.first) {
       json.Member("spec", first->spec);
@@ -157,6 +159,7 @@ std::string AsJson(const ManifestSummary& batch) {
       json.Member("sampler", first->sampler.empty() ? "random" : first->sampler);
     }
     WriteCounts(json, batch);
+    WriteStructures(json, structures);
     json.Each("parameters", batch.params.list(),
               [&](const ParameterTally& parameter) { Write(json, parameter); });
     Write(json, "mass", batch.Of(report::MeasureId::kMass).good);
@@ -195,7 +198,8 @@ ExitStatus InspectBatch(const std::filesystem::path& manifest, bool json, Consol
   const ExitStatus status = StatusOf(findings);
   console.Show(std::move(findings), sources);
   if (!batch || bad_lines > 0) return status;
-  return json ? PrintBytes(AsJson(*batch)) : Print(Tables(*batch));
+  const BatchStructures structures = CompareStructures(*batch, manifest.parent_path());
+  return json ? PrintBytes(AsJson(*batch, structures)) : Print(Tables(*batch, structures));
 }
 
 }  // namespace mjforge::app

@@ -46,7 +46,8 @@ const std::array kRooms = {
          {"bytes", "diag", "expr", "spec", "sample", "xml", "model", "engine", "backport",
           "compiled"}},
     // expr: numbers in messages
-    Room{"validate", {"diag", "expr", "xml", "model", "engine", "backport", "compiled", "mjcf"}},
+    Room{"validate",
+         {"diag", "expr", "xml", "model", "engine", "backport", "compiled", "structure", "mjcf"}},
     Room{"physics",
          {"bytes", "diag", "expr", "xml", "model", "static_checks", "engine", "backport",
           "compiled", "mjcf"}},
@@ -54,7 +55,8 @@ const std::array kRooms = {
     Room{"output", {"bytes", "diag", "mjcf"}},
     Room{"forge",
          {"bytes", "diag", "expr", "spec", "sample", "model", "assemble", "split", "placing",
-          "static_checks", "mjcf", "files", "attach", "validate", "physics", "manifest", "output"}},
+          "static_checks", "structure", "mjcf", "files", "attach", "validate", "physics",
+          "manifest", "output"}},
     Room{"batch",
          {"bytes", "diag", "spec", "sample", "mjcf", "validate", "physics", "manifest", "output",
           "forge"}},
@@ -63,8 +65,8 @@ const std::array kRooms = {
          {"bytes", "diag", "expr", "spec", "sample", "physics", "manifest", "output", "forge"}},
     // xml: elements of files, for the Python package
     Room{"app",
-         {"bytes", "diag", "expr", "spec", "sample", "xml", "model", "mjcf", "validate", "physics",
-          "manifest", "output", "forge", "batch", "picture", "report"}},
+         {"bytes", "diag", "expr", "spec", "sample", "xml", "model", "structure", "mjcf",
+          "validate", "physics", "manifest", "output", "forge", "batch", "picture", "report"}},
 };
 
 struct Library {

@@ -13,6 +13,11 @@ namespace {
 
 using Kind = output::Destination::Kind;
 
+// Returns the name of a variant's files in an archive, without extension.
+std::string StemOf(const manifest::Record& record) {
+  return record.Folder() + output::VariantStem(record.name, record.index);
+}
+
 class ChunkMaker {
  public:
   ChunkMaker(const forge::Recipe& recipe, diag::Sources& sources, const Request& request,
@@ -118,8 +123,8 @@ class ChunkMaker {
     diag::Findings& findings = result.output_findings;
     manifest::Record& record = variant_.record;
     if (destination.IsArchive()) {
-      record.file = output::VariantStem(record.name, record.index)
-                        .append(record.each ? output::kPlacementEnding : output::kObjectEnding);
+      record.file =
+          StemOf(record).append(record.each ? output::kPlacementEnding : output::kObjectEnding);
     }
     if (destination.kind == Kind::kFolder &&
         !folder_.Write(record.file, variant_.output(), findings, record.assets)) {
@@ -165,7 +170,7 @@ class ChunkMaker {
   // Adds the object and its record to the segment.
   bool AddMembers(diag::Findings& findings) {
     manifest::Record& record = variant_.record;
-    const std::string stem = output::VariantStem(record.name, record.index);
+    const std::string stem = StemOf(record);
     // This record contains no paths, so that archives of the same variants have the same bytes.
     std::string spec_file = std::exchange(record.spec_file, {});
     manifest::AppendRecord(record_line_, record);
@@ -229,6 +234,7 @@ forge::Options OptionsOf(const Request& request) {
   forge::Options options = request.variant;
   if (request.destination.kind == Kind::kFolder || request.destination.IsArchive())
     options.folder = request.destination.Folder();
+  options.layout_first = request.first;
   options.snapshot_file = SnapshotPath(request.destination).filename().string();
   return options;
 }

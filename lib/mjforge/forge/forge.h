@@ -24,6 +24,7 @@
 #include "mjforge/attach/attach.h"
 #include "mjforge/diag/diag.h"
 #include "mjforge/files/files.h"
+#include "mjforge/forge/variant.h"
 #include "mjforge/manifest/manifest.h"
 #include "mjforge/mjcf/mjcf.h"
 #include "mjforge/model/model.h"
@@ -32,6 +33,7 @@
 #include "mjforge/sample/sample.h"
 #include "mjforge/spec/spec.h"
 #include "mjforge/split/split.h"
+#include "mjforge/structure/structure.h"
 #include "mjforge/validate/validate.h"
 
 namespace mjforge::forge {
@@ -86,44 +88,6 @@ std::string ExpandName(std::string_view text, std::uint64_t index);
 /// finding.
 bool CheckName(std::string_view text, diag::Findings& findings);
 
-/// A variant: its object, MJCF text, record and findings.
-struct Variant {
-  manifest::Record record;
-  /// Null if the object could not be assembled.
-  std::shared_ptr<const model::Object> object;
-  mjcf::MjcfDocument document;                  // undefined if there is no object
-  std::optional<mjcf::MjcfDocument> placement;  // placement.json and its files, for Options::each
-  diag::Findings findings;
-
-  /// Returns the file of the variant, with the files that it refers to.
-  const mjcf::MjcfDocument& output() const { return placement ? *placement : document; }
-  bool ok() const { return record.status == manifest::Status::kOk; }
-};
-
-using manifest::OnInvalid;
-using manifest::Validation;
-
-/// Options that apply to all variants of a batch.
-struct Options {
-  std::uint64_t seed = 0;
-  std::optional<std::uint64_t> place_seed = {};  // redraws the places alone
-  mjcf::Target target = mjcf::Target::kMujoco;
-  mjcf::AssetForm assets = mjcf::AssetForm::kInline;
-  bool each = false;  // files of all objects of a scene; `document` is then the scene for MuJoCo
-  std::string name;   // valid for CheckName; empty: the name of the spec
-  std::uint64_t attempt = 0;  // first attempt; earlier ones are not tried
-  OnInvalid on_invalid = OnInvalid::kFail;
-  sample::Method sampler = sample::Method::kRandom;
-  std::uint64_t batch = 0;  // number of variants; 0: unknown (sample::Sampler)
-  Validation validation = Validation::kLoad;
-  /// Folder of the manifest. Records contain the path of the spec's file relative to this folder;
-  /// no path if the option is empty.
-  std::optional<std::filesystem::path> folder;
-  /// Name of the file in that folder that will have Recipe::snapshot, if the recipe has one.
-  std::string snapshot_file = {};
-};
-inline constexpr int kMaxResamples = 100;
-
 /// Returns a record with the fields that all variants have in common.
 manifest::Record BatchRecord(const Recipe& recipe, const Options& options);
 
@@ -150,6 +114,10 @@ class Generator {
   /// Assembles the object of these parameters and writes its MJCF; returns false after an error.
   bool Build(sample::Evaluator& values, Variant& variant);
   void Validate(Variant& variant);
+  /// Determines the structure of a batch with Layout::kOne: that of the first valid variant.
+  void FindReference();
+  /// Returns true if a variant has the structure of the batch; otherwise adds a finding.
+  bool CheckStructure(Variant& variant) const;
   // Divide a scene into objects, and write all or one of them; return false after an error.
   bool SplitScene(const model::Object& scene, Variant& variant);
   bool WriteEach(Variant& variant);
@@ -173,6 +141,9 @@ class Generator {
   assemble::Assembler assembler_;
   std::map<std::string, std::string> hashes_;  // hashes of assets, by file
   std::vector<split::ScenePart> parts_;        // objects of the current scene
+  /// Layout::kOne: record and structure of the variant that all others must equal. The structure is
+  /// empty if none of the first kMaxReferences variants is valid.
+  std::optional<std::pair<manifest::Record, structure::Structure>> reference_;
 };
 
 /// Loads the recipe of a record from `spec` or, if `spec` is empty, from the recorded spec, which

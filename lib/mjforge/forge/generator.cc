@@ -66,6 +66,8 @@ manifest::Record BatchRecord(const Recipe& recipe, const Options& options) {
   record.validate = options.validation;
   if (options.validation != Validation::kNone) record.mujoco = validate::MujocoVersion();
   record.on_invalid = options.on_invalid;
+  record.layout = options.layout;
+  if (options.layout == Layout::kOne) record.layout_first = options.layout_first;
   if (options.sampler != sample::Method::kRandom)
     record.sampler = sample::MethodName(options.sampler);
   if (sample::Sampler::NeedsBatch(*recipe.spec, options.sampler)) record.batch = options.batch;
@@ -91,6 +93,7 @@ void Generator::Reset(std::uint64_t index, std::uint64_t attempt, Variant& varia
   variant.object.reset();
   variant.placement.reset();
   variant.findings.clear();
+  variant.structure = {};
   variant.record = common_;
   variant.record.index = index;
   variant.record.attempt = attempt;
@@ -99,6 +102,7 @@ void Generator::Reset(std::uint64_t index, std::uint64_t attempt, Variant& varia
 }
 
 void Generator::Make(std::uint64_t index, Variant& variant) {
+  if (options_.layout == Layout::kOne && !reference_) FindReference();
   Outcome outcome = Attempt(index, options_.attempt, variant);
   const int resamples = options_.on_invalid == OnInvalid::kResample ? kMaxResamples : 0;
   for (int i = 0; i < resamples && outcome == Outcome::kFailed; ++i)
@@ -118,8 +122,9 @@ void Generator::Finish(Outcome outcome, Variant& variant) {
     const bool skips = options_.on_invalid == OnInvalid::kSkip;
     record.status = skips ? manifest::Status::kSkipped : manifest::Status::kFailed;
   } else {
-    record.file = output::PlaceInFolder(
-        record.name, record.index, record.each ? output::kPlacementEnding : output::kObjectEnding);
+    record.file = record.Folder() + output::PlaceInFolder(record.name, record.index,
+                                                          record.each ? output::kPlacementEnding
+                                                                      : output::kObjectEnding);
     record.sha256 = bytes::Sha256Of(variant.output().text);
   }
   variant.findings.SetVariant(options_.seed, record.index);
@@ -199,8 +204,11 @@ bool Generator::Build(sample::Evaluator& values, Variant& variant) {
 
 void Generator::Validate(Variant& variant) {
   static_checks::CheckExpectations(*variant.object, variant.findings);
-  if (loader_ && loader_->Validate(variant.document, *variant.object, variant.findings) &&
-      laboratory_) {
+  if (!loader_) return;
+  const bool is_valid =
+      loader_->Validate(variant.document, *variant.object, variant.findings, &variant.structure);
+  variant.record.structure = variant.structure.Key();
+  if (is_valid && CheckStructure(variant) && laboratory_) {
     variant.record.physics =
         laboratory_->Examine(variant.document, *variant.object, variant.findings);
   }

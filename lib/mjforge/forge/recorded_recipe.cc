@@ -89,6 +89,8 @@ std::optional<Options> RecordedOptions(const manifest::Record& record, std::stri
   options.sampler = *sampler;
   options.batch = record.batch;
   options.validation = record.validate;
+  options.layout = record.layout;
+  options.layout_first = record.layout_first.value_or(0);
   return options;
 }
 

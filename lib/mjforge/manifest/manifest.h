@@ -14,6 +14,7 @@
 
 #include "mjforge/bytes/bytes.h"
 #include "mjforge/diag/diag.h"
+#include "mjforge/manifest/choices.h"
 #include "mjforge/manifest/columns.h"
 #include "mjforge/manifest/placement.h"
 #include "mjforge/manifest/seal.h"
@@ -23,43 +24,6 @@
 #include "mjforge/sample/sample.h"
 
 namespace mjforge::manifest {
-
-/// Result of making a variant. Failed and skipped variants have errors among their findings and no
-/// file.
-enum class Status { kOk, kFailed, kSkipped };
-/// Checks of each variant: none, loading it in MuJoCo and comparing the result, or also simulating
-/// it.
-enum class Validation { kNone, kLoad, kPhysics };
-/// Treatment of an invalid variant.
-enum class OnInvalid {
-  kFail,      // an error is reported, and the other variants are made
-  kSkip,      // a warning is reported, and the other variants are made
-  kResample,  // the variant is drawn again, up to forge::kMaxResamples times, then treated as kFail
-};
-
-// Names of the enumerators above, in the same order.
-inline constexpr std::string_view kStatuses[] = {"ok", "failed", "skipped"};
-inline constexpr std::string_view kValidations[] = {"none", "load", "physics"};
-inline constexpr std::string_view kOnInvalid[] = {"fail", "skip", "resample"};
-constexpr std::span<const std::string_view> WordsOf(Status) { return kStatuses; }
-constexpr std::span<const std::string_view> WordsOf(Validation) { return kValidations; }
-constexpr std::span<const std::string_view> WordsOf(OnInvalid) { return kOnInvalid; }
-
-// Alphabetical order.
-inline constexpr Status kStatusesByName[] = {Status::kFailed, Status::kOk, Status::kSkipped};
-
-template <typename Enum>
-constexpr std::string_view NameOf(Enum value) {
-  return WordsOf(value)[static_cast<std::size_t>(value)];
-}
-/// Returns the enumerator with that name, or nothing if no enumerator has it.
-template <typename Enum>
-constexpr std::optional<Enum> Find(std::string_view word) {
-  for (std::size_t i = 0; i < WordsOf(Enum()).size(); ++i) {
-    if (WordsOf(Enum())[i] == word) return static_cast<Enum>(i);
-  }
-  return std::nullopt;
-}
 
 /// The number of variants with each status.
 struct StatusCounts {
@@ -103,8 +67,11 @@ struct Record : mjcf::Provenance {
   std::string pile_mujoco;  // release of MuJoCo that settled the piles; empty: there are none
   std::vector<std::string> left_out;  // bodies of entries with `fewer: true` that found no room
   Validation validate = Validation::kLoad;
-  std::string mujoco;  // release of MuJoCo that checked the variant; empty: none did
-  std::optional<physics::Result> physics;  // empty if not requested or not measurable
+  std::string mujoco;     // release of MuJoCo that checked the variant; empty: none did
+  std::string structure;  // key of its structure (structure.h); empty: MuJoCo did not load it
+  Layout layout = Layout::kAny;
+  std::optional<std::uint64_t> layout_first;  // Layout::kOne: index of the batch's first variant
+  std::optional<physics::Result> physics;     // empty if not requested or not measurable
   OnInvalid on_invalid = OnInvalid::kFail;
   Status status = Status::kOk;
   std::vector<std::string> findings;  // JSON objects made by diag::RenderJson
@@ -114,6 +81,11 @@ struct Record : mjcf::Provenance {
   std::string sha256;  // hash of the file; empty: no file was written
   // Assets that the file refers to: name in the file, SHA-256 of the asset.
   std::vector<std::pair<std::string, std::string>> assets;
+
+  /// Returns the folder of its structure, "0123456789ab/", for Layout::kSplit; otherwise "".
+  std::string Folder() const {
+    return layout == Layout::kSplit && !structure.empty() ? structure + "/" : std::string();
+  }
 };
 
 /// Appends the record as one JSON object, and a line end.

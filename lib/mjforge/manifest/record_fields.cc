@@ -245,6 +245,20 @@ const std::array kFields = {
     OptionalField<&Record::mujoco, FieldScope::kBatch>(
         "mujoco", kText,
         "The release of MuJoCo in which the variant was checked; left out if it was not."),
+    OptionalField<&Record::structure>(
+        "structure", R"("type": "string", "pattern": "^[0-9a-f]{12}$")",
+        "Hash of the structure: the counts, types, references, names and flags of the compiled "
+        "model, which parallel worlds of one model share; left out if MuJoCo did not load the "
+        "file."),
+    OptionalField<&Record::layout, FieldScope::kBatch>(
+        "layout", R"("enum": ["one", "split"])",
+        "The structures of the batch: `one`, a variant with another structure than the first one "
+        "is "
+        "invalid; `split`, a folder per structure; left out if variants may have any."),
+    OptionalField<&Record::layout_first, FieldScope::kBatch>(
+        "layout_first", kWhole,
+        "With the layout `one`: the index of the first variant of the batch, which determines the "
+        "structure."),
     PhysicsField(),
     OptionalField<&Record::on_invalid, FieldScope::kBatch>(
         "on_invalid", R"("enum": ["skip", "resample"])",

@@ -38,6 +38,12 @@ bool IsOwnFolder(const std::filesystem::path& path) {
   return std::filesystem::is_directory(std::filesystem::symlink_status(path, ignored));
 }
 
+// Returns true for the name of a folder that contains the variants of one structure.
+bool IsStructureFolder(std::string_view name) {
+  constexpr std::size_t kDigits = 12;
+  return name.size() == kDigits && name.find_first_not_of("0123456789abcdef") == name.npos;
+}
+
 // Removes the abandoned files in a folder whose final names `is_ours` accepts.
 void RemoveAbandonedIn(const std::filesystem::path& folder,
                        const std::function<bool(const std::string&)>& is_ours) {
@@ -104,10 +110,13 @@ void RemoveAbandoned(const std::filesystem::path& folder, std::uint64_t first,
   std::error_code error;
   std::filesystem::directory_iterator at(folder.empty() ? "." : folder, error);
   for (; !error && at != std::filesystem::directory_iterator(); at.increment(error)) {
-    const auto start = ReadIndex(at->path().filename().string());
+    const std::string name = at->path().filename().string();
+    const auto start = ReadIndex(name);
     const bool has_objects =
         start && (*start < first ? first - *start < kFilesPerFolder : *start - first < count);
     if (has_objects && IsOwnFolder(at->path())) folders.push_back(at->path());
+    if (IsStructureFolder(name) && IsOwnFolder(at->path()))
+      RemoveAbandoned(at->path(), first, count);
   }
   for (const std::filesystem::path& objects : folders) {
     RemoveAbandonedIn(objects, is_object);

@@ -73,6 +73,7 @@ void ManifestSummary::Add(const Record& record) {
   if (other_batch.empty()) other_batch = manifest::DifferenceOfBatch(record, *first);
   const bool is_bad = record.status != manifest::Status::kOk;
   params.Add(record.params, is_bad);
+  structures.Add(record);
   for (std::size_t i = 0; i < measures.size(); ++i) {
     if (const std::optional<double> value = Measures()[i].of(record))
       measures[i].Add(*value, is_bad);
@@ -101,6 +102,7 @@ void ManifestSummary::Append(const ManifestSummary& next) {
     if (!is_new) known->second.variants += tally.variants;
   }
   params.Append(next.params);
+  structures.Append(next.structures);
   for (std::size_t i = 0; i < measures.size(); ++i) measures[i].Append(next.measures[i]);
   trials.Append(next.trials);
   points.Append(next.points);

@@ -13,6 +13,7 @@
 #include "mjforge/manifest/manifest.h"
 #include "mjforge/report/measures.h"
 #include "mjforge/report/random_sample.h"
+#include "mjforge/report/structure_tallies.h"
 #include "mjforge/report/tallies.h"
 #include "mjforge/report/trials.h"
 
@@ -76,6 +77,7 @@ class ManifestSummary {
   manifest::StatusCounts statuses;
   std::map<std::string, CodeTally> codes;
   ParameterTallies params;
+  StructureTallies structures;
   std::vector<NumberTally> measures;  // in the order of Measures()
   Trials trials;
   RandomSample<Point> points;

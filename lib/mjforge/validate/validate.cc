@@ -272,9 +272,10 @@ Loaded Loader::Impl::LoadDocument(const mjcf::MjcfDocument& document, const std:
 }
 
 bool Loader::Validate(const mjcf::MjcfDocument& document, const model::Object& object,
-                      diag::Findings& findings) {
+                      diag::Findings& findings, structure::Structure* structure) {
   const Loaded loaded = impl_->LoadDocument(document, SizeHint(object), object, findings);
   if (!loaded.model) return false;
+  if (structure != nullptr) *structure = structure::StructureOf(*loaded.model, object.name);
   diag::Findings found;
   Comparison(*loaded.model, object, found).Run(document.lift);
   const bool crowded = found.empty() && FindTouching(*loaded.model, object, found);

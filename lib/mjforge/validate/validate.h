@@ -12,6 +12,7 @@
 #include "mjforge/diag/diag.h"
 #include "mjforge/mjcf/mjcf.h"
 #include "mjforge/model/model.h"
+#include "mjforge/structure/structure.h"
 
 namespace mjforge::validate {
 
@@ -73,9 +74,9 @@ class Loader {
   /// Loads a document made from `object` and compares counts, names, masses, inertias, sizes, poses
   /// and references. If everything matches, finds bodies that touch with all joints at zero. Adds a
   /// finding, at its place in the spec, for each error, warning, difference and touching pair.
-  /// Returns true if there is no error.
+  /// Returns true if there is no error. Sets `structure`, unless null, to that of the loaded model.
   bool Validate(const mjcf::MjcfDocument& document, const model::Object& object,
-                diag::Findings& findings);
+                diag::Findings& findings, structure::Structure* structure = nullptr);
 
   /// Loads any MJCF file; findings point into the XML. Returns nothing if MuJoCo rejects the file.
   std::optional<CompiledModel> Load(const std::filesystem::path& file, diag::Sources& sources,

@@ -141,11 +141,13 @@ TEST_CASE("what only some batches have stands in its place") {
   record.sampler = "latin";
   record.batch = 100;
   record.on_invalid = OnInvalid::kSkip;
+  record.structure = "0123456789ab";
   record.bounds.declared = true;
   const std::string line = LineOf(record);
   CHECK(line.find(R"("file":"mug_000003.xml","archive":"mugs_00000.tar","name")") != line.npos);
   CHECK(line.find(R"("assets_as":"files","sampler":"latin","batch":100,"params")") != line.npos);
-  CHECK(line.find(R"("mujoco":"2.2.2","on_invalid":"skip","status")") != line.npos);
+  CHECK(line.find(R"("mujoco":"2.2.2","structure":"0123456789ab","on_invalid":"skip","status")") !=
+        line.npos);
   CHECK(line.find(R"("horizontal_radius":2.5,"declared_bounds":true,"nbody")") != line.npos);
   std::string why_not;
   const std::optional<Record> read = ReadRecord(line, why_not);
@@ -156,6 +158,7 @@ TEST_CASE("what only some batches have stands in its place") {
   CHECK(read->sampler == record.sampler);
   CHECK(read->batch == record.batch);
   CHECK(read->on_invalid == record.on_invalid);
+  CHECK(read->structure == record.structure);
   CHECK(DifferenceOfBatch(*read, record).empty());
 }
 

@@ -137,7 +137,8 @@ TEST_CASE("what a killed process left half-written is removed, and nothing else"
                       "out/hammer_010042.xml.tmp7-0",
                       "out/mine/.hammer_010042.xml.tmp7-0"};
   for (const std::string& file : kept) folder.Write(file, "");
-  for (const char* objects : {"out/", "out/0010000/"}) {
+  for (const char* objects :
+       {"out/", "out/0010000/", "out/0123456789ab/", "out/0123456789ab/0010000/"}) {
     folder.Write(objects + std::string(".hammer_010042.xml.tmp7-0"), "");
     folder.Write(objects + std::string("assets/.wood.png.tmp123-99"), "");
   }

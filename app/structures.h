@@ -1,0 +1,49 @@
+// Structures of a batch: how many there are, in what they differ, and which parameters separate
+// them.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "json_output.h"
+#include "mjforge/report/report.h"
+
+namespace mjforge::app {
+
+/// A field of the compiled model that differs between variants.
+struct DifferingField {
+  std::string name;                   // "geom_type"
+  std::vector<std::string> elements;  // in the first variant that differs
+  std::string example;                // "geom_type of 'handle' is cylinder, not box"
+  bool is_coincidence = false;
+  std::uint64_t variants = 0;  // variants that differ from the first one
+  std::vector<report::Separator> separators;
+};
+
+struct BatchStructures {
+  /// Limit of structures whose fields are compared; a variant of each is made again.
+  static constexpr std::size_t kMaxCompared = 100;
+
+  std::vector<report::StructureTally> structures;
+  std::uint64_t variants = 0;  // variants with a structure
+  std::uint64_t more = 0;      // variants of structures that are not in the list
+  std::vector<DifferingField> fields;
+  std::string why_unknown;                    // why fields are not compared; empty: they are
+  std::vector<report::Separator> separators;  // if fields are not compared: those of all structures
+};
+
+/// Compares the structures of a batch. Makes one variant of each structure again, from the spec
+/// that the records name; `folder` is that of the manifest.
+BatchStructures CompareStructures(const report::ManifestSummary& batch,
+                                  const std::filesystem::path& folder);
+
+/// Returns a line per field that differs: "geom_type differs in 32 of 64: handle_shape (...)".
+std::vector<std::string> DifferencesText(const BatchStructures& batch);
+/// Returns a table of the structures and the lines about fields; empty if there are no structures.
+std::string StructuresText(const BatchStructures& batch);
+/// Writes the members `structures` and `differences`.
+void WriteStructures(JsonOutput& json, const BatchStructures& batch);
+
+}  // namespace mjforge::app

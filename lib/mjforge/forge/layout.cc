@@ -1,0 +1,117 @@
+// Layout of a batch: the structure that all of its variants must have.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mjforge/expr/expr.h"
+#include "mjforge/forge/forge.h"
+
+namespace mjforge::forge {
+namespace {
+
+using sample::ParameterValue;
+
+constexpr std::size_t kShownParameters = 3;
+
+// Returns the text of a value that is a choice among few: a text, a flag or a whole number.
+std::optional<std::string> ChoiceText(const ParameterValue& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+  const auto* number = std::get_if<double>(&value);
+  if (number == nullptr || *number != std::round(*number)) return std::nullopt;
+  return expr::NumberText(*number);
+}
+
+// Lists the choices that differ between two variants: "shape is box, not round".
+std::string ChoicesText(const manifest::Record& record, const manifest::Record& reference) {
+  std::string text;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < std::min(record.params.size(), reference.params.size()); ++i) {
+    const auto& [name, value] = record.params[i];
+    const std::optional<std::string> here = ChoiceText(value);
+    const std::optional<std::string> there = ChoiceText(reference.params[i].second);
+    if (!here || !there || *here == *there || ++count > kShownParameters) continue;
+    text += fmt::format("{}{} is {}, not {}", text.empty() ? "" : ", ", name, *here, *there);
+  }
+  if (count > kShownParameters) text += fmt::format(" and {} more", count - kShownParameters);
+  return text;
+}
+
+// Returns the place of the element with this name in the spec; invalid if no element has it.
+diag::SourceMark MarkOf(const model::Object& object, std::string_view element) {
+  const std::string whole = fmt::format("{}_{}", object.name, element);
+  const auto is_it = [&](const auto& one) { return one.name == element || one.name == whole; };
+  diag::SourceMark mark;
+  const auto search = [&](const auto& elements) {
+    if (mark) return;
+    const auto found = std::ranges::find_if(elements, is_it);
+    if (found != elements.end()) mark = found->mark;
+  };
+  search(object.bodies);
+  for (const model::Body& body : object.bodies) {
+    search(body.parts);
+    search(body.joints);
+    search(body.sites);
+  }
+  return mark;
+}
+
+diag::SourceMark MarkOf(const model::Object& object, const structure::Difference& difference) {
+  for (const std::string& element : difference.elements) {
+    if (const diag::SourceMark mark = MarkOf(object, element)) return mark;
+  }
+  return object.bodies.front().mark;
+}
+
+}  // namespace
+
+void Generator::FindReference() {
+  reference_.emplace();
+  const Options options = options_;
+  options_.layout = Layout::kAny;
+  options_.attempt = 0;  // replaying a record sets another one
+  Variant variant;
+  for (std::uint64_t i = 0; i < kMaxReferences; ++i) {
+    Make(options.layout_first + i, variant);
+    if (variant.ok()) {
+      *reference_ = {variant.record, std::move(variant.structure)};
+      break;
+    }
+  }
+  options_ = options;
+}
+
+bool Generator::CheckStructure(Variant& variant) const {
+  if (options_.layout != Layout::kOne) return true;
+  const auto& [reference, structure] = *reference_;
+  if (variant.structure == structure) return true;
+  const model::Object& object = *variant.object;
+  if (structure.empty()) {
+    variant.findings.Add(
+        diag::Code::kMujocoStructure, object.bodies.front().mark,
+        fmt::format("there is no structure to compare with: none of the {} variants from {} on is "
+                    "valid",
+                    kMaxReferences, options_.layout_first),
+        "begin the batch at a valid variant, with --first");
+    return false;
+  }
+  const std::vector<structure::Difference> differences =
+      structure::DifferencesOf(structure, variant.structure);
+  std::string text = structure::Describe(differences.front());
+  if (differences.size() > 1) {
+    text += fmt::format(", and {} more {}", differences.size() - 1,
+                        differences.size() == 2 ? "field differs" : "fields differ");
+  }
+  const std::string choices = ChoicesText(variant.record, reference);
+  variant.findings.Add(
+      diag::Code::kMujocoStructure, MarkOf(object, differences.front()),
+      fmt::format("not the structure of variant {}: {}{}", reference.index, text,
+                  choices.empty() ? "" : fmt::format(" ({})", choices)),
+      "--layout split writes a folder per structure; --on-invalid resample draws such variants "
+      "again");
+  return false;
+}
+
+}  // namespace mjforge::forge

@@ -1,0 +1,64 @@
+// A generated variant, and the options of a batch that determine it.
+
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/manifest/manifest.h"
+#include "mjforge/mjcf/mjcf.h"
+#include "mjforge/model/model.h"
+#include "mjforge/sample/sample.h"
+#include "mjforge/structure/structure.h"
+
+namespace mjforge::forge {
+
+/// A variant: its object, MJCF text, record and findings.
+struct Variant {
+  manifest::Record record;
+  /// Null if the object could not be assembled.
+  std::shared_ptr<const model::Object> object;
+  mjcf::MjcfDocument document;                  // undefined if there is no object
+  std::optional<mjcf::MjcfDocument> placement;  // placement.json and its files, for Options::each
+  diag::Findings findings;
+  structure::Structure structure;  // empty: MuJoCo did not load the variant
+
+  /// Returns the file of the variant, with the files that it refers to.
+  const mjcf::MjcfDocument& output() const { return placement ? *placement : document; }
+  bool ok() const { return record.status == manifest::Status::kOk; }
+};
+
+using manifest::Layout;
+using manifest::OnInvalid;
+using manifest::Validation;
+
+/// Options that apply to all variants of a batch.
+struct Options {
+  std::uint64_t seed = 0;
+  std::optional<std::uint64_t> place_seed = {};  // redraws the places alone
+  mjcf::Target target = mjcf::Target::kMujoco;
+  mjcf::AssetForm assets = mjcf::AssetForm::kInline;
+  bool each = false;  // files of all objects of a scene; `document` is then the scene for MuJoCo
+  std::string name;   // valid for CheckName; empty: the name of the spec
+  std::uint64_t attempt = 0;  // first attempt; earlier ones are not tried
+  OnInvalid on_invalid = OnInvalid::kFail;
+  sample::Method sampler = sample::Method::kRandom;
+  std::uint64_t batch = 0;  // number of variants; 0: unknown (sample::Sampler)
+  Validation validation = Validation::kLoad;
+  Layout layout = Layout::kAny;    // other layouts need a validation
+  std::uint64_t layout_first = 0;  // Layout::kOne: index of the batch's first variant
+  /// Folder of the manifest. Records contain the path of the spec's file relative to this folder;
+  /// no path if the option is empty.
+  std::optional<std::filesystem::path> folder;
+  /// Name of the file in that folder that will have Recipe::snapshot, if the recipe has one.
+  std::string snapshot_file = {};
+};
+inline constexpr int kMaxResamples = 100;
+/// Layout::kOne: number of variants among which the first valid one is searched.
+inline constexpr std::uint64_t kMaxReferences = 100;
+
+}  // namespace mjforge::forge

@@ -1,0 +1,185 @@
+// Structures of the variants of a batch, and the parameters that separate them.
+
+#include "mjforge/report/structure_tallies.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mjforge/expr/expr.h"
+
+namespace mjforge::report {
+namespace {
+
+// Limit of components of a vector that are compared.
+constexpr std::size_t kComparedComponents = 8;
+
+void AddValue(std::string value, ParameterExtent& extent) {
+  if (extent.more_values) return;
+  extent.values.insert(std::move(value));
+  extent.more_values = extent.values.size() > ParameterExtent::kMaxValues;
+}
+
+void AddNumber(double number, ParameterExtent& extent) {
+  extent.low = std::min(extent.low, number);
+  extent.high = std::max(extent.high, number);
+  if (extent.more_values) return;
+  if (number == std::round(number)) {
+    AddValue(expr::NumberText(number), extent);
+  } else {
+    extent.more_values = true;
+  }
+}
+
+// Extents by position: all records of a batch have the same parameters in the same order, but lists
+// of different lengths.
+ParameterExtent& At(std::size_t& position, const std::string& name,
+                    std::vector<ParameterExtent>& extents) {
+  auto found = extents.begin() + static_cast<std::ptrdiff_t>(std::min(position, extents.size()));
+  if (found == extents.end() || found->name != name)
+    found = std::ranges::find(extents, name, &ParameterExtent::name);
+  if (found == extents.end()) {
+    found = extents.emplace(extents.end());
+    found->name = name;
+  }
+  position = static_cast<std::size_t>(found - extents.begin()) + 1;
+  return *found;
+}
+
+void AddParameter(const std::string& name, const sample::ParameterValue& value,
+                  std::size_t& position, std::vector<ParameterExtent>& extents) {
+  if (const auto* text = std::get_if<std::string>(&value)) {
+    AddValue(*text, At(position, name, extents));
+  } else if (const auto* flag = std::get_if<bool>(&value)) {
+    AddValue(*flag ? "true" : "false", At(position, name, extents));
+  } else if (const auto* texts = std::get_if<std::vector<std::string>>(&value)) {
+    AddValue(fmt::format("{}", fmt::join(*texts, ", ")), At(position, name, extents));
+  } else if (const auto* flags = std::get_if<std::vector<bool>>(&value)) {
+    AddValue(fmt::format("{}", fmt::join(*flags, ", ")), At(position, name, extents));
+  } else if (const auto* number = std::get_if<double>(&value)) {
+    AddNumber(*number, At(position, name, extents));
+  } else {
+    const auto& numbers = std::get<std::vector<double>>(value);
+    for (std::size_t i = 0; i < std::min(numbers.size(), kComparedComponents); ++i)
+      AddNumber(numbers[i], At(position, fmt::format("{}[{}]", name, i), extents));
+  }
+}
+
+bool HasCommonValue(const std::vector<const ParameterExtent*>& groups) {
+  std::set<std::string> seen;
+  for (const ParameterExtent* group : groups) {
+    if (group->more_values) return true;
+    for (const std::string& value : group->values) {
+      if (!seen.insert(value).second) return true;
+    }
+  }
+  return false;
+}
+
+bool Overlap(std::vector<const ParameterExtent*> groups) {
+  std::ranges::sort(groups, {}, &ParameterExtent::low);
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    if (!(groups[i]->low <= groups[i]->high)) return true;  // no numbers
+    if (i > 0 && groups[i]->low <= groups[i - 1]->high) return true;
+  }
+  return false;
+}
+
+Separation SeparationOf(const std::vector<const ParameterExtent*>& groups) {
+  if (!HasCommonValue(groups)) return Separation::kByValue;
+  return Overlap(groups) ? Separation::kNone : Separation::kByRange;
+}
+
+// Extents of one parameter in each group; empty if a group lacks it.
+std::vector<const ParameterExtent*> ExtentsOf(
+    const std::string& name, const std::map<int, std::vector<ParameterExtent>>& groups) {
+  std::vector<const ParameterExtent*> extents;
+  for (const auto& [group, params] : groups) {
+    const auto found = std::ranges::find(params, name, &ParameterExtent::name);
+    if (found == params.end()) return {};
+    extents.push_back(&*found);
+  }
+  return extents;
+}
+
+void AppendAll(const std::vector<ParameterExtent>& from, std::vector<ParameterExtent>& to) {
+  std::size_t position = 0;
+  for (const ParameterExtent& extent : from) At(position, extent.name, to).Append(extent);
+}
+
+}  // namespace
+
+void ParameterExtent::Append(const ParameterExtent& other) {
+  low = std::min(low, other.low);
+  high = std::max(high, other.high);
+  more_values = more_values || other.more_values;
+  for (const std::string& value : other.values) AddValue(value, *this);
+}
+
+void StructureTally::Add(const manifest::Record& record) {
+  if (variants++ == 0) first = record;
+  std::size_t position = 0;
+  for (const auto& [name, value] : record.params) AddParameter(name, value, position, params);
+}
+
+void StructureTally::Append(const StructureTally& next) {
+  if (variants == 0) first = next.first;
+  variants += next.variants;
+  AppendAll(next.params, params);
+}
+
+// Returns null if there are too many structures.
+StructureTally* StructureTallies::At(const std::string& key) {
+  const auto [known, is_new] = numbers_.try_emplace(key, list_.size());
+  if (!is_new) return &list_[known->second];
+  if (list_.size() == kMaxStructures) {
+    numbers_.erase(known);
+    return nullptr;
+  }
+  StructureTally& added = list_.emplace_back();
+  added.key = key;
+  return &added;
+}
+
+void StructureTallies::Add(const manifest::Record& record) {
+  if (record.structure.empty()) return;
+  if (StructureTally* tally = At(record.structure)) {
+    tally->Add(record);
+  } else {
+    ++more_;
+  }
+}
+
+void StructureTallies::Append(const StructureTallies& next) {
+  more_ += next.more_;
+  for (const StructureTally& tally : next.list_) {
+    if (StructureTally* known = At(tally.key)) {
+      known->Append(tally);
+    } else {
+      more_ += tally.variants;
+    }
+  }
+}
+
+std::vector<Separator> SeparatorsOf(const std::vector<StructureTally>& structures,
+                                    const std::vector<int>& groups) {
+  std::map<int, std::vector<ParameterExtent>> merged;
+  for (std::size_t i = 0; i < structures.size(); ++i) {
+    if (groups[i] >= 0) AppendAll(structures[i].params, merged[groups[i]]);
+  }
+  std::vector<Separator> by_value;
+  std::vector<Separator> by_range;
+  if (merged.size() < 2) return by_value;
+  for (const ParameterExtent& param : merged.begin()->second) {
+    const auto extents = ExtentsOf(param.name, merged);
+    if (extents.empty()) continue;
+    const Separation separation = SeparationOf(extents);
+    if (separation == Separation::kByValue) by_value.push_back({param.name, separation});
+    if (separation == Separation::kByRange) by_range.push_back({param.name, separation});
+  }
+  return by_value.empty() ? by_range : by_value;
+}
+
+}  // namespace mjforge::report

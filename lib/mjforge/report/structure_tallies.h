@@ -1,0 +1,81 @@
+// Structures of the variants of a batch (structure.h), and the parameters that separate them.
+
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "mjforge/manifest/manifest.h"
+
+namespace mjforge::report {
+
+/// Values of a parameter among some variants.
+struct ParameterExtent {
+  /// Limit of different values that are kept.
+  static constexpr std::size_t kMaxValues = 24;
+
+  std::string name;              // "shape", "size.x"
+  std::set<std::string> values;  // texts, flags and whole numbers
+  bool more_values = false;      // more than kMaxValues, or numbers that are not whole
+  // Range of numbers.
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void Append(const ParameterExtent& other);
+};
+
+/// Relation of a parameter to a division of variants into groups.
+enum class Separation {
+  kNone,     // some value may belong to several groups
+  kByValue,  // no value belongs to several groups
+  kByRange,  // numbers: the ranges of the groups do not overlap
+};
+
+/// The variants of one structure.
+struct StructureTally {
+  std::string key;
+  std::uint64_t variants = 0;
+  manifest::Record first;  // the first variant of this structure
+  std::vector<ParameterExtent> params;
+
+  void Add(const manifest::Record& record);
+  void Append(const StructureTally& next);
+};
+
+/// Structures in the order of their first variants.
+class StructureTallies {
+ public:
+  /// Limit of different structures that are told apart.
+  static constexpr std::size_t kMaxStructures = 1000;
+
+  void Add(const manifest::Record& record);
+  void Append(const StructureTallies& next);
+
+  const std::vector<StructureTally>& list() const { return list_; }
+  /// Number of variants of further structures.
+  std::uint64_t more() const { return more_; }
+
+ private:
+  StructureTally* At(const std::string& key);
+
+  std::vector<StructureTally> list_;
+  std::map<std::string, std::size_t> numbers_;  // positions in the list, by key
+  std::uint64_t more_ = 0;
+};
+
+/// Name of a parameter that separates groups of variants.
+struct Separator {
+  std::string parameter;
+  Separation separation = Separation::kNone;
+};
+/// Returns the parameters that separate the groups, `groups[i]` being the group of `list()[i]`;
+/// negative numbers exclude a structure. A range separates few variants by chance, so ranges are
+/// returned only if no parameter separates by its values.
+std::vector<Separator> SeparatorsOf(const std::vector<StructureTally>& structures,
+                                    const std::vector<int>& groups);
+
+}  // namespace mjforge::report
