@@ -75,10 +75,12 @@ TEST_CASE("a parameter separates by values that no two groups share") {
 
 TEST_CASE("a threshold separates if no parameter does so by its values") {
   StructureTallies tallies;
-  for (const double size : {0.11, 0.12, 0.13})
-    tallies.Add(RecordOf(0, "a", {{"size", size}, {"other", size * size - 0.24 * size}}));
-  for (const double size : {0.14, 0.15})
-    tallies.Add(RecordOf(0, "b", {{"size", size}, {"other", 0.12 * size - 0.031}}));
+  const std::vector<std::pair<double, double>> low = {{0.11, 0.5}, {0.12, 0.9}, {0.13, 0.7}};
+  const std::vector<std::pair<double, double>> high = {{0.14, 0.6}, {0.15, 0.8}};
+  for (const auto& [size, other] : low)
+    tallies.Add(RecordOf(0, "a", {{"size", size}, {"other", other}}));
+  for (const auto& [size, other] : high)
+    tallies.Add(RecordOf(0, "b", {{"size", size}, {"other", other}}));
   CHECK(NamesOf(SeparatorsOf(tallies.list(), {0, 1})) == Names{"size by range"});
 }
 
