@@ -30,7 +30,7 @@ TEST_CASE_METHOD(UsageTest, "unknown words are named, with what was probably mea
   CHECK(WrongUsage({"schema", "object", "more"}) == "mjforge: error: 'more' is one word too many");
   CHECK(WrongUsage({"schema", "object", "--", "more"}) ==
         "mjforge: error: 'more' is one word too many");
-  CHECK(WrongUsage({"replay", "--"}) == "mjforge: error: VARIANT is required");
+  CHECK(WrongUsage({"replay", "--"}) == "mjforge: error: WHAT is required");
 }
 
 TEST_CASE_METHOD(UsageTest, "values that an option cannot take are wrong usage") {
