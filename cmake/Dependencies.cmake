@@ -11,6 +11,7 @@ set(mjforge_dependencies
   "RapidJSON 1.1"
   "Gcrypt"  # SHA-256
   "LibArchive 3.6"
+  "ZLIB 1.2"  # checksums of zip files
   "tinyobjloader"
   "PNG 1.6"
   "GIF 5.2"

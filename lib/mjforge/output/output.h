@@ -18,6 +18,7 @@
 #include "mjforge/mjcf/mjcf.h"
 #include "mjforge/output/archive.h"
 #include "mjforge/output/destination.h"
+#include "mjforge/output/npz.h"
 #include "mjforge/output/part_file.h"
 
 namespace mjforge::output {
