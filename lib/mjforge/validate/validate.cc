@@ -272,7 +272,8 @@ Loaded Loader::Impl::LoadDocument(const mjcf::MjcfDocument& document, const std:
 }
 
 bool Loader::Validate(const mjcf::MjcfDocument& document, const model::Object& object,
-                      diag::Findings& findings, structure::Structure* structure) {
+                      diag::Findings& findings, structure::Structure* structure,
+                      family::Numbers* numbers) {
   const Loaded loaded = impl_->LoadDocument(document, SizeHint(object), object, findings);
   if (!loaded.model) return false;
   if (structure != nullptr) *structure = structure::StructureOf(*loaded.model, object.name);
@@ -280,6 +281,8 @@ bool Loader::Validate(const mjcf::MjcfDocument& document, const model::Object& o
   Comparison(*loaded.model, object, found).Run(document.lift);
   const bool crowded = found.empty() && FindTouching(*loaded.model, object, found);
   FindLaterRefusals(*loaded.model, object, found);
+  if (numbers != nullptr && !found.HasErrors())
+    *numbers = family::Read(*loaded.model, object, document);
   const bool as_meant = !found.HasErrors();
   const bool warned = AddWarnings(loaded, crowded, MarkOf(object), findings);
   findings.Append(std::move(found));

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mjforge/diag/diag.h"
+#include "mjforge/family/family.h"
 #include "mjforge/mjcf/mjcf.h"
 #include "mjforge/model/model.h"
 #include "mjforge/structure/structure.h"
@@ -74,9 +75,11 @@ class Loader {
   /// Loads a document made from `object` and compares counts, names, masses, inertias, sizes, poses
   /// and references. If everything matches, finds bodies that touch with all joints at zero. Adds a
   /// finding, at its place in the spec, for each error, warning, difference and touching pair.
-  /// Returns true if there is no error. Sets `structure`, unless null, to that of the loaded model.
+  /// Returns true if there is no error. Sets `structure` and `numbers`, unless null, to those of the
+  /// loaded model.
   bool Validate(const mjcf::MjcfDocument& document, const model::Object& object,
-                diag::Findings& findings, structure::Structure* structure = nullptr);
+                diag::Findings& findings, structure::Structure* structure = nullptr,
+                family::Numbers* numbers = nullptr);
 
   /// Loads any MJCF file; findings point into the XML. Returns nothing if MuJoCo rejects the file.
   std::optional<CompiledModel> Load(const std::filesystem::path& file, diag::Sources& sources,

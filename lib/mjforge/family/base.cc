@@ -1,0 +1,204 @@
+// The base MJCF of a family: inertias, mocap bodies, materials and places, line by line.
+
+#include "mjforge/family/base.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <map>
+
+#include "mjforge/expr/expr.h"
+
+namespace mjforge::family {
+namespace {
+
+// Calls the function with each line, including its line end.
+void ForEachLine(std::string_view text, const std::function<void(std::string_view)>& visit) {
+  while (!text.empty()) {
+    const std::size_t size = std::min(text.find('\n'), text.size() - 1) + 1;
+    visit(text.substr(0, size));
+    text.remove_prefix(size);
+  }
+}
+
+// Returns the tag of the element that begins or ("/body") ends on a line; empty if none does.
+std::string_view TagOf(std::string_view line) {
+  const std::size_t at = line.find_first_not_of(' ');
+  if (at == line.npos || line[at] != '<') return {};
+  line.remove_prefix(at + 1);
+  return line.substr(0, line.find_first_of(" />\n", 1));
+}
+
+std::string_view IndentOf(std::string_view line) { return line.substr(0, line.find('<')); }
+
+template <typename Numbers>
+std::string Attribute(std::string_view name, const Numbers& numbers) {
+  std::string text = ' ' + std::string(name) + "=\"";
+  for (const double number : numbers) {
+    if (text.back() != '"') text += ' ';
+    text += expr::ExactNumberText(number);
+  }
+  return text + '"';
+}
+
+// Replaces or adds an attribute of the element on a line.
+template <typename Numbers>
+void SetAttribute(std::string& line, std::string_view name, const Numbers& numbers) {
+  const std::string text = Attribute(name, numbers);
+  const std::size_t at = line.find(text.substr(0, text.find('"') + 1));
+  if (at != line.npos) {
+    const std::size_t end = line.find('"', line.find('"', at) + 1) + 1;
+    line.replace(at, end - at, text);
+  } else {
+    line.insert(line.find('>') - (line[line.find('>') - 1] == '/' ? 1 : 0), text);
+  }
+}
+
+// The rows of an array by the index of the element.
+class ArrayRows {
+ public:
+  ArrayRows(const Numbers& numbers, std::string_view name) {
+    const double* at = numbers.values.data();
+    for (const ArrayShape& shape : numbers.shapes) {
+      if (shape.name == name) {
+        first_ = at;
+        width_ = shape.width();
+        return;
+      }
+      at += shape.size();
+    }
+  }
+  std::span<const double> operator[](std::size_t element) const {
+    return {first_ + width_ * element, width_};
+  }
+
+ private:
+  const double* first_ = nullptr;
+  std::size_t width_ = 0;
+};
+
+// Writes the text of a variant with the inertias that MuJoCo computed.
+class BaseWriter {
+ public:
+  BaseWriter(const Numbers& numbers, bool mocap)
+      : mocap_(mocap),
+        mass_(numbers, "body_mass"),
+        ipos_(numbers, "body_ipos"),
+        iquat_(numbers, "body_iquat"),
+        inertia_(numbers, "body_inertia") {}
+
+  std::string operator()(std::string_view text) {
+    ForEachLine(text, [&](std::string_view line) { Add(line); });
+    return std::move(base_);
+  }
+
+ private:
+  void Add(std::string_view line) {
+    const std::string_view tag = TagOf(line);
+    if (tag == "worldbody") is_in_world_ = true;
+    if (tag == "/worldbody") is_in_world_ = false;
+    // The opening comment says that the text is the variant's.
+    if (tag.starts_with('!') || (is_in_world_ && tag == "inertial")) return;
+    if (is_in_world_ && tag == "joint" && depth_ == 1) MakeFree();
+    base_ += line;
+    if (!is_in_world_) return;
+    if (tag == "body") BeginBody(line);
+    if (tag == "/body") --depth_;
+  }
+
+  void BeginBody(std::string_view line) {
+    ++depth_;
+    const bool has_mocap = line.find(" mocap=\"") != line.npos;
+    if (mocap_ && depth_ == 1 && !has_mocap) {
+      mocap_at_ = base_.rfind('>');
+      base_.insert(mocap_at_, kMocap);
+    }
+    base_.append(IndentOf(line)).append("  <inertial");
+    base_ += Attribute("pos", ipos_[body_]) + Attribute("quat", iquat_[body_]) +
+             Attribute("mass", mass_[body_]) + Attribute("diaginertia", inertia_[body_]) + "/>\n";
+    ++body_;
+  }
+
+  // Makes the current child of the world, which has a joint, a usual body again.
+  void MakeFree() {
+    if (mocap_at_ == base_.npos) return;
+    base_.erase(mocap_at_, kMocap.size());
+    mocap_at_ = base_.npos;
+  }
+
+  static constexpr std::string_view kMocap = " mocap=\"true\"";
+
+  bool mocap_;
+  ArrayRows mass_;
+  ArrayRows ipos_;
+  ArrayRows iquat_;
+  ArrayRows inertia_;
+  std::string base_;
+  std::size_t mocap_at_ = std::string::npos;
+  bool is_in_world_ = false;
+  int depth_ = 0;
+  std::size_t body_ = 0;
+};
+
+}  // namespace
+
+std::string BaseOf(const mjcf::MjcfDocument& document, const Numbers& numbers, bool mocap) {
+  return BaseWriter(numbers, mocap)(document.text);
+}
+
+std::string WithPlaces(std::string_view base, std::span<const NewPlace> places) {
+  std::map<std::pair<std::string_view, std::size_t>, const NewPlace*> by_number;
+  for (const NewPlace& place : places) by_number[{place.tag, place.number}] = &place;
+  std::map<std::string_view, std::size_t> numbers;  // counts of elements so far, by tag
+  std::string out;
+  bool is_in_world = false;
+  ForEachLine(base, [&](std::string_view line) {
+    const std::string_view tag = TagOf(line);
+    if (tag == "worldbody") is_in_world = true;
+    if (tag == "/worldbody") is_in_world = false;
+    std::string changed(line);
+    if (is_in_world && !tag.empty()) {
+      const auto place = by_number.find({tag, numbers[tag]++});
+      if (place != by_number.end()) {
+        SetAttribute(changed, "pos", place->second->pos);
+        if (place->second->quat) SetAttribute(changed, "quat", *place->second->quat);
+      }
+    }
+    out += changed;
+  });
+  return out;
+}
+
+std::string WithFrictions(std::string_view base,
+                          std::span<const std::pair<std::string, double>> joints) {
+  std::string out;
+  ForEachLine(base, [&](std::string_view line) {
+    std::string changed(line);
+    if (TagOf(line) == "joint") {
+      for (const auto& [name, friction] : joints) {
+        if (line.find(" name=\"" + name + '"') != line.npos)
+          SetAttribute(changed, "frictionloss", std::array{friction});
+      }
+    }
+    out += changed;
+  });
+  return out;
+}
+
+std::string WithMaterials(std::string_view base, std::span<const Material> materials) {
+  std::string missing;
+  for (const Material& material : materials) {
+    ForEachLine(material.elements, [&](std::string_view line) {
+      // Several materials may share a texture.
+      const std::string_view start = line.substr(0, line.find('"', line.find('"') + 1) + 1);
+      if (base.find(start) == base.npos && missing.find(start) == missing.npos) missing += line;
+    });
+  }
+  std::string out(base);
+  if (missing.empty()) return out;
+  const std::size_t end = out.find("  </asset>\n");
+  if (end != out.npos) return out.insert(end, missing);
+  return out.insert(out.find("  <worldbody>\n"), "  <asset>\n" + missing + "  </asset>\n");
+}
+
+}  // namespace mjforge::family

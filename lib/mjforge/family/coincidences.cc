@@ -1,0 +1,87 @@
+// Coincidences of numbers, computed as MuJoCo's compiler does (mujoco 4.0: user_model.cc,
+// CopyTree).
+
+#include "mjforge/family/coincidences.h"
+
+#include <cmath>
+#include <cstddef>
+
+#include "mjforge/compiled/compiled.h"
+
+namespace mjforge::family {
+namespace {
+
+using compiled::Index;
+
+constexpr mjtNum kOrigin[3] = {0, 0, 0};
+constexpr mjtNum kUnit[4] = {1, 0, 0, 0};
+
+bool IsSamePoint(const mjtNum* a, const mjtNum* b) {
+  return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
+// q and -q are one rotation.
+bool IsSameRotation(const mjtNum* a, const mjtNum* b) {
+  return (a[0] == b[0] && a[1] == b[1] && a[2] == b[2] && a[3] == b[3]) ||
+         (a[0] == -b[0] && a[1] == -b[1] && a[2] == -b[2] && a[3] == -b[3]);
+}
+
+SameFrame FrameOf(const mjtNum* pos, const mjtNum* quat, const mjtNum* ipos, const mjtNum* iquat) {
+  if (IsSameRotation(quat, kUnit)) return IsSamePoint(pos, kOrigin) ? kBody : kBodyRotation;
+  if (!IsSameRotation(quat, iquat)) return kNone;
+  return IsSamePoint(pos, ipos) ? kInertia : kInertiaRotation;
+}
+
+// MuJoCo takes a component of an axis below this number as zero (mjEPS).
+constexpr double kAxisTolerance = 1e-14;
+
+bool LetsBeSimple(const mjModel& m, int joint) {
+  if (m.jnt_type[joint] == mjJNT_FREE) return true;
+  const mjtNum* axis = m.jnt_axis + 3 * static_cast<std::ptrdiff_t>(joint);
+  int components = 0;
+  for (int i = 0; i < 3; ++i) components += std::abs(axis[i]) > kAxisTolerance ? 1 : 0;
+  return IsSamePoint(m.jnt_pos + 3 * static_cast<std::ptrdiff_t>(joint), kOrigin) &&
+         (m.jnt_type[joint] == mjJNT_BALL || components == 1);
+}
+
+template <typename Flag>
+void AddFlags(std::string_view name, const mjModel& m, mjtObj kind, const Flag& flag,
+              Numbers& numbers) {
+  ArrayShape& shape = numbers.shapes.emplace_back();
+  shape.name = name;
+  shape.type = ArrayShape::Type::kFlag;
+  const int count = ElementCount(m, kind);
+  for (int id = kind == mjOBJ_BODY ? 1 : 0; id < count; ++id) {
+    shape.elements.push_back(ElementName(m, kind, id));
+    numbers.values.push_back(static_cast<double>(flag(id)));
+  }
+  shape.dims = {shape.elements.size()};
+}
+
+}  // namespace
+
+void AddCoincidences(const mjModel& m, Numbers& numbers) {
+  const auto in_body = [&](const mjtNum* pos, const mjtNum* quat, int id, int body) {
+    return FrameOf(pos + 3 * static_cast<std::ptrdiff_t>(id),
+                   quat + 4 * static_cast<std::ptrdiff_t>(id),
+                   m.body_ipos + 3 * static_cast<std::ptrdiff_t>(body),
+                   m.body_iquat + 4 * static_cast<std::ptrdiff_t>(body));
+  };
+  AddFlags(
+      kBodyFlags, m, mjOBJ_BODY,
+      [&](int id) {
+        const SameFrame frame = in_body(m.body_ipos, m.body_iquat, id, id);
+        return frame == kInertia ? kNone : frame;
+      },
+      numbers);
+  AddFlags(
+      kGeomFlags, m, mjOBJ_GEOM,
+      [&](int id) { return in_body(m.geom_pos, m.geom_quat, id, m.geom_bodyid[id]); }, numbers);
+  AddFlags(
+      kSiteFlags, m, mjOBJ_SITE,
+      [&](int id) { return in_body(m.site_pos, m.site_quat, id, m.site_bodyid[id]); }, numbers);
+  AddFlags(
+      kJointFlags, m, mjOBJ_JOINT, [&](int id) { return LetsBeSimple(m, id); }, numbers);
+}
+
+}  // namespace mjforge::family

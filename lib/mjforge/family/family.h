@@ -1,0 +1,143 @@
+// Families: the numbers in which the variants of one structure differ, for simulators that step
+// thousands of worlds with one model.
+
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "mjforge/bytes/bytes.h"
+#include "mjforge/diag/diag.h"
+#include "mjforge/mjcf/mjcf.h"
+#include "mjforge/model/model.h"
+#include "mjforge/output/output.h"
+#include "mjforge/sample/sample.h"
+#include "mjforge/structure/structure.h"
+
+struct mjModel_;  // MuJoCo's compiled model
+
+namespace mjforge::family {
+
+/// Description of an array that every variant of a family has.
+struct ArrayShape {
+  enum class Type : std::uint8_t {
+    kNumber,    // double
+    kIndex,     // std::uint64_t in the bytes of the double
+    kMaterial,  // position in Numbers::materials, or -1
+    kFlag       // treatment of an element whose pose is a special one; not in the file
+  };
+
+  std::string name;  // "geom_size"
+  std::vector<std::uint64_t>
+      dims;  // dimensions for one variant: {elements, numbers of each}, {}, {2, 3}
+  Type type = Type::kNumber;
+  bool is_always_stored = false;  // stored also if it has one value
+  /// Names of the elements of the first dimension. Empty: the array is stored as a whole.
+  std::vector<std::string> elements;
+  /// Position of each number within its joint, for arrays of degrees of freedom and coordinates.
+  std::vector<std::uint64_t> components;
+
+  /// Number of doubles of one variant.
+  std::uint64_t size() const;
+  /// Number of doubles of one element.
+  std::uint64_t width() const { return elements.empty() ? size() : size() / elements.size(); }
+
+  bool operator==(const ArrayShape&) const = default;
+};
+using Shapes = std::vector<ArrayShape>;
+
+/// A material as a variant has it.
+struct Material {
+  std::string name;
+  std::string elements;              // <texture> and <material>, with their line ends
+  std::array<double, 10> numbers{};  // kMaterialArrays, one after the other
+
+  bool operator==(const Material&) const = default;
+};
+struct MaterialArray {
+  std::string_view name;
+  std::uint64_t width;
+};
+inline constexpr MaterialArray kMaterialArrays[] = {{"mat_rgba", 4},        {"mat_emission", 1},
+                                                    {"mat_specular", 1},    {"mat_shininess", 1},
+                                                    {"mat_reflectance", 1}, {"mat_texrepeat", 2}};
+
+/// Names and values of a variant's parameters, as in its record.
+using Parameters = std::vector<std::pair<std::string, sample::ParameterValue>>;
+
+/// The numbers of one variant.
+struct Numbers {
+  structure::Structure structure;
+  Shapes shapes;
+  std::vector<double> values;  // numbers of all arrays, in the order of the shapes
+  std::vector<Material> materials;
+
+  /// Adds an array that is always stored.
+  void Add(std::string name, std::vector<std::uint64_t> dims, std::span<const double> numbers,
+           ArrayShape::Type type = ArrayShape::Type::kNumber);
+};
+
+/// Reads the numbers of a variant from the model that MuJoCo compiled from `document`, which was
+/// made from `object`. Poses of mesh geoms and vertices of meshes are those of the document,
+/// because releases of MuJoCo choose different frames for a mesh.
+Numbers Read(const mjModel_& m, const model::Object& object, const mjcf::MjcfDocument& document);
+
+/// Returns the MJCF of a variant with `<inertial>` in every body, so that its masses do not depend
+/// on its geoms. With `mocap`, bodies that are fixed to the world become mocap bodies.
+std::string BaseOf(const mjcf::MjcfDocument& document, const Numbers& numbers, bool mocap);
+
+/// The variants of a chunk, encoded for the file of rows. Chunks are concatenated.
+class Rows {
+ public:
+  /// Adds a variant. If it cannot be in one family with the first one, returns a description of the
+  /// difference, "geom_type of 'handle' is box, not cylinder"; otherwise nothing.
+  std::string Add(const Numbers& numbers, const Parameters& parameters);
+  /// Returns the header of a file of rows whose first chunk this is; empty if there are no rows.
+  std::string Header(std::string_view base) const;
+  /// Returns the bytes of the chunk; empty if it has no rows.
+  std::string Bytes() const;
+  void Clear() { *this = Rows(); }
+  bool empty() const { return count_ == 0; }
+
+ private:
+  structure::Structure structure_;
+  Shapes shapes_;
+  std::uint64_t count_ = 0;
+  std::vector<double> values_;
+  std::vector<std::string> parameters_;  // names
+  std::vector<Material> materials_;  // different ones; the numbers are those of the first variant
+  std::string details_;              // materials and parameters of each variant
+};
+
+/// Describes how the variants of the first header differ from those of the other, as Rows::Add
+/// does.
+std::string DifferenceOf(std::string_view header, std::string_view other);
+
+/// Returns the bytes of a file of rows that hold an asset of the base MJCF.
+std::string AssetBlock(std::string_view name, std::string_view content);
+
+/// Facts about a family that are the same for all variants.
+struct Facts {
+  std::vector<std::pair<std::string, std::string>> members;  // names and JSON values
+};
+
+/// Returns the header at the start of a file of rows; nothing, after adding a finding, if the file
+/// is damaged.
+std::optional<std::string> ReadHeader(const std::filesystem::path& rows, diag::Findings& findings);
+
+/// Writes the variants of all files of rows, one after the other, as an .npz file. Loads the base
+/// MJCF in MuJoCo. Returns false after adding a finding.
+bool WriteNpz(std::span<const std::filesystem::path> rows, const Facts& facts,
+              output::PartFile& part, diag::Findings& findings);
+
+/// Name of the first member of a family's file.
+inline constexpr std::string_view kFirstMember = "family";
+
+}  // namespace mjforge::family

@@ -1,0 +1,186 @@
+// Choice of base values: elements whose coincidences differ between variants are moved a little.
+//
+// MuJoCo skips the transformation of a geom whose pose is exactly its body's, and other work like
+// that. Flags of the compiled model say so, and a flag that the base has must be right for every
+// variant. A flag that the base lacks costs only time.
+
+#include "mjforge/family/final_base.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "mjforge/compiled/compiled.h"
+#include "mjforge/engine/engine.h"
+#include "mjforge/family/base.h"
+#include "mjforge/family/coincidences.h"
+
+namespace mjforge::family {
+namespace {
+
+// Offsets of the base, m and half of rad: large enough to outlive rounding, and different for
+// bodies and for what is in them, so that moving both makes no new coincidence.
+constexpr double kBodyOffset = 1e-6;
+constexpr double kOffset = 2e-6;
+
+// Arrays of an element whose flags are in an array.
+struct Flagged {
+  std::string_view flags;
+  std::string_view tag;
+  std::string_view pos;
+  std::string_view quat;  // empty: only the position matters
+};
+constexpr Flagged kFlagged[] = {{kBodyFlags, "inertial", "body_ipos", "body_iquat"},
+                                {kGeomFlags, "geom", "geom_pos", "geom_quat"},
+                                {kSiteFlags, "site", "site_pos", "site_quat"},
+                                {kJointFlags, "joint", "jnt_pos", ""}};
+
+constexpr unsigned Bit(int flag) { return 1U << static_cast<unsigned>(flag); }
+
+// Returns true if the flag of the base is right for variants with these flags.
+bool IsRight(std::string_view array, unsigned base, unsigned variants) {
+  if (array == kJointFlags) return base == 0 || variants == Bit(1);
+  switch (base) {
+    case kNone:
+      return true;
+    case kBodyRotation:
+      return (variants & ~(Bit(kBody) | Bit(kBodyRotation))) == 0;
+    case kInertiaRotation:
+      return (variants & ~(Bit(kInertia) | Bit(kInertiaRotation))) == 0;
+    default:
+      return variants == Bit(static_cast<int>(base));
+  }
+}
+
+// Returns true if all variants have the rotation of the body or all that of its inertia frame.
+bool HasOneRotation(unsigned variants) {
+  return IsRight({}, kBodyRotation, variants) || IsRight({}, kInertiaRotation, variants);
+}
+
+class BaseCompletion {
+ public:
+  BaseCompletion(const Header& header, const bytes::Assets& assets, const Survey& survey,
+                 diag::Findings& findings)
+      : header_(header), assets_(assets), survey_(survey), findings_(findings) {
+    std::size_t at = 0;
+    for (const ArrayShape& shape : header.shapes) {
+      starts_[shape.name] = {&shape, at};
+      at += shape.size();
+    }
+  }
+
+  std::optional<FinalBase> operator()() {
+    base_.text = WithMaterials(header_.base, survey_.materials);
+    base_.text = WithFriction(base_.text);
+    std::optional<Numbers> flags = FlagsOf(base_.text);
+    if (!flags) return std::nullopt;
+    for (const Flagged& array : kFlagged) Move(array, *flags);
+    if (places_.empty()) return std::move(base_);
+    base_.text = WithPlaces(base_.text, places_);
+    flags = FlagsOf(base_.text);
+    if (!flags) return std::nullopt;
+    for (const Flagged& array : kFlagged) Check(array, *flags);
+    return findings_.HasErrors() ? std::nullopt : std::optional(std::move(base_));
+  }
+
+ private:
+  // Compiles the base; returns its flags.
+  std::optional<Numbers> FlagsOf(const std::string& text) {
+    if (!engine_) engine_.emplace();
+    const engine::Loaded loaded = engine_->LoadText(text, assets_);
+    Numbers flags;
+    if (loaded.model) {
+      AddCoincidences(*loaded.model, flags);
+      return flags;
+    }
+    findings_.Add(diag::Code::kMujocoError, {},
+                  "MuJoCo refused the base of the family: " + engine::OneLine(loaded.error));
+    return std::nullopt;
+  }
+
+  std::span<const unsigned> FlagsOfVariants(std::string_view name) const {
+    const auto& [shape, at] = starts_.at(std::string(name));
+    return std::span(survey_.flags).subspan(at, shape->size());
+  }
+
+  // Calls `act` with the number of each element whose base flag may be wrong for a variant.
+  template <typename Act>
+  void ForEachWrong(const Flagged& array, const Numbers& flags, bool if_different, const Act& act) {
+    const std::span<const unsigned> variants = FlagsOfVariants(array.flags);
+    const double* base = flags.values.data();
+    for (const ArrayShape& shape : flags.shapes) {
+      if (shape.name == array.flags) break;
+      base += shape.size();
+    }
+    for (std::size_t i = 0; i < variants.size(); ++i) {
+      const bool is_one = (variants[i] & (variants[i] - 1)) == 0;
+      const bool is_right = IsRight(array.flags, static_cast<unsigned>(base[i]), variants[i]);
+      if (!is_right || (if_different && !is_one)) act(i, variants[i]);
+    }
+  }
+
+  void Move(const Flagged& array, const Numbers& flags) {
+    ForEachWrong(array, flags, true, [&](std::size_t i, unsigned variants) {
+      const double offset = array.flags == kBodyFlags ? kBodyOffset : kOffset;
+      NewPlace place{.tag = array.tag, .number = i, .pos = {}, .quat = {}};
+      const double* pos = First(array.pos, i);
+      place.pos = Eigen::Vector3d(pos[0] + offset, pos[1] + offset, pos[2] + offset);
+      base_.moved[std::string(array.pos)].insert(i);
+      if (!array.quat.empty() && !HasOneRotation(variants)) {
+        const double* q = First(array.quat, i);
+        const Eigen::Quaterniond turned =
+            Eigen::Quaterniond(q[0], q[1], q[2], q[3]) *
+            Eigen::Quaterniond(1, offset, offset, offset).normalized();
+        place.quat = model::Wxyz(turned);
+        base_.moved[std::string(array.quat)].insert(i);
+      }
+      places_.push_back(std::move(place));
+    });
+  }
+
+  void Check(const Flagged& array, const Numbers& flags) {
+    ForEachWrong(array, flags, false, [&](std::size_t i, unsigned) {
+      const ArrayShape& shape = *starts_.at(std::string(array.flags)).first;
+      findings_.Add(diag::Code::kMujocoMismatch, {},
+                    "the variants have no common base: MuJoCo compiles " + std::string(shape.name) +
+                        " of '" + shape.elements[i] + "' as a special case",
+                    "please report this with the spec and the seed");
+    });
+  }
+
+  // Returns the numbers of an element in the first variant.
+  const double* First(std::string_view name, std::size_t element) const {
+    const auto& [shape, at] = starts_.at(std::string(name));
+    return survey_.first.data() + at + shape->width() * element;
+  }
+
+  // Gives each joint friction that has friction in any variant, because engines leave out the
+  // friction of joints that have none in the base.
+  std::string WithFriction(const std::string& text) {
+    const auto& [shape, at] = starts_.at("dof_frictionloss");
+    std::vector<std::pair<std::string, double>> joints;
+    for (std::size_t i = 0; i < shape->size(); ++i) {
+      if (survey_.first[at + i] == 0 && survey_.largest[at + i] > 0 && shape->components[i] == 0)
+        joints.emplace_back(shape->elements[i], survey_.largest[at + i]);
+    }
+    return WithFrictions(text, joints);
+  }
+
+  const Header& header_;
+  const bytes::Assets& assets_;
+  const Survey& survey_;
+  diag::Findings& findings_;
+  std::optional<engine::Engine> engine_;
+  std::map<std::string, std::pair<const ArrayShape*, std::size_t>> starts_;
+  std::vector<NewPlace> places_;
+  FinalBase base_;
+};
+
+}  // namespace
+
+std::optional<FinalBase> Complete(const Header& header, const bytes::Assets& assets,
+                                  const Survey& survey, diag::Findings& findings) {
+  return BaseCompletion(header, assets, survey, findings)();
+}
+
+}  // namespace mjforge::family

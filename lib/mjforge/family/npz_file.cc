@@ -1,0 +1,320 @@
+// The file of a family: from rows of variants to columns of numbers.
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "mjforge/expr/expr.h"
+#include "mjforge/family/family.h"
+#include "mjforge/family/final_base.h"
+
+namespace mjforge::family {
+namespace {
+
+using output::ArrayType;
+
+class FamilyFile {
+ public:
+  FamilyFile(std::vector<RowsFile> files, const Facts& facts, diag::Findings& findings)
+      : files_(std::move(files)), facts_(facts), findings_(findings), survey_(SurveyOf(files_)) {
+    const auto filled =
+        std::ranges::find_if(files_, [](const RowsFile& f) { return f.count() > 0; });
+    if (filled != files_.end()) header_ = filled->header();
+    for (const RowsFile& file : files_) {
+      for (const bytes::Asset& asset : file.assets()) AddAsset(asset);
+    }
+  }
+
+  bool Write(output::PartFile& part) {
+    if (survey_.count == 0) {
+      findings_.Add(diag::Code::kBatchMissing, {}, "the family has no valid variant",
+                    "the manifest says why");
+      return false;
+    }
+    const std::optional<FinalBase> base = Complete(header_, assets_, survey_, findings_);
+    if (!base) return false;
+    base_ = *base;
+    Warn();
+    output::NpzWriter npz(part, findings_);
+    npz_ = &npz;
+    WriteBytes(kFirstMember, FactsText());
+    WriteBytes("base", base_.text);
+    for (const bytes::Asset& asset : assets_) WriteBytes(asset.name, *asset.made);
+    std::size_t at = 0;
+    for (const ArrayShape& shape : header_.shapes) {
+      if (shape.type != ArrayShape::Type::kFlag) WriteArray(shape, at);
+      at += shape.size();
+    }
+    WriteMaterials();
+    for (std::size_t i = 0; i < survey_.parameters.size(); ++i) WriteParameter(i);
+    return npz.Finish();
+  }
+
+ private:
+  void AddAsset(const bytes::Asset& asset) {
+    if (std::ranges::find(assets_, asset.name, &bytes::Asset::name) == assets_.end())
+      assets_.push_back(asset);
+  }
+
+  void Warn() {
+    for (const std::string& name : survey_.other_textures) {
+      findings_.Warn(diag::Code::kFamilyTexture, {},
+                     "the texture of material '" + name + "' differs between the variants",
+                     "worlds share textures: the base has that of the first variant");
+    }
+  }
+
+  // Returns the object's name, which is that of the model.
+  std::string_view NameOfModel() const {
+    std::string_view name = header_.base;
+    constexpr std::string_view kStart = "<mujoco model=\"";
+    name.remove_prefix(name.find(kStart) + kStart.size());
+    return name.substr(0, name.find('"'));
+  }
+
+  std::string FactsText() const {
+    diag::Json json(expr::AppendExactNumber);
+    json.StartObject();
+    json.Member("mjforge_family", 1);
+    json.Member("name", NameOfModel());
+    for (const auto& [name, value] : facts_.members) {
+      json.Key(name);
+      json.Raw(value);
+    }
+    json.Member("variants", survey_.count);
+    json.Key("moved");
+    json.StartObject();
+    for (const auto& [array, elements] : base_.moved) {
+      json.Key(array);
+      json.StartArray();
+      const ArrayShape& shape = *std::ranges::find(header_.shapes, array, &ArrayShape::name);
+      for (const std::size_t i : elements) json.Value(shape.elements[i]);
+      json.EndArray();
+    }
+    json.EndObject();
+    json.EndObject();
+    return json.Take() + '\n';
+  }
+
+  void WriteBytes(std::string_view name, std::string_view bytes) {
+    const std::uint64_t shape[] = {bytes.size()};
+    npz_->Begin(std::string(name), ArrayType::kByte, shape);
+    npz_->Write(bytes);
+  }
+
+  void WriteTexts(const std::string& name, const std::vector<std::string>& texts) {
+    std::size_t longest = 1;
+    for (const std::string& text : texts) longest = std::max(longest, output::CodePoints(text));
+    const std::uint64_t shape[] = {texts.size()};
+    npz_->Begin(name, ArrayType::kText, shape, longest);
+    for (const std::string& text : texts) npz_->Write(output::Utf32Of(text, longest));
+  }
+
+  void WriteArray(const ArrayShape& shape, std::size_t at) {
+    if (shape.elements.empty()) {
+      const auto begin = survey_.varies.begin() + static_cast<std::ptrdiff_t>(at);
+      const bool varies = std::find(begin, begin + std::ptrdiff_t(shape.size()), true) !=
+                          begin + std::ptrdiff_t(shape.size());
+      if (varies || shape.is_always_stored) WriteWhole(shape, at);
+      return;
+    }
+    std::vector<std::size_t> stored;
+    const auto moved = base_.moved.find(shape.name);
+    for (std::size_t i = 0; i < shape.elements.size(); ++i) {
+      bool varies = moved != base_.moved.end() && moved->second.contains(i);
+      for (std::size_t j = 0; j < shape.width(); ++j)
+        varies = varies || survey_.varies[at + shape.width() * i + j];
+      if (varies) stored.push_back(i);
+    }
+    if (!stored.empty()) WriteElements(shape, at, stored);
+  }
+
+  void WriteWhole(const ArrayShape& shape, std::size_t at) {
+    std::vector<std::uint64_t> dims = {survey_.count};
+    dims.insert(dims.end(), shape.dims.begin(), shape.dims.end());
+    const bool is_index = shape.type == ArrayShape::Type::kIndex;
+    npz_->Begin(shape.name, is_index ? ArrayType::kUint64 : ArrayType::kFloat64, dims);
+    for (RowsFile& file : files_) {
+      file.ForEachPart(at, shape.size(),
+                       [&](std::span<const double> numbers) { npz_->Write(numbers); });
+    }
+  }
+
+  // Writes the numbers of elements of each variant, and beside them the names of the elements.
+  void WriteElements(const ArrayShape& shape, std::size_t at,
+                     const std::vector<std::size_t>& stored) {
+    std::vector<std::uint64_t> dims = {survey_.count, stored.size()};
+    dims.insert(dims.end(), shape.dims.begin() + 1, shape.dims.end());
+    if (shape.type == ArrayShape::Type::kMaterial) {
+      WriteMaterialIds(shape, at, stored, dims);
+    } else {
+      npz_->Begin(shape.name, ArrayType::kFloat64, dims);
+      const std::size_t width = shape.width();
+      const std::size_t first = at + width * stored.front();
+      const std::size_t count = width * (stored.back() - stored.front() + 1);
+      for (RowsFile& file : files_) {
+        file.ForEachPart(first, count, [&](std::span<const double> numbers) {
+          for (const std::size_t i : stored)
+            npz_->Write(numbers.subspan(width * (i - stored.front()), width));
+        });
+      }
+    }
+    std::vector<std::string> names;
+    for (const std::size_t i : stored) names.push_back(shape.elements[i]);
+    WriteTexts(shape.name + ".names", names);
+    if (shape.components.empty()) return;
+    const std::uint64_t count[] = {stored.size()};
+    npz_->Begin(shape.name + ".components", ArrayType::kInt32, count);
+    for (const std::size_t i : stored) WriteInteger(static_cast<std::int32_t>(shape.components[i]));
+  }
+
+  void WriteInteger(std::int32_t number) {
+    npz_->Write(std::string_view(reinterpret_cast<const char*>(&number), sizeof(number)));
+  }
+
+  void WriteMaterialIds(const ArrayShape& shape, std::size_t at,
+                        const std::vector<std::size_t>& stored,
+                        const std::vector<std::uint64_t>& dims) {
+    npz_->Begin(shape.name, ArrayType::kInt32, dims);
+    for (RowsFile& file : files_) {
+      file.ForEach([&](const RowView& row) {
+        for (const std::size_t i : stored)
+          WriteInteger(static_cast<std::int32_t>(survey_.MaterialId(row, row.values[at + i])));
+      });
+    }
+  }
+
+  // Writes the names of all materials in the order of the base, and their numbers. A variant
+  // without a material has the numbers of the first one with it.
+  void WriteMaterials() {
+    if (survey_.materials.empty()) return;
+    std::vector<std::string> names;
+    for (const Material& material : survey_.materials) names.push_back(material.name);
+    WriteTexts("materials", names);
+    std::size_t at = 0;
+    for (const auto& [name, width] : kMaterialArrays) {
+      WriteLooks(std::string(name), at, width);
+      at += width;
+    }
+  }
+
+  void WriteLooks(const std::string& name, std::size_t at, std::size_t width) {
+    std::vector<std::size_t> stored;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < survey_.materials.size(); ++i) {
+      const auto begin = survey_.look_varies[i].begin() + static_cast<std::ptrdiff_t>(at);
+      if (std::find(begin, begin + std::ptrdiff_t(width), true) == begin + std::ptrdiff_t(width))
+        continue;
+      stored.push_back(i);
+      names.push_back(survey_.materials[i].name);
+    }
+    if (stored.empty()) return;
+    std::vector<std::uint64_t> dims = {survey_.count, stored.size()};
+    if (width > 1) dims.push_back(width);
+    npz_->Begin(name, ArrayType::kFloat64, dims);
+    for (RowsFile& file : files_) {
+      file.ForEach([&](const RowView& row) {
+        for (const std::size_t i : stored) {
+          const Material& material = survey_.materials[i];
+          const auto has = std::ranges::find(row.materials, material.name,
+                                             [](const Material* m) { return m->name; });
+          const auto& numbers =
+              has == row.materials.end()
+                  ? material.numbers
+                  : row.looks[static_cast<std::size_t>(has - row.materials.begin())];
+          npz_->Write(std::span(numbers).subspan(at, width));
+        }
+      });
+    }
+    WriteTexts(name + ".names", names);
+  }
+
+  void WriteParameter(std::size_t number) {
+    const Survey::Parameter& parameter = survey_.parameters[number];
+    constexpr ArrayType kTypes[] = {ArrayType::kFloat64, ArrayType::kBool, ArrayType::kText,
+                                    ArrayType::kFloat64, ArrayType::kText, ArrayType::kBool};
+    constexpr std::size_t kFirstList = 3;
+    std::vector<std::uint64_t> dims;
+    if (parameter.varies) dims.push_back(survey_.count);
+    if (parameter.kind >= kFirstList) dims.push_back(parameter.length);
+    npz_->Begin((parameter.varies ? "params/" : "constants/") + parameter.name,
+                kTypes[parameter.kind], dims, std::max<std::uint64_t>(parameter.code_points, 1));
+    if (!parameter.varies) return WriteValue(parameter.first, parameter);
+    for (RowsFile& file : files_) {
+      file.ForEach([&](const RowView& row) { WriteValue(row.parameters[number], parameter); });
+    }
+  }
+
+  // Writes a value; a list is filled up with NaN, empty texts or false.
+  void WriteValue(const sample::ParameterValue& value, const Survey::Parameter& parameter) {
+    const std::size_t code_points = std::max<std::uint64_t>(parameter.code_points, 1);
+    const auto write = [&](const auto& one) {
+      using One = std::decay_t<decltype(one)>;
+      if constexpr (std::is_same_v<One, double>) npz_->Write(std::span(&one, 1));
+      if constexpr (std::is_same_v<One, bool>) npz_->Write(std::string_view(one ? "\1" : "\0", 1));
+      if constexpr (std::is_same_v<One, std::string>)
+        npz_->Write(output::Utf32Of(one, code_points));
+    };
+    std::visit(
+        [&](const auto& held) {
+          using Held = std::decay_t<decltype(held)>;
+          if constexpr (requires(Held list) { list.push_back({}); } &&
+                        !std::is_same_v<Held, std::string>) {
+            using One = typename Held::value_type;
+            One filler{};
+            if constexpr (std::is_same_v<One, double>)
+              filler = std::numeric_limits<double>::quiet_NaN();
+            for (std::size_t i = 0; i < parameter.length; ++i)
+              write(i < held.size() ? One(held[i]) : filler);
+          } else {
+            write(held);
+          }
+        },
+        value);
+  }
+
+  std::vector<RowsFile> files_;
+  const Facts& facts_;
+  diag::Findings& findings_;
+  Survey survey_;
+  Header header_;
+  bytes::Assets assets_;
+  FinalBase base_;
+  output::NpzWriter* npz_ = nullptr;
+};
+
+// Returns true if the variants of a file belong to the family of another file, or if it has none;
+// otherwise adds a finding.
+bool MayFollow(const RowsFile& file, const RowsFile& other, const std::filesystem::path& path,
+               diag::Findings& findings) {
+  if (file.count() == 0 || other.count() == 0) return true;
+  const std::string difference = DifferenceOf(file.header(), other.header());
+  if (difference.empty()) return true;
+  findings.Add(diag::Code::kBatchDiffers, {},
+               "the variants in '" + path.string() + "' are of another family: " + difference,
+               "set the parameter that decides it with --set");
+  return false;
+}
+
+}  // namespace
+
+bool WriteNpz(std::span<const std::filesystem::path> rows, const Facts& facts,
+              output::PartFile& part, diag::Findings& findings) {
+  const std::filesystem::path* current = rows.data();
+  try {
+    std::vector<RowsFile> files;
+    files.reserve(rows.size());
+    for (; current != rows.data() + rows.size(); ++current) {
+      if (!MayFollow(files.emplace_back(*current), files.front(), *current, findings)) return false;
+    }
+    return FamilyFile(std::move(files), facts, findings).Write(part);
+  } catch (const std::runtime_error& error) {
+    const std::filesystem::path& file =
+        current == rows.data() + rows.size() ? rows.front() : *current;
+    findings.Add(diag::Code::kYamlCannotRead, {},
+                 "cannot read '" + file.string() + "': " + error.what());
+    return false;
+  }
+}
+
+}  // namespace mjforge::family
