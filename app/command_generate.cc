@@ -82,6 +82,29 @@ std::string FindConflict(const GenerateOptions& options, const batch::Request& r
   return {};
 }
 
+// Returns the message for an option that a family of variants does not support.
+std::string FindFamilyConflict(const GenerateOptions& options, const batch::Request& request) {
+  if (request.destination.kind != Kind::kFamily) {
+    return request.variant.mocap ? "--mocap is for families, such as -o NAME.npz" : std::string();
+  }
+  const mjcf::TargetRules& rules = mjcf::RulesOf(request.variant.target);
+  if (request.count < 2)
+    return fmt::format("-o {}: a family has at least two variants; add -n", options.output);
+  if (request.variant.validation == forge::Validation::kNone)
+    return fmt::format("--validate none: the numbers of '{}' are those that MuJoCo computes",
+                       options.output);
+  if (request.variant.each) return "--each: a family has one model; write to a folder";
+  if (request.variant.layout == manifest::Layout::kSplit)
+    return "--layout split: a family has one structure; write to a folder";
+  if (request.variant.assets == mjcf::AssetForm::kFiles)
+    return "--assets files: meshes and textures of a family are inline, in its base MJCF";
+  if (request.variant.name.find('$') != std::string::npos)
+    return fmt::format("--name {}: the variants of a family have one name", request.variant.name);
+  if (rules.has_prefix && rules.has_free_joint) return {};
+  return fmt::format("--target {}: its host loads files, one by one; write to a folder",
+                     options.target);
+}
+
 // Returns the message if the objects of a scene cannot be written one by one.
 std::string FindEachConflict(const GenerateOptions& options, const batch::Request& request) {
   if (!request.variant.each) return {};
@@ -127,7 +150,8 @@ std::string FindMakeConflict(const GenerateOptions& options, const batch::Reques
 
 void AddOutputOptions(CLI::App& command, GenerateOptions& options) {
   command
-      .add_option("-o,--output", options.output, "A folder [./NAME/], .xml, .tar[.zst], %d.tar, -")
+      .add_option("-o,--output", options.output,
+                  "A folder [./NAME/], .xml, .npz, .tar[.zst], %d.tar, -")
       ->option_text("OUT")
       ->check(Offers("."));
   AddWholeNumber(command, "--per-archive", options.per_archive, "Variants in each archive", 1);
@@ -150,6 +174,8 @@ void AddGenerateOptions(CLI::App& command, GenerateOptions& options) {
       ->option_text("TEXT");
   AddWord(command, "--target", options.target, mjcf::TargetNames(), "For");
   command.add_flag("--each", options.request.variant.each, "Each object of a scene as a file");
+  command.add_flag("--mocap", options.request.variant.mocap,
+                   "In a family: fixed bodies are mocap bodies");
   AddWord(command, "--assets", options.assets, mjcf::kAssetForms, "Meshes and textures");
   AddWord(command, "--validate", options.validate, manifest::kValidations, "MuJoCo's verdict");
   AddProfile(command, options.spec.settings, [&options] { options.validate = "physics"; });
@@ -197,6 +223,7 @@ std::optional<batch::Request> RequestOf(const GenerateOptions& options, std::str
     if (why_not.empty()) why_not = FindMakeConflict(options, request);
     if (why_not.empty()) why_not = FindEachConflict(options, request);
     if (why_not.empty()) why_not = FindLayoutConflict(options, request);
+    if (why_not.empty()) why_not = FindFamilyConflict(options, request);
   }
   return why_not.empty() ? std::optional(std::move(request)) : std::nullopt;
 }

@@ -17,9 +17,11 @@ ExitStatus Merge(const std::string& place, bool verify, Console& console) {
   std::string why_not;
   const auto destination = output::ParseDestination(place, 1, why_not);
   if (!destination) return WrongUsage(fmt::format("{}: {}", place, why_not), "merge");
-  if (destination->kind != Kind::kFolder && destination->kind != Kind::kArchives) {
-    return WrongUsage(fmt::format("'{}' is neither a folder nor a series of archives", place),
-                      "merge");
+  if (destination->kind != Kind::kFolder && destination->kind != Kind::kArchives &&
+      destination->kind != Kind::kFamily) {
+    return WrongUsage(
+        fmt::format("'{}' is neither a folder, nor a family, nor a series of archives", place),
+        "merge");
   }
   const auto count = batch::Merge(*destination, verify, console.sources, console.findings);
   const ExitStatus status = console.Report();

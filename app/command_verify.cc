@@ -30,10 +30,10 @@ ExitStatus Verify(const std::string& place, Console& console) {
 
 Action AddVerify(CLI::App& command) {
   auto what = std::make_shared<std::string>();
-  command.add_option("WHAT", *what, "A folder, a manifest, or an archive")
+  command.add_option("WHAT", *what, "A folder, a manifest, a family, or an archive")
       ->required()
       ->option_text(" ")
-      ->check(Offers(".jsonl .tar .zst"));
+      ->check(Offers(".jsonl .npz .tar .zst"));
   return [what](Console& console) { return Verify(*what, console); };
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "mjforge/batch/batch.h"
+#include "mjforge/batch/family_facts.h"
 #include "mjforge/batch/sealed_outputs.h"
 #include "mjforge/batch/sink.h"
 
@@ -55,11 +56,38 @@ class ShardMerger {
         return std::nullopt;
       }
     }
+    if (is_family() && !WriteFamily()) {
+      part->Drop();
+      return std::nullopt;
+    }
     if (!Finish(*part)) return std::nullopt;
     return records_;
   }
 
  private:
+  bool is_family() const { return destination_.kind == output::Destination::Kind::kFamily; }
+
+  // Writes the family of all shards, whose archives are files of rows.
+  bool WriteFamily() {
+    std::vector<std::filesystem::path> rows;
+    for (const manifest::SealedFile& file : whole_.archives)
+      rows.push_back(destination_.Folder() / file.file);
+    std::error_code ignored;
+    if (std::filesystem::exists(destination_.path, ignored) &&
+        !output::IsNpzWith(destination_.path, family::kFirstMember)) {
+      output::AddForeignFile(destination_.path, findings_);
+      return false;
+    }
+    const auto npz = output::PartFile::Open(destination_.path, findings_);
+    if (!npz || !npz->Truncate(0, findings_)) return false;
+    if (!family::WriteNpz(rows, FactsOf(*first_, {whole_.first, whole_.count}), *npz, findings_)) {
+      npz->Drop();
+      return false;
+    }
+    whole_.archives = {{destination_.path.filename().string(), {npz->size(), npz->checksum()}}};
+    return npz->Commit(true, output::Durability::kBatch, findings_);
+  }
+
   // Returns the number of shards; nothing, after adding findings, if a shard is missing.
   std::optional<std::uint64_t> FindShards() {
     std::map<std::uint64_t, std::set<std::uint64_t>> found;  // indices, by count
@@ -117,7 +145,7 @@ class ShardMerger {
       }
       CheckSealed(destination_.Folder(), seal->manifest, true, findings_);
       for (const manifest::SealedFile& archive : seal->archives) {
-        CheckSealed(destination_.Folder(), archive, verify_, findings_);
+        CheckSealed(destination_.Folder(), archive, verify_ || is_family(), findings_);
         if (i > 0) whole_.archives.push_back(archive);
       }
     }

@@ -71,6 +71,8 @@ std::unique_ptr<Sink> MakeSink(const SinkOptions& options, std::string& text) {
     case Kind::kArchive:
     case Kind::kArchives:
       return MakeArchiveSink(options);
+    case Kind::kFamily:
+      return MakeFamilySink(options);
   }
   return nullptr;
 }

@@ -68,9 +68,10 @@ void ReportOtherBatch(const std::filesystem::path& file, const std::string& diff
 /// Makes the sink of the request's destination. The sink of standard output appends to `text`.
 std::unique_ptr<Sink> MakeSink(const SinkOptions& options, std::string& text);
 
-// Sinks of folders and of archives.
+// Sinks of folders, of archives and of families.
 std::unique_ptr<Sink> MakeFolderSink(const SinkOptions& options);
 std::unique_ptr<Sink> MakeArchiveSink(const SinkOptions& options);
+std::unique_ptr<Sink> MakeFamilySink(const SinkOptions& options);
 
 /// Returns true if `file` does not exist, is a manifest of mjforge, or `force` is set; otherwise
 /// adds a finding.

@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 #include <utility>
+
+#include "mjforge/batch/family_rows.h"
 
 namespace mjforge::batch {
 namespace {
@@ -52,7 +55,12 @@ class ChunkMaker {
     result.lines = request_.destination.format == output::ArchiveFormat::kTarZstd
                        ? frame_.Compress(record_lines_)
                        : record_lines_;
-    result.segment = segment_.Bytes();
+    if (IsFamily()) {
+      std::tie(result.text, family_segment_) = family_.Take();
+      result.segment = family_segment_;
+    } else {
+      result.segment = segment_.Bytes();
+    }
     result.more_findings = finding_summary.not_shown();
     result.findings.assign(finding_summary.groups().begin(), finding_summary.groups().end());
     for (const FindingSummary::Group& group : result.findings) AddSources(group.finding, result);
@@ -89,6 +97,8 @@ class ChunkMaker {
     return finding;
   }
 
+  bool IsFamily() const { return request_.destination.kind == Kind::kFamily; }
+
   // Returns false if an input file of the variant could not be read. This is an error of the batch,
   // not a failure of the variant, so that --resume makes the variant again.
   bool HasInputs(ChunkResult& result) const {
@@ -122,6 +132,12 @@ class ChunkMaker {
     const output::Destination& destination = request_.destination;
     diag::Findings& findings = result.output_findings;
     manifest::Record& record = variant_.record;
+    if (IsFamily()) {
+      record.file.clear();
+      record.archive = archive_;
+      AddAssets(result);
+      return family_.Add(variant_, findings);
+    }
     if (destination.IsArchive()) {
       record.file =
           StemOf(record).append(record.each ? output::kPlacementEnding : output::kObjectEnding);
@@ -218,6 +234,8 @@ class ChunkMaker {
   forge::Variant variant_;
   std::string archive_;       // name of the chunk's archive
   std::string record_lines_;  // records of the chunk
+  FamilyRows family_;
+  std::string family_segment_;
   bytes::FrameCompressor frame_;
   std::string record_line_;  // record in the archive; empty: the archive does not contain it
 };
@@ -235,6 +253,8 @@ forge::Options OptionsOf(const Request& request) {
   if (request.destination.kind == Kind::kFolder || request.destination.IsArchive())
     options.folder = request.destination.Folder();
   options.layout_first = request.first;
+  options.family = request.destination.kind == Kind::kFamily;
+  if (options.family) options.layout = forge::Layout::kOne;
   options.snapshot_file = SnapshotPath(request.destination).filename().string();
   return options;
 }

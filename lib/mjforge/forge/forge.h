@@ -49,8 +49,7 @@ struct Library {
 /// Returns the libraries whose version may change an object or the result of its validation.
 std::vector<Library> Libraries();
 
-/// Returns the folder with the bundled specs: share/mjforge/specs beside a parent folder of the
-/// program.
+/// Returns the folder of the bundled specs: share/mjforge/specs beside a parent of the program's.
 std::optional<std::filesystem::path> CatalogueFolder();
 
 /// Returns the folders in which specs are looked up by name: the folders of MJFORGE_PATH (separated
@@ -73,8 +72,7 @@ struct Recipe {
   std::string snapshot;
 };
 
-/// Loads a spec by name or path, or the spec of a snapshot by the snapshot's file; see
-/// spec::LoadSpec.
+/// Loads a spec by name or path, or that of a snapshot by its file; see spec::LoadSpec.
 std::optional<Recipe> LoadRecipe(const std::string& reference, const spec::LoadOptions& options,
                                  diag::Sources& sources, diag::Findings& findings);
 
@@ -84,8 +82,7 @@ std::optional<model::Checks> LoadChecks(const std::vector<spec::Setting>& settin
 
 /// Returns the name of a variant's object: `text` with every ${index} replaced.
 std::string ExpandName(std::string_view text, std::uint64_t index);
-/// Returns true if names made from `text` are valid ([A-Za-z][A-Za-z0-9_]*); otherwise adds a
-/// finding.
+/// Returns true if names made from `text` are valid ([A-Za-z][A-Za-z0-9_]*), or adds a finding.
 bool CheckName(std::string_view text, diag::Findings& findings);
 
 /// Returns a record with the fields that all variants have in common.
@@ -153,7 +150,7 @@ std::optional<Recipe> LoadRecordedRecipe(const manifest::Record& record, const s
                                          const std::filesystem::path& folder,
                                          diag::Sources& sources, diag::Findings& findings);
 /// Returns the options that regenerate a record's variant; nothing, with a finding about `what`, if
-/// the target, the sampler or the form of assets is unknown.
+/// a word in it is unknown.
 std::optional<Options> RecordedOptions(const manifest::Record& record, std::string_view what,
                                        diag::Findings& findings);
 

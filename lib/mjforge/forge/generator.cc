@@ -63,6 +63,7 @@ manifest::Record BatchRecord(const Recipe& recipe, const Options& options) {
   record.target = mjcf::RulesOf(options.target).name;
   if (options.assets == mjcf::AssetForm::kFiles) record.assets_as = mjcf::kAssetForms[1];
   record.each = options.each;
+  record.mocap = options.mocap;
   record.validate = options.validation;
   if (options.validation != Validation::kNone) record.mujoco = validate::MujocoVersion();
   record.on_invalid = options.on_invalid;
@@ -94,6 +95,7 @@ void Generator::Reset(std::uint64_t index, std::uint64_t attempt, Variant& varia
   variant.placement.reset();
   variant.findings.clear();
   variant.structure = {};
+  variant.numbers.reset();
   variant.record = common_;
   variant.record.index = index;
   variant.record.attempt = attempt;
@@ -205,8 +207,9 @@ bool Generator::Build(sample::Evaluator& values, Variant& variant) {
 void Generator::Validate(Variant& variant) {
   static_checks::CheckExpectations(*variant.object, variant.findings);
   if (!loader_) return;
-  const bool is_valid =
-      loader_->Validate(variant.document, *variant.object, variant.findings, &variant.structure);
+  family::Numbers* const numbers = options_.family ? &variant.numbers.emplace() : nullptr;
+  const bool is_valid = loader_->Validate(variant.document, *variant.object, variant.findings,
+                                          &variant.structure, numbers);
   variant.record.structure = variant.structure.Key();
   if (is_valid && CheckStructure(variant) && laboratory_) {
     variant.record.physics =

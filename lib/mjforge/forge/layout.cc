@@ -97,8 +97,12 @@ bool Generator::CheckStructure(Variant& variant) const {
         "begin the batch at a valid variant, with --first");
     return false;
   }
-  const std::vector<structure::Difference> differences =
+  std::vector<structure::Difference> differences =
       structure::DifferencesOf(structure, variant.structure);
+  if (options_.family) {
+    std::erase_if(differences, [](const auto& difference) { return difference.is_coincidence; });
+    if (differences.empty()) return true;
+  }
   std::string text = structure::Describe(differences.front());
   if (differences.size() > 1) {
     text += fmt::format(", and {} more {}", differences.size() - 1,

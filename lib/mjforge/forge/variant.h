@@ -9,6 +9,7 @@
 #include <string>
 
 #include "mjforge/diag/diag.h"
+#include "mjforge/family/family.h"
 #include "mjforge/manifest/manifest.h"
 #include "mjforge/mjcf/mjcf.h"
 #include "mjforge/model/model.h"
@@ -26,6 +27,7 @@ struct Variant {
   std::optional<mjcf::MjcfDocument> placement;  // placement.json and its files, for Options::each
   diag::Findings findings;
   structure::Structure structure;  // empty: MuJoCo did not load the variant
+  std::optional<family::Numbers> numbers;  // for Options::family, if the variant is valid
 
   /// Returns the file of the variant, with the files that it refers to.
   const mjcf::MjcfDocument& output() const { return placement ? *placement : document; }
@@ -51,6 +53,10 @@ struct Options {
   Validation validation = Validation::kLoad;
   Layout layout = Layout::kAny;    // other layouts need a validation
   std::uint64_t layout_first = 0;  // Layout::kOne: index of the batch's first variant
+  /// Variants have the numbers of their compiled models, and may differ in coincidences. Needs a
+  /// validation.
+  bool family = false;
+  bool mocap = false;  // recorded: the family's base has mocap bodies for fixed ones
   /// Folder of the manifest. Records contain the path of the spec's file relative to this folder;
   /// no path if the option is empty.
   std::optional<std::filesystem::path> folder;

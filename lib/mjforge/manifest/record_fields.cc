@@ -259,6 +259,10 @@ const std::array kFields = {
         "layout_first", kWhole,
         "With the layout `one`: the index of the first variant of the batch, which determines the "
         "structure."),
+    OptionalField<&Record::mocap, FieldScope::kBatch>(
+        "mocap", R"("enum": [true])",
+        "Present if bodies that are fixed to the world are mocap bodies in the base of the "
+        "family."),
     PhysicsField(),
     OptionalField<&Record::on_invalid, FieldScope::kBatch>(
         "on_invalid", R"("enum": ["skip", "resample"])",

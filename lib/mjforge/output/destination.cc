@@ -13,6 +13,7 @@ namespace {
 constexpr std::string_view kTar = ".tar";
 constexpr std::string_view kTarZstd = ".tar.zst";
 constexpr std::string_view kZstd = ".zst";
+constexpr std::string_view kNpz = ".npz";
 
 // Position and width of "%05d" in a pattern.
 struct NumberPlaceholder {
@@ -32,7 +33,7 @@ std::optional<NumberPlaceholder> FindNumberPlaceholder(std::string_view pattern)
 }
 
 std::string WithoutEnding(std::string_view name) {
-  for (const std::string_view ending : {kTarZstd, kTar}) {
+  for (const std::string_view ending : {kTarZstd, kTar, kNpz}) {
     if (name.ends_with(ending)) return std::string(name.substr(0, name.size() - ending.size()));
   }
   return std::string(name);
@@ -46,6 +47,11 @@ std::string StemOf(const Destination& destination) {
     stem.erase(stem.find_last_not_of("_-.") + 1);
   }
   return stem;
+}
+
+// Returns what the names of a shard's files have before the extension.
+std::string PartOf(const Shard& shard) {
+  return shard.IsWhole() ? std::string() : fmt::format("-{:05}-of-{:05}", shard.index, shard.count);
 }
 
 }  // namespace
@@ -62,10 +68,13 @@ std::filesystem::path Destination::Folder() const {
   return kind == Kind::kFolder ? path : path.parent_path();
 }
 
+std::filesystem::path Destination::Rows(const Shard& shard) const {
+  return Folder() / fmt::format("{}{}.rows", StemOf(*this), PartOf(shard));
+}
+
 std::filesystem::path Destination::Manifest(const Shard& shard) const {
   const std::string stem = kind == Kind::kFolder ? std::string() : StemOf(*this);
-  const std::string part =
-      shard.IsWhole() ? std::string() : fmt::format("-{:05}-of-{:05}", shard.index, shard.count);
+  const std::string part = PartOf(shard);
   return Folder() / fmt::format("{}{}manifest{}.jsonl{}", stem, stem.empty() ? "" : ".", part,
                                 format == ArchiveFormat::kTarZstd ? kZstd : "");
 }
@@ -80,6 +89,11 @@ std::optional<Destination> ParseDestination(std::string_view text, std::uint64_t
   using Kind = Destination::Kind;
   if (text == "-") return Destination{.kind = Kind::kStandardOutput, .path = {}};
   if (text.ends_with(".xml")) return Destination{.kind = Kind::kFile, .path = text};
+  if (text.ends_with(kNpz)) {
+    if (text.find('%') == text.npos) return Destination{.kind = Kind::kFamily, .path = text};
+    why_not = "a family is one file, whose name has no %";
+    return std::nullopt;
+  }
   const bool zstd = text.ends_with(kTarZstd);
   if (!zstd && !text.ends_with(kTar)) {
     if (text.ends_with(".zst") || text.ends_with(".gz") || text.ends_with(".tgz") ||

@@ -22,17 +22,23 @@ struct Shard {
 
 /// Destination of a batch.
 struct Destination {
-  enum class Kind { kNowhere, kFolder, kFile, kStandardOutput, kArchive, kArchives };
+  enum class Kind { kNowhere, kFolder, kFile, kStandardOutput, kArchive, kArchives, kFamily };
 
   Kind kind = Kind::kNowhere;
   std::filesystem::path path;  // kArchives: with %05d as the placeholder of the number
   ArchiveFormat format = ArchiveFormat::kTar;
   std::uint64_t per_archive = 0;  // kArchives: number of variants in each archive
 
-  bool IsArchive() const { return kind == Kind::kArchive || kind == Kind::kArchives; }
+  /// Returns true if the batch has one file, or a series of files of many variants each.
+  bool IsArchive() const {
+    return kind == Kind::kArchive || kind == Kind::kArchives || kind == Kind::kFamily;
+  }
   /// Returns the path of archive `number`, counted from 0, of a series; for a single archive, its
   /// path.
   std::filesystem::path Archive(std::uint64_t number) const;
+  /// Returns the path of the variants of a shard of a family, from which merging makes the family,
+  /// or of a whole family while it is made: NAME-00003-of-00008.rows, NAME.rows.
+  std::filesystem::path Rows(const Shard& shard) const;
   /// Returns the path of the manifest: DIR/manifest.jsonl for a folder, STEM.manifest.jsonl beside
   /// archives, STEM.manifest.jsonl.zst beside compressed ones; with "-00003-of-00008" before the
   /// extension for a shard.
@@ -44,9 +50,9 @@ struct Destination {
 /// Returns true for the name of a manifest, compressed or not.
 bool IsManifestName(std::string_view name);
 
-/// Parses the argument of -o: "-", FILE.xml, FILE.tar or FILE.tar.zst (a series if the name has one
-/// %d or %05d); any other text is a folder. Returns nothing, and the reason in `why_not`, if the
-/// text is not valid.
+/// Parses the argument of -o: "-", FILE.xml, FILE.npz, FILE.tar or FILE.tar.zst (a series if the
+/// name has one %d or %05d); any other text is a folder. Returns nothing, and the reason in
+/// `why_not`, if the text is not valid.
 std::optional<Destination> ParseDestination(std::string_view text, std::uint64_t per_archive,
                                             std::string& why_not);
 

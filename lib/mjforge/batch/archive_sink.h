@@ -1,0 +1,75 @@
+// The sink of archives, whose parts a family's sink replaces.
+
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "mjforge/batch/journal.h"
+#include "mjforge/batch/sink.h"
+
+namespace mjforge::batch {
+
+/// Appends segments in order to a file, closes it, and resumes within it.
+class ArchiveSink : public Sink {
+ public:
+  explicit ArchiveSink(const SinkOptions& options)
+      : options_(options),
+        request_(options.request),
+        destination_(request_.destination),
+        journal_(options) {}
+
+  std::optional<ResumedVariants> Open(diag::Findings& findings) override;
+  bool Take(ChunkResult& result, diag::Findings& findings) override;
+  bool Finish(diag::Findings& findings) override;
+  void Drop() override;
+
+ protected:
+  /// Returns the path of the file with that number.
+  virtual std::filesystem::path FileOf(std::uint64_t number) const {
+    return destination_.Archive(number);
+  }
+  /// Returns true if the existing file may be replaced.
+  virtual bool IsOwn(const std::filesystem::path& file) const {
+    return output::IsObjectArchive(file);
+  }
+  /// Returns the bytes that precede the segment of a result.
+  virtual std::optional<std::string> Before(const ChunkResult& result, diag::Findings& findings);
+  /// Encodes an asset.
+  virtual bool AppendAsset(const std::string& name, std::string_view bytes,
+                           diag::Findings& findings);
+  /// Gives the complete file its final name.
+  virtual bool CloseFile(const Checkpoint& next, diag::Findings& findings);
+
+  output::PartFile& file() { return *archive_; }
+  bool Seal(output::PartFile& part, const std::string& name, const Checkpoint& next,
+            diag::Findings& findings);
+
+  SinkOptions options_;
+  const Request& request_;
+  const output::Destination& destination_;
+  output::MadeFolders folders_;  // declared before the journal, so that it is destroyed later
+  Journal journal_;
+
+ private:
+  std::uint64_t end() const { return options_.range.first + options_.range.count; }
+  std::uint64_t ArchiveOf(std::uint64_t index) const;
+  std::optional<ResumedVariants> FindResumable(diag::Findings& findings);
+  std::optional<ResumedVariants> ContinueFinished(diag::Findings& findings);
+  std::optional<ResumedVariants> Continue(diag::Findings& findings);
+  std::optional<Checkpoint> LastValidCheckpoint(std::uint64_t most) const;
+  bool CanContinueAt(const Checkpoint& checkpoint) const;
+  bool IsIntact(const manifest::SealedFile& archive) const;
+  bool OpenArchive(std::uint64_t bytes, diag::Findings& findings);
+  bool CloseArchive(diag::Findings& findings);
+  bool AppendAssets(const ChunkResult& result, diag::Findings& findings);
+
+  std::unique_ptr<output::PartFile> archive_;
+  Checkpoint checkpoint_;
+  bool is_complete_ = false;  // an earlier run finished the batch
+};
+
+}  // namespace mjforge::batch

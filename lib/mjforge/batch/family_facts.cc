@@ -1,0 +1,33 @@
+// Facts about a family, as JSON.
+
+#include "mjforge/batch/family_facts.h"
+
+#include "mjforge/expr/expr.h"
+
+namespace mjforge::batch {
+
+family::Facts FactsOf(const manifest::Record& record, const IndexRange& all) {
+  family::Facts facts;
+  const auto add = [&](std::string name, const auto& value) {
+    diag::Json json(expr::AppendExactNumber);
+    json.Value(value);
+    facts.members.emplace_back(std::move(name), json.Take());
+  };
+  add("version", forge::Version());
+  add("spec", record.spec);
+  add("spec_sha256", record.spec_sha256);
+  diag::Json settings(expr::AppendExactNumber);
+  settings.StartObject();
+  for (const auto& [name, value] : record.settings) settings.Member(name, value);
+  settings.EndObject();
+  facts.members.emplace_back("settings", settings.Take());
+  add("seed", record.seed);
+  add("first", all.first);
+  add("count", all.count);
+  add("target", record.target);
+  add("mocap", record.mocap);
+  add("mujoco", record.mujoco);
+  return facts;
+}
+
+}  // namespace mjforge::batch
