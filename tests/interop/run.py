@@ -34,6 +34,15 @@ SETS = {
     "mjx": (2, ["--target", "mjx"]),
     "files": (1, ["--assets", "files"]),
 }
+# Families (`-o NAME.npz`), and what makes all their variants one structure.
+FAMILIES = {
+    "hammer": ["hammer", "--set", "handle_shape=box"],
+    "pot": ["containers/pot_with_handles", "--set", "solid_handle=false"],
+    "hinged_box": ["articulated/hinged_box"],
+    "cabinet": ["articulated/drawer_cabinet", "--set", "drawers=3", "--set", "handle=bar"],
+    "scissors": ["articulated/scissors"],
+}
+FAMILY_SIZE = 64
 
 
 @dataclasses.dataclass
@@ -57,12 +66,12 @@ HOSTS = {
     "mujoco-3.1": Host(["mujoco==3.1.2", "numpy<2"], ["check_mujoco.py"], MUJOCO,
                        heavy=True),
     "mujoco-3.3": Host(["mujoco==3.3.7"], ["check_mujoco.py", "check_couplings.py", "check_python.py",
-                                            "check_reset.py", "check_later.py"],
-                       MUJOCO + "; couplings, driven; attached to a scene in Python; "
+                                            "check_reset.py", "check_later.py", "check_family.py"],
+                       MUJOCO + "; families, row by row; couplings, driven; attached to a scene in Python; "
                        "files with `<frame>` and `<replicate>`, expanded and attached"),
     "mujoco-newest": Host(["mujoco"], ["check_mujoco.py", "check_couplings.py", "check_files.py",
-                                       "check_python.py", "check_reset.py"],
-                          MUJOCO + "; couplings, driven; attached to a scene in Python; "
+                                       "check_python.py", "check_reset.py", "check_family.py"],
+                          MUJOCO + "; families, row by row; couplings, driven; attached to a scene in Python; "
                           "the same with `--assets files`"),
     "robosuite": Host(["mujoco"] + ROBOSUITE,
                       ["check_robosuite.py", "check_robocasa.py", "check_attached.py"],
@@ -137,6 +146,10 @@ def generate(program, folder, is_all):
                     raise
                 shutil.rmtree(folder / target / name, ignore_errors=True)
                 print(f"{target} cannot take {name}: it has free bodies", flush=True)
+    for name, options in FAMILIES.items():
+        for output in (f"{name}.npz", f"{name}/"):
+            run([program, "generate", *options, "-n", str(FAMILY_SIZE), "--seed", "7",
+                 "-o", str(folder / "family" / output), "--quiet"])
     for target in ("robosuite", "robocasa"):
         run([program, "generate", str(HERE / "scene.yaml"), "--each", "--target", target,
              "-o", f"{folder / 'each' / target}/", "--quiet"])
