@@ -12,6 +12,7 @@
 
 #include "commands.h"
 #include "completion.h"
+#include "family_conflicts.h"
 #include "load_time_limit.h"
 #include "make_options.h"
 #include "options.h"
@@ -80,29 +81,6 @@ std::string FindConflict(const GenerateOptions& options, const batch::Request& r
         options.output, std::string(options.output).insert(options.output.find(".tar"), "_%05d"));
   }
   return {};
-}
-
-// Returns the message for an option that a family of variants does not support.
-std::string FindFamilyConflict(const GenerateOptions& options, const batch::Request& request) {
-  if (request.destination.kind != Kind::kFamily) {
-    return request.variant.mocap ? "--mocap is for families, such as -o NAME.npz" : std::string();
-  }
-  const mjcf::TargetRules& rules = mjcf::RulesOf(request.variant.target);
-  if (request.count < 2)
-    return fmt::format("-o {}: a family has at least two variants; add -n", options.output);
-  if (request.variant.validation == forge::Validation::kNone)
-    return fmt::format("--validate none: the numbers of '{}' are those that MuJoCo computes",
-                       options.output);
-  if (request.variant.each) return "--each: a family has one model; write to a folder";
-  if (request.variant.layout == manifest::Layout::kSplit)
-    return "--layout split: a family has one structure; write to a folder";
-  if (request.variant.assets == mjcf::AssetForm::kFiles)
-    return "--assets files: meshes and textures of a family are inline, in its base MJCF";
-  if (request.variant.name.find('$') != std::string::npos)
-    return fmt::format("--name {}: the variants of a family have one name", request.variant.name);
-  if (rules.has_prefix && rules.has_free_joint) return {};
-  return fmt::format("--target {}: its host loads files, one by one; write to a folder",
-                     options.target);
 }
 
 // Returns the message if the objects of a scene cannot be written one by one.
@@ -223,7 +201,7 @@ std::optional<batch::Request> RequestOf(const GenerateOptions& options, std::str
     if (why_not.empty()) why_not = FindMakeConflict(options, request);
     if (why_not.empty()) why_not = FindEachConflict(options, request);
     if (why_not.empty()) why_not = FindLayoutConflict(options, request);
-    if (why_not.empty()) why_not = FindFamilyConflict(options, request);
+    if (why_not.empty()) why_not = FindFamilyConflict(options.output, request);
   }
   return why_not.empty() ? std::optional(std::move(request)) : std::nullopt;
 }

@@ -26,7 +26,7 @@ struct Variant {
   mjcf::MjcfDocument document;                  // undefined if there is no object
   std::optional<mjcf::MjcfDocument> placement;  // placement.json and its files, for Options::each
   diag::Findings findings;
-  structure::Structure structure;  // empty: MuJoCo did not load the variant
+  structure::Structure structure;          // empty: MuJoCo did not load the variant
   std::optional<family::Numbers> numbers;  // for Options::family, if the variant is valid
 
   /// Returns the file of the variant, with the files that it refers to.

@@ -71,8 +71,8 @@ struct Record : mjcf::Provenance {
   std::string structure;  // key of its structure (structure.h); empty: MuJoCo did not load it
   Layout layout = Layout::kAny;
   std::optional<std::uint64_t> layout_first;  // Layout::kOne: index of the batch's first variant
-  bool mocap = false;  // the base of the family has mocap bodies for fixed ones
-  std::optional<physics::Result> physics;     // empty if not requested or not measurable
+  bool mocap = false;                      // the base of the family has mocap bodies for fixed ones
+  std::optional<physics::Result> physics;  // empty if not requested or not measurable
   OnInvalid on_invalid = OnInvalid::kFail;
   Status status = Status::kOk;
   std::vector<std::string> findings;  // JSON objects made by diag::RenderJson

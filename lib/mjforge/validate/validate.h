@@ -75,8 +75,8 @@ class Loader {
   /// Loads a document made from `object` and compares counts, names, masses, inertias, sizes, poses
   /// and references. If everything matches, finds bodies that touch with all joints at zero. Adds a
   /// finding, at its place in the spec, for each error, warning, difference and touching pair.
-  /// Returns true if there is no error. Sets `structure` and `numbers`, unless null, to those of the
-  /// loaded model.
+  /// Returns true if there is no error. Sets `structure` and `numbers`, unless null, to those of
+  /// the loaded model.
   bool Validate(const mjcf::MjcfDocument& document, const model::Object& object,
                 diag::Findings& findings, structure::Structure* structure = nullptr,
                 family::Numbers* numbers = nullptr);

@@ -1,0 +1,31 @@
+// Options that contradict a family of variants.
+
+#include "family_conflicts.h"
+
+#include <fmt/format.h>
+
+namespace mjforge::app {
+
+std::string FindFamilyConflict(const std::string& output, const batch::Request& request) {
+  if (request.destination.kind != output::Destination::Kind::kFamily) {
+    return request.variant.mocap ? "--mocap is for families, such as -o NAME.npz" : std::string();
+  }
+  const mjcf::TargetRules& rules = mjcf::RulesOf(request.variant.target);
+  if (request.count < 2)
+    return fmt::format("-o {}: a family has at least two variants; add -n", output);
+  if (request.variant.validation == forge::Validation::kNone)
+    return fmt::format("--validate none: the numbers of '{}' are those that MuJoCo computes",
+                       output);
+  if (request.variant.each) return "--each: a family has one model; write to a folder";
+  if (request.variant.layout == manifest::Layout::kSplit)
+    return "--layout split: a family has one structure; write to a folder";
+  if (request.variant.assets == mjcf::AssetForm::kFiles)
+    return "--assets files: meshes and textures of a family are inline, in its base MJCF";
+  if (request.variant.name.find('$') != std::string::npos)
+    return fmt::format("--name {}: the variants of a family have one name", request.variant.name);
+  if (rules.has_prefix && rules.has_free_joint) return {};
+  return fmt::format("--target {}: its host loads files, one by one; write to a folder",
+                     rules.name);
+}
+
+}  // namespace mjforge::app
