@@ -35,16 +35,13 @@ const std::vector<Unreachable> kUnreachable = {
 
 // Codes of what has no place in a text, such as a file that is not there.
 const std::set<std::string> kWithoutPlace = {
-    "yaml/cannot-read",      "output/exists",
-    "output/cannot-write",   "output/bad-name",
-    "output/bad-manifest",   "output/differs",
-    "batch/differs",         "batch/missing",
-    "batch/changed",         "batch/uneven",
-    "batch/worker-died",     "batch/too-slow",
-    "picture/no-renderer",   "picture/nothing-visible",
-    "picture/unknown-joint", "picture/bad-joint-value",
-    "picture/no-viewer",     "picture/no-display",
-    "report/no-picture",
+    "yaml/cannot-read",      "output/exists",           "output/cannot-write",
+    "output/bad-name",       "output/bad-manifest",     "output/differs",
+    "batch/differs",         "batch/missing",           "batch/changed",
+    "batch/uneven",          "batch/worker-died",       "batch/too-slow",
+    "family/texture",        "picture/no-renderer",     "picture/nothing-visible",
+    "picture/unknown-joint", "picture/bad-joint-value", "picture/no-viewer",
+    "picture/no-display",    "report/no-picture",
 };
 
 std::vector<std::string> Codes() {
