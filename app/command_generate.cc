@@ -129,7 +129,7 @@ std::string FindMakeConflict(const GenerateOptions& options, const batch::Reques
 void AddOutputOptions(CLI::App& command, GenerateOptions& options) {
   command
       .add_option("-o,--output", options.output,
-                  "A folder [./NAME/], .xml, .npz, .tar[.zst], %d.tar, -")
+                  "Folder [./NAME/], .xml, .npz, .tar[.zst], %d.tar -")
       ->option_text("OUT")
       ->check(Offers("."));
   AddWholeNumber(command, "--per-archive", options.per_archive, "Variants in each archive", 1);
