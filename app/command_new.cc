@@ -7,7 +7,6 @@
 
 #include "commands.h"
 #include "completion.h"
-#include "mjforge/expr/expr.h"
 #include "mjforge/forge/forge.h"
 #include "usage.h"
 
@@ -20,24 +19,11 @@ struct NewOptions {
   bool force = false;
 };
 
-// Returns the name of the object in a file: its stem, with _ for what a name cannot have.
-std::string NameFor(const std::filesystem::path& file) {
-  std::string name = file.stem().string();
-  for (char& c : name) {
-    if (!expr::IsName("a" + std::string(1, c))) c = '_';
-  }
-  return name;
-}
-
 ExitStatus WriteNew(const NewOptions& options, Console& console) {
   const std::filesystem::path file = options.file;
-  const std::string name = NameFor(file);
   if (file.extension() != ".yaml" && file.extension() != ".yml")
     return WrongUsage(
         fmt::format("the name of a spec ends with .yaml, as in '{}.yaml'", file.string()), "new");
-  if (!expr::IsName(name))
-    return WrongUsage(fmt::format("'{}' cannot be an object's name; begin with a letter", name),
-                      "new");
   std::error_code ignored;
   if (!options.force && std::filesystem::exists(std::filesystem::symlink_status(file, ignored))) {
     console.findings.Add(diag::Code::kOutputExists, {}, fmt::format("'{}' exists", file.string()),
@@ -46,11 +32,14 @@ ExitStatus WriteNew(const NewOptions& options, Console& console) {
   }
   spec::LoadOptions load;
   load.search_path = forge::SearchPath();
-  const auto text = options.like.empty()
-                        ? spec::StarterText(name, console.sources, console.findings)
-                        : spec::CopiedText(options.like, name, file.parent_path(), load,
-                                           console.sources, console.findings);
-  if (text && output::WriteSingleFile(file, *text, console.findings))
+  const auto text = options.like.empty() ? std::optional(spec::StarterText())
+                                         : spec::CopiedText(options.like, file.parent_path(), load,
+                                                            console.sources, console.findings);
+  if (!text || spec::LoadSpecText(file.string(), *text, file.parent_path(), load, console.sources,
+                                  console.findings) == nullptr) {
+    return console.Report();
+  }
+  if (output::WriteSingleFile(file, *text, console.findings))
     console.PrintLine(fmt::format("mjforge: note: wrote {}; `mjforge preview {}` draws it",
                                   file.string(), file.string()));
   return console.Report();
@@ -63,7 +52,7 @@ Action AddNew(CLI::App& command) {
   command.add_option("FILE", options->file, "The spec to write: lamp.yaml")
       ->required()
       ->option_text(" ");
-  command.add_option("--like", options->like, "Copy this spec, with another name")
+  command.add_option("--like", options->like, "Copy this spec")
       ->option_text("SPEC")
       ->check(Offers("<spec>"));
   command.add_flag("--force", options->force, "Replace a file that exists");

@@ -183,7 +183,7 @@ void AddPreviewOptions(CLI::App& command, PreviewOptions& options) {
       ->check(Offers(fmt::format("{}", fmt::join(kBackgrounds, " "))))
       ->option_text("COLOR [studio]");
   command.add_flag("--sweep", options.sweep, "Animate all joints, or --joint NAME");
-  command.add_flag("--watch", options.watch, "Draw again whenever a file of WHAT is saved");
+  command.add_flag("--watch", options.watch, "Draw again when the spec or an import is saved");
   AddTimeLimit(command, options.time_limit);
   command.add_flag("--force", options.force, "Overwrite a file that mjforge did not make");
 }

@@ -292,7 +292,7 @@ std::size_t MjforgeMakeRows(MjforgeMaker* maker, std::uint64_t index, std::uint6
       AddInputs(*maker, used);
       std::string record;
       manifest::AppendRecord(record, maker->variant.record);
-      table->columns.Add(std::move(record));
+      if (!table->columns.Add(std::move(record))) break;
     }
   } catch (const std::exception&) {
     // MjforgeMake of this variant says why.

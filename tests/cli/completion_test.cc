@@ -171,7 +171,7 @@ TEST_CASE_METHOD(CompletionTest, "files are left to the shell, which is told how
   CHECK(Ask({"generate", "crate.yaml", "-MF", ""}) == ":.\n");
   CHECK(Ask({"generate", "crate.yaml", "--params="}) == ":.yaml .yml\n");
   CHECK(Ask({"replay", "out/"}) == ":.jsonl .zst .xml\n");
-  CHECK(Ask({"verify", ""}) == ":.jsonl .tar .zst\n");
+  CHECK(Ask({"verify", ""}) == ":.jsonl .npz .tar .zst\n");
   CHECK(Ask({"preview", "./x"}) == ":.yaml .yml .xml\n");
 }
 

@@ -252,5 +252,43 @@ TEST_CASE_METHOD(FamilyTest, "a file that is no family is not overwritten") {
   CHECK(Arrays("t.npz").at("index").shape == Shape{2});
 }
 
+TEST_CASE_METHOD(FamilyTest,
+                 "a mesh from a file has its scale, because its vertices have no order") {
+  folder().Write("t.obj",
+                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0.3 0.9 0.1\n"
+                 "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 5 4\nf 3 4 5\nf 2 3 5\n");
+  folder().Write("rock.yaml",
+                 "mjforge: 1\nname: rock\nparams: {s: 0.05 .. 0.1}\n"
+                 "parts: [{name: k, type: mesh, file: t.obj, scale: [s, s, 0.1], density: 500}]\n");
+  Generate({"rock.yaml", "-n", "4", "-o", "rock.npz"});
+  const auto arrays = Arrays("rock.npz");
+  const auto found = std::ranges::find_if(
+      arrays, [](const auto& entry) { return entry.first.starts_with("mesh_"); });
+  REQUIRE(found != arrays.end());
+  CHECK(found->first.starts_with("mesh_scale/"));
+  CHECK(found->second.shape == Shape{4, 3});
+  const std::vector<double> scales = found->second.Numbers();
+  const std::vector<double> drawn = arrays.at("params/s").Numbers();
+  for (std::size_t i = 0; i < 4; ++i) {
+    CHECK(scales[3 * i] == drawn[i]);
+    CHECK(scales[3 * i + 1] == drawn[i]);
+    CHECK(scales[3 * i + 2] == 0.1);
+  }
+}
+
+TEST_CASE_METHOD(FamilyTest, "friction of tendons is in all variants or in none") {
+  folder().Write(
+      "bow.yaml",
+      "mjforge: 1\nname: bow\nparams: {loss: {choice: [0, 0.1]}}\n"
+      "parts: [{name: a, type: box, size: [0.1, 0.1, 0.1]}]\n"
+      "bodies:\n  - {name: b, pos: [0.5, 0, 0],\n"
+      "     joints: [{name: j, type: slide, axis: [1, 0, 0], range: [0, 0.1]}],\n"
+      "     parts: [{name: b, type: box, size: [0.1, 0.1, 0.1]}]}\n"
+      "mjcf:\n  tendon:\n"
+      "    - fixed: {name: w, frictionloss: loss, children: [{joint: {joint: j, coef: 1}}]}\n");
+  const CommandResult result = Generate({"bow.yaml", "-n", "16", "-o", "bow.npz"}, 1);
+  CHECK(result.err.find("tendon_hasfrictionloss") != std::string::npos);
+}
+
 }  // namespace
 }  // namespace mjforge

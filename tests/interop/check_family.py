@@ -80,9 +80,14 @@ def bound(model, geom):
     model.geom_aabb[geom] = [0, 0, 0, *half]
 
 
+def compiled_base(family, i):
+    """The base with the vertices of row i, on a floor."""
+    return with_vertices(family["base"].tobytes().decode().replace("<worldbody>", FLOOR), family, i)
+
+
 def world(family, i):
     """The model of variant i: the base with the numbers of row i."""
-    model = with_vertices(family["base"].tobytes().decode().replace("<worldbody>", FLOOR), family, i)
+    model = compiled_base(family, i)
     meshes = [g for g in range(model.ngeom) if model.geom_type[g] == mujoco.mjtGeom.mjGEOM_MESH]
     for array in family:
         if f"{array}.names" not in family:
@@ -163,6 +168,20 @@ def compare(mine, own):
         expect(np.allclose(colour(mine)[name], rgba, atol=1e-6), f"{name} has another colour")
 
 
+def expect_flags(base, own):
+    """That each flag of the base, from which an engine skips work, is right for a variant."""
+    weighs = own.body_mass > 0
+    is_mesh = own.geom_type == mujoco.mjtGeom.mjGEOM_MESH  # whose frame depends on the release
+    frames = mujoco.mjtSameFrame
+    for field, counts in (("body_sameframe", weighs), ("geom_sameframe", ~is_mesh),
+                          ("site_sameframe", np.full(own.nsite, True))):
+        a, b = getattr(base, field)[counts], getattr(own, field)[counts]
+        right = ((a == frames.mjSAMEFRAME_NONE) | (a == b)
+                 | ((a == frames.mjSAMEFRAME_BODYROT) & (b == frames.mjSAMEFRAME_BODY))
+                 | ((a == frames.mjSAMEFRAME_INERTIAROT) & (b == frames.mjSAMEFRAME_INERTIA)))
+        expect(right.all(), f"{field} is {a}, and of the variant {b}")
+
+
 def start(model, family, i, from_file):
     """The start state, with free bodies above the floor and all joints in motion."""
     data = mujoco.MjData(model)
@@ -202,6 +221,7 @@ def check_family(folder):
         file = folder / f"{facts['name']}_{family['index'][i]:06d}.xml"
         own = mujoco.MjModel.from_xml_string(
             file.read_text(encoding="utf-8").replace("<worldbody>", FLOOR))
+        expect_flags(compiled_base(family, i), own)
         mine = world(family, i)
         compare(mine, own)
         first, second = start(mine, family, i, True), start(own, family, i, False)

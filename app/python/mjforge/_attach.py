@@ -77,7 +77,7 @@ def attach(variant: Variant, scene: MjSpec, prefix: str, pos: Sequence[float], q
                           "python -m pip install 'mujoco>=3.3'")
     if stand:
         place[2] -= _bottom(variant, turn)
-    # Adding the elements by MjSpec's functions costs more than parsing: each number is converted.
+    # Calls of MjSpec for each element are slower than parsing, because they convert each number.
     child = mujoco.MjSpec.from_string(variant.xml, assets=variant.files)
     child.njmax = child.nconmax = -1  # sizes for the object alone
     for key in list(child.keys):

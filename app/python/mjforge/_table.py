@@ -6,9 +6,9 @@ import ctypes
 import dataclasses
 import importlib
 import itertools
-import json
 from typing import Any, Iterable, Iterator, Sequence
 
+from ._json import loads
 from ._library import bytes_of, c_texts, library
 
 # Members of a record under the names that a Variant has.
@@ -67,7 +67,7 @@ class Table:
         said = bytes_of(library.MjforgeLayout(self._handle))
         if not said:
             raise MemoryError
-        self._rows, self._texts, layout = json.loads(said)
+        self._rows, self._texts, layout = loads(said)
         arrays: dict[str, Any] = {}
         if self._rows:
             numbers = itertools.count()
@@ -103,7 +103,7 @@ class Table:
         numpy, bits = self._numpy, column.bits
         is_whole = bool((column.kind != ord(_ABSENT)).all())
         if is_whole and column.kinds == {_WHOLE}:
-            return bits
+            return bits.copy()
         if is_whole and column.kinds == {_FLAG}:
             return bits.astype(bool)
         if is_whole and column.kinds == {_TEXT}:

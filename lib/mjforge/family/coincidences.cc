@@ -1,5 +1,4 @@
-// Coincidences of numbers, computed as MuJoCo's compiler does (mujoco 4.0: user_model.cc,
-// CopyTree).
+// Coincidences of a variant's numbers from which MuJoCo derives flags of a model.
 
 #include "mjforge/family/coincidences.h"
 
@@ -7,30 +6,12 @@
 #include <cstddef>
 
 #include "mjforge/compiled/compiled.h"
+#include "mjforge/structure/structure.h"
 
 namespace mjforge::family {
 namespace {
 
 using compiled::Index;
-
-constexpr mjtNum kOrigin[3] = {0, 0, 0};
-constexpr mjtNum kUnit[4] = {1, 0, 0, 0};
-
-bool IsSamePoint(const mjtNum* a, const mjtNum* b) {
-  return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
-}
-
-// q and -q are one rotation.
-bool IsSameRotation(const mjtNum* a, const mjtNum* b) {
-  return (a[0] == b[0] && a[1] == b[1] && a[2] == b[2] && a[3] == b[3]) ||
-         (a[0] == -b[0] && a[1] == -b[1] && a[2] == -b[2] && a[3] == -b[3]);
-}
-
-SameFrame FrameOf(const mjtNum* pos, const mjtNum* quat, const mjtNum* ipos, const mjtNum* iquat) {
-  if (IsSameRotation(quat, kUnit)) return IsSamePoint(pos, kOrigin) ? kBody : kBodyRotation;
-  if (!IsSameRotation(quat, iquat)) return kNone;
-  return IsSamePoint(pos, ipos) ? kInertia : kInertiaRotation;
-}
 
 // MuJoCo takes a component of an axis below this number as zero (mjEPS).
 constexpr double kAxisTolerance = 1e-14;
@@ -40,7 +21,8 @@ bool LetsBeSimple(const mjModel& m, int joint) {
   const mjtNum* axis = m.jnt_axis + 3 * static_cast<std::ptrdiff_t>(joint);
   int components = 0;
   for (int i = 0; i < 3; ++i) components += std::abs(axis[i]) > kAxisTolerance ? 1 : 0;
-  return IsSamePoint(m.jnt_pos + 3 * static_cast<std::ptrdiff_t>(joint), kOrigin) &&
+  const mjtNum* pos = m.jnt_pos + 3 * static_cast<std::ptrdiff_t>(joint);
+  return pos[0] == 0 && pos[1] == 0 && pos[2] == 0 &&
          (m.jnt_type[joint] == mjJNT_BALL || components == 1);
 }
 
@@ -62,17 +44,11 @@ void AddFlags(std::string_view name, const mjModel& m, mjtObj kind, const Flag& 
 
 void AddCoincidences(const mjModel& m, Numbers& numbers) {
   const auto in_body = [&](const mjtNum* pos, const mjtNum* quat, int id, int body) {
-    return FrameOf(pos + 3 * static_cast<std::ptrdiff_t>(id),
-                   quat + 4 * static_cast<std::ptrdiff_t>(id),
-                   m.body_ipos + 3 * static_cast<std::ptrdiff_t>(body),
-                   m.body_iquat + 4 * static_cast<std::ptrdiff_t>(body));
+    return structure::SameFrameOf(m, body, pos + 3 * static_cast<std::ptrdiff_t>(id),
+                                  quat + 4 * static_cast<std::ptrdiff_t>(id));
   };
   AddFlags(
-      kBodyFlags, m, mjOBJ_BODY,
-      [&](int id) {
-        const SameFrame frame = in_body(m.body_ipos, m.body_iquat, id, id);
-        return frame == kInertia ? kNone : frame;
-      },
+      kBodyFlags, m, mjOBJ_BODY, [&](int id) { return structure::SameFrameOfBody(m, id); },
       numbers);
   AddFlags(
       kGeomFlags, m, mjOBJ_GEOM,

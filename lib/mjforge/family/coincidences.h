@@ -14,19 +14,15 @@ namespace mjforge::family {
 int ElementCount(const mjModel& m, mjtObj kind);
 std::string ElementName(const mjModel& m, mjtObj kind, int id);
 
-/// Relations of the pose of an element E to its body B and to the body's inertia frame I, as in
-/// MuJoCo's body_sameframe, geom_sameframe and site_sameframe.
-enum SameFrame { kNone, kBody, kBodyRotation, kInertia, kInertiaRotation };
-
 /// Names of the arrays of flags.
 inline constexpr std::string_view kBodyFlags = "body_sameframe";
 inline constexpr std::string_view kGeomFlags = "geom_sameframe";
 inline constexpr std::string_view kSiteFlags = "site_sameframe";
 inline constexpr std::string_view kJointFlags = "jnt_simple";
 
-/// Adds the arrays of flags: a SameFrame of each body, geom and site, and for each joint whether it
-/// lets its body be a simple one (body_simple): its anchor is the origin, its axis a coordinate
-/// axis.
+/// Adds the arrays of flags: a structure::SameFrame of each body, geom and site, and for each joint
+/// whether it lets its body be a simple one (body_simple): its anchor is the origin, its axis a
+/// coordinate axis.
 void AddCoincidences(const mjModel& m, Numbers& numbers);
 
 }  // namespace mjforge::family

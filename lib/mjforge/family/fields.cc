@@ -205,9 +205,9 @@ class Reader {
     const std::span<const mjtNum> qpos = compiled::StartOf(m_);
     const bool has_key = qpos.data() != m_.qpos0;
     const std::ptrdiff_t key = has_key && m_.nq > 0 ? (qpos.data() - m_.key_qpos) / m_.nq : 0;
-    const auto add = [&](std::string name, auto count, const mjtNum* keys) {
+    const auto add = [&](const std::string& name, auto count, const mjtNum* keys) {
       const std::vector<mjtNum> zeros(static_cast<std::size_t>(count));
-      AddWhole(std::move(name), {zeros.size()}, has_key ? keys + key * count : zeros.data());
+      AddWhole(name, {zeros.size()}, has_key ? keys + key * count : zeros.data());
     };
     AddWhole("start_qpos", {qpos.size()}, qpos.data());
     add("start_qvel", m_.nv, m_.key_qvel);
@@ -215,9 +215,14 @@ class Reader {
     add("start_ctrl", m_.nu, m_.key_ctrl);
   }
 
-  // Adds the vertices of all meshes as MJCF has them, that is, multiplied by the mesh's scale.
+  // Adds the vertices of inline meshes as MJCF has them, that is, multiplied by the mesh's scale,
+  // and the scale of meshes from files, because MuJoCo decides the order of their vertices.
   void AddVertices() {
     for (const auto& asset : object_.meshes) {
+      if (!asset->file.empty()) {
+        AddWhole("mesh_scale/" + asset->name, {3}, asset->scale.data());
+        continue;
+      }
       const model::TriangleMesh& mesh = asset->mesh;
       ArrayShape& shape = Open("mesh_vert/" + asset->name);
       shape.dims = {mesh.vertices.size(), 3};

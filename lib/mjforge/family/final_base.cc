@@ -1,8 +1,9 @@
 // Choice of base values: elements whose coincidences differ between variants are moved a little.
 //
-// MuJoCo skips the transformation of a geom whose pose is exactly its body's, and other work like
-// that. Flags of the compiled model say so, and a flag that the base has must be right for every
-// variant. A flag that the base lacks costs only time.
+// MuJoCo skips the transformation of a geom whose pose is that of its body to 1e-6, and other work
+// like that. Flags of the compiled model say so, and a flag that the base has must be right for
+// every variant. A flag that the base lacks costs time, and changes the weights of constraints a
+// little (dof_invweight0 of bodies that MuJoCo calls simple).
 
 #include "mjforge/family/final_base.h"
 
@@ -14,14 +15,21 @@
 #include "mjforge/engine/engine.h"
 #include "mjforge/family/base.h"
 #include "mjforge/family/coincidences.h"
+#include "mjforge/structure/structure.h"
 
 namespace mjforge::family {
 namespace {
 
-// Offsets of the base, m and half of rad: large enough to outlive rounding, and different for
-// bodies and for what is in them, so that moving both makes no new coincidence.
-constexpr double kBodyOffset = 1e-6;
-constexpr double kOffset = 2e-6;
+using structure::kBody;
+using structure::kBodyRotation;
+using structure::kInertia;
+using structure::kInertiaRotation;
+using structure::kNone;
+
+// Offsets of the base, m and half of rad: far from the tolerance of 1e-6, and different for bodies
+// and for what is in them, so that moving both makes no new coincidence.
+constexpr double kBodyOffset = 1e-5;
+constexpr double kOffset = 2e-5;
 
 // Arrays of an element whose flags are in an array.
 struct Flagged {

@@ -160,6 +160,7 @@ class FamilyFile {
       }
     }
     std::vector<std::string> names;
+    names.reserve(stored.size());
     for (const std::size_t i : stored) names.push_back(shape.elements[i]);
     WriteTexts(shape.name + ".names", names);
     if (shape.components.empty()) return;

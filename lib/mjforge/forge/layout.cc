@@ -113,8 +113,10 @@ bool Generator::CheckStructure(Variant& variant) const {
       diag::Code::kMujocoStructure, MarkOf(object, differences.front()),
       fmt::format("not the structure of variant {}: {}{}", reference.index, text,
                   choices.empty() ? "" : fmt::format(" ({})", choices)),
-      "--layout split writes a folder per structure; --on-invalid resample draws such variants "
-      "again");
+      options_.family
+          ? "pin the parameter with --set; --on-invalid resample draws such variants again"
+          : "--layout split writes a folder per structure; --on-invalid resample draws "
+            "such variants again");
   return false;
 }
 

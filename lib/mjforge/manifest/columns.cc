@@ -23,13 +23,15 @@ Column& InnerOf(Column& column, std::string_view key, std::size_t next) {
   for (Column& each : inner) {
     if (each.key == key) return each;
   }
-  return inner.emplace_back(std::string(key));
+  inner.push_back({.key = std::string(key), .kinds = {}, .values = {}, .inner = {}});
+  return inner.back();
 }
 
 }  // namespace
 
-Columns::Columns(std::vector<std::string> members) {
-  for (std::string& member : members) columns_.emplace_back(std::move(member));
+Columns::Columns(const std::vector<std::string>& members) {
+  for (const std::string& member : members)
+    columns_.push_back({.key = member, .kinds = {}, .values = {}, .inner = {}});
 }
 
 std::uint64_t Columns::NumberOf(std::string_view text) {

@@ -32,7 +32,7 @@ struct Column {
 /// Reads members of records, one record per row.
 class Columns {
  public:
-  explicit Columns(std::vector<std::string> members);
+  explicit Columns(const std::vector<std::string>& members);
 
   /// Adds a row; returns false if the text is not a JSON object.
   bool Add(std::string text);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <map>
 #include <span>
 #include <string>
@@ -26,9 +27,6 @@ namespace fs = std::filesystem;
 // Keys whose values are names or paths of specs, and keys whose values are paths of other files.
 constexpr std::array<std::string_view, 2> kSpecKeys = {"import", "spec"};
 constexpr std::array<std::string_view, 3> kFileKeys = {"file", "mjcf", "rows"};
-// Keys whose values may be the same word as an object's name.
-constexpr std::array<std::string_view, 2> kWordKeys = {"material", "type"};
-
 bool Has(std::span<const std::string_view> keys, std::string_view key) {
   return std::ranges::find(keys, key) != keys.end();
 }
@@ -44,14 +42,6 @@ class TextCopier {
         search_path_(search_path) {
     for (std::size_t at = 0; at < text_.size(); ++at) {
       if (at == 0 || text_[at - 1] == '\n') lines_.push_back(at);
-    }
-  }
-
-  /// Renames the object: its name, and the references to its root body outside of parameters.
-  void Rename(const YamlNode& root, const std::string& old_name, const std::string& new_name) {
-    for (const YamlNode::Pair& section : root.pairs) {
-      if (section.key != "params" && section.key != "functions")
-        RenameBelow(section.value, section.key, old_name, new_name);
     }
   }
 
@@ -79,20 +69,9 @@ class TextCopier {
   }
 
  private:
-  // `key` is that of the node, or of the list that contains it.
-  void RenameBelow(const YamlNode& node, std::string_view key, const std::string& old_name,
-                   const std::string& new_name) {
-    const bool is_other = Has(kSpecKeys, key) || Has(kFileKeys, key) || Has(kWordKeys, key);
-    if (node.kind == YamlNode::Kind::kScalar && node.text == old_name && !is_other)
-      Replace(node, new_name);
-    for (const YamlNode& item : node.items) RenameBelow(item, key, old_name, new_name);
-    for (const YamlNode::Pair& pair : node.pairs)
-      RenameBelow(pair.value, pair.key, old_name, new_name);
-  }
-
   void VisitReference(const YamlNode& node, bool is_spec) {
     if (node.kind != YamlNode::Kind::kScalar) return;
-    const auto old_file = is_spec ? Locate(node.text, from_, search_path_) : InFolder(node.text);
+    const auto old_file = is_spec ? Locate(node.text, from_, search_path_) : FileBeside(node.text);
     if (!old_file) return;
     const fs::path file = Canonical(*old_file);
     const auto new_file = is_spec ? Locate(node.text, to_, search_path_) : std::nullopt;
@@ -100,7 +79,7 @@ class TextCopier {
     Replace(node, is_spec ? ReferenceTo(file) : file.lexically_relative(to_).generic_string());
   }
 
-  std::optional<fs::path> InFolder(const std::string& name) const {
+  std::optional<fs::path> FileBeside(const std::string& name) const {
     std::error_code error;
     const fs::path file = from_ / name;
     return !name.empty() && fs::is_regular_file(file, error) ? std::optional(file) : std::nullopt;
@@ -118,10 +97,42 @@ class TextCopier {
     return file.lexically_relative(to_).generic_string();
   }
 
+  // Replaces a scalar in quotation marks or a plain one; others stay.
   void Replace(const YamlNode& scalar, const std::string& text) {
-    const std::size_t place = lines_[scalar.mark.line - 1] + scalar.mark.column - 1;
-    const std::size_t at = text_.find(scalar.text, place);  // behind a quotation mark
-    if (at != std::string::npos) changes_[at] = {scalar.text.size(), text};
+    std::size_t at = lines_[scalar.mark.line - 1] + scalar.mark.column - 1;
+    while (at < text_.size() && (text_[at] == '&' || text_[at] == '!'))  // anchor or tag
+      at = text_.find_first_not_of(' ', text_.find(' ', at));
+    if (at >= text_.size()) return;
+    const std::size_t size = text_[at] == '\'' || text_[at] == '"' ? QuotedSize(at)
+                             : text_.compare(at, scalar.text.size(), scalar.text) == 0
+                                 ? scalar.text.size()
+                                 : 0;
+    if (size > 0) changes_[at] = {size, Written(text)};
+  }
+
+  // Returns the size of the quoted scalar that begins at a place; 0 if it does not end.
+  std::size_t QuotedSize(std::size_t begin) const {
+    const char quote = text_[begin];
+    for (std::size_t at = begin + 1; at < text_.size(); ++at) {
+      if (quote == '"' && text_[at] == '\\') {
+        ++at;
+      } else if (text_[at] == quote) {
+        if (quote == '"' || at + 1 == text_.size() || text_[at + 1] != quote) return at + 1 - begin;
+        ++at;
+      }
+    }
+    return 0;
+  }
+
+  // Returns a scalar of YAML with this text.
+  static std::string Written(const std::string& text) {
+    const auto is_plain = [](unsigned char c) {
+      return std::isalnum(c) != 0 || c == '_' || c == '.' || c == '/' || c == '-';
+    };
+    if (std::ranges::all_of(text, is_plain)) return text;
+    std::string quoted = "'";
+    for (const char c : text) quoted.append(c == '\'' ? 2 : 1, c);
+    return quoted + "'";
   }
 
   std::string text_;
@@ -133,28 +144,13 @@ class TextCopier {
   std::map<std::size_t, std::pair<std::size_t, std::string>, std::greater<>> changes_;
 };
 
-std::optional<std::string> Copy(std::uint32_t source, const fs::path& from, const std::string& name,
-                                const fs::path& to, const std::vector<fs::path>& search_path,
-                                diag::Sources& sources, diag::Findings& findings) {
-  const std::optional<YamlNode> root = ParseYaml(source, sources, findings);
-  if (!root) return std::nullopt;
-  TextCopier copier(sources, source, from, Canonical(to.empty() ? "." : to), search_path);
-  if (const YamlNode* old_name = root->Find("name")) copier.Rename(*root, old_name->text, name);
-  copier.Visit(*root);
-  return copier.Take();
-}
-
 }  // namespace
 
-std::optional<std::string> StarterText(const std::string& name, diag::Sources& sources,
-                                       diag::Findings& findings) {
-  const std::uint32_t source = sources.Add("starter.yaml", std::string(kStarterYaml));
-  return Copy(source, {}, name, {}, {}, sources, findings);
-}
+std::string StarterText() { return std::string(kStarterYaml); }
 
-std::optional<std::string> CopiedText(const std::string& reference, const std::string& name,
-                                      const fs::path& folder, const LoadOptions& options,
-                                      diag::Sources& sources, diag::Findings& findings) {
+std::optional<std::string> CopiedText(const std::string& reference, const fs::path& folder,
+                                      const LoadOptions& options, diag::Sources& sources,
+                                      diag::Findings& findings) {
   Snapshot snapshot;  // keeps the text, because standard input cannot be read again
   LoadOptions load = options;
   load.snapshot = &snapshot;
@@ -164,7 +160,12 @@ std::optional<std::string> CopiedText(const std::string& reference, const std::s
       reference == bytes::kStandardInput ? fs::path(reference) : spec->files.front();
   const auto source = ReadSource(file, reference, {}, &snapshot, sources, findings);
   if (!source) return std::nullopt;
-  return Copy(*source, file.parent_path(), name, folder, options.search_path, sources, findings);
+  const std::optional<YamlNode> root = ParseYaml(*source, sources, findings);
+  if (!root) return std::nullopt;
+  TextCopier copier(sources, *source, file.parent_path(), Canonical(folder.empty() ? "." : folder),
+                    options.search_path);
+  copier.Visit(*root);
+  return copier.Take();
 }
 
 }  // namespace mjforge::spec

@@ -144,16 +144,16 @@ std::unique_ptr<ObjectSpec> LoadSpecText(const std::string& name, std::string te
 /// Returns the specs in a folder of the search path: names for LoadSpec ("tools/hammer"), sorted.
 std::vector<std::string> ListSpecs(const std::filesystem::path& folder);
 
-/// Returns the text of a spec for a copy in `folder` (empty: the working folder): with another
-/// name, with references that lead from there to the same files, and without the line that tells an
-/// editor of the schema. Returns nothing, after adding findings, if the spec has errors.
-std::optional<std::string> CopiedText(const std::string& reference, const std::string& name,
+/// Returns the text of a spec for a copy in `folder` (empty: the working folder): references to
+/// files lead from there to the same files, unless the spec computes their names, and the line that
+/// tells an editor of the schema is left out. Returns nothing, after adding findings, if the spec
+/// has errors.
+std::optional<std::string> CopiedText(const std::string& reference,
                                       const std::filesystem::path& folder,
                                       const LoadOptions& options, diag::Sources& sources,
                                       diag::Findings& findings);
-/// Returns the text of a small commented spec of this name, to start from.
-std::optional<std::string> StarterText(const std::string& name, diag::Sources& sources,
-                                       diag::Findings& findings);
+/// Returns the text of a small commented spec, to start from.
+std::string StarterText();
 
 /// Returns the text of schemas/object.schema.json, which is made from the field table.
 std::string JsonSchema();

@@ -1,6 +1,8 @@
 // Coincidences of frames: setSameframe in engine_setconst.c of MuJoCo 4.0.
 #include "mjforge/structure/frames.h"
 
+#include <mujoco/mujoco.h>
+
 #include <cmath>
 
 namespace mjforge::structure {

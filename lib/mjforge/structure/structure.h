@@ -27,6 +27,8 @@
 #include <utility>
 #include <vector>
 
+#include "mjforge/structure/frames.h"
+
 struct mjModel_;
 
 namespace mjforge::structure {

@@ -9,7 +9,7 @@ using namespace mjforge::diag;
 TEST_CASE("every code has a name of a stage and kebab-case words") {
   const std::set<std::string> stages = {"yaml",   "expr",    "spec",   "sample",  "model",
                                         "attach", "target",  "mujoco", "physics", "output",
-                                        "batch",  "picture", "report", "start"};
+                                        "batch",  "picture", "report", "start",   "family"};
   for (const CodeInfo& info : AllCodes()) {
     const std::string name(info.name);
     CAPTURE(name);

@@ -2,6 +2,8 @@
 
 #include "sample_rows.h"
 
+#include "mjforge/structure/structure.h"
+
 namespace mjforge::family::sample_rows {
 namespace {
 
@@ -34,7 +36,7 @@ Numbers Ball(double radius, const std::string& material, double red, double shif
   AddElements(numbers, "site_quat", "", {});
   AddElements(numbers, "jnt_pos", "", {});
   AddElements(numbers, "dof_frictionloss", "", {});
-  const double frame = shift == 0 ? 1 : 2;  // kBody, kBodyRotation
+  const double frame = shift == 0 ? structure::kBody : structure::kBodyRotation;
   AddElements(numbers, "body_sameframe", "ball", {frame}, Type::kFlag);
   AddElements(numbers, "geom_sameframe", "core", {frame}, Type::kFlag);
   AddElements(numbers, "site_sameframe", "", {}, Type::kFlag);
