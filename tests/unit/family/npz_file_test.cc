@@ -65,7 +65,7 @@ TEST_CASE("a constant element is stored if the base has another value") {
   REQUIRE(family.good);
   CHECK(family.arrays.at("geom_pos").Numbers() == std::vector<double>(6, 0.0));
   const std::string& base = family.arrays.at("base").bytes;
-  CHECK(base.find("pos=\"2e-06 2e-06 2e-06\" quat=") != base.npos);
+  CHECK(base.find("pos=\"2e-05 2e-05 2e-05\" quat=") != base.npos);
   CHECK(family.arrays.at("family").bytes.find(
             R"("moved":{"geom_pos":["core"],"geom_quat":["core"]})") != std::string::npos);
 }
