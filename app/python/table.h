@@ -9,7 +9,7 @@
 
 /// Columns of records, and what the last calls have returned of them.
 struct MjforgeTable {
-  explicit MjforgeTable(std::vector<std::string> members) : columns(std::move(members)) {}
+  explicit MjforgeTable(const std::vector<std::string>& members) : columns(members) {}
 
   mjforge::manifest::Columns columns;
   std::vector<const mjforge::manifest::Column*> all;  // each before its inner columns

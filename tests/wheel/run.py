@@ -181,6 +181,8 @@ def has_its_tests_passed(place):
 
 def resets_in(place, requirement, *count):
     """Attaches and simulates objects in a release of MuJoCo."""
+    # The package of 4.0 is divided, and an upgrade from an earlier one removes files of its parts.
+    place.pip("uninstall", "--quiet", "--yes", "mujoco")
     place.pip("install", "--quiet", "--only-binary=:all:", "--upgrade", requirement, "numpy")
     return place.run(place.bin / "python", "-B", SOURCE / "tests/wheel/resets.py", *count).strip()
 
