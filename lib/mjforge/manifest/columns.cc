@@ -48,7 +48,10 @@ void Columns::PutInner(const Value& value, Column& column) {
       Put(member, InnerOf(column, TextOf(name), next++));
   } else {
     for (const auto& item : value.GetArray()) {
-      if (next == column.inner.size()) column.inner.emplace_back(std::to_string(next));
+      if (next == column.inner.size()) {
+        column.inner.push_back(
+            {.key = std::to_string(next), .kinds = {}, .values = {}, .inner = {}});
+      }
       Put(item, column.inner[next++]);
     }
   }
