@@ -12,14 +12,8 @@ class FamilySink : public ArchiveSink {
   using ArchiveSink::ArchiveSink;
 
   std::optional<ResumedVariants> Open(diag::Findings& findings) override {
-    const std::filesystem::path& file = destination_.path;
-    std::error_code ignored;
-    if (is_whole() && !request_.force &&
-        std::filesystem::exists(std::filesystem::symlink_status(file, ignored)) &&
-        !output::IsNpzWith(file, family::kFirstMember)) {
-      output::AddForeignFile(file, findings);
+    if (is_whole() && !MayReplaceFamily(destination_.path, request_.force, findings))
       return std::nullopt;
-    }
     return ArchiveSink::Open(findings);
   }
 

@@ -72,12 +72,7 @@ class ShardMerger {
     std::vector<std::filesystem::path> rows;
     for (const manifest::SealedFile& file : whole_.archives)
       rows.push_back(destination_.Folder() / file.file);
-    std::error_code ignored;
-    if (std::filesystem::exists(destination_.path, ignored) &&
-        !output::IsNpzWith(destination_.path, family::kFirstMember)) {
-      output::AddForeignFile(destination_.path, findings_);
-      return false;
-    }
+    if (!MayReplaceFamily(destination_.path, false, findings_)) return false;
     const auto npz = output::PartFile::Open(destination_.path, findings_);
     if (!npz || !npz->Truncate(0, findings_)) return false;
     if (!family::WriteNpz(rows, FactsOf(*first_, {whole_.first, whole_.count}), *npz, findings_)) {

@@ -90,4 +90,11 @@ bool MayReplaceManifest(const std::filesystem::path& file, bool force, diag::Fin
   return output::MayReplace(file, force, 1, is_ours, findings);
 }
 
+bool MayReplaceFamily(const std::filesystem::path& file, bool force, diag::Findings& findings) {
+  const auto is_ours = [&](std::string_view) {
+    return output::IsNpzWith(file, family::kFirstMember);
+  };
+  return output::MayReplace(file, force, 1, is_ours, findings);
+}
+
 }  // namespace mjforge::batch

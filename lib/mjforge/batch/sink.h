@@ -76,5 +76,7 @@ std::unique_ptr<Sink> MakeFamilySink(const SinkOptions& options);
 /// Returns true if `file` does not exist, is a manifest of mjforge, or `force` is set; otherwise
 /// adds a finding.
 bool MayReplaceManifest(const std::filesystem::path& file, bool force, diag::Findings& findings);
+/// Does the same for the file of a family.
+bool MayReplaceFamily(const std::filesystem::path& file, bool force, diag::Findings& findings);
 
 }  // namespace mjforge::batch

@@ -5,13 +5,10 @@
 #include <cmath>
 #include <cstddef>
 
-#include "mjforge/compiled/compiled.h"
 #include "mjforge/structure/structure.h"
 
 namespace mjforge::family {
 namespace {
-
-using compiled::Index;
 
 // MuJoCo takes a component of an axis below this number as zero (mjEPS).
 constexpr double kAxisTolerance = 1e-14;

@@ -72,30 +72,21 @@ std::string HeaderOf(ArrayType type, std::span<const std::uint64_t> shape,
   return header + words;
 }
 
-// Returns the number of bytes of the code point that begins with this byte.
-std::size_t LengthOf(unsigned char first) {
-  return first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
-}
-
 }  // namespace
 
 std::size_t CodePoints(std::string_view text) {
   std::size_t count = 0;
-  for (std::size_t at = 0; at < text.size(); ++count)
-    at += LengthOf(static_cast<unsigned char>(text[at]));
+  for (; !text.empty(); ++count) text.remove_prefix(diag::DecodeUtf8(text).length);
   return count;
 }
 
 std::string Utf32Of(std::string_view text, std::size_t length) {
+  constexpr char32_t kReplacement = 0xFFFD;  // in place of an invalid byte
   std::u32string points;
   while (!text.empty() && points.size() < length) {
-    const auto first = static_cast<unsigned char>(text.front());
-    const std::size_t count = std::min(LengthOf(first), text.size());
-    char32_t point = count == 1 ? first : first & (0xFFU >> (count + 1));
-    for (std::size_t i = 1; i < count; ++i)
-      point = point << 6 | (static_cast<unsigned char>(text[i]) & 0x3FU);
-    points += point;
-    text.remove_prefix(count);
+    const diag::Utf8Char character = diag::DecodeUtf8(text);
+    points += character.valid ? character.value : kReplacement;
+    text.remove_prefix(character.length);
   }
   points.resize(length);
   return {reinterpret_cast<const char*>(points.data()), 4 * length};
