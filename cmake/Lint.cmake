@@ -3,7 +3,7 @@
 # a room that are compiled together are in the same group, and the room's other files are in other
 # groups, because unnamed namespaces of these files may use the same names.
 
-set(groups 4)
+set(groups 6)
 set(group 0)
 get_property(rooms GLOBAL PROPERTY mjforge_rooms)
 foreach(target IN LISTS rooms ITEMS mjforge mjforge_python)
