@@ -152,8 +152,9 @@ void AddGenerateOptions(CLI::App& command, GenerateOptions& options) {
       ->option_text("TEXT");
   AddWord(command, "--target", options.target, mjcf::TargetNames(), "For");
   command.add_flag("--each", options.request.variant.each, "Each object of a scene as a file");
-  command.add_flag("--mocap", options.request.variant.mocap,
-                   "In a family: fixed bodies are mocap bodies");
+  command.add_flag("--mocap", options.request.variant.mocap, "In a family: fixed bodies are mocap");
+  command.add_flag("--pad", options.request.variant.pad,
+                   "In a family: geoms that a variant lacks are null");
   AddWord(command, "--assets", options.assets, mjcf::kAssetForms, "Meshes and textures");
   AddWord(command, "--validate", options.validate, manifest::kValidations, "MuJoCo's verdict");
   AddProfile(command, options.spec.settings, [&options] { options.validate = "physics"; });

@@ -8,7 +8,9 @@ namespace mjforge::app {
 
 std::string FindFamilyConflict(const std::string& output, const batch::Request& request) {
   if (request.destination.kind != output::Destination::Kind::kFamily) {
-    return request.variant.mocap ? "--mocap is for families, such as -o NAME.npz" : std::string();
+    if (request.variant.mocap) return "--mocap is for families, such as -o NAME.npz";
+    if (request.variant.pad > 0) return "--pad is for families, such as -o NAME.npz";
+    return {};
   }
   const mjcf::TargetRules& rules = mjcf::RulesOf(request.variant.target);
   if (request.count < 2)

@@ -205,6 +205,67 @@ TEST_CASE_METHOD(FamilyTest, "a coincidence of some variants is not in the base"
   CHECK(Facts("z.npz").at("moved") == nlohmann::json::object());
 }
 
+constexpr const char* kMixed = R"(mjforge: 1
+name: mixed
+params: {shape: {cycle: [box, ball]}, knobs: {cycle: [0, 2, 1]}, r: 1cm .. 2cm}
+parts:
+  - {name: core, type: box, size: [3cm, 3cm, r]}
+  - {name: body, if: shape == 'box', type: box, size: [r, r, r], pos: [0, 0, 4cm]}
+  - {name: body, if: shape == 'ball', type: sphere, size: r, pos: [0, 0, 4cm]}
+  - {name: "knob_${i}", for: {i: knobs}, type: prism, polygon: [[0, 0], [2cm, 0], [0, 1cm]],
+     height: 1cm, pos: [5cm, 0, 1cm * i]}
+)";
+
+TEST_CASE_METHOD(FamilyTest, "padded variants have the geoms of all") {
+  folder().Write("mixed.yaml", kMixed);
+  CHECK(Generate({"mixed.yaml", "-n", "6", "-o", "no.npz"}, 1).err.find("--pad makes geoms") !=
+        std::string::npos);
+  Generate({"mixed.yaml", "-n", "6", "--pad", "-o", "m.npz"});
+  CHECK(Facts("m.npz").at("pad") == true);
+  const auto arrays = Arrays("m.npz");
+  CHECK(arrays.at("index").shape == Shape{6});
+  const std::size_t knob = NumberOf(arrays, "geom_rgba", "mixed_knob_1");
+  const std::size_t ball = NumberOf(arrays, "geom_size", "mixed_body.sphere");
+  const std::size_t box = NumberOf(arrays, "geom_size", "mixed_body");
+  const std::vector<double> colors = arrays.at("geom_rgba").Numbers();
+  const std::vector<double> sizes = arrays.at("geom_size").Numbers();
+  const std::size_t elements = arrays.at("geom_rgba").shape[1];
+  const std::size_t sized = arrays.at("geom_size").shape[1];
+  for (std::size_t i = 0; i < 6; ++i) {
+    CHECK((colors[4 * (elements * i + knob) + 3] > 0) == (i % 3 == 1));
+    CHECK((sizes[3 * (sized * i + ball)] > 0.005) == (i % 2 == 1));
+    CHECK((sizes[3 * (sized * i + box)] > 0.005) == (i % 2 == 0));
+  }
+}
+
+TEST_CASE_METHOD(FamilyTest, "a padded family does not depend on how it is made") {
+  folder().Write("mixed.yaml", kMixed);
+  Generate({"mixed.yaml", "-n", "9", "--first", "2", "--pad", "-j", "1", "-o", "a.npz"});
+  Generate({"mixed.yaml", "-n", "9", "--first", "2", "--pad", "-j", "3", "-o", "b.npz"});
+  CHECK(folder().Read("a.npz") == folder().Read("b.npz"));
+  for (const char* shard : {"0/3", "1/3", "2/3"}) {
+    Generate({"mixed.yaml", "-n", "9", "--first", "2", "--pad", "--shard", shard, "-o", "c.npz"});
+  }
+  CHECK(Run({"merge", "c.npz"}).status == 0);
+  CHECK(folder().Read("a.npz") == folder().Read("c.npz"));
+  CHECK(Run({"verify", "a.manifest.jsonl"}).status == 0);
+  const CommandResult replay = Run({"replay", "a.manifest.jsonl:5"});
+  INFO(replay.err);
+  CHECK(replay.status == 0);
+}
+
+TEST_CASE_METHOD(FamilyTest, "a joint cannot be null") {
+  folder().Write("arms.yaml",
+                 "mjforge: 1\nname: arms\nparams: {count: {cycle: [1, 2]}}\n"
+                 "parts: [{name: core, type: box, size: [1cm, 1cm, 1cm]}]\n"
+                 "bodies:\n  - {name: 'arm_${i}', for: {i: count}, pos: [0, 0, 5cm * (i + 1)],\n"
+                 "     parts: [{name: 'bar_${i}', type: box, size: [1cm, 1cm, 1cm]}],\n"
+                 "     joints: [{name: 'turn_${i}', type: hinge}]}\n");
+  const CommandResult result = Generate({"arms.yaml", "-n", "4", "--pad", "-o", "arms.npz"}, 1);
+  CHECK(result.err.find("only geoms and sites can be null") != std::string::npos);
+  CHECK(result.err.find("mujoco/structure") != std::string::npos);
+}
+
 TEST_CASE_METHOD(FamilyTest, "fixed bodies become mocap bodies if they are wanted") {
   folder().Write(
       "post.yaml",
@@ -240,6 +301,7 @@ TEST_CASE_METHOD(FamilyTest, "options that a family cannot have are wrong usage"
   refused({"-n", "2", "--target", "robosuite", "-o", "t.npz"}, "--target robosuite");
   refused({"-n", "2", "--name", "t${index}", "-o", "t.npz"}, "one name");
   refused({"-n", "2", "-o", "t_%d.npz"}, "has no %");
+  refused({"-n", "2", "--pad", "-o", "t"}, "--pad is for families");
   refused({"-n", "2", "--mocap", "-o", "t.tar"}, "--mocap is for families");
 }
 

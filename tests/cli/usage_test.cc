@@ -77,7 +77,7 @@ TEST_CASE_METHOD(UsageTest, "the help of every command fits a screen and has exa
     INFO(result.out);
     CHECK(result.status == 0);
     CHECK(result.err.empty());
-    CHECK(std::count(result.out.begin(), result.out.end(), '\n') <= 48);
+    CHECK(std::count(result.out.begin(), result.out.end(), '\n') <= 50);
     CHECK(result.out.find("\nExamples:\n  ") != std::string::npos);
     std::size_t begin = 0;
     while (begin < result.out.size()) {

@@ -25,6 +25,7 @@ family::Facts FactsOf(const manifest::Record& record, const IndexRange& all) {
   add("first", all.first);
   add("count", all.count);
   add("target", record.target);
+  add("pad", record.pad > 0);
   add("mocap", record.mocap);
   add("mujoco", record.mujoco);
   return facts;

@@ -253,6 +253,7 @@ forge::Options OptionsOf(const Request& request) {
   if (request.destination.kind == Kind::kFolder || request.destination.IsArchive())
     options.folder = request.destination.Folder();
   options.layout_first = request.first;
+  if (options.pad > 0) options.pad = request.count;
   options.family = request.destination.kind == Kind::kFamily;
   if (options.family) options.layout = forge::Layout::kOne;
   options.snapshot_file = SnapshotPath(request.destination).filename().string();

@@ -29,6 +29,7 @@
 #include "mjforge/mjcf/mjcf.h"
 #include "mjforge/model/model.h"
 #include "mjforge/output/output.h"
+#include "mjforge/padding/padding.h"
 #include "mjforge/physics/physics.h"
 #include "mjforge/sample/sample.h"
 #include "mjforge/spec/spec.h"
@@ -106,11 +107,15 @@ class Generator {
   enum class Outcome { kOk, kFailed, kHopeless };  // hopeless: further attempts would fail, too
   void Reset(std::uint64_t index, std::uint64_t attempt, Variant& variant);
   Outcome Attempt(std::uint64_t index, std::uint64_t attempt, Variant& variant);
+  /// Assembles the object of these parameters; returns nothing after an error.
+  std::optional<model::Object> Assemble(sample::Evaluator& values, Variant& variant);
   /// Brings the piles of an object to rest; returns false after an error.
   bool SettlePiles(model::Object& object, Variant& variant);
   /// Assembles the object of these parameters and writes its MJCF; returns false after an error.
   bool Build(sample::Evaluator& values, Variant& variant);
   void Validate(Variant& variant);
+  /// Determines the geoms and sites that any of the options' `pad` variants has.
+  void FindSuperset();
   /// Determines the structure of a batch with Layout::kOne: that of the first valid variant.
   void FindReference();
   /// Returns true if a variant has the structure of the batch; otherwise adds a finding.
@@ -138,6 +143,7 @@ class Generator {
   assemble::Assembler assembler_;
   std::map<std::string, std::string> hashes_;  // hashes of assets, by file
   std::vector<split::ScenePart> parts_;        // objects of the current scene
+  std::optional<padding::Superset> superset_;  // null without Options::pad, and before a variant
   /// Layout::kOne: record and structure of the variant that all others must equal. The structure is
   /// empty if none of the first kMaxReferences variants is valid.
   std::optional<std::pair<manifest::Record, structure::Structure>> reference_;

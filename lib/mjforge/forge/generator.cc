@@ -63,6 +63,7 @@ manifest::Record BatchRecord(const Recipe& recipe, const Options& options) {
   record.target = mjcf::RulesOf(options.target).name;
   if (options.assets == mjcf::AssetForm::kFiles) record.assets_as = mjcf::kAssetForms[1];
   record.each = options.each;
+  record.pad = options.pad;
   record.mocap = options.mocap;
   record.validate = options.validation;
   if (options.validation != Validation::kNone) record.mujoco = validate::MujocoVersion();
@@ -104,6 +105,7 @@ void Generator::Reset(std::uint64_t index, std::uint64_t attempt, Variant& varia
 }
 
 void Generator::Make(std::uint64_t index, Variant& variant) {
+  if (options_.pad > 0 && !superset_) FindSuperset();
   if (options_.layout == Layout::kOne && !reference_) FindReference();
   Outcome outcome = Attempt(index, options_.attempt, variant);
   const int resamples = options_.on_invalid == OnInvalid::kResample ? kMaxResamples : 0;
@@ -178,23 +180,28 @@ bool Generator::SettlePiles(model::Object& object, Variant& variant) {
   return true;
 }
 
+std::optional<model::Object> Generator::Assemble(sample::Evaluator& values, Variant& variant) {
+  const mjcf::TargetRules& rules =
+      mjcf::RulesOf(options_.each ? mjcf::Target::kMujoco : options_.target);
+  return assembler_.Assemble(values,
+                             {.name = variant.record.name,
+                              .prefix = rules.has_prefix && !options_.each,
+                              .root = std::string(rules.root),
+                              .place_seed = options_.place_seed},
+                             variant.findings);
+}
+
 bool Generator::Build(sample::Evaluator& values, Variant& variant) {
   const manifest::Record& record = variant.record;
   const mjcf::Target target = options_.each ? mjcf::Target::kMujoco : options_.target;
-  const mjcf::TargetRules& rules = mjcf::RulesOf(target);
-  std::optional<model::Object> object =
-      assembler_.Assemble(values,
-                          {.name = record.name,
-                           .prefix = rules.has_prefix && !options_.each,
-                           .root = std::string(rules.root),
-                           .place_seed = options_.place_seed},
-                          variant.findings);
+  std::optional<model::Object> object = Assemble(values, variant);
   if (!object || !SettlePiles(*object, variant)) return false;
   if (options_.each && !SplitScene(*object, variant)) return false;
   // With --each, warnings are about the files of the objects.
   diag::Findings of_scene;
   mjcf::Adapt(*object, target, options_.each ? of_scene : variant.findings);
   if (of_scene.HasErrors()) variant.findings.Append(std::move(of_scene));
+  if (superset_ && !superset_->Complete(*object, variant.findings)) return false;
   variant.object = std::make_shared<const model::Object>(*std::move(object));
   if (variant.findings.HasErrors()) return false;
   mjcf::Provenance provenance = record;

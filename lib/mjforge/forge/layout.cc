@@ -114,9 +114,12 @@ bool Generator::CheckStructure(Variant& variant) const {
       fmt::format("not the structure of variant {}: {}{}", reference.index, text,
                   choices.empty() ? "" : fmt::format(" ({})", choices)),
       options_.family
-          ? "pin the parameter with --set; --on-invalid resample draws such variants again"
-          : "--layout split writes a folder per structure; --on-invalid resample draws "
-            "such variants again");
+          ? fmt::format("{}pin the parameter with --set; --on-invalid resample draws such variants "
+                        "again",
+                        options_.pad > 0 ? "only geoms and sites can be null; "
+                                         : "--pad makes geoms that a variant lacks null; ")
+          : std::string("--layout split writes a folder per structure; --on-invalid resample draws "
+                        "such variants again"));
   return false;
 }
 

@@ -91,6 +91,7 @@ std::optional<Options> RecordedOptions(const manifest::Record& record, std::stri
   options.validation = record.validate;
   options.layout = record.layout;
   options.layout_first = record.layout_first.value_or(0);
+  options.pad = record.pad;
   options.mocap = record.mocap;
   return options;
 }

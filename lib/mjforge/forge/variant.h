@@ -56,6 +56,9 @@ struct Options {
   /// Variants have the numbers of their compiled models, and may differ in coincidences. Needs a
   /// validation.
   bool family = false;
+  /// For a family: each variant has the geoms and sites of this many variants from layout_first on.
+  /// batch::OptionsOf sets the number of variants of the batch if the option is not 0.
+  std::uint64_t pad = 0;
   bool mocap = false;  // recorded: the family's base has mocap bodies for fixed ones
   /// Folder of the manifest. Records contain the path of the spec's file relative to this folder;
   /// no path if the option is empty.

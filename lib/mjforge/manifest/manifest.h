@@ -71,6 +71,8 @@ struct Record : mjcf::Provenance {
   std::string structure;  // key of its structure (structure.h); empty: MuJoCo did not load it
   Layout layout = Layout::kAny;
   std::optional<std::uint64_t> layout_first;  // Layout::kOne: index of the batch's first variant
+  /// In a family: each variant has the geoms and sites of this many variants from layout_first on.
+  std::uint64_t pad = 0;
   bool mocap = false;                      // the base of the family has mocap bodies for fixed ones
   std::optional<physics::Result> physics;  // empty if not requested or not measurable
   OnInvalid on_invalid = OnInvalid::kFail;

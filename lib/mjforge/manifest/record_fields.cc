@@ -259,6 +259,10 @@ const std::array kFields = {
         "layout_first", kWhole,
         "With the layout `one`: the index of the first variant of the batch, which determines the "
         "structure."),
+    OptionalField<&Record::pad, FieldScope::kBatch>(
+        "pad", R"("type": "integer", "minimum": 1)",
+        "Present if each variant of the family has the geoms and sites of this many variants from "
+        "`layout_first` on; those that it lacks are null."),
     OptionalField<&Record::mocap, FieldScope::kBatch>(
         "mocap", R"("enum": [true])",
         "Present if bodies that are fixed to the world are mocap bodies in the base of the "

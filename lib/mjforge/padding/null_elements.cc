@@ -1,0 +1,87 @@
+// Elements that a model has and that have no effect.
+
+#include "mjforge/padding/null_elements.h"
+
+#include <algorithm>
+
+namespace mjforge::padding {
+namespace {
+
+// Sizes of null elements, m. MuJoCo rejects a mesh with a volume below 1e-15 m^3.
+constexpr double kNullSize = 1e-6;
+constexpr double kNullMeshSize = 2e-4;
+
+Eigen::Vector3d MeanVertex(const model::TriangleMesh& mesh) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& vertex : mesh.vertices) sum += vertex;
+  return sum / static_cast<double>(std::max<std::size_t>(mesh.vertices.size(), 1));
+}
+
+// The centre of a convex shape, in its body.
+Eigen::Vector3d CenterOf(const model::Part& part) {
+  if (part.shape.type != model::GeomType::kMesh) return part.X_BG.p;
+  return part.X_BG * MeanVertex(*part.shape.mesh);
+}
+
+// Removes the attributes that give an element a look, or contacts beyond its surface, and hides it.
+void Hide(std::vector<model::Attribute>& attributes) {
+  std::erase_if(attributes, [](const model::Attribute& attribute) {
+    return attribute.name == "rgba" || attribute.name == "margin" || attribute.name == "gap";
+  });
+  attributes.push_back({.name = "rgba", .numbers = {0, 0, 0, 0}, .text = {}});
+}
+
+}  // namespace
+
+std::optional<Eigen::Vector3d> DeepestPoint(const model::Body& body) {
+  const model::Part* largest = nullptr;
+  double volume = 0;
+  for (const model::Part& part : body.parts) {
+    if (part.role == model::Role::kVisual) continue;
+    const double here = model::Volume(part.shape);
+    if (largest != nullptr && here <= volume) continue;
+    largest = &part;
+    volume = here;
+  }
+  if (largest == nullptr) return std::nullopt;
+  return CenterOf(*largest);
+}
+
+std::unique_ptr<model::MeshAsset> NullMesh(const model::MeshAsset& mesh) {
+  auto null = std::make_unique<model::MeshAsset>(mesh);
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& vertex : mesh.mesh.vertices) box.extend(vertex);
+  const double factor = kNullMeshSize / box.sizes().maxCoeff();
+  null->scale *= factor;
+  null->mesh.in_micrometres = false;
+  for (Eigen::Vector3d& vertex : null->mesh.vertices) vertex *= factor;
+  return null;
+}
+
+void MakeNull(const Eigen::Vector3d& center, model::Part& part) {
+  part.X_BG = {};
+  if (part.shape.type == model::GeomType::kMesh) {
+    part.X_BG.p = center - MeanVertex(*part.shape.mesh);
+  } else {
+    part.X_BG.p = center;
+    part.shape.size.head(model::SizeCount(part.shape.type)).setConstant(kNullSize);
+  }
+  part.mass = 0;
+  part.density = 0;
+  part.solid.reset();
+  part.extent.reset();
+  part.X_GS = {};
+  part.is_shell = false;
+  part.material = -1;
+  Hide(part.attributes);
+}
+
+void MakeNull(const Eigen::Vector3d& center, model::Site& site) {
+  site.X_BS = {};
+  site.X_BS.p = center;
+  site.size.head(model::SizeCount(site.type)).setConstant(kNullSize);
+  site.material = -1;
+  Hide(site.attributes);
+}
+
+}  // namespace mjforge::padding
