@@ -54,6 +54,7 @@ class Target:
         self.scratch = scratch / name
         for folder in (self.corpus, self.found, self.scratch):
             folder.mkdir(parents=True, exist_ok=True)
+        self.most_bytes = MOST_BYTES.get(name, 16000)
         self.executions = self.memory = self.in_mujoco = 0
         self.failures = []  # files
 
@@ -90,6 +91,9 @@ class Target:
     def read_kept(self):
         """Runs what was kept, and what fuzzing begins with, of which it removes what is slow."""
         self.read(sorted(self.kept.iterdir()) if self.kept.exists() else [])
+        for file in self.seeds.iterdir():
+            if file.stat().st_size > self.most_bytes:  # libFuzzer would cut it off
+                file.unlink()
         for file, time_taken in self.read(sorted(self.seeds.iterdir())).items():
             if time_taken > SLOW_MS:
                 file.unlink()
@@ -101,7 +105,7 @@ class Target:
             before = set(self.found.iterdir())
             # A run is ended and begun again, so that what libraries keep does not add up.
             words = [f"-max_total_time={min(left, 600)}", f"-timeout={TIMEOUT_SECONDS}",
-                     f"-rss_limit_mb={MEMORY_MB}", f"-max_len={MOST_BYTES.get(self.name, 16000)}",
+                     f"-rss_limit_mb={MEMORY_MB}", f"-max_len={self.most_bytes}",
                      f"-dict={self.words}", f"-artifact_prefix={self.found}/{self.name}-",
                      "-print_final_stats=1", "-print_funcs=0", f"-seed={seed}"]
             if self.name in WITH_MUJOCO:
