@@ -19,8 +19,11 @@ std::string FindFamilyConflict(const std::string& output, const batch::Request& 
     return fmt::format("--validate none: the numbers of '{}' are those that MuJoCo computes",
                        output);
   if (request.variant.each) return "--each: a family has one model; write to a folder";
-  if (request.variant.layout == manifest::Layout::kSplit)
-    return "--layout split: a family has one structure; write to a folder";
+  const bool is_split = request.variant.layout == manifest::Layout::kSplit;
+  if (is_split != request.destination.IsSplit()) {
+    return is_split ? "--layout split: a family per structure needs a name such as NAME_%s.npz"
+                    : fmt::format("-o {}: a family per structure needs --layout split", output);
+  }
   if (request.variant.assets == mjcf::AssetForm::kFiles)
     return "--assets files: meshes and textures of a family are inline, in its base MJCF";
   if (request.variant.name.find('$') != std::string::npos)

@@ -13,11 +13,11 @@ using Kind = output::Destination::Kind;
 
 constexpr std::array<std::string_view, 4> kNames = {"-MD", "-MF", "-MT", "-MP"};
 
-// Returns the target of the rule; a folder or a series of archives is complete when its manifest
+// Returns the target of the rule; a folder or a series of files is complete when its manifest
 // exists.
 std::filesystem::path TargetOf(const output::Destination& destination) {
   const bool is_file = destination.kind == Kind::kFile || destination.kind == Kind::kArchive ||
-                       destination.kind == Kind::kFamily;
+                       (destination.kind == Kind::kFamily && !destination.IsSplit());
   return is_file ? destination.path : destination.Manifest({});
 }
 

@@ -238,6 +238,48 @@ TEST_CASE_METHOD(FamilyTest, "padded variants have the geoms of all") {
   }
 }
 
+TEST_CASE_METHOD(FamilyTest, "each structure has a family, however they are made") {
+  folder().Write("mixed.yaml", kMixed);
+  const auto make = [&](const std::string& place, std::vector<std::string> more) {
+    more.insert(more.begin(), {"mixed.yaml", "-n", "300", "--layout", "split", "-o", place});
+    Generate(std::move(more));
+  };
+  const auto families = [&](const std::string& where) {
+    std::map<std::string, std::string> files;
+    for (const std::string& file : folder().Files()) {
+      if (file.starts_with(where) && !file.ends_with(".rows"))
+        files[file.substr(2)] = folder().Read(file);
+    }
+    std::erase_if(files, [](const auto& file) {
+      return file.first.find("-of-") != std::string::npos || file.first.ends_with(".seal.json");
+    });
+    return files;
+  };
+  make("a/m_%s.npz", {"-j", "1"});
+  CHECK(families("a").size() == 6 + 1);  // two shapes, three numbers of knobs; the manifest
+  make("b/m_%s.npz", {"-j", "3"});
+  CHECK(families("b") == families("a"));
+  for (const char* seconds : {"0.05", "0.15"}) {
+    harness::Command{.program = "timeout",
+                     .arguments = {"--signal", "KILL", seconds, harness::MjforgeProgram().string(),
+                                   "generate", "-q", "--seed", "7", "mixed.yaml", "-n", "300", "-j",
+                                   "2", "--layout", "split", "-o", "c/m_%s.npz", "--resume"},
+                     .folder = folder().path()}
+        .Run();
+  }
+  make("c/m_%s.npz", {"--resume"});
+  CHECK(families("c") == families("a"));
+  for (const char* shard : {"1/2", "0/2"}) make("d/m_%s.npz", {"--shard", shard});
+  CHECK(Run({"merge", "d/m_%s.npz"}).status == 0);
+  CHECK(families("d") == families("a"));
+  CHECK(Run({"verify", "a/m.manifest.jsonl"}).err.find("7 files") != std::string::npos);
+  CHECK(Run({"replay", "a/m.manifest.jsonl:5"}).status == 0);
+  const std::string first = "a/" + families("a").begin()->first;
+  std::filesystem::remove(folder() / first);
+  make("a/m_%s.npz", {"--resume"});
+  CHECK(families("a") == families("b"));
+}
+
 TEST_CASE_METHOD(FamilyTest, "a padded family does not depend on how it is made") {
   folder().Write("mixed.yaml", kMixed);
   Generate({"mixed.yaml", "-n", "9", "--first", "2", "--pad", "-j", "1", "-o", "a.npz"});
@@ -296,11 +338,12 @@ TEST_CASE_METHOD(FamilyTest, "options that a family cannot have are wrong usage"
   refused({"tool.yaml", "-n", "2", "-o", "t.npz"}, "takes one spec");
   refused({"-n", "2", "--validate", "none", "-o", "t.npz"}, "--validate none");
   refused({"-n", "2", "--each", "-o", "t.npz"}, "--each: a family has one model");
-  refused({"-n", "2", "--layout", "split", "-o", "t.npz"}, "--layout split");
+  refused({"-n", "2", "--layout", "split", "-o", "t.npz"}, "needs a name such as NAME_%s.npz");
+  refused({"-n", "2", "-o", "t_%s.npz"}, "needs --layout split");
   refused({"-n", "2", "--assets", "files", "-o", "t.npz"}, "--assets files");
   refused({"-n", "2", "--target", "robosuite", "-o", "t.npz"}, "--target robosuite");
   refused({"-n", "2", "--name", "t${index}", "-o", "t.npz"}, "one name");
-  refused({"-n", "2", "-o", "t_%d.npz"}, "has no %");
+  refused({"-n", "2", "-o", "t_%d.npz"}, "one %s in their file's name");
   refused({"-n", "2", "--pad", "-o", "t"}, "--pad is for families");
   refused({"-n", "2", "--mocap", "-o", "t.tar"}, "--mocap is for families");
 }

@@ -34,9 +34,7 @@ bool ArchiveSink::Take(ChunkResult& result, diag::Findings& findings) {
   }
   if (result.chunk.archive != checkpoint_.archive && !CloseArchive(findings)) return false;
   if (!archive_ && !OpenArchive(0, findings)) return false;
-  const std::optional<std::string> before = Before(result, findings);
-  if (!before || !archive_->Append(*before, findings) || !AppendAssets(result, findings) ||
-      !archive_->Append(result.segment, findings) ||
+  if (!AppendAssets(result, findings) || !archive_->Append(result.segment, findings) ||
       !journal_.AppendRecords(result.lines, findings)) {
     return false;
   }
@@ -117,8 +115,11 @@ std::optional<Checkpoint> ArchiveSink::LastValidCheckpoint(std::uint64_t most) c
   const auto lost = std::ranges::find_if(closed, [&](const manifest::SealedFile& file) {
     return !IsIntact(file) || output::PartFile::Exists(destination_.Folder() / file.file);
   });
-  const std::uint64_t archive =
-      ArchiveOf(options_.range.first) + static_cast<std::uint64_t>(lost - closed.begin());
+  // All families of a batch are closed at once.
+  const bool are_lost =
+      destination_.kind == output::Destination::Kind::kFamily && lost != closed.end();
+  const std::uint64_t archive = ArchiveOf(options_.range.first) +
+                                (are_lost ? 0 : static_cast<std::uint64_t>(lost - closed.begin()));
   std::vector<Checkpoint> candidates;  // checkpoints of the last archive that can be continued
   for (const Checkpoint& checkpoint : journal_.checkpoints()) {
     if (checkpoint.next > most || !CanContinueAt(checkpoint)) continue;
@@ -178,18 +179,19 @@ bool ArchiveSink::CloseArchive(diag::Findings& findings) {
 
 bool ArchiveSink::CloseFile(const Checkpoint& next, diag::Findings& findings) {
   return archive_->Append(output::ArchiveEnd(destination_.format), findings) &&
-         Seal(*archive_, FileOf(checkpoint_.archive).filename().string(), next, findings);
+         Seal({&archive_, 1}, next, findings);
 }
 
-// Notes a complete file in the journal, and renames it.
-bool ArchiveSink::Seal(output::PartFile& part, const std::string& name, const Checkpoint& next,
-                       diag::Findings& findings) {
-  return journal_.AddClosedArchive({name, {part.size(), part.checksum()}}, next, findings) &&
-         part.Commit(request_.if_changed, request_.durability, findings);
-}
-
-std::optional<std::string> ArchiveSink::Before(const ChunkResult&, diag::Findings&) {
-  return std::string();
+bool ArchiveSink::Seal(std::span<const std::unique_ptr<output::PartFile>> parts,
+                       const Checkpoint& next, diag::Findings& findings) {
+  const auto note = [&](const auto& part) {
+    return journal_.AddClosedArchive(
+        {part->final_path().filename().string(), {part->size(), part->checksum()}}, next, findings);
+  };
+  const auto commit = [&](const auto& part) {
+    return part->Commit(request_.if_changed, request_.durability, findings);
+  };
+  return std::ranges::all_of(parts, note) && std::ranges::all_of(parts, commit);
 }
 
 bool ArchiveSink::AppendAsset(const std::string& name, std::string_view bytes,

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "mjforge/batch/journal.h"
@@ -36,16 +37,15 @@ class ArchiveSink : public Sink {
   virtual bool IsOwn(const std::filesystem::path& file) const {
     return output::IsObjectArchive(file);
   }
-  /// Returns the bytes that precede the segment of a result.
-  virtual std::optional<std::string> Before(const ChunkResult& result, diag::Findings& findings);
   /// Encodes an asset.
   virtual bool AppendAsset(const std::string& name, std::string_view bytes,
                            diag::Findings& findings);
   /// Gives the complete file its final name.
   virtual bool CloseFile(const Checkpoint& next, diag::Findings& findings);
 
-  output::PartFile& file() { return *archive_; }
-  bool Seal(output::PartFile& part, const std::string& name, const Checkpoint& next,
+  std::unique_ptr<output::PartFile>& file() { return archive_; }
+  /// Notes complete files in the journal, and renames them.
+  bool Seal(std::span<const std::unique_ptr<output::PartFile>> parts, const Checkpoint& next,
             diag::Findings& findings);
 
   SinkOptions options_;

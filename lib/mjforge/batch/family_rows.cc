@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <utility>
 
@@ -29,31 +30,31 @@ void AddRecord(const manifest::Record& record, family::Numbers& numbers) {
 
 }  // namespace
 
-bool FamilyRows::Add(const forge::Variant& variant, diag::Findings& findings) {
+bool FamilyRows::Add(const forge::Variant& variant, const std::string& file,
+                     diag::Findings& findings) {
+  const manifest::Record& record = variant.record;
   family::Numbers numbers = *variant.numbers;
-  AddRecord(variant.record, numbers);
-  if (rows_.empty()) {
-    first_ = variant.record.index;
-    base_ = family::BaseOf(variant.document, numbers, variant.record.mocap);
+  AddRecord(record, numbers);
+  auto family = std::ranges::find(families_, file, &Family::file);
+  if (family == families_.end()) {
+    family =
+        families_.insert(family, {.file = file, .rows = {}, .first = record.index, .base = {}});
+    family->base = family::BaseOf(variant.document, numbers, record.mocap);
   }
-  const std::string difference = rows_.Add(numbers, variant.record.params);
+  const std::string difference = family->rows.Add(numbers, record.params);
   if (difference.empty()) return true;
-  ReportOtherStructure(variant.record.index, first_, difference, findings);
+  findings.Add(diag::Code::kBatchDiffers, {},
+               fmt::format("variant {} has another structure than variant {}: {}", record.index,
+                           family->first, difference),
+               "set the parameter that decides it with --set, or write to a folder");
   return false;
 }
 
-std::pair<std::string, std::string> FamilyRows::Take() {
-  std::pair<std::string, std::string> bytes(rows_.Header(base_), rows_.Bytes());
-  rows_.Clear();
+std::string FamilyRows::Take() {
+  std::string bytes;
+  for (const Family& family : std::exchange(families_, {}))
+    bytes += family.rows.Header(family.base) + family.rows.Bytes();
   return bytes;
-}
-
-void ReportOtherStructure(std::uint64_t index, std::uint64_t other, const std::string& difference,
-                          diag::Findings& findings) {
-  findings.Add(
-      diag::Code::kBatchDiffers, {},
-      fmt::format("variant {} has another structure than variant {}: {}", index, other, difference),
-      "set the parameter that decides it with --set, or write to a folder");
 }
 
 }  // namespace mjforge::batch

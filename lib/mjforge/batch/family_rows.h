@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "mjforge/family/family.h"
 #include "mjforge/forge/forge.h"
@@ -11,20 +12,20 @@ namespace mjforge::batch {
 
 class FamilyRows {
  public:
-  /// Adds a valid variant. Returns false, after adding a finding, if its arrays differ from those
-  /// of the chunk's first variant.
-  bool Add(const forge::Variant& variant, diag::Findings& findings);
-  /// Ends the chunk: returns the header of a file that begins with it, and its bytes.
-  std::pair<std::string, std::string> Take();
+  /// Adds a valid variant to the rows of its family, which has this file. Returns false, after
+  /// adding a finding, if its arrays differ from those of the file's first variant.
+  bool Add(const forge::Variant& variant, const std::string& file, diag::Findings& findings);
+  /// Ends the chunk and returns the bytes of all families, each after its header.
+  std::string Take();
 
  private:
-  family::Rows rows_;
-  std::uint64_t first_ = 0;  // index of the first variant
-  std::string base_;
+  struct Family {
+    std::string file;
+    family::Rows rows;
+    std::uint64_t first = 0;  // index of the first variant
+    std::string base;
+  };
+  std::vector<Family> families_;
 };
-
-/// Adds the finding that a variant cannot be in one family with an earlier one.
-void ReportOtherStructure(std::uint64_t index, std::uint64_t other, const std::string& difference,
-                          diag::Findings& findings);
 
 }  // namespace mjforge::batch

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "mjforge/batch/batch.h"
-#include "mjforge/batch/family_facts.h"
+#include "mjforge/batch/family_files.h"
 #include "mjforge/batch/sealed_outputs.h"
 #include "mjforge/batch/sink.h"
 
@@ -60,27 +60,29 @@ class ShardMerger {
       part->Drop();
       return std::nullopt;
     }
-    if (!Finish(*part)) return std::nullopt;
+    if (!Finish(*part)) {
+      for (const auto& npz : families_) npz->Drop();
+      return std::nullopt;
+    }
     return records_;
   }
 
  private:
   bool is_family() const { return destination_.kind == output::Destination::Kind::kFamily; }
 
-  // Writes the family of all shards, whose archives are files of rows.
+  // Writes the families of all shards, whose archives are files of rows.
   bool WriteFamily() {
     std::vector<std::filesystem::path> rows;
     for (const manifest::SealedFile& file : whole_.archives)
       rows.push_back(destination_.Folder() / file.file);
-    if (!MayReplaceFamily(destination_.path, false, findings_)) return false;
-    const auto npz = output::PartFile::Open(destination_.path, findings_);
-    if (!npz || !npz->Truncate(0, findings_)) return false;
-    if (!family::WriteNpz(rows, FactsOf(*first_, {whole_.first, whole_.count}), *npz, findings_)) {
-      npz->Drop();
-      return false;
+    families_ =
+        WriteFamilies(destination_, rows, *first_, {whole_.first, whole_.count}, false, findings_);
+    whole_.archives.clear();
+    for (const auto& npz : families_) {
+      whole_.archives.push_back(
+          {npz->final_path().filename().string(), {npz->size(), npz->checksum()}});
     }
-    whole_.archives = {{destination_.path.filename().string(), {npz->size(), npz->checksum()}}};
-    return npz->Commit(true, output::Durability::kBatch, findings_);
+    return !families_.empty();
   }
 
   // Returns the number of shards; nothing, after adding findings, if a shard is missing.
@@ -176,7 +178,11 @@ class ShardMerger {
     whole_.shards = 1;
     whole_.records = records_;
     whole_.manifest = {file_.filename().string(), {part.size(), part.checksum()}};
-    return output::WriteFile(manifest::SealPathOf(file_), manifest::SealText(whole_), true,
+    const auto commit = [&](const auto& npz) {
+      return npz->Commit(true, output::Durability::kBatch, findings_);
+    };
+    return std::ranges::all_of(families_, commit) &&
+           output::WriteFile(manifest::SealPathOf(file_), manifest::SealText(whole_), true,
                              findings_, output::Durability::kBatch) &&
            part.Commit(true, output::Durability::kBatch, findings_);
   }
@@ -251,6 +257,7 @@ class ShardMerger {
   ObjectChecker objects_;
   manifest::Seal whole_;  // seal of the merged batch
   std::optional<manifest::Record> first_;
+  std::vector<std::unique_ptr<output::PartFile>> families_;  // until they have their names
   std::uint64_t records_ = 0;
 };
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <set>
-#include <tuple>
 #include <utility>
 
 #include "mjforge/batch/family_rows.h"
@@ -56,7 +55,7 @@ class ChunkMaker {
                        ? frame_.Compress(record_lines_)
                        : record_lines_;
     if (IsFamily()) {
-      std::tie(result.text, family_segment_) = family_.Take();
+      family_segment_ = family_.Take();
       result.segment = family_segment_;
     } else {
       result.segment = segment_.Bytes();
@@ -134,9 +133,10 @@ class ChunkMaker {
     manifest::Record& record = variant_.record;
     if (IsFamily()) {
       record.file.clear();
-      record.archive = archive_;
+      record.archive =
+          request_.destination.Family(variant_.structure.FamilyKey()).filename().string();
       AddAssets(result);
-      return family_.Add(variant_, findings);
+      return family_.Add(variant_, record.archive, findings);
     }
     if (destination.IsArchive()) {
       record.file =
@@ -255,7 +255,8 @@ forge::Options OptionsOf(const Request& request) {
   options.layout_first = request.first;
   if (options.pad > 0) options.pad = request.count;
   options.family = request.destination.kind == Kind::kFamily;
-  if (options.family) options.layout = forge::Layout::kOne;
+  if (options.family && options.layout != forge::Layout::kSplit)
+    options.layout = forge::Layout::kOne;
   options.snapshot_file = SnapshotPath(request.destination).filename().string();
   return options;
 }

@@ -6,6 +6,8 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -99,7 +101,7 @@ class Rows {
   /// Adds a variant. If it cannot be in one family with the first one, returns a description of the
   /// difference, "geom_type of 'handle' is box, not cylinder"; otherwise nothing.
   std::string Add(const Numbers& numbers, const Parameters& parameters);
-  /// Returns the header of a file of rows whose first chunk this is; empty if there are no rows.
+  /// Returns the header of the chunk, which precedes it; empty if there are no rows.
   std::string Header(std::string_view base) const;
   /// Returns the bytes of the chunk; empty if it has no rows.
   std::string Bytes() const;
@@ -116,10 +118,6 @@ class Rows {
   std::string details_;              // materials and parameters of each variant
 };
 
-/// Describes how the variants of the first header differ from those of the other, as Rows::Add
-/// does.
-std::string DifferenceOf(std::string_view header, std::string_view other);
-
 /// Returns the bytes of a file of rows that hold an asset of the base MJCF.
 std::string AssetBlock(std::string_view name, std::string_view content);
 
@@ -128,14 +126,17 @@ struct Facts {
   std::vector<std::pair<std::string, std::string>> members;  // names and JSON values
 };
 
-/// Returns the header at the start of a file of rows; nothing, after adding a finding, if the file
-/// is damaged.
-std::optional<std::string> ReadHeader(const std::filesystem::path& rows, diag::Findings& findings);
+/// Returns true for an empty file and for one that begins like a file of rows.
+bool IsRows(const std::filesystem::path& file);
 
-/// Writes the variants of all files of rows, one after the other, as an .npz file. Loads the base
-/// MJCF in MuJoCo. Returns false after adding a finding.
-bool WriteNpz(std::span<const std::filesystem::path> rows, const Facts& facts,
-              output::PartFile& part, diag::Findings& findings);
+/// Writes the variants of all files of rows, one after the other, as an .npz file for each family.
+/// Loads their base MJCF in MuJoCo. `place` returns the path of a family by its key, which is
+/// Structure::FamilyKey(); if it returns the same path for several families, this is an error.
+/// Returns the files, which are still to be committed; none after adding a finding.
+std::vector<std::unique_ptr<output::PartFile>> WriteNpz(
+    std::span<const std::filesystem::path> rows, const Facts& facts,
+    const std::function<std::filesystem::path(const std::string& key)>& place,
+    diag::Findings& findings);
 
 /// Name of the first member of a family's file.
 inline constexpr std::string_view kFirstMember = "family";

@@ -15,22 +15,20 @@ using output::ArrayType;
 
 class FamilyFile {
  public:
-  FamilyFile(std::vector<RowsFile> files, const Facts& facts, diag::Findings& findings)
-      : files_(std::move(files)), facts_(facts), findings_(findings), survey_(SurveyOf(files_)) {
-    const auto filled =
-        std::ranges::find_if(files_, [](const RowsFile& f) { return f.count() > 0; });
-    if (filled != files_.end()) header_ = filled->header();
+  /// The files have the family of the header selected.
+  FamilyFile(std::span<RowsFile> files, const Header& header, const Facts& facts,
+             diag::Findings& findings)
+      : files_(files),
+        header_(header),
+        facts_(facts),
+        findings_(findings),
+        survey_(SurveyOf(files_)) {
     for (const RowsFile& file : files_) {
       for (const bytes::Asset& asset : file.assets()) AddAsset(asset);
     }
   }
 
   bool Write(output::PartFile& part) {
-    if (survey_.count == 0) {
-      findings_.Add(diag::Code::kBatchMissing, {}, "the family has no valid variant",
-                    "the manifest says why");
-      return false;
-    }
     const std::optional<FinalBase> base = Complete(header_, assets_, survey_, findings_);
     if (!base) return false;
     base_ = *base;
@@ -52,7 +50,8 @@ class FamilyFile {
 
  private:
   void AddAsset(const bytes::Asset& asset) {
-    if (std::ranges::find(assets_, asset.name, &bytes::Asset::name) == assets_.end())
+    const bool is_used = header_.base.find('"' + asset.name + '"') != std::string::npos;
+    if (is_used && std::ranges::find(assets_, asset.name, &bytes::Asset::name) == assets_.end())
       assets_.push_back(asset);
   }
 
@@ -81,6 +80,7 @@ class FamilyFile {
       json.Key(name);
       json.Raw(value);
     }
+    json.Member("structure", header_.structure.FamilyKey());
     json.Member("variants", survey_.count);
     json.Key("moved");
     json.StartObject();
@@ -274,48 +274,82 @@ class FamilyFile {
         value);
   }
 
-  std::vector<RowsFile> files_;
+  std::span<RowsFile> files_;
+  const Header& header_;
   const Facts& facts_;
   diag::Findings& findings_;
   Survey survey_;
-  Header header_;
   bytes::Assets assets_;
   FinalBase base_;
   output::NpzWriter* npz_ = nullptr;
 };
 
-// Returns true if the variants of a file belong to the family of another file, or if it has none;
-// otherwise adds a finding.
-bool MayFollow(const RowsFile& file, const RowsFile& other, const std::filesystem::path& path,
-               diag::Findings& findings) {
-  if (file.count() == 0 || other.count() == 0) return true;
-  const std::string difference = DifferenceOf(file.header(), other.header());
-  if (difference.empty()) return true;
-  findings.Add(diag::Code::kBatchDiffers, {},
-               "the variants in '" + path.string() + "' are of another family: " + difference,
-               "set the parameter that decides it with --set");
-  return false;
+// Headers of all families of the files, in the order of their first chunks.
+std::vector<Header> HeadersOf(std::span<const RowsFile> files) {
+  std::vector<Header> headers;
+  for (const RowsFile& file : files) {
+    for (Header& header : file.Headers()) {
+      const auto is_it = [&](const Header& known) { return DifferenceOf(header, known).empty(); };
+      if (std::ranges::none_of(headers, is_it)) headers.push_back(std::move(header));
+    }
+  }
+  return headers;
+}
+
+using Parts = std::vector<std::unique_ptr<output::PartFile>>;
+
+// Writes the files of all families; returns false after adding a finding.
+bool WriteAll(std::span<RowsFile> files, const Facts& facts,
+              const std::function<std::filesystem::path(const std::string&)>& place, Parts& parts,
+              diag::Findings& findings) {
+  const std::vector<Header> headers = HeadersOf(files);
+  if (headers.empty()) {
+    findings.Add(diag::Code::kBatchMissing, {}, "the family has no valid variant",
+                 "the manifest says why");
+  }
+  std::set<std::filesystem::path> places;
+  for (const Header& header : headers) {
+    const std::filesystem::path file = place(header.structure.FamilyKey());
+    if (!places.insert(file).second) {
+      findings.Add(diag::Code::kBatchDiffers, {},
+                   "the variants for '" + file.string() +
+                       "' are of several families: " + DifferenceOf(header, headers.front()),
+                   "set the parameter that decides it with --set");
+      return false;
+    }
+    const auto& part = parts.emplace_back(output::PartFile::Open(file, findings));
+    for (RowsFile& rows : files) rows.Select(header);
+    if (!part || !part->Truncate(0, findings) ||
+        !FamilyFile(files, header, facts, findings).Write(*part))
+      return false;
+  }
+  return !findings.HasErrors();
 }
 
 }  // namespace
 
-bool WriteNpz(std::span<const std::filesystem::path> rows, const Facts& facts,
-              output::PartFile& part, diag::Findings& findings) {
+Parts WriteNpz(std::span<const std::filesystem::path> rows, const Facts& facts,
+               const std::function<std::filesystem::path(const std::string&)>& place,
+               diag::Findings& findings) {
   const std::filesystem::path* current = rows.data();
+  Parts parts;
+  bool is_good = false;
   try {
     std::vector<RowsFile> files;
     files.reserve(rows.size());
-    for (; current != rows.data() + rows.size(); ++current) {
-      if (!MayFollow(files.emplace_back(*current), files.front(), *current, findings)) return false;
-    }
-    return FamilyFile(std::move(files), facts, findings).Write(part);
+    for (; current != rows.data() + rows.size(); ++current) files.emplace_back(*current);
+    is_good = WriteAll(files, facts, place, parts, findings);
   } catch (const std::runtime_error& error) {
     const std::filesystem::path& file =
         current == rows.data() + rows.size() ? rows.front() : *current;
     findings.Add(diag::Code::kYamlCannotRead, {},
                  "cannot read '" + file.string() + "': " + error.what());
-    return false;
   }
+  if (is_good) return parts;
+  for (const auto& part : parts) {
+    if (part) part->Drop();
+  }
+  return {};
 }
 
 }  // namespace mjforge::family

@@ -9,7 +9,12 @@
 namespace mjforge::family {
 namespace {
 
-enum class Block : std::uint64_t { kHeader = 0x31776f72'726f6d66, kAsset = 1, kChunk = 2 };
+// The first eight characters of a block: "mjfrows2", "mjfasset", "mjfchunk".
+enum class Block : std::uint64_t {
+  kHeader = 0x32737772'6f666a6d,
+  kAsset = 0x74657373'61666a6d,
+  kChunk = 0x6b6e7568'63666a6d
+};
 
 // Begins each block: its kind, and the size of the rest.
 constexpr std::uint64_t kBlockStart = 2 * sizeof(std::uint64_t);
@@ -198,25 +203,13 @@ std::string DifferenceOf(const Header& header, const Header& other) {
   return DifferenceOf(header.structure, header.shapes, other.structure, other.shapes);
 }
 
-std::string DifferenceOf(std::string_view header, std::string_view other) {
-  return DifferenceOf(DecodeHeader(header), DecodeHeader(other));
-}
-
-std::optional<std::string> ReadHeader(const std::filesystem::path& rows, diag::Findings& findings) {
+bool IsRows(const std::filesystem::path& file) {
   std::string why_not;
-  const auto start = bytes::ReadStart(rows, kBlockStart, why_not);
-  if (start && start->empty()) return std::string();
-  if (start && start->size() == kBlockStart &&
-      BlobReader(*start).Number<Block>() == Block::kHeader) {
-    const auto size =
-        BlobReader(std::string_view(*start).substr(sizeof(Block))).Number<std::uint64_t>();
-    auto header = bytes::ReadStart(rows, kBlockStart + size, why_not);
-    if (header && header->size() == kBlockStart + size) return header;
-  }
-  findings.Add(
-      diag::Code::kYamlCannotRead, {},
-      "cannot read '" + rows.string() + "': " + (why_not.empty() ? "it is damaged" : why_not));
-  return std::nullopt;
+  const auto start = bytes::ReadStart(file, kBlockStart, why_not);
+  if (!start || start->empty()) return start.has_value();
+  if (start->size() < kBlockStart) return false;
+  const auto block = BlobReader(*start).Number<Block>();
+  return block == Block::kHeader || block == Block::kAsset;
 }
 
 RowsFile::RowsFile(const std::filesystem::path& file)
@@ -227,34 +220,61 @@ RowsFile::RowsFile(const std::filesystem::path& file)
         return *std::move(opened);
       }()),
       size_(std::filesystem::file_size(file)) {
+  std::size_t family = 0;  // the family of the last header
   for (std::uint64_t at = 0; at < size_;) {
-    const std::string start = ReadAt(at, std::min(size_ - at, kBlockStart + sizeof(std::uint64_t)));
+    const std::string start = ReadAt(at, std::min(size_ - at, kBlockStart));
     BlobReader in(start);
     const auto block = in.Number<Block>();
     const auto size = in.Number<std::uint64_t>();
     if (size > size_ - at - kBlockStart) throw std::runtime_error("it is cut short");
-    if (block == Block::kHeader && at == 0) {
-      header_ = DecodeHeader(ReadAt(0, kBlockStart + size));
-      row_ = RowSize(header_.shapes);
+    if (block == Block::kHeader) {
+      Header header = DecodeHeader(ReadAt(at, kBlockStart + size));
+      family = Find(header);
+      const std::uint64_t row = RowSize(header.shapes);
+      if (family == families_.size()) families_.push_back({std::move(header), row, 0, {}});
     } else if (block == Block::kAsset) {
-      const std::string asset = ReadAt(at + kBlockStart, size);
-      BlobReader content(asset);
-      std::string name(content.Text());
-      assets_.push_back({.name = std::move(name),
-                         .file = {},
-                         .made = std::make_shared<const std::string>(content.Text())});
-    } else if (block == Block::kChunk) {
-      const auto count = in.Number<std::uint64_t>();
-      const std::uint64_t numbers = sizeof(double) * row_ * count;
-      if (row_ == 0 || count > size || numbers > size - sizeof(count))
-        throw std::runtime_error("it is damaged");
-      chunks_.push_back({at + kBlockStart + sizeof(count), count, size - sizeof(count) - numbers});
-      count_ += count;
+      AddAsset(at + kBlockStart, size);
+    } else if (block == Block::kChunk && family < families_.size()) {
+      AddChunk(at + kBlockStart, size, family);
     } else {
       throw std::runtime_error("it is damaged");
     }
     at += kBlockStart + size;
   }
+}
+
+std::vector<Header> RowsFile::Headers() const {
+  std::vector<Header> headers;
+  for (const Family& family : families_) headers.push_back(family.header);
+  return headers;
+}
+
+std::size_t RowsFile::Find(const Header& header) const {
+  const auto found = std::ranges::find_if(
+      families_, [&](const Family& family) { return DifferenceOf(header, family.header).empty(); });
+  return static_cast<std::size_t>(found - families_.begin());
+}
+
+void RowsFile::Select(const Header& header) { selected_ = Find(header); }
+
+void RowsFile::AddAsset(std::uint64_t at, std::uint64_t size) {
+  const std::string asset = ReadAt(at, size);
+  BlobReader content(asset);
+  std::string name(content.Text());
+  assets_.push_back({.name = std::move(name),
+                     .file = {},
+                     .made = std::make_shared<const std::string>(content.Text())});
+}
+
+void RowsFile::AddChunk(std::uint64_t at, std::uint64_t size, std::size_t number) {
+  Family& family = families_[number];
+  const auto count = BlobReader(ReadAt(at, std::min<std::uint64_t>(size, sizeof(std::uint64_t))))
+                         .Number<std::uint64_t>();
+  const std::uint64_t numbers = sizeof(double) * family.row * count;
+  if (family.row == 0 || count > size || numbers > size - sizeof(count))
+    throw std::runtime_error("it is damaged");
+  family.chunks.push_back({at + sizeof(count), count, size - sizeof(count) - numbers});
+  family.count += count;
 }
 
 std::string RowsFile::ReadAt(std::uint64_t offset, std::uint64_t count) {
@@ -267,10 +287,12 @@ std::string RowsFile::ReadAt(std::uint64_t offset, std::uint64_t count) {
 }
 
 void RowsFile::ForEach(const std::function<void(const RowView&)>& visit) {
-  for (const Chunk& chunk : chunks_) {
-    const std::string numbers = ReadAt(chunk.offset, sizeof(double) * row_ * chunk.count);
+  if (count() == 0) return;
+  const auto& [header, row_size, all, chunks] = families_[selected_];
+  for (const Chunk& chunk : chunks) {
+    const std::string numbers = ReadAt(chunk.offset, sizeof(double) * row_size * chunk.count);
     const std::string details = ReadAt(chunk.offset + numbers.size(), chunk.details);
-    std::vector<double> values(row_);
+    std::vector<double> values(row_size);
     BlobReader in(details);
     const std::vector<Material> materials = GetList(in, [&] {
       Material material;
@@ -279,7 +301,8 @@ void RowsFile::ForEach(const std::function<void(const RowView&)>& visit) {
       return material;
     });
     for (std::uint64_t i = 0; i < chunk.count; ++i) {
-      std::memcpy(values.data(), numbers.data() + sizeof(double) * row_ * i, sizeof(double) * row_);
+      std::memcpy(values.data(), numbers.data() + sizeof(double) * row_size * i,
+                  sizeof(double) * row_size);
       RowView row;
       row.values = values;
       const std::uint64_t count = in.Count();
@@ -289,7 +312,7 @@ void RowsFile::ForEach(const std::function<void(const RowView&)>& visit) {
         row.materials.push_back(&materials[material]);
         row.looks.push_back(in.Number<std::array<double, 10>>());
       }
-      for (std::size_t j = 0; j < header_.parameters.size(); ++j)
+      for (std::size_t j = 0; j < header.parameters.size(); ++j)
         row.parameters.push_back(GetValue(in));
       visit(row);
     }
@@ -305,17 +328,19 @@ void RowsFile::ForEachPart(std::uint64_t first, std::uint64_t count,
     std::memcpy(part.data(), from, sizeof(double) * count);
     visit(part);
   };
-  for (const Chunk& chunk : chunks_) {
-    if (row_ > kLargeRow) {
+  if (this->count() == 0) return;
+  const std::uint64_t row_size = families_[selected_].row;
+  for (const Chunk& chunk : families_[selected_].chunks) {
+    if (row_size > kLargeRow) {
       for (std::uint64_t i = 0; i < chunk.count; ++i) {
-        show(ReadAt(chunk.offset + sizeof(double) * (row_ * i + first), sizeof(double) * count)
+        show(ReadAt(chunk.offset + sizeof(double) * (row_size * i + first), sizeof(double) * count)
                  .data());
       }
       continue;
     }
-    const std::string numbers = ReadAt(chunk.offset, sizeof(double) * row_ * chunk.count);
+    const std::string numbers = ReadAt(chunk.offset, sizeof(double) * row_size * chunk.count);
     for (std::uint64_t i = 0; i < chunk.count; ++i)
-      show(numbers.data() + sizeof(double) * (row_ * i + first));
+      show(numbers.data() + sizeof(double) * (row_size * i + first));
   }
 }
 

@@ -1,8 +1,9 @@
 // The file of rows: the variants of a family while it is made.
 //
-// A file begins with a header (shapes of the arrays, names of the parameters, base MJCF). Blocks
-// follow: assets, and chunks of variants. A chunk has the numbers of all its variants, then its
-// materials, and then materials and parameters of each variant.
+// A file consists of blocks: headers (shapes of the arrays, names of the parameters, base MJCF),
+// assets, and chunks of variants, whose header is the last one before them. A chunk has the numbers
+// of all its variants, then its materials, and then materials and parameters of each variant.
+// Chunks of one structure are a family; its header is the first one.
 
 #pragma once
 
@@ -39,8 +40,15 @@ class RowsFile {
  public:
   explicit RowsFile(const std::filesystem::path& file);
 
-  const Header& header() const { return header_; }
-  std::uint64_t count() const { return count_; }
+  /// Headers of the families in the file, in the order of their first chunks.
+  std::vector<Header> Headers() const;
+  /// Chooses the family of this header, which the file need not have, for the functions below.
+  void Select(const Header& header);
+
+  const Header& header() const { return families_[selected_].header; }
+  std::uint64_t count() const {
+    return selected_ < families_.size() ? families_[selected_].count : 0;
+  }
   const bytes::Assets& assets() const { return assets_; }
 
   /// Calls the function with each variant, in order.
@@ -55,14 +63,22 @@ class RowsFile {
     std::uint64_t count = 0;    // variants
     std::uint64_t details = 0;  // size of what follows the numbers
   };
+  struct Family {
+    Header header;
+    std::uint64_t row = 0;    // numbers of a variant
+    std::uint64_t count = 0;  // variants
+    std::vector<Chunk> chunks;
+  };
   std::string ReadAt(std::uint64_t offset, std::uint64_t count);
+  /// Position of the family of a header; that behind the last one if there is none.
+  std::size_t Find(const Header& header) const;
+  void AddChunk(std::uint64_t at, std::uint64_t size, std::size_t family);
+  void AddAsset(std::uint64_t at, std::uint64_t size);
 
   bytes::File file_;
   std::uint64_t size_ = 0;
-  Header header_;
-  std::uint64_t row_ = 0;  // numbers of a variant
-  std::uint64_t count_ = 0;
-  std::vector<Chunk> chunks_;
+  std::vector<Family> families_;
+  std::size_t selected_ = 0;
   bytes::Assets assets_;
 };
 

@@ -69,7 +69,7 @@ manifest::Record BatchRecord(const Recipe& recipe, const Options& options) {
   if (options.validation != Validation::kNone) record.mujoco = validate::MujocoVersion();
   record.on_invalid = options.on_invalid;
   record.layout = options.layout;
-  if (options.layout == Layout::kOne) record.layout_first = options.layout_first;
+  if (options.layout == Layout::kOne || options.pad > 0) record.layout_first = options.layout_first;
   if (options.sampler != sample::Method::kRandom)
     record.sampler = sample::MethodName(options.sampler);
   if (sample::Sampler::NeedsBatch(*recipe.spec, options.sampler)) record.batch = options.batch;

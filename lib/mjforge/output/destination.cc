@@ -14,6 +14,7 @@ constexpr std::string_view kTar = ".tar";
 constexpr std::string_view kTarZstd = ".tar.zst";
 constexpr std::string_view kZstd = ".zst";
 constexpr std::string_view kNpz = ".npz";
+constexpr std::string_view kStructure = "%s";  // placeholder
 
 // Position and width of "%05d" in a pattern.
 struct NumberPlaceholder {
@@ -42,8 +43,10 @@ std::string WithoutEnding(std::string_view name) {
 // Returns the name that the archives of a series have in common: "x" for "x_%05d.tar".
 std::string StemOf(const Destination& destination) {
   std::string stem = WithoutEnding(destination.path.filename().string());
-  if (const std::optional<NumberPlaceholder> number = FindNumberPlaceholder(stem)) {
-    stem.erase(number->at, number->length);
+  std::optional<NumberPlaceholder> place = FindNumberPlaceholder(stem);
+  if (destination.IsSplit()) place = {stem.find(kStructure), kStructure.size(), 0};
+  if (place) {
+    stem.erase(place->at, place->length);
     stem.erase(stem.find_last_not_of("_-.") + 1);
   }
   return stem;
@@ -61,6 +64,16 @@ std::filesystem::path Destination::Archive(std::uint64_t number) const {
   if (const std::optional<NumberPlaceholder> place = FindNumberPlaceholder(name)) {
     name.replace(place->at, place->length, fmt::format("{:0{}}", number, place->width));
   }
+  return path.parent_path() / name;
+}
+
+bool Destination::IsSplit() const {
+  return kind == Kind::kFamily && path.filename().string().find(kStructure) != std::string::npos;
+}
+
+std::filesystem::path Destination::Family(std::string_view key) const {
+  std::string name = path.filename().string();
+  if (IsSplit()) name.replace(name.find(kStructure), kStructure.size(), key);
   return path.parent_path() / name;
 }
 
@@ -90,8 +103,10 @@ std::optional<Destination> ParseDestination(std::string_view text, std::uint64_t
   if (text == "-") return Destination{.kind = Kind::kStandardOutput, .path = {}};
   if (text.ends_with(".xml")) return Destination{.kind = Kind::kFile, .path = text};
   if (text.ends_with(kNpz)) {
-    if (text.find('%') == text.npos) return Destination{.kind = Kind::kFamily, .path = text};
-    why_not = "a family is one file, whose name has no %";
+    Destination destination{.kind = Kind::kFamily, .path = text};
+    if (std::count(text.begin(), text.end(), '%') == (destination.IsSplit() ? 1 : 0))
+      return destination;
+    why_not = "families have one %s in their file's name, for the structure, and no other %";
     return std::nullopt;
   }
   const bool zstd = text.ends_with(kTarZstd);

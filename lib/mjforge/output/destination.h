@@ -25,7 +25,8 @@ struct Destination {
   enum class Kind { kNowhere, kFolder, kFile, kStandardOutput, kArchive, kArchives, kFamily };
 
   Kind kind = Kind::kNowhere;
-  std::filesystem::path path;  // kArchives: with %05d as the placeholder of the number
+  /// kArchives: with %05d as the placeholder of the number; kFamily: with %s, that of the structure
+  std::filesystem::path path;
   ArchiveFormat format = ArchiveFormat::kTar;
   std::uint64_t per_archive = 0;  // kArchives: number of variants in each archive
 
@@ -36,6 +37,10 @@ struct Destination {
   /// Returns the path of archive `number`, counted from 0, of a series; for a single archive, its
   /// path.
   std::filesystem::path Archive(std::uint64_t number) const;
+  /// Returns true if each structure has a family of its own: NAME_%s.npz.
+  bool IsSplit() const;
+  /// Returns the path of the family with a structure; for a single family, its path.
+  std::filesystem::path Family(std::string_view key) const;
   /// Returns the path of the variants of a shard of a family, from which merging makes the family,
   /// or of a whole family while it is made: NAME-00003-of-00008.rows, NAME.rows.
   std::filesystem::path Rows(const Shard& shard) const;
@@ -51,8 +56,8 @@ struct Destination {
 bool IsManifestName(std::string_view name);
 
 /// Parses the argument of -o: "-", FILE.xml, FILE.npz, FILE.tar or FILE.tar.zst (a series if the
-/// name has one %d or %05d); any other text is a folder. Returns nothing, and the reason in
-/// `why_not`, if the text is not valid.
+/// name has one %d or %05d; a family per structure if it has one %s); any other text is a folder.
+/// Returns nothing, and the reason in `why_not`, if the text is not valid.
 std::optional<Destination> ParseDestination(std::string_view text, std::uint64_t per_archive,
                                             std::string& why_not);
 

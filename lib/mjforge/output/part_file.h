@@ -35,6 +35,7 @@ class PartFile {
   std::uint64_t size() const { return size_; }
   /// Checksum of all bytes; of a part that already had bytes, only valid after Truncate.
   std::string checksum() const { return checksum_.Text(); }
+  const std::filesystem::path& final_path() const { return file_; }
   const std::filesystem::path& temporary() const { return temporary_; }
   bool Append(std::string_view bytes, diag::Findings& findings);
   /// Appends the first `count` bytes of another file.

@@ -58,4 +58,19 @@ std::string Structure::Key() const {
   return bytes::ChecksumOf(bytes).substr(0, kKeyDigits);
 }
 
+std::string Structure::FamilyKey() const {
+  Structure without = *this;
+  auto number = without.integers.begin();
+  auto first = number + std::ssize(Kinds());  // the counts come first
+  auto field = Fields().begin();
+  for (const Kind& kind : Kinds()) {
+    const int count = empty() ? 0 : *number++;
+    for (; field != Fields().end() && field->kind == kind.type; ++field) {
+      if (field->is_coincidence) std::fill_n(first, count, 0);
+      first += count;
+    }
+  }
+  return without.Key();
+}
+
 }  // namespace mjforge::structure

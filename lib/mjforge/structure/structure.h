@@ -42,6 +42,8 @@ struct Structure {
   bool empty() const { return integers.empty(); }
   /// Returns a hash of the structure: 12 hexadecimal digits; "" if the structure is empty.
   std::string Key() const;
+  /// Returns a hash of the structure without its coincidences, which a family need not share.
+  std::string FamilyKey() const;
 };
 
 /// Reads the structure of a model. Names lose the prefix of the object's name, so that the name of

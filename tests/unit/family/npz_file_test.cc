@@ -21,12 +21,11 @@ struct Written {
 Written Write(const harness::TemporaryFolder& folder,
               const std::vector<std::filesystem::path>& rows) {
   Written written;
-  const auto part = output::PartFile::Open(folder / "x.npz", written.findings);
-  REQUIRE(part);
-  REQUIRE(part->Truncate(0, written.findings));
-  written.good = WriteNpz(rows, {}, *part, written.findings);
+  const auto parts = WriteNpz(
+      rows, {}, [&](const std::string&) { return folder / "x.npz"; }, written.findings);
+  written.good = parts.size() == 1;
   if (written.good) {
-    REQUIRE(part->Commit(false, output::Durability::kNone, written.findings));
+    REQUIRE(parts[0]->Commit(false, output::Durability::kNone, written.findings));
     written.arrays = harness::NpzByName(folder.Read("x.npz"));
   }
   return written;
@@ -54,6 +53,31 @@ TEST_CASE("several files of rows are one family") {
   CHECK_FALSE(family.arrays.contains("mat_rgba"));  // the color of each is constant
   CHECK_FALSE(family.arrays.contains("geom_pos"));
   CHECK(family.arrays.at("constants/list").Numbers() == std::vector<double>{1});
+}
+
+TEST_CASE("each family of the rows has its file, if they have places of their own") {
+  const harness::TemporaryFolder folder;
+  Numbers other = Ball(4, "oak", 0);
+  const double extra = 7;
+  other.Add("extra", {}, {&extra, 1});
+  folder.Write("a.rows",
+               RowsOf({Ball(1, "oak", 0)}) + RowsOf({other}) + RowsOf({Ball(2, "ash", 0)}));
+  folder.Write("b.rows", RowsOf({other}));
+  const std::vector<std::filesystem::path> rows = {folder / "a.rows", folder / "b.rows"};
+  diag::Findings findings;
+  int count = 0;
+  const auto place = [&](const std::string&) { return folder / std::to_string(count++); };
+  for (const auto& part : WriteNpz(rows, {}, place, findings))
+    REQUIRE(part->Commit(false, output::Durability::kNone, findings));
+  CHECK(findings.empty());
+  REQUIRE(count == 2);
+  const auto first = harness::NpzByName(folder.Read("0"));
+  CHECK(first.at("geom_size").Numbers() == std::vector<double>{1, 0, 0, 2, 0, 0});
+  CHECK_FALSE(first.contains("extra"));
+  CHECK(harness::NpzByName(folder.Read("1")).at("extra").Numbers() == std::vector<double>{7, 7});
+  const Written one = Write(folder, rows);
+  REQUIRE_FALSE(one.good);
+  CHECK(one.findings.begin()->code == diag::Code::kBatchDiffers);
 }
 
 TEST_CASE("a constant element is stored if the base has another value") {

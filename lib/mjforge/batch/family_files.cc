@@ -1,10 +1,12 @@
-// Facts about a family, as JSON.
+// Files of the families of a batch, and facts about it as JSON.
 
-#include "mjforge/batch/family_facts.h"
+#include "mjforge/batch/family_files.h"
 
+#include "mjforge/batch/sink.h"
 #include "mjforge/expr/expr.h"
 
 namespace mjforge::batch {
+namespace {
 
 family::Facts FactsOf(const manifest::Record& record, const IndexRange& all) {
   family::Facts facts;
@@ -29,6 +31,19 @@ family::Facts FactsOf(const manifest::Record& record, const IndexRange& all) {
   add("mocap", record.mocap);
   add("mujoco", record.mujoco);
   return facts;
+}
+
+}  // namespace
+
+std::vector<std::unique_ptr<output::PartFile>> WriteFamilies(
+    const output::Destination& destination, std::span<const std::filesystem::path> rows,
+    const manifest::Record& record, const IndexRange& all, bool force, diag::Findings& findings) {
+  const auto place = [&](const std::string& key) {
+    const std::filesystem::path file = destination.Family(key);
+    MayReplaceFamily(file, force, findings);
+    return file;
+  };
+  return family::WriteNpz(rows, FactsOf(record, all), place, findings);
 }
 
 }  // namespace mjforge::batch
