@@ -14,6 +14,7 @@ import os
 from typing import Any, Mapping, Optional, Union
 
 from . import _options
+from ._family import Family, load_family
 from ._findings import Finding, MismatchError, SpecError, VariantError
 from ._library import version
 from ._members import Joint, Site
@@ -76,6 +77,7 @@ def prove(
 __all__ = [
     "Batch",
     "CatalogueEntry",
+    "Family",
     "Finding",
     "Joint",
     "MismatchError",
@@ -90,5 +92,6 @@ __all__ = [
     "Variants",
     "catalogue",
     "check",
+    "load_family",
     "prove",
 ]

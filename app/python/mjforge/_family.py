@@ -1,0 +1,140 @@
+"""Families: objects of one structure whose numbers differ, for engines that step many worlds."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence, Union
+
+from ._family_base import compiled, spec_of
+from ._family_file import FamilyFile
+
+if TYPE_CHECKING:
+    from mujoco import MjModel, MjSpec  # type: ignore[import-not-found, import-untyped, unused-ignore]
+
+Prefix = Union[str, Sequence[str]]
+Rows = Any  # whole numbers: a list, or an array of NumPy
+
+
+class Family:
+    """Objects of one structure, whose numbers differ: variants in rows, for many worlds.
+
+    >>> hammers = mjforge.load_family("hammers.npz")  # doctest: +SKIP
+    >>> scene.attach(hammers.base, prefix="hammer/", frame=scene.worldbody.add_frame())  # doctest: +SKIP
+    >>> model = scene.compile()  # doctest: +SKIP
+    >>> fields = hammers.fields(model, "hammer/")  # doctest: +SKIP
+    >>> fields["geom_size"].shape  # doctest: +SKIP
+    (64, 11, 3)
+
+    Its methods take the compiled scene, the prefix with which the base was attached, and `rows`: the
+    variant of each world, as positions in `index`. Without rows, each variant has a world.
+    """
+
+    def __init__(self, file: FamilyFile) -> None:
+        self._file = file
+        self._model: Any = None
+
+    @property
+    def path(self) -> "os.PathLike[str]":
+        """The file."""
+        return self._file.path
+
+    @property
+    def base(self) -> MjSpec:
+        """A new MjSpec of the object, to be changed or attached to a scene. If meshes differ between variants,
+        it has those of all variants, from which `fields` chooses (`geom_dataid`). It has no keyframe: see `start`.
+        """
+        return spec_of(self._file)
+
+    @property
+    def arrays(self) -> dict[str, Any]:
+        """The arrays of the file, a row for each variant: the numbers that differ, by field of mjModel, in the
+        order of `names`; the start state; mass, bounds and offsets.
+        """
+        return self._file.arrays()
+
+    @property
+    def names(self) -> dict[str, list[str]]:
+        """Names of the elements in each of the arrays; a joint once for each of its numbers."""
+        return {name: self._file.members[f"{name}.names"].tolist() for name in self._file.fields()}
+
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """The parameters of the spec, a row for each variant; lists are filled up as in the file."""
+        import numpy as np
+
+        constants = {name: np.broadcast_to(value, (len(self), *value.shape))
+                     for name, value in self._file.columns("constants/").items()}
+        return {**self._file.columns("params/"), **constants}
+
+    @property
+    def index(self) -> Any:
+        """The index of each variant in its batch."""
+        return self._file.members["index"]
+
+    @property
+    def facts(self) -> Mapping[str, Any]:
+        """The facts in the file: name, seed, settings, version."""
+        return self._file.facts
+
+    def table(self, frame: Optional[bool] = None) -> Any:
+        """A table of index, parameters, mass and bounds with the columns of Variants.table, which describes `frame`."""
+        from ._family_table import table_of
+
+        return table_of(self._file, self.parameters, frame)
+
+    def fields(self, model: MjModel, prefix: Prefix = "", rows: Rows = None, *,
+               over: Optional[Mapping[str, Any]] = None) -> dict[str, Any]:
+        """The numbers of a scene's model in each world: arrays [worlds, ...] by field of mjModel.
+
+        `model`: the compiled scene. `prefix`: that of the object, or a list of prefixes if the scene has it
+        several times. `rows`: the variant of each world, for several objects [worlds, objects]. `over`: the
+        result of another family for the same scene, whose numbers worlds keep.
+
+        The result has all fields in which worlds may differ, also those that MuJoCo derives from others
+        (`body_subtreemass`, `geom_rbound`). "opt.timestep" and "stat.meaninertia" are members of
+        `model.opt` and `model.stat`. Raises ValueError if the object is not in the scene.
+        """
+        from ._family_fields import fields_of
+
+        return fields_of(self, model, prefix, rows, over)
+
+    def start(self, model: MjModel, prefix: Prefix = "", rows: Rows = None, *,
+              over: Optional[Mapping[str, Any]] = None) -> dict[str, Any]:
+        """The start state of each world: arrays qpos, qvel, act, ctrl, mocap_pos and mocap_quat.
+
+        The object is where it stands in the scene, and its joints are at their start; everything else is at
+        its default. The arguments are those of `fields`, and `over` is the result of another `start`.
+        """
+        from ._family_start import start_of
+
+        return start_of(self, model, prefix, rows, over)
+
+    def to_model(self, model: MjModel, prefix: Prefix = "", row: int = 0) -> MjModel:
+        """A copy of the scene's model with the numbers of one variant, for MuJoCo itself."""
+        from ._family_fields import model_of
+
+        return model_of(self, model, prefix, row)
+
+    def __len__(self) -> int:
+        return self._file.count
+
+    def __repr__(self) -> str:
+        return f"<mjforge.Family {str(self._file.path)!r}: {len(self)} of {self.facts.get('name')}>"
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_model": None}
+
+    def _compiled(self) -> MjModel:
+        """The compiled base, without the meshes of variants."""
+        if self._model is None:
+            self._model = compiled(self._file)
+        return self._model
+
+
+def load_family(path: "Union[str, os.PathLike[str]]") -> Family:
+    """Reads a family, which `mjforge generate SPEC -n 4096 -o NAME.npz` wrote.
+
+    Raises FileNotFoundError without the file, ValueError if it is not a family, was cut short or changed,
+    ImportError without NumPy.
+    """
+    return Family(FamilyFile(path))

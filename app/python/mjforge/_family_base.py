@@ -1,0 +1,73 @@
+"""The base of a family as an MjSpec, with the meshes of all variants."""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any, Iterator
+
+from ._family_file import FamilyFile
+
+if TYPE_CHECKING:
+    from mujoco import MjModel, MjsMesh, MjSpec  # type: ignore[import-not-found, import-untyped, unused-ignore]
+
+# Attributes of a mesh that its copies for the variants have, too. Releases of MuJoCo have not all of them.
+_SHARED = ("inertia", "maxhullvert", "smoothnormal", "needsdf", "refpos", "refquat", "content_type",
+           "material")
+_LISTS = ("userface", "usernormal", "usertexcoord", "userfacenormal", "userfacetexcoord")
+
+
+def mesh_of_row(mesh: str, row: int) -> str:
+    """Name of the mesh that a variant has in place of a mesh of the base."""
+    return f"{mesh}@{row}"
+
+
+def meshes_that_differ(file: FamilyFile) -> list[str]:
+    """Names of the meshes of the base that differ between variants."""
+    return [*file.columns("mesh_vert/"), *file.columns("mesh_scale/")]
+
+
+def _mujoco() -> Any:
+    try:
+        mujoco = importlib.import_module("mujoco")
+    except ImportError as error:
+        raise ImportError("this needs MuJoCo: python -m pip install 'mujoco>=3.3'") from error
+    if not hasattr(mujoco, "MjSpec") or not hasattr(mujoco.MjSpec, "attach"):
+        raise ImportError(f"mujoco {mujoco.__version__} has no MjSpec.attach: "
+                          "python -m pip install 'mujoco>=3.3'")
+    return mujoco
+
+
+def compiled(file: FamilyFile) -> MjModel:
+    """The compiled base, without the meshes of variants."""
+    return _mujoco().MjModel.from_xml_string(file.text("base"), file.assets())
+
+
+def spec_of(file: FamilyFile) -> MjSpec:
+    """A new MjSpec of the base: without its keyframe, and with the meshes of all variants."""
+    mujoco = _mujoco()
+    spec = mujoco.MjSpec.from_string(file.text("base"), assets=file.assets())
+    spec.njmax = spec.nconmax = -1  # sizes for the object alone
+    for key in list(spec.keys):
+        spec.delete(key) if hasattr(spec, "delete") else key.delete()
+    own = {mesh.name: mesh for mesh in spec.meshes}
+    for name, vertices in file.columns("mesh_vert/").items():
+        for row, mesh in enumerate(_copies_of(own[name], spec, file.count)):
+            mesh.scale, mesh.uservert = [1, 1, 1], vertices[row].ravel()
+    for name, scale in file.columns("mesh_scale/").items():
+        for row, mesh in enumerate(_copies_of(own[name], spec, file.count)):
+            mesh.scale, mesh.file = scale[row], own[name].file
+    return spec
+
+
+def _copies_of(mesh: MjsMesh, spec: MjSpec, count: int) -> Iterator[MjsMesh]:
+    """Adds a mesh for each variant, without vertices."""
+    shared = {name: getattr(mesh, name) for name in (*_SHARED, *_LISTS) if hasattr(mesh, name)}
+    collides = any(geom.meshname == mesh.name and (geom.contype or geom.conaffinity) for geom in spec.geoms)
+    if collides and (len(mesh.userface) or mesh.file):
+        # Without this, a mesh that no geom of the base has gets no convex hull.
+        shared["inertia"] = _mujoco().mjtMeshInertia.mjMESH_INERTIA_CONVEX
+    for row in range(count):
+        copy = spec.add_mesh(name=mesh_of_row(mesh.name, row))
+        for name, value in shared.items():
+            setattr(copy, name, value)
+        yield copy

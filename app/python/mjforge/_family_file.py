@@ -1,0 +1,130 @@
+"""Reads the file of a family: arrays of NumPy in a zip archive, compared with what it says about itself."""
+
+from __future__ import annotations
+
+import importlib
+import json
+import os
+import pathlib
+import zipfile
+from typing import Any, NoReturn, Union
+
+from . import _command
+from ._options import path as path_of
+
+_FORMAT = 1  # of the file; a later one has another number
+_PER_VARIANT = ("index", "mass", "bounds", "top_offset", "bottom_offset", "horizontal_radius")
+
+
+def numpy_module() -> Any:
+    """NumPy. Raises ImportError that says how to get it."""
+    try:
+        return importlib.import_module("numpy")
+    except ImportError as error:
+        raise ImportError("this needs NumPy: python -m pip install numpy") from error
+
+
+class FamilyFile:
+    """The members of a file, read into memory and checked."""
+
+    def __init__(self, path: "Union[str, os.PathLike[str]]") -> None:
+        self.path = pathlib.Path(path_of(path, "path"))
+        self._numpy = numpy_module()
+        _expect_file(self.path)
+        _expect_unchanged(self.path)
+        self.members = self._read()
+        self.facts: dict[str, Any] = self._facts()
+        self.count = int(self.facts["variants"])
+        self._check_members()
+
+    def text(self, name: str) -> str:
+        """A member that is a text."""
+        return bytes(self.members[name].tobytes()).decode()
+
+    def assets(self) -> dict[str, bytes]:
+        """The files that the base refers to, by their names there."""
+        return {name: array.tobytes() for name, array in self.members.items() if name.startswith("assets/")}
+
+    def fields(self) -> list[str]:
+        """The arrays of numbers of named elements."""
+        return [name for name in self.members if f"{name}.names" in self.members]
+
+    def arrays(self) -> dict[str, Any]:
+        """The arrays with a row for each variant, without the parameters."""
+        return {name: array for name, array in self.members.items()
+                if name != "index" and not name.startswith("params/") and self._has_rows(name)}
+
+    def columns(self, folder: str) -> dict[str, Any]:
+        """The members of a folder, by their names in it."""
+        return {name[len(folder):]: array for name, array in self.members.items() if name.startswith(folder)}
+
+    def _read(self) -> dict[str, Any]:
+        try:
+            with self._numpy.load(self.path, allow_pickle=False) as file:
+                return dict(file.items())
+        except (zipfile.BadZipFile, EOFError, ValueError, KeyError, AttributeError, NotImplementedError,
+                UnicodeDecodeError) as error:
+            raise ValueError(f"'{self.path}' is not a family, or it was cut short or changed: {error}") from error
+
+    def _facts(self) -> dict[str, Any]:
+        if not {"family", "base", "index"} <= set(self.members):
+            raise ValueError(f"'{self.path}' is not a family that 'mjforge generate -o NAME.npz' wrote")
+        try:
+            facts = json.loads(self.text("family"))
+            version, count = facts["mjforge_family"], facts["variants"]
+        except (ValueError, KeyError, TypeError) as error:
+            self._changed(f"its facts cannot be read: {error}")
+        if version != _FORMAT:
+            raise ValueError(f"'{self.path}' has version {version} of the format; this mjforge reads {_FORMAT}")
+        if not isinstance(count, int) or count < 1:
+            self._changed(f"it has {count!r} variants")
+        return dict(facts)
+
+    def _changed(self, message: str) -> NoReturn:
+        raise ValueError(f"'{self.path}' was changed: {message}")
+
+    def _check_members(self) -> None:
+        """Compares the shapes of all arrays with the number of variants and of names."""
+        for name, array in self.members.items():
+            base, _, kind = name.rpartition(".")
+            if kind in ("names", "components") and base in self.members:
+                if array.ndim != 1 or len(array) != self.members[base].shape[1:2][0]:
+                    self._changed(f"'{name}' has the shape {array.shape}")
+            elif self._has_rows(name) and array.shape[:1] != (self.count,):
+                self._changed(f"'{name}' has the shape {array.shape}, not {self.count} rows")
+        for name in ("index", "mass", "bounds"):
+            if name not in self.members:
+                self._changed(f"it has no '{name}'")
+
+
+    def _has_rows(self, name: str) -> bool:
+        return (name in _PER_VARIANT or f"{name}.names" in self.members
+                or name.startswith(("start_", "opt_", "mesh_vert/", "mesh_scale/", "params/")))
+
+
+
+def _expect_file(path: pathlib.Path) -> None:
+    if path.is_dir():
+        inside = sorted(each.name for each in path.glob("*.npz"))
+        hint = f"name one of its files: {', '.join(inside[:5])}" if inside else "it has no .npz files"
+        raise ValueError(f"path='{path}' is a folder, and a family is one file; {hint}")
+    if path.exists():
+        return
+    if "%s" in path.name:
+        found = sorted(each.name for each in path.parent.glob(path.name.replace("%s", "*")))
+        raise ValueError(f"path='{path}' names a file for each structure; name one of them"
+                         + (f": {', '.join(found[:5])}" if found else ""))
+    raise FileNotFoundError(f"'{path}' does not exist: 'mjforge generate SPEC -n 64 -o NAME.npz' writes a family")
+
+
+def _expect_unchanged(path: pathlib.Path) -> None:
+    """Compares the file with its hash in the seal, if there is one beside it."""
+    if not path.with_name(f"{path.stem}.manifest.seal.json").exists():
+        return
+    try:
+        findings = _command.run(["verify", "--", str(path)], b"")
+    except (OSError, ValueError):
+        return  # the seal belongs to another file, or it cannot be read
+    for finding in findings:
+        if finding.code == "batch/changed":
+            raise ValueError(f"'{path}' is not the file that was written: {finding.message}")

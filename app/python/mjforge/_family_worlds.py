@@ -1,0 +1,154 @@
+"""Arrays with a row for each world, of the fields of a model that differ between worlds."""
+
+from __future__ import annotations
+
+import copy
+import functools
+from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, Sequence
+
+from ._attach import _module_of
+
+if TYPE_CHECKING:
+    from mujoco import MjModel  # type: ignore[import-not-found, import-untyped, unused-ignore]
+
+# What mj_setConst computes; `_others` finds what else it computes in a release.
+_DERIVED = ("body_subtreemass", "body_invweight0", "dof_invweight0", "dof_M0", "tendon_length0", "tendon_invweight0",
+            "actuator_acc0", "actuator_length0", "cam_pos0", "cam_poscom0", "cam_mat0", "light_pos0",
+            "light_poscom0", "light_dir0", "eq_data")
+_STATISTICS = ("meaninertia", "meanmass", "meansize", "extent", "center")
+
+
+class Worlds:
+    """The arrays, by field. A field is there as soon as one world has a number of its own."""
+
+    def __init__(self, model: MjModel, count: int, over: Optional[Mapping[str, Any]]) -> None:
+        import numpy as np
+
+        self._np = np
+        self._mujoco = _module_of(model)
+        self._model = model
+        self._count = count
+        self.arrays: dict[str, Any] = {}
+        for name, array in ({} if over is None else checked(over)).items():
+            self.array(name)
+            if np.shape(array) != self.arrays[name].shape:
+                raise ValueError(f"over: '{name}' has the shape {np.shape(array)}, not {self.arrays[name].shape}, "
+                                 "which it has for these worlds")
+            self.arrays[name][...] = array
+
+    def array(self, field: str) -> Any:
+        """The array of a field, in which all worlds have the model's numbers at first."""
+        if field not in self.arrays:
+            part, _, member = field.rpartition(".")
+            shared = getattr(getattr(self._model, part) if part else self._model, member, None)
+            if shared is None:
+                raise ValueError(f"mujoco {self._mujoco.__version__} has no {field}")
+            if field == "bvh_aabb":  # boxes of bodies, before those of meshes
+                shared = shared[:_boxes_of_bodies(self._model)]
+            self.arrays[field] = self._np.repeat(self._np.asarray(shared)[None], self._count, axis=0)
+        return self.arrays[field]
+
+    def set_mesh(self, geom: int, meshes: Any) -> None:
+        """Gives a geom the mesh of each world, with its bounds."""
+        np, model = self._np, self._model
+        self.array("geom_dataid")[:, geom] = meshes
+        low, high = np.empty((self._count, 3)), np.empty((self._count, 3))
+        used, worlds = np.unique(meshes, return_inverse=True)
+        for number, mesh in enumerate(used):
+            first = model.mesh_vertadr[mesh]
+            vertices = model.mesh_vert[first:first + model.mesh_vertnum[mesh]]
+            low[worlds == number], high[worlds == number] = vertices.min(axis=0), vertices.max(axis=0)
+        size = np.maximum(np.abs(low), np.abs(high))
+        self.array("geom_size")[:, geom] = size
+        self.array("geom_aabb")[:, geom] = np.concatenate([(low + high) / 2, (high - low) / 2], axis=1)
+        self.array("geom_rbound")[:, geom] = np.linalg.norm(size, axis=1)
+
+    def add_bounds(self, geoms: Any) -> None:
+        """Computes the bounding spheres and boxes of primitive geoms from their sizes."""
+        np, types = self._np, self._mujoco.mjtGeom
+        for geom in geoms:
+            size = self.arrays["geom_size"][:, geom]
+            r, h, zero = size[:, 0], size[:, 1], np.zeros(self._count)
+            kind = int(self._model.geom_type[geom])
+            if kind == types.mjGEOM_SPHERE:
+                radius, half = r, (r, r, r)
+            elif kind == types.mjGEOM_CAPSULE:
+                radius, half = r + h, (r, r, r + h)
+            elif kind == types.mjGEOM_CYLINDER:
+                radius, half = np.hypot(r, h), (r, r, h)
+            elif kind == types.mjGEOM_ELLIPSOID:
+                radius, half = size.max(axis=1), tuple(size.T)
+            elif kind == types.mjGEOM_BOX:
+                radius, half = np.linalg.norm(size, axis=1), tuple(size.T)
+            else:
+                continue  # a plane has no bounds
+            self.array("geom_rbound")[:, geom] = radius
+            self.array("geom_aabb")[:, geom] = np.stack([zero, zero, zero, *half], axis=1)
+
+    def derive(self) -> None:
+        """Lets MuJoCo compute, in each world, what it derives from the numbers."""
+        work = copy.copy(self._model)
+        data = self._mujoco.MjData(work)
+        statistics = self._own_statistics()
+        # Equalities have numbers of both kinds, so those that are given must be kept apart.
+        given = [(name, array.copy() if name == "eq_data" else array) for name, array in self.arrays.items()
+                 if name not in _DERIVED[:-1] and not name.startswith("stat.")]
+        writers = [(writer(work, name), array) for name, array in given]
+
+        def compute(world: int) -> None:
+            for write, array in writers:
+                write(array[world])
+            self._mujoco.mj_setConst(work, data)
+
+        names = [name for name in _DERIVED if getattr(self._model, name).size]
+        names += self._others(work, compute, names)
+        taken = [(getattr(work, name), self.array(name)) for name in names]
+        numbers = [(name, self.array(f"stat.{name}")) for name in statistics]
+        for world in range(self._count):
+            compute(world)
+            for source, array in taken:
+                array[world] = source[:array.shape[1]]
+            for name, array in numbers:
+                array[world] = getattr(work.stat, name)
+
+    def _own_statistics(self) -> list[str]:
+        """The statistics that MuJoCo computed from the model, and not its author."""
+        again = copy.copy(self._model)
+        self._mujoco.mj_setConst(again, self._mujoco.MjData(again))
+        return [name for name in _STATISTICS
+                if self._np.allclose(getattr(again.stat, name), getattr(self._model.stat, name), rtol=1e-9, atol=0)]
+
+    def _others(self, work: MjModel, compute: Callable[[int], None], known: Sequence[str]) -> list[str]:
+        """Other arrays that mj_setConst changes in the first, the middle or the last world."""
+        found: set[str] = set()
+        candidates = [name for name in dir(work) if not name.startswith("_") and name not in known
+                      and name not in self.arrays and _is_real(getattr(work, name, None))]
+        for world in {0, self._count // 2, self._count - 1}:
+            compute(world)
+            found |= {name for name in candidates
+                      if not self._np.array_equal(getattr(work, name), getattr(self._model, name), equal_nan=True)}
+        return sorted(found)
+
+
+def _boxes_of_bodies(model: MjModel) -> int:
+    return int((model.body_bvhadr + model.body_bvhnum).max(initial=0))
+
+
+def _is_real(value: Any) -> bool:
+    return getattr(getattr(value, "dtype", None), "kind", "") == "f" and value.size > 0
+
+
+def writer(model: MjModel, field: str) -> Callable[[Any], None]:
+    """A function that sets a field of the model."""
+    part, _, member = field.rpartition(".")
+    if part:
+        return functools.partial(setattr, getattr(model, part), member)
+    if field == "bvh_aabb":
+        return functools.partial(model.bvh_aabb.__setitem__, slice(_boxes_of_bodies(model)))
+    return functools.partial(getattr(model, field).__setitem__, ...)
+
+
+def checked(over: Any) -> Mapping[str, Any]:
+    if not isinstance(over, Mapping):
+        raise TypeError(f"over={over!r} is not a dict of arrays but of type {type(over).__name__}")
+    return over
