@@ -115,6 +115,26 @@ class Family:
 
         return model_of(self, model, prefix, row)
 
+    def to_warp(self, m: Any, model: MjModel, prefix: Prefix = "", rows: Rows = None, *,
+                over: Optional[Mapping[str, Any]] = None, worlds: Rows = None) -> None:
+        """Gives the worlds of MuJoCo Warp their variants.
+
+        `m`: mujoco_warp.put_model(model), which gets arrays with a row for each world; the other arguments are those
+        of `fields`. With `worlds`, a list as long as `rows`, these worlds get other variants, in place, at a reset.
+        Raises ValueError for a difference that Warp cannot have: poses of geoms that are fixed to the world (make the
+        family with --mocap), and fields that worlds share.
+        """
+        from ._to_warp import to_warp
+
+        to_warp(self, m, model, prefix, rows, over, worlds)
+
+    def to_batch(self, batch: Any, prefix: Prefix = "", rows: Rows = None, *,
+                 over: Optional[Mapping[str, Any]] = None, worlds: Rows = None) -> None:
+        """Gives the simulations of a mujoco.batch.Batch their variants; a row for each. See `to_warp`."""
+        from ._to_batch import to_batch
+
+        to_batch(self, batch, prefix, rows, over, worlds)
+
     def __len__(self) -> int:
         return self._file.count
 

@@ -59,12 +59,15 @@ class FamilyFile:
         return {name[len(folder):]: array for name, array in self.members.items() if name.startswith(folder)}
 
     def _read(self) -> dict[str, Any]:
+        with open(self.path, "rb") as file:
+            if file.read(2) != b"PK":
+                raise ValueError(f"'{self.path}' is not a family that 'mjforge generate -o NAME.npz' wrote")
         try:
-            with self._numpy.load(self.path, allow_pickle=False) as file:
-                return dict(file.items())
+            with self._numpy.load(self.path, allow_pickle=False) as members:
+                return dict(members.items())
         except (zipfile.BadZipFile, EOFError, ValueError, KeyError, AttributeError, NotImplementedError,
                 UnicodeDecodeError) as error:
-            raise ValueError(f"'{self.path}' is not a family, or it was cut short or changed: {error}") from error
+            raise ValueError(f"'{self.path}' was cut short or changed: {error}") from error
 
     def _facts(self) -> dict[str, Any]:
         if not {"family", "base", "index"} <= set(self.members):

@@ -55,3 +55,17 @@ def rows_of(family: Family, rows: Any, objects: int = 1) -> Any:
                          f"'{family.path}'")
     array = array.astype(np.int64)
     return np.repeat(array[:, None], objects, axis=1) if array.ndim == 1 else array
+
+
+def worlds_of(worlds: Any, count: int) -> Any:
+    """The worlds that rows are for, an array of whole numbers. `count`: the number of rows."""
+    import numpy as np
+
+    array = np.asarray(worlds)
+    if array.dtype.kind not in "iu" or array.ndim != 1:
+        raise TypeError(f"worlds={worlds!r} is not a list of whole numbers")
+    if len(array) != count:
+        raise ValueError(f"rows: it has {count} variants for {len(array)} worlds")
+    if len(array) != len(np.unique(array)) or array.min() < 0:
+        raise ValueError(f"worlds={worlds!r} has a world twice, or a negative one")
+    return array.astype(np.int64)
