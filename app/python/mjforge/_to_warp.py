@@ -13,9 +13,6 @@ if TYPE_CHECKING:
 
     from ._family import Family
 
-# Shared in Warp, and used only to decide whether a tree falls asleep.
-_SLEEP = ("dof_length",)
-
 
 def to_warp(family: Family, m: Any, model: MjModel, prefix: Any, rows: Any,
             over: Optional[Mapping[str, Any]], worlds: Any) -> None:
@@ -39,7 +36,7 @@ def write(m: Any, fields: Mapping[str, Any], model: MjModel, worlds: Any = None)
             continue  # Warp does not use it
         if _is_batched(holder, name):
             changes.append((holder, name, _shaped(target, values)))
-        elif _differs(values, model, field) and not (field in _SLEEP and not _sleeps(model)):
+        elif _is_used(field, model) and _differs(values, model, field):
             raise ValueError(f"{field} differs between worlds, and MuJoCo Warp shares it between them")
     at = None if worlds is None else worlds_of(worlds, next(len(values) for values in fields.values()))
     for holder, name, values in changes:
@@ -70,9 +67,15 @@ def _differs(values: Any, model: MjModel, field: str) -> bool:
     return not np.allclose(values, shared[None], rtol=1e-9, atol=1e-12)
 
 
-def _sleeps(model: MjModel) -> bool:
-    bit = getattr(_module_of(model).mjtEnableBit, "mjENBL_SLEEP", 0)
-    return bool(model.opt.enableflags & int(bit))
+def _is_used(field: str, model: MjModel) -> bool:
+    """False for fields without which the scene moves alike."""
+    mujoco = _module_of(model)
+    if field == "dof_length":
+        return bool(model.opt.enableflags & int(getattr(mujoco.mjtEnableBit, "mjENBL_SLEEP", 0)))
+    if field == "site_size":
+        sensing = ("mjSENS_TOUCH", "mjSENS_INSIDESITE")
+        return any((model.sensor_type == int(getattr(mujoco.mjtSensor, name, -1))).any() for name in sensing)
+    return True
 
 
 def _shaped(target: Any, values: Any) -> Any:
