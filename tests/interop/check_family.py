@@ -5,25 +5,18 @@ that scene: the same numbers, and the same motion.
 """
 
 import pathlib
+import shutil
 import sys
+import tempfile
 
 import mjforge
 import mujoco
 import numpy as np
 
-from report import check, expect, finish
+from report import check, expect, finish, raises
+from scenes import PREFIX, STEPS, families, in_motion, on_floor, simulate, xml_of
 
-SCENE = ('<mujoco><compiler usethread="false"/><worldbody><geom name="floor" type="plane" size="2 2 1"/>'
-         '<frame name="place" pos="0.3 -0.2 0" euler="0 0 50"/></worldbody></mujoco>')
-STEPS = 100
 WORLDS = 16
-
-
-def on_floor(thing):
-    """The compiled model of a spec on a floor, away from the world's origin."""
-    scene = mujoco.MjSpec.from_string(SCENE)
-    scene.attach(thing, prefix="its/", frame=scene.frame("place"))
-    return scene.compile()
 
 
 def tensors(model):
@@ -80,63 +73,182 @@ def expect_flags(base, own):
         expect(right.all(), f"{field} is {a}, and of the variant {b}")
 
 
-def start(model, qpos, height):
-    """The start state, with free bodies above the floor and all joints in motion."""
-    data = mujoco.MjData(model)
-    data.qpos[:] = qpos
-    for j in range(model.njnt):
-        adr, dof = model.jnt_qposadr[j], model.jnt_dofadr[j]
-        if model.jnt_type[j] == mujoco.mjtJoint.mjJNT_FREE:
-            data.qpos[adr + 2] += height
-            data.qvel[dof:dof + 6] = [0.1, 0, -1, 1, 2, 0.5]
-        else:
-            data.qvel[dof] += 0.3
-    return data
-
-
 def own_start(model, alone):
     """The start of a variant in the scene: its free bodies where they stand there, all other joints as in the
     keyframe of its file."""
     qpos = model.qpos0.copy()
     for j in range(alone.njnt if alone.nkey else 0):
         if alone.jnt_type[j] != mujoco.mjtJoint.mjJNT_FREE:
-            qpos[model.joint(f"its/{alone.joint(j).name}").qposadr[0]] = alone.key_qpos[0, alone.jnt_qposadr[j]]
+            qpos[model.joint(f"{PREFIX}{alone.joint(j).name}").qposadr[0]] = alone.key_qpos[0, alone.jnt_qposadr[j]]
     return qpos
 
 
-def simulate(model, data):
-    model.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_MIDPHASE  # boxes of trees are not updated
-    trace = []
-    for _ in range(STEPS):
-        mujoco.mj_step(model, data)
-        trace.append(data.qpos.copy())
-    return np.array(trace)
-
-
-def check_family(file):
-    family = mjforge.load_family(file)
+def check_family(file, family):
     scene = on_floor(family.base)
-    starts = family.start(scene, "its/")
-    heights = 0.15 + family.arrays["horizontal_radius"] - family.arrays["bottom_offset"]
-    worst = 0
-    contacts = 0
-    for i in range(0, len(family), max(1, len(family) // WORLDS)):
-        xml = file.with_suffix("") / f"{family.facts['name']}_{family.index[i]:06d}.xml"
-        own = on_floor(mujoco.MjSpec.from_file(str(xml)))
+    starts, moving = family.start(scene, PREFIX), in_motion(family, scene)
+    worst = contacts = 0
+    for row in range(0, len(family), max(1, len(family) // WORLDS)):
+        xml = str(xml_of(file, family, row))
+        own = on_floor(mujoco.MjSpec.from_file(xml))
         expect_flags(scene, own)
-        mine = family.to_model(scene, "its/", i)
+        mine = family.to_model(scene, PREFIX, row)
         compare(mine, own)
-        qpos = own_start(own, mujoco.MjModel.from_xml_path(str(xml)))
-        expect(np.allclose(starts["qpos"][i], qpos, atol=1e-9), "another start")
-        first, second = start(mine, starts["qpos"][i], heights[i]), start(own, qpos, heights[i])
-        a, b = simulate(mine, first), simulate(own, second)
-        contacts += first.ncon
-        expect(np.max(np.ptp(b, axis=0)) > 1e-3, f"variant {i} does not move")
+        qpos = own_start(own, mujoco.MjModel.from_xml_path(xml))
+        expect(np.allclose(starts["qpos"][row], qpos, atol=1e-9), "another start")
+        (a, count), (b, _) = simulate(mine, moving, row), simulate(own, moving, row)
+        contacts += count
+        expect(np.max(np.ptp(b, axis=0)) > 1e-3, f"variant {row} does not move")
         worst = max(worst, np.max(np.abs(a - b)))
-        expect(worst < 1e-9, f"variant {i} is off by {worst:.1e} after {STEPS} steps")
+        expect(worst < 1e-9, f"variant {row} is off by {worst:.1e} after {STEPS} steps")
     return f"{len(family)} variants, {len(family.arrays)} arrays, {contacts} contacts, off by {worst:.1e}"
 
 
-for npz in sorted(pathlib.Path(sys.argv[1], "family").glob("*.npz")):
-    check(f"mujoco {mujoco.__version__} family {npz.stem}", check_family, npz)
+ARM = """<mujoco><worldbody><geom name="floor" type="plane" size="2 2 1"/>
+  <body name="arm" pos="0.5 0 0"><joint name="turn" axis="0 0 1"/><geom type="capsule" size="0.02 0.2" pos="0 0 0.3"/>
+    <body name="hand" pos="0 0 0.5"><joint name="bend" axis="0 1 0"/><geom type="box" size="0.05 0.05 0.05"/></body>
+  </body></worldbody><actuator><motor name="turn" joint="turn"/></actuator></mujoco>"""
+PLACES = {"left/": [-0.4, 0.3, 0.4], "right/": [0.2, -0.5, 0.4]}
+
+
+def beside_an_arm(*things):
+    scene = mujoco.MjSpec.from_string(ARM)
+    for (prefix, pos), thing in zip(PLACES.items(), things):
+        scene.attach(thing, prefix=prefix, frame=scene.worldbody.add_frame(pos=pos))
+    return scene.compile()
+
+
+def check_two_beside_a_robot(folder):
+    """Worlds with an arm, two objects of a family, and other variants in each."""
+    file = pathlib.Path(folder, "family/hammer.npz")
+    family = mjforge.load_family(file)
+    model = beside_an_arm(family.base, family.base)
+    rows = np.array([[5, 40], [63, 0], [7, 7]])
+    fields = family.fields(model, list(PLACES), rows)
+    first = family.fields(model, "left/", rows[:, 0])
+    again = family.fields(model, "right/", rows[:, 1], over=first)
+    expect(set(fields) == set(again), f"{set(fields) ^ set(again)}")
+    for name, array in fields.items():
+        expect(np.array_equal(array, again[name]), f"{name} depends on the order")
+    for world, pair in enumerate(rows):
+        own = beside_an_arm(*(mujoco.MjSpec.from_file(str(xml_of(file, family, row))) for row in pair))
+        mine = beside_an_arm(family.base, family.base)
+        for name, array in fields.items():
+            part, _, member = name.rpartition(".")
+            holder = getattr(mine, part) if part else mine
+            if part:
+                setattr(holder, member, array[world])
+            else:
+                getattr(holder, member)[:len(array[world])] = array[world]
+        compare(mine, own)
+        expect(np.isclose(mine.stat.meaninertia, own.stat.meaninertia), "another mean inertia")
+
+
+def check_pose_in_another_frame(folder):
+    """An object that the user moved before it was compiled starts there."""
+    family = mjforge.load_family(pathlib.Path(folder, "family/hammer.npz"))
+    thing = family.base
+    thing.bodies[1].pos = [1, 2, 3]
+    qpos = family.start(on_floor(thing), PREFIX, [4])["qpos"][0]
+    away = np.array([0.3 + np.cos(np.radians(50)) - 2 * np.sin(np.radians(50)),
+                     -0.2 + np.sin(np.radians(50)) + 2 * np.cos(np.radians(50)), 3])
+    expect(np.allclose(qpos[:3], away), f"it is at {qpos[:3]}, not at {away}")
+
+
+def check_table(folder):
+    """Numbers and parameters are those of the variants."""
+    family = mjforge.load_family(pathlib.Path(folder, "family/hammer.npz"))
+    variants = mjforge.Spec("hammer").variants(seed=7, set={"handle_shape": "box"})[:64]
+    mine, own = family.table(frame=False), variants.table(frame=False)
+    expect(set(mine) == set(own), f"{set(mine) ^ set(own)}")
+    for name, column in own.items():
+        expect(np.array_equal(mine[name], column), f"{name} differs")
+    expect(np.array_equal(family.parameters["handle_length"], own["params.handle_length"]), "another handle_length")
+    expect(family.facts["seed"] == 7 and len(family) == 64, f"{family.facts}")
+
+
+def check_refusals(folder):
+    """Wrong arguments, and objects that are not there."""
+    hammer, pot = (mjforge.load_family(pathlib.Path(folder, "family", f"{name}.npz")) for name in ("hammer", "pot"))
+    model = on_floor(hammer.base)
+    raises(ValueError, "did you mean 'its/'?", hammer.fields, model, "it/")
+    raises(ValueError, "attach the base of the family", pot.fields, model, PREFIX)
+    raises(ValueError, "rows: 64 is not within 0 .. 63", hammer.fields, model, PREFIX, [64])
+    raises(ValueError, "rows: -1 is not within 0 .. 63", hammer.fields, model, PREFIX, [-1])
+    raises(TypeError, "not a list of whole numbers", hammer.fields, model, PREFIX, [0.5])
+    raises(ValueError, "rows=[] has no world", hammer.fields, model, PREFIX, [])
+    raises(TypeError, "prefix=3 is not a text", hammer.fields, model, 3)
+    raises(TypeError, "is not a mujoco.MjModel", hammer.fields, hammer.base, PREFIX)
+    raises(ValueError, "'geom_size' has the shape", hammer.fields, model, PREFIX, [0],
+           over=hammer.fields(model, PREFIX, [0, 1]))
+    thing = hammer.base
+    thing.geoms[0].type, thing.geoms[0].size = mujoco.mjtGeom.mjGEOM_SPHERE, [0.1, 0, 0]
+    raises(ValueError, "it is not the base of this family", hammer.fields, on_floor(thing), PREFIX)
+
+
+def check_files(folder):
+    """Files that were cut short or changed, and files of other kinds."""
+    whole = pathlib.Path(folder, "family/hammer.npz").read_bytes()
+    with tempfile.TemporaryDirectory() as place:
+        file = pathlib.Path(place, "hammer.npz")
+        for size in (0, 1, 100, len(whole) // 2, len(whole) - 1):
+            file.write_bytes(whole[:size])
+            raises(ValueError, "hammer.npz'", mjforge.load_family, file)
+        for at in range(200, len(whole), len(whole) // 50):
+            file.write_bytes(whole[:at] + bytes([whole[at] ^ 1]) + whole[at + 1:])
+            expect_same_or_refused(file)
+        np.savez(file, index=np.arange(3))
+        raises(ValueError, "is not a family", mjforge.load_family, file)
+        members = dict(np.load(pathlib.Path(folder, "family/hammer.npz")).items())
+        np.savez(file, **{**members, "geom_size": members["geom_size"][:3]})
+        raises(ValueError, "'geom_size' has the shape (3, ", mjforge.load_family, file)
+        np.savez(file, **{**members, "geom_size.names": members["geom_size.names"][:1]})
+        raises(ValueError, "'geom_size.names' has the shape (1,)", mjforge.load_family, file)
+        raises(ValueError, "is a folder, and a family is one file; name one of its files: hammer.npz",
+               mjforge.load_family, place)
+        raises(ValueError, "a file for each structure; name one of them: hammer.npz", mjforge.load_family,
+               pathlib.Path(place, "ham%s.npz"))
+        raises(FileNotFoundError, "pot.npz' does not exist", mjforge.load_family, pathlib.Path(place, "pot.npz"))
+
+
+def expect_same_or_refused(file):
+    """That a file in which one byte is another is refused, or that no number depends on the byte."""
+    try:
+        mjforge.load_family(file)
+    except ValueError:
+        return
+    raise AssertionError("a changed byte was not noticed")
+
+
+def check_seal(folder):
+    """A whole file that is not the one of its seal."""
+    with tempfile.TemporaryDirectory() as place:
+        for each in pathlib.Path(folder, "family").glob("hammer.*"):
+            shutil.copy(each, place)
+        file = pathlib.Path(place, "hammer.npz")
+        mjforge.load_family(file)
+        shutil.copy(pathlib.Path(folder, "family/pot.npz"), file)
+        raises(ValueError, "is not the file that was written", mjforge.load_family, file)
+
+
+def check_one(folder):
+    """A family of one variant: the others were invalid."""
+    members = dict(np.load(pathlib.Path(folder, "family/hammer.npz")).items())
+    facts = members["family"].tobytes().replace(b'"variants":64', b'"variants":1')
+    one = {name: array[:1] if len(array.shape) and len(array) == 64 and not name.endswith(".names") else array
+           for name, array in members.items()}
+    with tempfile.TemporaryDirectory() as place:
+        file = pathlib.Path(place, "one.npz")
+        np.savez(file, **{**one, "family": np.frombuffer(facts, "u1")})
+        family = mjforge.load_family(file)
+        fields = family.fields(on_floor(family.base), PREFIX, [0, 0, 0])
+        expect(all(len(array) == 3 for array in fields.values()) and len(family) == 1, f"{list(fields)}")
+
+
+RELEASE = f"mujoco {mujoco.__version__} family"
+for npz, one in families(sys.argv[1]):
+    check(f"{RELEASE} {npz.stem}", check_family, npz, one)
+for name, action in {"twice, beside a robot": check_two_beside_a_robot, "where the user moved it": check_pose_in_another_frame,
+                     "as a table": check_table, "refusals": check_refusals, "files": check_files, "seal": check_seal,
+                     "of one": check_one}.items():
+    check(f"{RELEASE}, {name}", action, sys.argv[1])
 finish()

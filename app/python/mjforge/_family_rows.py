@@ -43,12 +43,12 @@ def rows_of(family: Family, rows: Any, objects: int = 1) -> Any:
         array = np.asarray(rows)
     except ValueError:
         raise TypeError(f"rows={rows!r} is not an array of whole numbers") from None
+    if not array.size:
+        raise ValueError("rows=[] has no world")
     if array.dtype.kind not in "iu" or array.ndim not in (1, 2):
         raise TypeError(f"rows={rows!r} is not a list of whole numbers, one for each world")
     if array.ndim == 2 and array.shape[1] != objects:
         raise ValueError(f"rows: its {array.shape[1]} columns are not one for each of {objects} prefixes")
-    if not len(array):
-        raise ValueError("rows=[] has no world")
     wrong = array[(array < 0) | (array >= len(family))]
     if len(wrong):
         raise ValueError(f"rows: {wrong.flat[0]} is not within 0 .. {len(family) - 1}, the variants of "

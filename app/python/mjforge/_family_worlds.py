@@ -29,7 +29,8 @@ class Worlds:
         self._model = model
         self._count = count
         self.arrays: dict[str, Any] = {}
-        for name, array in ({} if over is None else checked(over)).items():
+        self._over = {} if over is None else checked(over)
+        for name, array in self._over.items():
             self.array(name)
             if np.shape(array) != self.arrays[name].shape:
                 raise ValueError(f"over: '{name}' has the shape {np.shape(array)}, not {self.arrays[name].shape}, "
@@ -121,8 +122,9 @@ class Worlds:
     def _others(self, work: MjModel, compute: Callable[[int], None], known: Sequence[str]) -> list[str]:
         """Other arrays that mj_setConst changes in the first, the middle or the last world."""
         found: set[str] = set()
+        given = self.arrays.keys() - self._over.keys()
         candidates = [name for name in dir(work) if not name.startswith("_") and name not in known
-                      and name not in self.arrays and _is_real(getattr(work, name, None))]
+                      and name not in given and _is_real(getattr(work, name, None))]
         for world in {0, self._count // 2, self._count - 1}:
             compute(world)
             found |= {name for name in candidates

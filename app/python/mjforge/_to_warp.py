@@ -55,7 +55,7 @@ def _member(m: Any, field: str, values: Any) -> "tuple[Any, str, Any]":
 
 
 def _is_batched(holder: Any, name: str) -> bool:
-    shape = getattr(type(holder).__dataclass_fields__[name].type, "shape", ())
+    shape: Any = getattr(type(holder).__dataclass_fields__[name].type, "shape", ())
     return bool(shape) and shape[0] in ("*", "nworld")
 
 
