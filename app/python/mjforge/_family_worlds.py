@@ -15,7 +15,6 @@ if TYPE_CHECKING:
 _DERIVED = ("body_subtreemass", "body_invweight0", "dof_invweight0", "dof_M0", "tendon_length0", "tendon_invweight0",
             "actuator_acc0", "actuator_length0", "cam_pos0", "cam_poscom0", "cam_mat0", "light_pos0",
             "light_poscom0", "light_dir0", "eq_data")
-_STATISTICS = ("meaninertia", "meanmass", "meansize", "extent", "center")
 
 
 class Worlds:
@@ -90,7 +89,6 @@ class Worlds:
         """Lets MuJoCo compute, in each world, what it derives from the numbers."""
         work = copy.copy(self._model)
         data = self._mujoco.MjData(work)
-        statistics = self._own_statistics()
         # Equalities have numbers of both kinds, so those that are given must be kept apart.
         given = [(name, array.copy() if name == "eq_data" else array) for name, array in self.arrays.items()
                  if name not in _DERIVED[:-1] and not name.startswith("stat.")]
@@ -104,20 +102,17 @@ class Worlds:
         names = [name for name in _DERIVED if getattr(self._model, name).size]
         names += self._others(work, compute, names)
         taken = [(getattr(work, name), self.array(name)) for name in names]
-        numbers = [(name, self.array(f"stat.{name}")) for name in statistics]
         for world in range(self._count):
             compute(world)
             for source, array in taken:
                 array[world] = source[:array.shape[1]]
-            for name, array in numbers:
-                array[world] = getattr(work.stat, name)
+        self._derive_mean_inertia()
 
-    def _own_statistics(self) -> list[str]:
-        """The statistics that MuJoCo computed from the model, and not its author."""
-        again = copy.copy(self._model)
-        self._mujoco.mj_setConst(again, self._mujoco.MjData(again))
-        return [name for name in _STATISTICS
-                if self._np.allclose(getattr(again.stat, name), getattr(self._model.stat, name), rtol=1e-9, atol=0)]
+    def _derive_mean_inertia(self) -> None:
+        """Computes the mean inertia, by which solvers scale their tolerance, unless the author of the scene chose it."""
+        mean = self._model.dof_M0.mean() if self._model.nv else None
+        if mean is not None and self._np.isclose(mean, self._model.stat.meaninertia, rtol=1e-9, atol=0):
+            self.array("stat.meaninertia")[...] = self.arrays["dof_M0"].mean(axis=1)
 
     def _others(self, work: MjModel, compute: Callable[[int], None], known: Sequence[str]) -> list[str]:
         """Other arrays that mj_setConst changes in the first, the middle or the last world."""
