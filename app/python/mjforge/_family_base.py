@@ -15,6 +15,8 @@ _SHARED = ("inertia", "maxhullvert", "smoothnormal", "needsdf", "refpos", "refqu
            "material")
 _LISTS = ("userface", "usernormal", "usertexcoord", "userfacenormal", "userfacetexcoord")
 
+_CONVEX_INERTIA = (3, 12)  # first release of MuJoCo that can compute it of a mesh that no geom uses
+
 
 def mesh_of_row(mesh: str, row: int) -> str:
     """Name of the mesh that a variant has in place of a mesh of the base."""
@@ -61,11 +63,16 @@ def spec_of(file: FamilyFile) -> MjSpec:
 
 def _copies_of(mesh: MjsMesh, spec: MjSpec, count: int) -> Iterator[MjsMesh]:
     """Adds a mesh for each variant, without vertices."""
-    shared = {name: getattr(mesh, name) for name in (*_SHARED, *_LISTS) if hasattr(mesh, name)}
+    shared = {name: getattr(mesh, name) for name in _SHARED if hasattr(mesh, name)}
+    shared.update({name: value for name in _LISTS if len(value := getattr(mesh, name, ()))})
     collides = any(geom.meshname == mesh.name and (geom.contype or geom.conaffinity) for geom in spec.geoms)
     if collides and (len(mesh.userface) or mesh.file):
-        # Without this, a mesh that no geom of the base has gets no convex hull.
-        shared["inertia"] = _mujoco().mjtMeshInertia.mjMESH_INERTIA_CONVEX
+        # Otherwise a mesh that no geom of the base has would get no convex hull.
+        mujoco = _mujoco()
+        if tuple(map(int, mujoco.__version__.split(".")[:2])) < _CONVEX_INERTIA:
+            raise ImportError(f"mesh '{mesh.name}' differs between variants, collides and has faces: mujoco "
+                              f"{mujoco.__version__} crashes on that; python -m pip install 'mujoco>=3.12'")
+        shared["inertia"] = mujoco.mjtMeshInertia.mjMESH_INERTIA_CONVEX
     for row in range(count):
         copy = spec.add_mesh(name=mesh_of_row(mesh.name, row))
         for name, value in shared.items():
