@@ -5,11 +5,10 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence, Union
 
-from ._family_base import compiled, spec_of
-from ._family_file import FamilyFile
-
 if TYPE_CHECKING:
     from mujoco import MjModel, MjSpec  # type: ignore[import-not-found, import-untyped, unused-ignore]
+
+    from ._family_file import FamilyFile
 
 Prefix = Union[str, Sequence[str]]
 Rows = Any  # whole numbers: a list, or an array of NumPy
@@ -43,6 +42,8 @@ class Family:
         """A new MjSpec of the object, to be changed or attached to a scene. If meshes differ between variants,
         it has those of all variants, from which `fields` chooses (`geom_dataid`). It has no keyframe: see `start`.
         """
+        from ._family_base import spec_of
+
         return spec_of(self._file)
 
     @property
@@ -146,6 +147,8 @@ class Family:
 
     def _compiled(self) -> MjModel:
         """The compiled base, without the meshes of variants."""
+        from ._family_base import compiled
+
         if self._model is None:
             self._model = compiled(self._file)
         return self._model
@@ -157,4 +160,6 @@ def load_family(path: "Union[str, os.PathLike[str]]") -> Family:
     Raises FileNotFoundError without the file, ValueError if it is not a family, was cut short or changed,
     ImportError without NumPy.
     """
+    from ._family_file import FamilyFile  # keeps the import of the package short
+
     return Family(FamilyFile(path))

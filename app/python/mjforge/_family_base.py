@@ -5,10 +5,10 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING, Any, Iterator
 
-from ._family_file import FamilyFile
-
 if TYPE_CHECKING:
     from mujoco import MjModel, MjsMesh, MjSpec  # type: ignore[import-not-found, import-untyped, unused-ignore]
+
+    from ._family_file import FamilyFile
 
 # Attributes of a mesh that its copies for the variants have, too. Releases of MuJoCo have not all of them.
 _SHARED = ("inertia", "maxhullvert", "smoothnormal", "needsdf", "refpos", "refquat", "content_type",

@@ -29,8 +29,8 @@ class FamilyFile:
 
     def __init__(self, path: "Union[str, os.PathLike[str]]") -> None:
         self.path = pathlib.Path(path_of(path, "path"))
-        self._numpy = numpy_module()
         _expect_file(self.path)
+        self._numpy = numpy_module()
         _expect_unchanged(self.path)
         self.members = self._read()
         self.facts: dict[str, Any] = self._facts()
