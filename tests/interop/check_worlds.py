@@ -7,6 +7,8 @@ move as each variant's own MJCF moves alone in plain MuJoCo.
 import functools
 import importlib.metadata
 import pathlib
+import re
+import subprocess
 import sys
 import tempfile
 
@@ -24,6 +26,7 @@ from report import check, expect, finish, raises
 from scenes import PREFIX, STEPS, families, in_motion, on_floor, simulate_alone
 
 WARP = f"mujoco-warp {importlib.metadata.version('mujoco-warp')}"
+EXAMPLE = pathlib.Path(__file__).parents[2] / "docs/examples/python/hammers_in_warp.py"
 BATCH = f"mujoco.batch {mujoco.__version__}"
 
 
@@ -41,8 +44,7 @@ def put(model, state):
     worlds = len(state["qpos"])
     data = mujoco_warp.put_data(model, mujoco.MjData(model), nworld=worlds, nconmax=200, njmax=1200)
     for name, values in state.items():
-        if values.size:
-            getattr(data, name).assign(values)
+        getattr(data, name).assign(values)
     return data
 
 
@@ -70,8 +72,7 @@ def check_batch(file):
     worlds = batch.Batch(model, nsim=len(family))
     family.to_batch(worlds, PREFIX)
     for name, values in state.items():
-        if values.size:
-            setattr(worlds, name, values)
+        setattr(worlds, name, values)
     worst = 0
     for step in range(STEPS):
         worlds.step()
@@ -137,6 +138,14 @@ def check_shared_fields(file):
     raises(ValueError, "site_size differs between worlds", family.to_warp, mujoco_warp.put_model(model), model, PREFIX)
 
 
+def check_example():
+    """The example of docs/families.md."""
+    said = subprocess.run([sys.executable, EXAMPLE], capture_output=True, text=True, check=True).stdout.splitlines()
+    expect(re.fullmatch(r"64 hammers of 0\.0\d+ to 0\.\d+ kg are \d+ to \d+ mm above the floor after a second", said[-2]), f"{said}")
+    expect(re.fullmatch(r"after a reset, worlds 3 and 9 have 0\.\d+ and 0\.\d+ kg", said[-1]), f"{said}")
+    return said[-2]
+
+
 def check_arguments(file):
     family, model, *_ = case(file)
     m = mujoco_warp.put_model(model)
@@ -162,5 +171,6 @@ with warp.ScopedDevice("cpu"):
     check(f"{WARP} family, a reset", check_reset, hammer)
     check(f"{WARP} family, static geoms", check_static_geoms)
     check(f"{WARP} family, shared fields", check_shared_fields, pathlib.Path(folder, "family/pot.npz"))
+    check(f"{WARP} family, the example", check_example)
     check(f"{WARP} family, arguments", check_arguments, hammer)
 finish()

@@ -101,7 +101,8 @@ class Family:
 
     def start(self, model: MjModel, prefix: Prefix = "", rows: Rows = None, *,
               over: Optional[Mapping[str, Any]] = None) -> dict[str, Any]:
-        """The start state of each world: arrays qpos, qvel, act, ctrl, mocap_pos and mocap_quat.
+        """The start state of each world: those of the arrays qpos, qvel, act, ctrl, mocap_pos and mocap_quat that
+        the model has numbers for.
 
         The object is where it stands in the scene, and its joints are at their start; everything else is at
         its default. The arguments are those of `fields`, and `over` is the result of another `start`.

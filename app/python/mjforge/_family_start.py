@@ -34,7 +34,7 @@ def start_of(family: Family, model: MjModel, prefix: Any, rows: Any,
         state[name][...] = array
     for each, variants in placed:
         _place(Placed(family, model, each), variants, state)
-    return state
+    return {name: array for name, array in state.items() if array.size}
 
 
 def _defaults(model: MjModel, worlds: int) -> dict[str, Any]:
