@@ -35,7 +35,7 @@ const std::array kRooms = {
     Room{"start", {"diag", "expr", "sample", "model"}},
     Room{"assemble", {"bytes", "diag", "expr", "spec", "sample", "solid", "model", "start"}},
     Room{"split", {"diag", "model"}},
-    Room{"padding", {"diag", "model"}},
+    Room{"padding", {"sample", "model"}},
     Room{"distance", {"model"}},
     Room{"placing", {"solid", "model", "distance"}},
     Room{"static_checks", {"diag", "expr", "sample", "model", "distance"}},

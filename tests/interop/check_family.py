@@ -37,10 +37,29 @@ FIELDS = ("body_pos body_quat body_mass body_ipos body_subtreemass body_invweigh
           "actuator_gainprm actuator_biasprm actuator_gear tendon_range").split()
 
 
+def twins(mine, own, kind):
+    """Ids, in the model of a family, of the elements of a variant, which lacks those that are null. A geom of another
+    type than the first one of its name has its type in its name."""
+    name_of = lambda i: getattr(own, kind)(i).name
+    if getattr(mine, f"n{kind}") == getattr(own, f"n{kind}"):
+        return np.arange(getattr(own, f"n{kind}"))
+    ids = []
+    for i in range(getattr(own, f"n{kind}")):
+        twin = getattr(mine, kind)(name_of(i))
+        if kind == "geom" and mine.geom_type[twin.id] != own.geom_type[i]:
+            stem, _, suffix = name_of(i).partition("_vis")
+            type_name = mujoco.mjtGeom(own.geom_type[i]).name.removeprefix("mjGEOM_").lower()
+            twin = mine.geom(f"{stem}.{type_name}" + ("_vis" if name_of(i).endswith("_vis") else suffix))
+        ids.append(twin.id)
+    return np.array(ids, dtype=int)
+
+
 def compare(mine, own):
     """That all fields of two models are equal."""
+    ids = {kind: twins(mine, own, kind) for kind in ("geom", "site")}
     for field in FIELDS:
         a, b = getattr(mine, field), getattr(own, field)
+        a = a[ids[field.split("_")[0]]] if field.split("_")[0] in ids else a
         if field in ("body_ipos", "body_invweight0"):  # a body without mass has no centre
             a, b = a[own.body_mass > 0], b[own.body_mass > 0]
         expect(a.shape == b.shape, f"{field} has the shape {a.shape}, not {b.shape}")
@@ -53,8 +72,10 @@ def compare(mine, own):
     a, b = tensors(mine), tensors(own)
     error = np.max(np.abs(a - b)) / np.max(np.abs(b))
     expect(error < 1e-6, f"inertia differs by {error:.1e}")
-    look = lambda m: [m.mat(m.geom_matid[g]).name if m.geom_matid[g] >= 0 else "" for g in range(m.ngeom)]
-    expect(look(mine) == look(own), "other materials")
+    look = lambda m, geoms: [m.mat(m.geom_matid[g]).name if m.geom_matid[g] >= 0 else "" for g in geoms]
+    expect(look(mine, ids["geom"]) == look(own, range(own.ngeom)), "other materials")
+    null = np.setdiff1d(np.arange(mine.ngeom), ids["geom"])
+    expect((mine.geom_rgba[null] == 0).all() and (mine.geom_matid[null] < 0).all(), "a null geom is visible")
     colour = lambda m: {m.mat(k).name: m.mat_rgba[k] for k in range(m.nmat)}
     for name, rgba in colour(own).items():
         expect(np.allclose(colour(mine)[name], rgba, atol=1e-6), f"{name} has another colour")
@@ -62,12 +83,14 @@ def compare(mine, own):
 
 def expect_flags(base, own):
     """That each flag of the base, from which an engine skips work, is right for a variant."""
+    geoms, sites = twins(base, own, "geom"), twins(base, own, "site")
+    everything = np.arange(own.nbody)
     weighs = own.body_mass > 0
     is_mesh = own.geom_type == mujoco.mjtGeom.mjGEOM_MESH  # whose frame depends on the release
     frames = mujoco.mjtSameFrame
-    for field, counts in (("body_sameframe", weighs), ("geom_sameframe", ~is_mesh),
-                          ("site_sameframe", np.full(own.nsite, True))):
-        a, b = getattr(base, field)[counts], getattr(own, field)[counts]
+    for field, ids, counts in (("body_sameframe", everything, weighs), ("geom_sameframe", geoms, ~is_mesh),
+                               ("site_sameframe", sites, np.full(own.nsite, True))):
+        a, b = getattr(base, field)[ids][counts], getattr(own, field)[counts]
         right = ((a == frames.mjSAMEFRAME_NONE) | (a == b)
                  | ((a == frames.mjSAMEFRAME_BODYROT) & (b == frames.mjSAMEFRAME_BODY))
                  | ((a == frames.mjSAMEFRAME_INERTIAROT) & (b == frames.mjSAMEFRAME_INERTIA)))

@@ -37,14 +37,16 @@ SETS = {
 # Families (`-o NAME.npz`), and what makes all their variants one structure.
 FAMILIES = {
     "hammer": ["hammer", "--set", "handle_shape=box"],
-    "mug": ["mug", "--set", "handle_shape=round"],
+    "any_hammer": ["hammer"],
+    "mug": ["mug"],
     "pot": ["containers/pot_with_handles", "--set", "solid_handle=false"],
     "hinged_box": ["articulated/hinged_box"],
     "cabinet": ["articulated/drawer_cabinet", "--set", "drawers=3", "--set", "handle=bar"],
     "scissors": ["articulated/scissors"],
 }
 FAMILY_SIZE = 64
-FIXED = {"cabinet"}  # whose worlds need a mocap body
+# Options of the family, and not of its variants alone: null geoms, and a mocap body.
+OF_FAMILY = {"any_hammer": ["--pad"], "mug": ["--pad"], "cabinet": ["--mocap"]}
 
 
 @dataclasses.dataclass
@@ -151,7 +153,7 @@ def generate(program, folder, is_all):
                 shutil.rmtree(folder / target / name, ignore_errors=True)
                 print(f"{target} cannot take {name}: it has free bodies", flush=True)
     for name, options in FAMILIES.items():
-        for output, more in ((f"{name}.npz", ["--mocap"] if name in FIXED else []), (f"{name}/", [])):
+        for output, more in ((f"{name}.npz", OF_FAMILY.get(name, [])), (f"{name}/", [])):
             run([program, "generate", *options, *more, "-n", str(FAMILY_SIZE), "--seed", "7",
                  "-o", str(folder / "family" / output), "--quiet"])
     for target in ("robosuite", "robocasa"):

@@ -201,7 +201,7 @@ bool Generator::Build(sample::Evaluator& values, Variant& variant) {
   diag::Findings of_scene;
   mjcf::Adapt(*object, target, options_.each ? of_scene : variant.findings);
   if (of_scene.HasErrors()) variant.findings.Append(std::move(of_scene));
-  if (superset_ && !superset_->Complete(*object, variant.findings)) return false;
+  if (superset_) superset_->Complete(*object);
   variant.object = std::make_shared<const model::Object>(*std::move(object));
   if (variant.findings.HasErrors()) return false;
   mjcf::Provenance provenance = record;

@@ -3,6 +3,8 @@
 #include "mjforge/padding/null_elements.h"
 
 #include <algorithm>
+#include <string_view>
+#include <utility>
 
 namespace mjforge::padding {
 namespace {
@@ -23,28 +25,32 @@ Eigen::Vector3d CenterOf(const model::Part& part) {
   return part.X_BG * MeanVertex(*part.shape.mesh);
 }
 
-// Removes the attributes that give an element a look, or contacts beyond its surface, and hides it.
-void Hide(std::vector<model::Attribute>& attributes) {
-  std::erase_if(attributes, [](const model::Attribute& attribute) {
-    return attribute.name == "rgba" || attribute.name == "margin" || attribute.name == "gap";
-  });
-  attributes.push_back({.name = "rgba", .numbers = {0, 0, 0, 0}, .text = {}});
+// MuJoCo up to 3.4 takes the larger of two geoms' margins and gaps, m, and has no force at
+// distances above margin - gap; later releases add them, and find contacts below margin + gap. With
+// these numbers there is no force in either. Collision masks cannot be zero, because worlds share
+// them.
+constexpr double kNullMargin = -2000;
+constexpr double kNullGap = 1000;
+
+// Replaces a number of an element.
+void Set(std::string_view name, sample::Numbers numbers,
+         std::vector<model::Attribute>& attributes) {
+  std::erase_if(attributes, [&](const model::Attribute& one) { return one.name == name; });
+  attributes.push_back({.name = name, .numbers = std::move(numbers), .text = {}});
 }
 
 }  // namespace
 
-std::optional<Eigen::Vector3d> DeepestPoint(const model::Body& body) {
-  const model::Part* largest = nullptr;
-  double volume = 0;
+Eigen::Vector3d MiddleOf(const model::Body& body) {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  double largest = 0;
   for (const model::Part& part : body.parts) {
-    if (part.role == model::Role::kVisual) continue;
-    const double here = model::Volume(part.shape);
-    if (largest != nullptr && here <= volume) continue;
-    largest = &part;
-    volume = here;
+    const double volume = part.role == model::Role::kVisual ? 0 : model::Volume(part.shape);
+    if (volume <= largest) continue;
+    largest = volume;
+    middle = CenterOf(part);
   }
-  if (largest == nullptr) return std::nullopt;
-  return CenterOf(*largest);
+  return middle;
 }
 
 std::unique_ptr<model::MeshAsset> NullMesh(const model::MeshAsset& mesh) {
@@ -73,7 +79,9 @@ void MakeNull(const Eigen::Vector3d& center, model::Part& part) {
   part.X_GS = {};
   part.is_shell = false;
   part.material = -1;
-  Hide(part.attributes);
+  Set("rgba", {0, 0, 0, 0}, part.attributes);
+  Set("margin", {kNullMargin}, part.attributes);
+  Set("gap", {kNullGap}, part.attributes);
 }
 
 void MakeNull(const Eigen::Vector3d& center, model::Site& site) {
@@ -81,7 +89,7 @@ void MakeNull(const Eigen::Vector3d& center, model::Site& site) {
   site.X_BS.p = center;
   site.size.head(model::SizeCount(site.type)).setConstant(kNullSize);
   site.material = -1;
-  Hide(site.attributes);
+  Set("rgba", {0, 0, 0, 0}, site.attributes);
 }
 
 }  // namespace mjforge::padding

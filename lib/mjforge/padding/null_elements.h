@@ -2,17 +2,17 @@
 
 #pragma once
 
-#include <optional>
+#include <memory>
 
 #include "mjforge/model/model.h"
 
 namespace mjforge::padding {
 
-/// Returns the centre of the largest convex shape of a body that collides, m; nothing if no part
-/// collides. An element this deep inside the body is touched only by what penetrates the body.
-std::optional<Eigen::Vector3d> DeepestPoint(const model::Body& body);
+/// Returns the centre of the largest colliding shape of a body, or its origin if no part collides,
+/// m. An element there does not change the bounds of the body.
+Eigen::Vector3d MiddleOf(const model::Body& body);
 
-/// Returns a mesh like this one with a size of kNullSize.
+/// Returns a mesh like this one, but tiny.
 std::unique_ptr<model::MeshAsset> NullMesh(const model::MeshAsset& mesh);
 
 /// Makes a part null, with its centre at a point of the body. A part with a mesh has a null one.

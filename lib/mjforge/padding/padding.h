@@ -1,6 +1,6 @@
 // Padding: each variant of a family gets the geoms and sites that any variant has, because parallel
 // worlds share their number and their types. The additional ones are null: without mass and
-// visibility, and so small and so deep inside the body that nothing touches them.
+// visibility and contacts, and tiny, in the middle of their body.
 
 #pragma once
 
@@ -11,7 +11,6 @@
 #include <string_view>
 #include <vector>
 
-#include "mjforge/diag/diag.h"
 #include "mjforge/model/model.h"
 
 namespace mjforge::padding {
@@ -24,9 +23,8 @@ class Superset {
 
   /// Gives an object all parts, sites and meshes of the bodies that it has, in an order that is the
   /// same for all objects. An element has another name if one of another type has its name in
-  /// another variant: "handle" is a box, "handle.cylinder" the cylinder. Returns false, after
-  /// adding a finding, if a body has no place for a null geom.
-  bool Complete(model::Object& object, diag::Findings& findings) const;
+  /// another variant: "handle" is a box, "handle.cylinder" the cylinder.
+  void Complete(model::Object& object) const;
 
  private:
   // Elements of a kind, each as the first variant with it has it, but with its name here. Keys are

@@ -129,15 +129,14 @@ Superset::PartSlot Superset::NewSlot(const Part& part, const model::Object& obje
 // The completion of one object.
 class Superset::Completion {
  public:
-  Completion(const Superset& superset, model::Object& object, diag::Findings& findings)
-      : superset_(superset), object_(object), findings_(findings) {}
+  Completion(const Superset& superset, model::Object& object)
+      : superset_(superset), object_(object) {}
 
-  bool operator()() {
+  void operator()() {
     for (model::Body& body : object_.bodies) {
       const std::vector<std::string> part_keys = KeysOf(body);
       const auto found = superset_.bodies_.find(body.name);
-      if (found != superset_.bodies_.end() && !CompleteBody(found->second, part_keys, body))
-        return false;
+      if (found != superset_.bodies_.end()) CompleteBody(found->second, part_keys, body);
     }
     TakeSharedMeshes();
     for (model::Body& body : object_.bodies) {
@@ -146,7 +145,6 @@ class Superset::Completion {
     for (model::Section& section : object_.sections) {
       for (model::Element& element : section.elements) Redirect(renamed_, element);
     }
-    return true;
   }
 
  private:
@@ -229,10 +227,9 @@ class Superset::Completion {
     element.name = name;
   }
 
-  bool CompleteBody(const BodySlots& slots, const std::vector<std::string>& part_keys,
+  void CompleteBody(const BodySlots& slots, const std::vector<std::string>& part_keys,
                     model::Body& body) {
-    const std::optional<Eigen::Vector3d> center = DeepestPoint(body);
-    const PartSlot* homeless = nullptr;
+    const Eigen::Vector3d middle = MiddleOf(body);
     Arrange(
         slots.parts, part_keys, body.parts,
         [&](const PartSlot& slot, Part& part) {
@@ -241,9 +238,8 @@ class Superset::Completion {
             OwnMesh(std::make_unique<model::MeshAsset>(MeshOf(part, object_)), slot, part);
         },
         [&](const PartSlot& slot) {
-          if (!center && slot.part.role != model::Role::kVisual) homeless = &slot;
           Part part = slot.part;
-          MakeNull(center.value_or(Eigen::Vector3d::Zero()), part);
+          MakeNull(middle, part);
           if (slot.null_mesh)
             OwnMesh(std::make_unique<model::MeshAsset>(*slot.null_mesh), slot, part);
           return part;
@@ -254,28 +250,17 @@ class Superset::Completion {
         slots.sites, site_keys, body.sites,
         [&](const Site& slot, Site& site) { Rename("site", slot.name, site); },
         [&](Site site) {
-          MakeNull(center.value_or(Eigen::Vector3d::Zero()), site);
+          MakeNull(middle, site);
           return site;
         });
-    if (homeless != nullptr) {
-      findings_.Add(diag::Code::kMujocoStructure, body.mark,
-                    fmt::format("body '{}' lacks the geom '{}' of other variants, and has no "
-                                "colliding part that could hide a null geom",
-                                body.name, homeless->part.name),
-                    "give the body a part that all variants have");
-    }
-    return homeless == nullptr;
   }
 
   const Superset& superset_;
   model::Object& object_;
-  diag::Findings& findings_;
   std::map<const model::TriangleMesh*, std::unique_ptr<model::MeshAsset>> own_meshes_;
   Renamed renamed_;
 };
 
-bool Superset::Complete(model::Object& object, diag::Findings& findings) const {
-  return Completion(*this, object, findings)();
-}
+void Superset::Complete(model::Object& object) const { Completion(*this, object)(); }
 
 }  // namespace mjforge::padding

@@ -33,10 +33,8 @@ std::vector<model::Object> Completed(const Texts& bodies) {
   for (const std::string& body : bodies) superset.Add(ObjectOf(body));
   std::vector<model::Object> objects;
   for (const std::string& body : bodies) {
-    diag::Findings findings;
     objects.push_back(ObjectOf(body));
-    CHECK(superset.Complete(objects.back(), findings));
-    CHECK(findings.empty());
+    superset.Complete(objects.back());
   }
   return objects;
 }
@@ -77,11 +75,13 @@ TEST_CASE("a part that a variant lacks is null and in the largest part") {
   CHECK(null.mass == 0);
   CHECK(null.density == 0);
   CHECK(null.material == -1);
-  CHECK(model::FindAttribute(null.attributes, "margin") == nullptr);
+  CHECK(model::FindAttribute(null.attributes, "margin")->numbers == sample::Numbers{-2000});
+  CHECK(model::FindAttribute(null.attributes, "gap")->numbers == sample::Numbers{1000});
   REQUIRE(model::FindAttribute(null.attributes, "condim") != nullptr);
   CHECK(model::FindAttribute(null.attributes, "rgba")->numbers == sample::Numbers{0, 0, 0, 0});
   CHECK(PartOf(objects[1], "knob").shape.size[0] == 0.05);
-  CHECK(model::FindAttribute(PartOf(objects[1], "knob").attributes, "margin") != nullptr);
+  CHECK(model::FindAttribute(PartOf(objects[1], "knob").attributes, "margin")->numbers ==
+        sample::Numbers{0.01});
 }
 
 TEST_CASE("parts of another type have a name of their own, and references follow") {
@@ -146,21 +146,14 @@ TEST_CASE("a part with a mesh that may be null shares it with no other part") {
                         PartOf(objects[1], "b").X_BG.p));
 }
 
-TEST_CASE("a body without a colliding part cannot hide a null geom") {
-  const std::string arm = "bodies: [{name: arm, mass: 1, parts: [";
-  const std::string bar = "{name: bar, type: box, size: [0.1, 0.1, 0.1]}";
-  Superset superset;
-  superset.Add(ObjectOf("parts:\n" + std::string(kCore) + arm + bar + "]}]\n"));
-  model::Object object = ObjectOf("parts:\n" + std::string(kCore) +
-                                  "bodies: [{name: arm, parts: [{name: look, type: sphere, size: "
-                                  "0.1, role: visual}]}]\n");
-  diag::Findings findings;
-  CHECK_FALSE(superset.Complete(object, findings));
-  REQUIRE(findings.size() == 1);
-  CHECK(findings.begin()->code == diag::Code::kMujocoStructure);
-  CHECK(findings.begin()->message ==
-        "body 'arm' lacks the geom 'bar' of other variants, and has no colliding part that could "
-        "hide a null geom");
+TEST_CASE("a null geom of a body without colliding parts is at its origin") {
+  const std::string core = "parts:\n" + std::string(kCore);
+  const std::string look = "{name: look, type: sphere, size: 0.1, pos: [1, 1, 1], role: visual}";
+  const auto objects = Completed(
+      {core + "bodies: [{name: arm, parts: [{name: bar, type: box, size: [0.1, 0.1, 0.1]}]}]\n",
+       core + "bodies: [{name: arm, parts: [" + look + "]}]\n"});
+  REQUIRE(NamesOf(objects[1].bodies[1].parts) == Texts{"look", "bar"});
+  CHECK(objects[1].bodies[1].parts[1].X_BG.p == Eigen::Vector3d(0, 0, 0));
 }
 
 }  // namespace
