@@ -54,7 +54,8 @@ def spec_of(file: FamilyFile) -> MjSpec:
     own = {mesh.name: mesh for mesh in spec.meshes}
     for name, vertices in file.columns("mesh_vert/").items():
         for row, mesh in enumerate(_copies_of(own[name], spec, file.count)):
-            mesh.scale, mesh.uservert = [1, 1, 1], vertices[row].ravel()
+            # The base's scale, so that vertices are rounded as in the variant's own file.
+            mesh.scale, mesh.uservert = own[name].scale, (vertices[row] / own[name].scale).ravel()
     for name, scale in file.columns("mesh_scale/").items():
         for row, mesh in enumerate(_copies_of(own[name], spec, file.count)):
             mesh.scale, mesh.file = scale[row], own[name].file
