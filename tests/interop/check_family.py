@@ -6,6 +6,7 @@ that scene: the same numbers, and the same motion.
 
 import json
 import pathlib
+import pickle
 import shutil
 import sys
 import tempfile
@@ -188,6 +189,8 @@ def check_table(folder):
         expect(np.array_equal(mine[name], column), f"{name} differs")
     expect(np.array_equal(family.parameters["handle_length"], own["params.handle_length"]), "another handle_length")
     expect(family.facts["seed"] == 7 and len(family) == 64, f"{family.facts}")
+    again = pickle.loads(pickle.dumps(family))
+    expect(np.array_equal(again.arrays["geom_size"], family.arrays["geom_size"]), "a pickle has other numbers")
 
 
 def check_refusals(folder):

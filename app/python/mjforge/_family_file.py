@@ -30,9 +30,9 @@ class FamilyFile:
     def __init__(self, path: "Union[str, os.PathLike[str]]") -> None:
         self.path = pathlib.Path(path_of(path, "path"))
         _expect_file(self.path)
-        self._numpy = numpy_module()
+        numpy = numpy_module()
         _expect_unchanged(self.path)
-        self.members = self._read()
+        self.members = self._read(numpy)
         self.facts: dict[str, Any] = self._facts()
         self.count = int(self.facts["variants"])
         self._check_members()
@@ -58,12 +58,12 @@ class FamilyFile:
         """The members of a folder, by their names in it."""
         return {name[len(folder):]: array for name, array in self.members.items() if name.startswith(folder)}
 
-    def _read(self) -> dict[str, Any]:
+    def _read(self, numpy: Any) -> dict[str, Any]:
         with open(self.path, "rb") as file:
             if file.read(2) != b"PK":
                 raise ValueError(f"'{self.path}' is not a family that 'mjforge generate -o NAME.npz' wrote")
         try:
-            with self._numpy.load(self.path, allow_pickle=False) as members:
+            with numpy.load(self.path, allow_pickle=False) as members:
                 return dict(members.items())
         except (zipfile.BadZipFile, EOFError, ValueError, KeyError, AttributeError, NotImplementedError,
                 UnicodeDecodeError) as error:
