@@ -8,6 +8,7 @@ import sys
 import tempfile
 import unittest
 import unittest.mock
+import zipfile
 
 import mjforge
 
@@ -50,6 +51,17 @@ class Families(unittest.TestCase):
         series = self.folder / "balls_%s.npz"
         self.refused(ValueError, series,
                      f"path='{series}' names a file for each structure; name one of them: balls_1.npz")
+
+    def test_have_mocap_bodies_if_asked(self):
+        post = {"mjforge": 1, "name": "post", "joints": "none", "params": {"r": {"uniform": [0.01, 0.02]}},
+                "parts": [{"name": "post", "type": "cylinder", "size": ["r", 0.2]}]}
+        for mocap in (False, True):
+            file = self.folder / f"posts_{mocap}.npz"
+            self.assertTrue(mjforge.Spec(post).variants(seed=7).write(file, 2, mocap=mocap).ok)
+            with zipfile.ZipFile(file) as members:
+                self.assertEqual(b'mocap="true"' in members.read("base.npy"), mocap)
+        with self.assertRaisesRegex(TypeError, "^mocap=1 is not True or False"):
+            mjforge.Spec(post).variants().write(self.folder / "posts.npz", 2, mocap=1)
 
     def test_say_that_numpy_is_missing(self):
         file = self.write()

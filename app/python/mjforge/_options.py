@@ -97,7 +97,7 @@ _CHECKS: dict[str, Callable[[Any, str], Any]] = {
     "target": word, "assets": word, "sampler": word, "on_invalid": word, "validate": word,
     "durability": word, "profile": word,
     "resume": flag, "verify": flag, "force": flag, "if_changed": flag, "each": flag,
-    "physics": flag, "progress": function,
+    "mocap": flag, "physics": flag, "progress": function,
 }
 # Options that may be None, which stands for their default.
 _OPTIONAL = {"place_seed", "batch", "jobs", "per_archive", "time_limit", "shard", "profile",

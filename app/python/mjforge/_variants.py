@@ -119,6 +119,7 @@ class Variants:
         verify: bool = False,
         if_changed: bool = False,
         durability: Optional[Durability] = None,
+        mocap: bool = False,
     ) -> Report:
         """Writes the first `count`, or those of a slice, as `mjforge generate` does, which it runs:
         files or archives and a manifest. They are the same as those made here.
@@ -126,7 +127,8 @@ class Variants:
         `progress(done, total)` is called after each variant of this run; `total` is None for a
         shard. `jobs`: processes (default: one per core). `time_limit`: s for each variant.
         `validate`: default: that of `variants()`, but at least "load". All other options are the
-        command's: `first` is the first index, `shard="0/4"` a part of the batch.
+        command's: `first` is the first index, `shard="0/4"` a part of the batch, and `mocap=True` makes
+        fixed bodies of a family (output "NAME.npz") mocap bodies.
 
         Returns a report, also if variants failed. Raises OSError where writing fails. After Ctrl-C
         or an exception of `progress` every file is complete, and `resume=True` continues.
@@ -142,7 +144,7 @@ class Variants:
             "output": output, "jobs": jobs, "time_limit": time_limit, "resume": resume,
             "shard": shard, "per_archive": per_archive, "profile": profile, "each": each,
             "force": force, "verify": verify, "if_changed": if_changed, "durability": durability,
-            "progress": progress, "validate": self._validation() if validate is None else validate})
+            "mocap": mocap, "progress": progress, "validate": self._validation() if validate is None else validate})
         if options["output"] in ("", "-"):
             raise ValueError(f"output={options['output']!r} is not a file, an archive or a folder")
         del options["progress"]
