@@ -228,6 +228,16 @@ def check_files(folder):
         members = dict(np.load(pathlib.Path(folder, "family/hammer.npz")).items())
         np.savez(file, **{**members, "geom_size": members["geom_size"][:3]})
         raises(ValueError, "'geom_size' has the shape (3, ", mjforge.load_family, file)
+        np.savez(file, **{**members, "mass": members["mass"].astype(str)})
+        raises(ValueError, "'mass' has no numbers", mjforge.load_family, file)
+        np.savez(file, **{**members, "body_mass.names": np.array(["nail"])})
+        changed = mjforge.load_family(file)
+        raises(ValueError, "body_mass has 'nail', which is not in its base", changed.fields, on_floor(changed.base),
+               PREFIX)
+        encrypted = bytearray(whole)
+        encrypted[whole.index(b"PK\1\2") + 8] |= 1  # a flag of the first member
+        file.write_bytes(encrypted)
+        raises(ValueError, "was cut short or changed", mjforge.load_family, file)
         np.savez(file, **{**members, "geom_size.names": members["geom_size.names"][:1]})
         raises(ValueError, "'geom_size.names' has the shape (1,)", mjforge.load_family, file)
         raises(ValueError, "is a folder, and a family is one file; name one of its files: hammer.npz",

@@ -133,8 +133,10 @@ class Placed:
             raise ValueError(f"'{self.family.path}': {field} has {names.count('')} of {all_names.count('')} elements "
                              "without names: give them names in the spec")
         unnamed = (i for i, name in enumerate(all_names) if not name)
-        found = [all_names.index(name) if name else next(unnamed) for name in names]
-        return self._np.array(found, dtype=int)
+        numbers = {name: i for i, name in enumerate(all_names)}
+        if strange := sorted(set(names) - numbers.keys()):
+            raise ValueError(f"'{self.family.path}' was changed: {field} has '{strange[0]}', which is not in its base")
+        return self._np.array([numbers[name] if name else next(unnamed) for name in names], dtype=int)
 
     def coordinates(self, field: str) -> "tuple[Any, Any]":
         """Positions in the base and in the scene of numbers of joints: degrees of freedom or coordinates."""
