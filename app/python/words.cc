@@ -30,6 +30,7 @@ MjforgeText MjforgeWords() {
     AddWords(json, "on_invalid", manifest::kOnInvalid);
     AddWords(json, "validate", manifest::kValidations);
     AddWords(json, "durability", output::kDurabilities);
+    AddWords(json, "layout", manifest::kLayouts);
     json.EndObject();
     return json.Take();
   }();

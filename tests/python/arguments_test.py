@@ -76,8 +76,9 @@ class Arguments(InFolder):
                                     "did you mean 'robosuite'"):
             SPEC.variants(target="robosuit")
         for option, words in _options.WORDS.items():
-            call = SPEC.variants().write if option == "durability" else SPEC.variants
-            arguments = ("unused", 1) if option == "durability" else ()
+            is_written = option in ("durability", "layout")
+            call = SPEC.variants().write if is_written else SPEC.variants
+            arguments = ("unused", 1) if is_written else ()
             with self.assertRaisesRegex(ValueError, f"{option}='{words[0]}x' is not one of .*{words[-1]}.*; "
                                         f"did you mean '{words[0]}'"):
                 call(*arguments, **{option: words[0] + "x"})
@@ -85,7 +86,7 @@ class Arguments(InFolder):
     def test_types_have_the_words_of_the_library(self):
         types = {"target": _options.Target, "assets": _options.Assets, "sampler": _options.Sampler,
                  "on_invalid": _options.OnInvalid, "validate": _options.Validate,
-                 "durability": _options.Durability}
+                 "durability": _options.Durability, "layout": _options.Layout}
         self.assertEqual({name: list(typing.get_args(each)) for name, each in types.items()}, _options.WORDS)
 
     def test_options_of_write(self):

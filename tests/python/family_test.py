@@ -63,6 +63,19 @@ class Families(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "^mocap=1 is not True or False"):
             mjforge.Spec(post).variants().write(self.folder / "posts.npz", 2, mocap=1)
 
+    def test_are_padded_or_split_if_asked(self):
+        pin = {"mjforge": 1, "name": "pin", "params": {"shape": {"cycle": ["box", "ball"]}},
+               "parts": [{"name": "core", "type": "box", "size": [0.02, 0.02, 0.02]},
+                         {"name": "knob", "if": "shape == 'ball'", "type": "sphere", "size": 0.03}]}
+        variants = mjforge.Spec(pin).variants(seed=7)
+        report = variants.write(self.folder / "padded.npz", 4, pad=True)
+        self.assertEqual((report.ok, len(list(self.folder.glob("padded*.npz")))), (True, 1))
+        with self.assertRaisesRegex(ValueError, "^record is that of a variant with null geoms"):
+            mjforge.Variant.from_record(next(mjforge.Batch(report.manifest).records()), pin)
+        self.assertTrue(variants.write(self.folder / "split_%s.npz", 4, layout="split").ok)
+        self.assertEqual(len(list(self.folder.glob("split_*.npz"))), 2)
+        self.assertFalse(variants.write(self.folder / "one.npz", 4).ok)
+
     def test_say_that_numpy_is_missing(self):
         file = self.write()
         with unittest.mock.patch("importlib.import_module", side_effect=ImportError):

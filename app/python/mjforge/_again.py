@@ -42,6 +42,9 @@ def make_again(record: Mapping[str, Any], spec: Union[Source, Spec, None],
         raise ValueError(f"record has no {missing[0]!r}: it is not a line of a manifest")
     if record.get("each"):
         raise ValueError("record is that of a scene whose objects are files of their own (--each)")
+    if record.get("pad"):
+        raise ValueError("record is that of a variant with null geoms (--pad): load_family(...).to_model(...) has its "
+                         "model, and the command `replay` makes its MJCF")
     if spec is None:
         spec = _spec_of(record, folder)
     elif not isinstance(spec, Spec):

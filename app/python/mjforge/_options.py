@@ -17,6 +17,7 @@ Sampler = Literal["random", "sobol", "latin", "grid"]
 OnInvalid = Literal["fail", "skip", "resample"]
 Validate = Literal["none", "load", "physics"]
 Durability = Literal["none", "batch"]
+Layout = Literal["any", "one", "split"]
 Profile = Literal["none", "simready"]
 
 # The words that the library knows, by option. A test compares the types above with them.
@@ -95,9 +96,9 @@ _CHECKS: dict[str, Callable[[Any, str], Any]] = {
     "jobs": count, "per_archive": count, "time_limit": seconds,
     "name": text, "shard": text, "output": path,
     "target": word, "assets": word, "sampler": word, "on_invalid": word, "validate": word,
-    "durability": word, "profile": word,
+    "durability": word, "profile": word, "layout": word,
     "resume": flag, "verify": flag, "force": flag, "if_changed": flag, "each": flag,
-    "mocap": flag, "physics": flag, "progress": function,
+    "mocap": flag, "pad": flag, "physics": flag, "progress": function,
 }
 # Options that may be None, which stands for their default.
 _OPTIONAL = {"place_seed", "batch", "jobs", "per_archive", "time_limit", "shard", "profile",

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Callable, Iterator, Optional, Sequence, U
 from . import _command, _options
 from ._findings import VariantError
 from ._maker import Maker
-from ._options import Durability, Profile, Validate
+from ._options import Durability, Layout, Profile, Validate
 from ._report import Report, manifest_of, report_of
 from ._variant import Variant
 
@@ -120,6 +120,8 @@ class Variants:
         if_changed: bool = False,
         durability: Optional[Durability] = None,
         mocap: bool = False,
+        pad: bool = False,
+        layout: "Layout" = "any",
     ) -> Report:
         """Writes the first `count`, or those of a slice, as `mjforge generate` does, which it runs:
         files or archives and a manifest. They are the same as those made here.
@@ -127,8 +129,9 @@ class Variants:
         `progress(done, total)` is called after each variant of this run; `total` is None for a
         shard. `jobs`: processes (default: one per core). `time_limit`: s for each variant.
         `validate`: default: that of `variants()`, but at least "load". All other options are the
-        command's: `first` is the first index, `shard="0/4"` a part of the batch, and `mocap=True` makes
-        fixed bodies of a family (output "NAME.npz") mocap bodies.
+        command's: `first` is the first index, `shard="0/4"` a part of the batch. For a family (output
+        "NAME.npz"), `mocap=True` makes fixed bodies mocap bodies, and `pad=True` geoms that a variant lacks
+        null; `layout="split"` makes one of each structure ("NAME_%s.npz").
 
         Returns a report, also if variants failed. Raises OSError where writing fails. After Ctrl-C
         or an exception of `progress` every file is complete, and `resume=True` continues.
@@ -144,7 +147,8 @@ class Variants:
             "output": output, "jobs": jobs, "time_limit": time_limit, "resume": resume,
             "shard": shard, "per_archive": per_archive, "profile": profile, "each": each,
             "force": force, "verify": verify, "if_changed": if_changed, "durability": durability,
-            "mocap": mocap, "progress": progress, "validate": self._validation() if validate is None else validate})
+            "mocap": mocap, "pad": pad, "layout": layout, "progress": progress,
+            "validate": self._validation() if validate is None else validate})
         if options["output"] in ("", "-"):
             raise ValueError(f"output={options['output']!r} is not a file, an archive or a folder")
         del options["progress"]
