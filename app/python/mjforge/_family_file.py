@@ -6,12 +6,14 @@ import importlib
 import json
 import os
 import pathlib
+import zipfile
 from typing import Any, NoReturn, Union
 
 from . import _command
 from ._options import path as path_of
 
 _FORMAT = 1  # of the file; a later one has another number
+_END = 22  # bytes of the end record of a zip archive
 _PER_VARIANT = ("index", "mass", "bounds", "top_offset", "bottom_offset", "horizontal_radius")
 
 
@@ -62,6 +64,7 @@ class FamilyFile:
             if file.read(2) != b"PK":
                 raise ValueError(f"'{self.path}' is not a family that 'mjforge generate -o NAME.npz' wrote")
         try:
+            _expect_whole(self.path)
             with numpy.load(self.path, allow_pickle=False) as members:
                 return dict(members.items())
         except Exception as error:  # zipfile and NumPy raise many kinds for broken archives
@@ -116,6 +119,20 @@ def _expect_file(path: pathlib.Path) -> None:
         raise ValueError(f"path='{path}' names a file for each structure; name one of them"
                          + (f": {', '.join(found[:5])}" if found else ""))
     raise FileNotFoundError(f"'{path}' does not exist: 'mjforge generate SPEC -n 64 -o NAME.npz' writes a family")
+
+
+def _expect_whole(path: pathlib.Path) -> None:
+    """Compares checksums, which NumPy does not if a shape was changed, and the number of members, which the
+    archive's end states.
+    """
+    with open(path, "rb") as file, zipfile.ZipFile(file) as archive:
+        if broken := archive.testzip():
+            raise ValueError(f"the checksum of '{broken}' is another")
+        file.seek(-_END, os.SEEK_END)
+        end = file.read()
+        stated, count = int.from_bytes(end[10:12], "little"), len(archive.infolist())
+        if not end.startswith(b"PK\5\6") or stated not in (count, 0xFFFF):
+            raise ValueError(f"it has {count} of {stated} members")
 
 
 def _expect_unchanged(path: pathlib.Path) -> None:
