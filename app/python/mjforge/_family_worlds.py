@@ -109,7 +109,7 @@ class Worlds:
         self._derive_mean_inertia()
 
     def _derive_mean_inertia(self) -> None:
-        """Computes the mean inertia, by which solvers scale their tolerance, unless the author of the scene chose it."""
+        """Computes the mean inertia, by which solvers scale their tolerance, unless the scene states another one."""
         mean = self._model.dof_M0.mean() if self._model.nv else None
         if mean is not None and self._np.isclose(mean, self._model.stat.meaninertia, rtol=1e-9, atol=0):
             self.array("stat.meaninertia")[...] = self.arrays["dof_M0"].mean(axis=1)

@@ -68,7 +68,7 @@ def _differs(values: Any, model: MjModel, field: str) -> bool:
 
 
 def _is_used(field: str, model: MjModel) -> bool:
-    """False for fields without which the scene moves alike."""
+    """Returns false for fields that do not affect the motion of the scene."""
     mujoco = _module_of(model)
     if field == "dof_length":
         return bool(model.opt.enableflags & int(getattr(mujoco.mjtEnableBit, "mjENBL_SLEEP", 0)))
