@@ -312,6 +312,74 @@ def check_mesh_from_a_file(folder):
         raises(ImportError, "mesh 'rock_k' differs", lambda: family.base)
 
 
+RIG = """
+mjforge: 1
+name: rig
+joints: none
+params: {width: 4cm .. 8cm, turn: 5deg .. 40deg, speed: 0.1 .. 1, kp: 20 .. 50}
+parts: [{name: palm, type: box, size: [1cm, width / 2, 1cm]}]
+bodies:
+  - name: finger_${i}
+    for: {i: 2}
+    pos: [0, (2 * i - 1) * (width / 2 - 1cm), 4.1cm]
+    parts:
+      - {name: 'pad_${i}', type: box, size: [1cm, 5mm, 3cm]}
+      - {name: 'tip_${i}', type: box, size: [1cm, 5mm, 5mm], pos: [2cm, 0, 25mm]}  # turns the axes of inertia
+    joints: [{name: 'slide_${i}', type: slide, axis: [0, 1 - 2 * i, 0], range: [0, width / 2 - 1.5cm]}]
+  - name: flap
+    pos: [-4cm, 0, 0]
+    parts: [{name: flap, type: box, size: [2cm, 1cm, 2mm]}]
+    joints: [{name: swing, axis: [0, 1, 0], range: [-90deg, 90deg], armature: 0.01}]
+  - name: lever
+    pos: [6cm, 0, 0]
+    parts: [{name: lever, type: box, size: [2cm, 1cm, 2mm]}]
+    joints: [{name: tilt, axis: [0, 1, 0], range: [-90deg, 90deg], armature: 0.01}]
+contact: {exclude: [[finger_0, finger_1]]}
+pose:
+  - {joint: swing, value: turn, velocity: speed}
+  - {joint: tilt, value: turn / 2}
+mjcf:
+  tendon:
+    - fixed: {name: grip, children: [{joint: {joint: slide_0, coef: 0.5}}, {joint: {joint: slide_1, coef: 0.5}}]}
+  equality: [{joint: {name: together, joint1: slide_0, joint2: slide_1}}]
+  actuator:
+    - position: {name: close, tendon: grip, kp: kp, ctrlrange: [0, width / 2]}
+    - position: {name: servo, joint: swing, kp: 2}
+    - intvelocity: {name: drive, joint: tilt, kp: 2, actrange: [-3, 3]}
+"""
+
+
+def check_actuators(folder):
+    """Objects with tendons, equalities and actuators: their starts have velocities, controls and activations."""
+    with tempfile.TemporaryDirectory() as place:
+        file = pathlib.Path(place, "rig.npz")
+        for output in (file, f"{place}/rig/"):
+            report = mjforge.Spec(RIG).variants(seed=7).write(output, 8)
+            expect(report.ok, str(report))
+        family = mjforge.load_family(file)
+        scene = on_floor(family.base)
+        starts = family.start(scene, PREFIX)
+        for name in ("qpos", "qvel", "act", "ctrl"):
+            expect(len(np.unique(starts[name].round(9), axis=0)) == 8, f"{name} of all starts: {starts[name]}")
+        for row in range(len(family)):
+            xml = str(xml_of(file, family, row))
+            own, alone = on_floor(mujoco.MjSpec.from_file(xml)), mujoco.MjModel.from_xml_path(xml)
+            mine = family.to_model(scene, PREFIX, row)
+            compare(mine, own)
+            for name, values in starts.items():
+                expect(np.allclose(values[row], getattr(alone, f"key_{name}")[0], atol=1e-9), f"another {name}")
+            expect(np.allclose(driven(mine, starts, row), driven(own, starts, row), rtol=0, atol=1e-9), "another motion")
+
+
+def driven(model, starts, row):
+    """Where a start of a family is after some steps with its controls."""
+    data = mujoco.MjData(model)
+    for name, values in starts.items():
+        getattr(data, name)[:] = values[row]
+    mujoco.mj_step(model, data, STEPS)
+    return data.qpos
+
+
 RELEASE = f"mujoco {mujoco.__version__} family"
 for npz, one in families(sys.argv[1]):
     check(f"{RELEASE} {npz.stem}", check_family, npz, one)
@@ -319,6 +387,7 @@ for name, action in {"twice, beside a robot": check_two_beside_a_robot,
                      "where the user moved it": check_pose_in_another_frame,
                      "as a table": check_table, "refusals": check_refusals, "files": check_files,
                      "archives": check_archives, "seal": check_seal,
-                     "of one": check_one, "of a mesh file": check_mesh_from_a_file}.items():
+                     "of one": check_one, "of a mesh file": check_mesh_from_a_file,
+                     "with actuators": check_actuators}.items():
     check(f"{RELEASE}, {name}", action, sys.argv[1])
 finish()
