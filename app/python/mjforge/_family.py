@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, Sequence, Union
 
 if TYPE_CHECKING:
     from mujoco import MjModel, MjSpec  # type: ignore[import-not-found, import-untyped, unused-ignore]
@@ -136,6 +136,45 @@ class Family:
         from ._to_batch import to_batch
 
         to_batch(self, batch, prefix, rows, over, worlds)
+
+    def to_mjx(self, model: MjModel, prefix: Prefix = "", rows: Rows = None, *,
+               over: Optional[Mapping[str, Any]] = None) -> "tuple[dict[str, Any], Any]":
+        """The numbers of each world for MJX (its implementation in JAX): a dict, and axes for jax.vmap.
+
+        >>> numbers, axes = hammers.to_mjx(model, "hammer/")  # doctest: +SKIP
+        >>> worlds = mjx.put_model(model).tree_replace(numbers)  # doctest: +SKIP
+        >>> step = jax.jit(jax.vmap(mjx.step, in_axes=(axes, 0)))  # doctest: +SKIP
+
+        The arguments are those of `fields`. Meshes that collide must have convex hulls with the same faces, as those
+        of `--target mjx` have. Raises ValueError for this, and for a field that MJX has once for all worlds. Looks
+        that MJX does not read (such as `mat_rgba` of a renderer) are left as they are.
+        """
+        from ._to_mjx import replacements
+
+        return replacements(model, self.fields(model, prefix, rows, over=over))
+
+    def to_mjlab(self, name: str, mode: str = "startup", rows: "Optional[Callable[[Any, Any], Any]]" = None,
+                 ) -> "tuple[Any, Any]":
+        """An entity of mjlab (EntityCfg), and the event (EventTermCfg) that gives environments their variants.
+
+        `name` is that of the entity in SceneCfg.entities. `mode`: "startup" gives each environment a variant in
+        turn, "reset" another one, drawn at random, at each of its resets. `rows` chooses otherwise: it is called with
+        the environment and a tensor of ids, and returns a row of the family for each. An event has an attribute
+        `rows`: the rows that environments have now.
+        """
+        from ._to_mjlab import entity_and_event
+
+        return entity_and_event(self, name, mode, rows)
+
+    def to_newton(self, builder: Any, rows: Rows = None, **options: Any) -> None:
+        """Adds worlds to a newton.ModelBuilder, each with the variant of its row.
+
+        Each world is imported with `add_mjcf`, which gets the options, from MJCF of its variant, so that all of
+        Newton's solvers have its numbers. Without rows, each variant has a world.
+        """
+        from ._to_newton import add_worlds
+
+        add_worlds(self, builder, rows, options)
 
     def __len__(self) -> int:
         return self._file.count

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import importlib
 import json
 import os
@@ -58,6 +59,14 @@ class FamilyFile:
     def columns(self, folder: str) -> dict[str, Any]:
         """The members of a folder, by their names in it."""
         return {name[len(folder):]: array for name, array in self.members.items() if name.startswith(folder)}
+
+    def only(self, row: int) -> FamilyFile:
+        """The same file with a single variant."""
+        one = copy.copy(self)
+        one.members = {name: array[row:row + 1] if self._has_rows(name) else array
+                       for name, array in self.members.items()}
+        one.count = 1
+        return one
 
     def _read(self, numpy: Any) -> dict[str, Any]:
         with open(self.path, "rb") as file:

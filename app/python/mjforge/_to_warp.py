@@ -24,6 +24,16 @@ def to_warp(family: Family, m: Any, model: MjModel, prefix: Any, rows: Any,
 
 def write(m: Any, fields: Mapping[str, Any], model: MjModel, worlds: Any = None) -> None:
     """Gives the worlds of a model of Warp the numbers of a scene's fields; see Family.fields."""
+    changes = changes_of(m, fields, model)
+    at = None if worlds is None else worlds_of(worlds, next(len(values) for values in fields.values()))
+    for holder, name, values in changes:
+        _assign(holder, name, values, at)
+
+
+def changes_of(m: Any, fields: Mapping[str, Any], model: MjModel) -> "list[tuple[Any, str, Any]]":
+    """The arrays of a model of Warp that differ between worlds: the object that has it, its name there, and its
+    numbers in each world. Raises ValueError for differences that Warp cannot have.
+    """
     if m.ngeom != model.ngeom or m.nbody != model.nbody or m.nv != model.nv:
         raise ValueError(f"m has {m.nbody} bodies, {m.ngeom} geoms and {m.nv} degrees of freedom, and the model "
                          f"{model.nbody}, {model.ngeom} and {model.nv}: it was not made from this model")
@@ -38,9 +48,7 @@ def write(m: Any, fields: Mapping[str, Any], model: MjModel, worlds: Any = None)
             changes.append((holder, name, _shaped(target, values)))
         elif _is_used(field, model) and _differs(values, model, field):
             raise ValueError(f"{field} differs between worlds, and MuJoCo Warp shares it between them")
-    at = None if worlds is None else worlds_of(worlds, next(len(values) for values in fields.values()))
-    for holder, name, values in changes:
-        _assign(holder, name, values, at)
+    return changes
 
 
 def _member(m: Any, field: str, values: Any) -> "tuple[Any, str, Any]":
