@@ -87,8 +87,9 @@ HOSTS = {
                           "the example of an environment, as written, also with joints; "
                           "the environment `Lift` with a Panda, in which four of the objects are the "
                           "cube; a scene of 11 objects beside a Panda, each a file (`--each`)", alone=["robosuite==1.5.2"]),
-    "mjx": Host(["mujoco-mjx"], ["check_mjx.py"],
-                "a world with everything that it could touch, on the device"),
+    "mjx": Host(["mujoco-mjx"], ["check_mjx.py", "check_mjx_worlds.py"],
+                "a world with everything that it could touch, on the device; families, each of 64 worlds with its own "
+                "variant, as each variant alone in MuJoCo", long=["check_mjx_worlds.py --slow"]),
     # It needs what MuJoCo 4.0 no longer has.
     "dm_control": Host(["dm_control", "mujoco==3.17.0"], ["check_dm_control.py"],
                        "`mjcf.from_path` and `Physics`: bodies, joints, geoms, masses, with inline "
@@ -98,16 +99,18 @@ HOSTS = {
     "drake": Host(["drake"], ["check_drake.py"],
                   "bodies, joints, collision geometries, mass, with `--assets files`; it leaves "
                   "inline meshes out", heavy=True),
-    "newton": Host(["newton", "mujoco-warp", "trimesh", "Pillow", "scipy"], ["check_newton.py"],
-                   "bodies, shapes, mass, with inline meshes and with `--assets files`", heavy=True),
+    "newton": Host(["newton", "mujoco-warp", "trimesh", "Pillow", "scipy"],
+                   ["check_newton.py", "check_newton_worlds.py"],
+                   "bodies, shapes, mass, with inline meshes and with `--assets files`; the worlds of a family",
+                   heavy=True),
     "mujoco-warp": Host(["mujoco-warp"], ["check_worlds.py"],
                         "six families, each of 64 worlds with its own variant, as each variant alone in MuJoCo, on "
                         "the CPU, also in `mujoco.batch`; masses on the device; three objects step as in MuJoCo",
                         long=["check_warp.py"]),
     # With PyTorch and its CUDA: 7 GB on the disk, although the CPU is enough here.
-    "mjlab": Host(["mjlab"], ["check_mjlab.py"],
+    "mjlab": Host(["mjlab"], ["check_mjlab.py", "check_mjlab_worlds.py"],
                   "`EntityCfg` and `Entity`: bodies, joints, geoms, masses; three objects step in two "
-                  "worlds as in MuJoCo, on the CPU", heavy=True),
+                  "worlds as in MuJoCo, on the CPU; a family in 64 worlds, also after a reset", heavy=True),
     "usd": Host(["mujoco-usd-converter"], ["check_usd.py"],
                 "bodies, joints, colliders, stated masses, with `--assets files`; it refuses inline "
                 "meshes and leaves ellipsoids out", heavy=True),
@@ -156,6 +159,11 @@ def generate(program, folder, is_all):
         for output, more in ((f"{name}.npz", OF_FAMILY.get(name, [])), (f"{name}/", [])):
             run([program, "generate", *options, *more, "-n", str(FAMILY_SIZE), "--seed", "7",
                  "-o", str(folder / "family" / output), "--quiet"])
+        run([program, "generate", *options, *(["--mocap"] if name in FIXED else []), "-n", str(FAMILY_SIZE),
+             "--seed", "7", "--target", "mjx", "-o", str(folder / "family_mjx" / f"{name}.npz"), "--quiet"])
+    for spec in ("primitives/cylinder", HERE / "uneven.yaml", HERE / "string.yaml"):
+        run([program, "generate", str(spec), "-n", str(FAMILY_SIZE), "--seed", "7", "--target", "mjx",
+             "-o", str(folder / "family_mjx" / f"{pathlib.Path(spec).stem}.npz"), "--quiet"])
     for target in ("robosuite", "robocasa"):
         run([program, "generate", str(HERE / "scene.yaml"), "--each", "--target", target,
              "-o", f"{folder / 'each' / target}/", "--quiet"])
@@ -194,7 +202,8 @@ def run_host(base, folder, host, package, is_all):
     environment = dict(os.environ, PYTHONDONTWRITEBYTECODE="1", PYTHONWARNINGS="ignore",
                        PYTHONPATH=str(package))
     for script in chosen.scripts + (chosen.long if is_all else []):
-        result = subprocess.run([folder / host / "bin/python", HERE / script, folder / "files"],
+        name, *words = script.split()
+        result = subprocess.run([folder / host / "bin/python", HERE / name, folder / "files", *words],
                                 capture_output=True, text=True, env=environment, cwd=folder)
         said = [line for line in result.stdout.splitlines() if line.startswith(("ok ", "FAILED "))]
         if not said or (result.returncode != 0 and all(line.startswith("ok ") for line in said)):
