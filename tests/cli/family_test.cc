@@ -6,8 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "harness/command.h"
-#include "harness/npz.h"
+#include "family_test.h"
 
 namespace mjforge {
 namespace {
@@ -34,36 +33,12 @@ parts:
      pos: [0, 0, 0.3], density: 900}
 )";
 
-class FamilyTest : public harness::ProgramTest {
+class FamilyFileTest : public FamilyTest {
  protected:
-  FamilyTest() { folder().Write("tool.yaml", kTool); }
-
-  // Runs `generate` with these arguments; fails the test unless the status is as expected.
-  CommandResult Generate(std::vector<std::string> arguments, int status = 0) const {
-    arguments.insert(arguments.begin(), {"generate", "-q", "--seed", "7"});
-    CommandResult result = Run(std::move(arguments));
-    INFO(result.err);
-    CHECK(result.status == status);
-    return result;
-  }
-  std::map<std::string, NpyArray> Arrays(const std::string& file) const {
-    return harness::NpzByName(folder().Read(file));
-  }
-  nlohmann::json Facts(const std::string& file) const {
-    return nlohmann::json::parse(Arrays(file).at("family").bytes);
-  }
+  FamilyFileTest() { folder().Write("tool.yaml", kTool); }
 };
 
-// Returns the number of an element in the names beside an array.
-std::size_t NumberOf(const std::map<std::string, NpyArray>& arrays, const std::string& field,
-                     const std::string& element) {
-  const std::vector<std::string> names = arrays.at(field + ".names").Texts();
-  const auto found = std::ranges::find(names, element);
-  REQUIRE(found != names.end());
-  return static_cast<std::size_t>(found - names.begin());
-}
-
-TEST_CASE_METHOD(FamilyTest, "a family has the numbers of each variant, by element") {
+TEST_CASE_METHOD(FamilyFileTest, "a family has the numbers of each variant, by element") {
   Generate({"tool.yaml", "-n", "9", "-o", "tools.npz"});
   Generate({"tool.yaml", "-n", "9", "-o", "out"});
   const auto arrays = Arrays("tools.npz");
@@ -87,7 +62,7 @@ TEST_CASE_METHOD(FamilyTest, "a family has the numbers of each variant, by eleme
   CHECK_FALSE(arrays.contains("dof_damping"));
 }
 
-TEST_CASE_METHOD(FamilyTest, "the base has the materials of all variants") {
+TEST_CASE_METHOD(FamilyFileTest, "the base has the materials of all variants") {
   Generate({"tool.yaml", "-n", "9", "-o", "tools.npz"});
   const auto arrays = Arrays("tools.npz");
   const std::vector<std::string> materials = arrays.at("materials").Texts();
@@ -109,7 +84,7 @@ TEST_CASE_METHOD(FamilyTest, "the base has the materials of all variants") {
   CHECK_FALSE(base.starts_with("<!--"));
 }
 
-TEST_CASE_METHOD(FamilyTest, "a family's bytes are the same for all jobs, stops and shards") {
+TEST_CASE_METHOD(FamilyFileTest, "a family's bytes are the same for all jobs, stops and shards") {
   Generate({"tool.yaml", "-n", "300", "-j", "1", "-o", "a/t.npz"});
   Generate({"tool.yaml", "-n", "300", "-j", "3", "-o", "b/t.npz"});
   const std::string bytes = folder().Read("a/t.npz");
@@ -131,7 +106,8 @@ TEST_CASE_METHOD(FamilyTest, "a family's bytes are the same for all jobs, stops 
   CHECK(folder().Read("d/t.manifest.jsonl") == folder().Read("a/t.manifest.jsonl"));
 }
 
-TEST_CASE_METHOD(FamilyTest, "a family is verified, inspected, replayed and kept as archives are") {
+TEST_CASE_METHOD(FamilyFileTest,
+                 "a family is verified, inspected, replayed and kept as archives are") {
   Generate({"tool.yaml", "-n", "70", "-o", "t.npz"});
   CHECK(Run({"verify", "t.npz"}).status == 0);
   CHECK(Run({"verify", "t.manifest.jsonl"}).status == 0);
@@ -149,7 +125,7 @@ TEST_CASE_METHOD(FamilyTest, "a family is verified, inspected, replayed and kept
   CHECK(changed.err.find("batch/changed") != std::string::npos);
 }
 
-TEST_CASE_METHOD(FamilyTest, "invalid variants have no row") {
+TEST_CASE_METHOD(FamilyFileTest, "invalid variants have no row") {
   folder().Write("luck.yaml",
                  "mjforge: 1\nname: luck\n"
                  "params: {r: {cycle: [1cm, -1cm, 2cm]}}\n"
@@ -164,7 +140,7 @@ TEST_CASE_METHOD(FamilyTest, "invalid variants have no row") {
   CHECK(Facts("m.npz").at("count") == 6);
 }
 
-TEST_CASE_METHOD(FamilyTest, "a second structure is an error that says what differs") {
+TEST_CASE_METHOD(FamilyFileTest, "a second structure is an error that says what differs") {
   folder().Write("mixed.yaml",
                  "mjforge: 1\nname: mixed\n"
                  "params: {shape: {cycle: [box, ball, box]}, r: 1cm .. 2cm}\n"
@@ -182,7 +158,7 @@ TEST_CASE_METHOD(FamilyTest, "a second structure is an error that says what diff
   CHECK(Arrays("s.npz").at("index").shape == Shape{3});
 }
 
-TEST_CASE_METHOD(FamilyTest, "a coincidence of some variants is not in the base") {
+TEST_CASE_METHOD(FamilyFileTest, "a coincidence of some variants is not in the base") {
   folder().Write("shifted.yaml",
                  "mjforge: 1\nname: shifted\n"
                  "params: {shift: {cycle: [0, 0.05, 0.1]}, r: 1cm .. 2cm}\n"
@@ -205,110 +181,7 @@ TEST_CASE_METHOD(FamilyTest, "a coincidence of some variants is not in the base"
   CHECK(Facts("z.npz").at("moved") == nlohmann::json::object());
 }
 
-constexpr const char* kMixed = R"(mjforge: 1
-name: mixed
-params: {shape: {cycle: [box, ball]}, knobs: {cycle: [0, 2, 1]}, r: 1cm .. 2cm}
-parts:
-  - {name: core, type: box, size: [3cm, 3cm, r]}
-  - {name: body, if: shape == 'box', type: box, size: [r, r, r], pos: [0, 0, 4cm]}
-  - {name: body, if: shape == 'ball', type: sphere, size: r, pos: [0, 0, 4cm]}
-  - {name: "knob_${i}", for: {i: knobs}, type: prism, polygon: [[0, 0], [2cm, 0], [0, 1cm]],
-     height: 1cm, pos: [5cm, 0, 1cm * i]}
-)";
-
-TEST_CASE_METHOD(FamilyTest, "padded variants have the geoms of all") {
-  folder().Write("mixed.yaml", kMixed);
-  CHECK(Generate({"mixed.yaml", "-n", "6", "-o", "no.npz"}, 1).err.find("--pad makes geoms") !=
-        std::string::npos);
-  Generate({"mixed.yaml", "-n", "6", "--pad", "-o", "m.npz"});
-  CHECK(Facts("m.npz").at("pad") == true);
-  const auto arrays = Arrays("m.npz");
-  CHECK(arrays.at("index").shape == Shape{6});
-  const std::size_t knob = NumberOf(arrays, "geom_rgba", "mixed_knob_1");
-  const std::size_t ball = NumberOf(arrays, "geom_size", "mixed_body.sphere");
-  const std::size_t box = NumberOf(arrays, "geom_size", "mixed_body");
-  const std::vector<double> colors = arrays.at("geom_rgba").Numbers();
-  const std::vector<double> sizes = arrays.at("geom_size").Numbers();
-  const std::size_t elements = arrays.at("geom_rgba").shape[1];
-  const std::size_t sized = arrays.at("geom_size").shape[1];
-  for (std::size_t i = 0; i < 6; ++i) {
-    CHECK((colors[4 * (elements * i + knob) + 3] > 0) == (i % 3 == 1));
-    CHECK((sizes[3 * (sized * i + ball)] > 0.005) == (i % 2 == 1));
-    CHECK((sizes[3 * (sized * i + box)] > 0.005) == (i % 2 == 0));
-  }
-}
-
-TEST_CASE_METHOD(FamilyTest, "each structure has a family, however they are made") {
-  folder().Write("mixed.yaml", kMixed);
-  const auto make = [&](const std::string& place, std::vector<std::string> more) {
-    more.insert(more.begin(), {"mixed.yaml", "-n", "300", "--layout", "split", "-o", place});
-    Generate(std::move(more));
-  };
-  const auto families = [&](const std::string& where) {
-    std::map<std::string, std::string> files;
-    for (const std::string& file : folder().Files()) {
-      if (file.starts_with(where) && !file.ends_with(".rows"))
-        files[file.substr(2)] = folder().Read(file);
-    }
-    std::erase_if(files, [](const auto& file) {
-      return file.first.find("-of-") != std::string::npos || file.first.ends_with(".seal.json");
-    });
-    return files;
-  };
-  make("a/m_%s.npz", {"-j", "1"});
-  CHECK(families("a").size() == 6 + 1);  // two shapes, three numbers of knobs; the manifest
-  make("b/m_%s.npz", {"-j", "3"});
-  CHECK(families("b") == families("a"));
-  for (const char* seconds : {"0.05", "0.15"}) {
-    harness::Command{.program = "timeout",
-                     .arguments = {"--signal", "KILL", seconds, harness::MjforgeProgram().string(),
-                                   "generate", "-q", "--seed", "7", "mixed.yaml", "-n", "300", "-j",
-                                   "2", "--layout", "split", "-o", "c/m_%s.npz", "--resume"},
-                     .folder = folder().path()}
-        .Run();
-  }
-  make("c/m_%s.npz", {"--resume"});
-  CHECK(families("c") == families("a"));
-  for (const char* shard : {"1/2", "0/2"}) make("d/m_%s.npz", {"--shard", shard});
-  CHECK(Run({"merge", "d/m_%s.npz"}).status == 0);
-  CHECK(families("d") == families("a"));
-  CHECK(Run({"verify", "a/m.manifest.jsonl"}).err.find("7 files") != std::string::npos);
-  CHECK(Run({"replay", "a/m.manifest.jsonl:5"}).status == 0);
-  const std::string first = "a/" + families("a").begin()->first;
-  std::filesystem::remove(folder() / first);
-  make("a/m_%s.npz", {"--resume"});
-  CHECK(families("a") == families("b"));
-}
-
-TEST_CASE_METHOD(FamilyTest, "a padded family does not depend on how it is made") {
-  folder().Write("mixed.yaml", kMixed);
-  Generate({"mixed.yaml", "-n", "9", "--first", "2", "--pad", "-j", "1", "-o", "a.npz"});
-  Generate({"mixed.yaml", "-n", "9", "--first", "2", "--pad", "-j", "3", "-o", "b.npz"});
-  CHECK(folder().Read("a.npz") == folder().Read("b.npz"));
-  for (const char* shard : {"0/3", "1/3", "2/3"}) {
-    Generate({"mixed.yaml", "-n", "9", "--first", "2", "--pad", "--shard", shard, "-o", "c.npz"});
-  }
-  CHECK(Run({"merge", "c.npz"}).status == 0);
-  CHECK(folder().Read("a.npz") == folder().Read("c.npz"));
-  CHECK(Run({"verify", "a.manifest.jsonl"}).status == 0);
-  const CommandResult replay = Run({"replay", "a.manifest.jsonl:5"});
-  INFO(replay.err);
-  CHECK(replay.status == 0);
-}
-
-TEST_CASE_METHOD(FamilyTest, "a joint cannot be null") {
-  folder().Write("arms.yaml",
-                 "mjforge: 1\nname: arms\nparams: {count: {cycle: [1, 2]}}\n"
-                 "parts: [{name: core, type: box, size: [1cm, 1cm, 1cm]}]\n"
-                 "bodies:\n  - {name: 'arm_${i}', for: {i: count}, pos: [0, 0, 5cm * (i + 1)],\n"
-                 "     parts: [{name: 'bar_${i}', type: box, size: [1cm, 1cm, 1cm]}],\n"
-                 "     joints: [{name: 'turn_${i}', type: hinge}]}\n");
-  const CommandResult result = Generate({"arms.yaml", "-n", "4", "--pad", "-o", "arms.npz"}, 1);
-  CHECK(result.err.find("only geoms and sites can be null") != std::string::npos);
-  CHECK(result.err.find("mujoco/structure") != std::string::npos);
-}
-
-TEST_CASE_METHOD(FamilyTest, "fixed bodies become mocap bodies if they are wanted") {
+TEST_CASE_METHOD(FamilyFileTest, "fixed bodies become mocap bodies if they are wanted") {
   folder().Write(
       "post.yaml",
       "mjforge: 1\nname: post\nparams: {h: 0.1 .. 0.2}\njoints: none\n"
@@ -327,7 +200,7 @@ TEST_CASE_METHOD(FamilyTest, "fixed bodies become mocap bodies if they are wante
   CHECK(Arrays("q.npz").at("base").bytes.find("mocap") == std::string::npos);
 }
 
-TEST_CASE_METHOD(FamilyTest, "options that a family cannot have are wrong usage") {
+TEST_CASE_METHOD(FamilyFileTest, "options that a family cannot have are wrong usage") {
   const auto refused = [&](std::vector<std::string> more, const std::string& words) {
     more.insert(more.begin(), "tool.yaml");
     const CommandResult result = Generate(std::move(more), 2);
@@ -348,7 +221,7 @@ TEST_CASE_METHOD(FamilyTest, "options that a family cannot have are wrong usage"
   refused({"-n", "2", "--mocap", "-o", "t.tar"}, "--mocap is for families");
 }
 
-TEST_CASE_METHOD(FamilyTest, "a file that is no family is not overwritten") {
+TEST_CASE_METHOD(FamilyFileTest, "a file that is no family is not overwritten") {
   folder().Write("t.npz", "PK\x03\x04 something else, which is longer than a header of a member");
   const CommandResult result = Generate({"tool.yaml", "-n", "2", "-o", "t.npz"}, 3);
   CHECK(result.err.find("'t.npz' exists and was not made by mjforge") != std::string::npos);
@@ -357,7 +230,7 @@ TEST_CASE_METHOD(FamilyTest, "a file that is no family is not overwritten") {
   CHECK(Arrays("t.npz").at("index").shape == Shape{2});
 }
 
-TEST_CASE_METHOD(FamilyTest,
+TEST_CASE_METHOD(FamilyFileTest,
                  "a mesh from a file has its scale, because its vertices have no order") {
   folder().Write("t.obj",
                  "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0.3 0.9 0.1\n"
@@ -381,7 +254,7 @@ TEST_CASE_METHOD(FamilyTest,
   }
 }
 
-TEST_CASE_METHOD(FamilyTest, "friction of tendons is in all variants or in none") {
+TEST_CASE_METHOD(FamilyFileTest, "friction of tendons is in all variants or in none") {
   folder().Write(
       "bow.yaml",
       "mjforge: 1\nname: bow\nparams: {loss: {choice: [0, 0.1]}}\n"

@@ -371,6 +371,38 @@ def check_actuators(folder):
             expect(np.allclose(driven(mine, starts, row), driven(own, starts, row), rtol=0, atol=1e-9), "another motion")
 
 
+HUNG = """
+mjforge: 1
+name: hung
+params: {h: 3cm .. 9cm}
+joints: none
+parts: [{name: hull, type: box, size: [10cm, 3cm, h], mass: 0.1}]
+bodies:
+  - {name: arm, pos: [0.1, 0, h + 0.05], joints: free, parts: [{name: arm, type: box, size: [2cm, 2cm, 3cm], mass: 0.1}]}
+  - {name: bob, pos: [0.3, 0, h + 0.05], joints: free, parts: [{name: bob, type: box, size: [2cm, 3cm, 2cm], mass: 0.1}]}
+mjcf:
+  equality:
+    - weld: {name: fixed, body1: arm, anchor: [0, 0.1, h]}
+    - connect: {name: held, body1: bob, anchor: [0, h, 0]}
+"""
+
+
+def check_welds(folder):
+    """Equalities with the world are where the object stands in the scene."""
+    with tempfile.TemporaryDirectory() as place:
+        file = pathlib.Path(place, "hung.npz")
+        for output in (file, f"{place}/hung/"):
+            expect(mjforge.Spec(HUNG).variants(seed=7).write(output, 8).ok, "not written")
+        family = mjforge.load_family(file)
+        scene = on_floor(family.base)
+        starts = family.start(scene, PREFIX)
+        for row in range(len(family)):
+            own = on_floor(mujoco.MjSpec.from_file(str(xml_of(file, family, row))))
+            mine = family.to_model(scene, PREFIX, row)
+            compare(mine, own)
+            expect(np.allclose(driven(mine, starts, row), driven(own, starts, row), rtol=0, atol=1e-9), "another motion")
+
+
 def driven(model, starts, row):
     """Where a start of a family is after some steps with its controls."""
     data = mujoco.MjData(model)
@@ -388,6 +420,6 @@ for name, action in {"twice, beside a robot": check_two_beside_a_robot,
                      "as a table": check_table, "refusals": check_refusals, "files": check_files,
                      "archives": check_archives, "seal": check_seal,
                      "of one": check_one, "of a mesh file": check_mesh_from_a_file,
-                     "with actuators": check_actuators}.items():
+                     "with actuators": check_actuators, "welded to the world": check_welds}.items():
     check(f"{RELEASE}, {name}", action, sys.argv[1])
 finish()

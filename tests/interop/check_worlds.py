@@ -115,15 +115,28 @@ def check_reset(file):
     return f"off by {off:.1e}"
 
 
+HOLDER = """
+mjforge: 1
+name: rack
+params: {h: 3cm .. 9cm}
+joints: none
+parts: [{name: foot, type: box, size: [10cm, 3cm, 2cm]}]
+bodies:
+  - {name: holder, pos: [0, 0, 0.2 + h]}
+  - {name: plate, parent: holder, pos: [0, 0, 5cm], parts: [{name: plate, type: box, size: [5cm, 5cm, 1cm]}]}
+"""
+
+
 def check_static_geoms():
     """Fixed objects without --mocap are refused, because Warp computes poses of static geoms once."""
-    with tempfile.TemporaryDirectory() as place:
-        file = pathlib.Path(place, "cabinets.npz")
-        settings = {"drawers": 3, "handle": "bar"}
-        expect(mjforge.Spec("drawer_cabinet").variants(seed=7, set=settings).write(file, 4).ok, "not written")
-        family = mjforge.load_family(file)
-        model = on_floor(family.base)
-        raises(ValueError, "make the family with --mocap", family.to_warp, mujoco_warp.put_model(model), model, PREFIX)
+    settings = {"drawers": 3, "handle": "bar"}
+    for spec, given in (("drawer_cabinet", settings), (HOLDER, {})):
+        with tempfile.TemporaryDirectory() as place:
+            file = pathlib.Path(place, "fixed.npz")
+            expect(mjforge.Spec(spec).variants(seed=7, set=given).write(file, 4).ok, "not written")
+            family = mjforge.load_family(file)
+            model = on_floor(family.base)
+            raises(ValueError, "make the family with --mocap", family.to_warp, mujoco_warp.put_model(model), model, PREFIX)
 
 
 def check_shared_fields(file):

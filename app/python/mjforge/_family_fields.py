@@ -10,7 +10,7 @@ from ._family_base import mesh_of_row, meshes_that_differ
 from ._family_rows import placements
 from ._family_scene import Placed
 from ._family_worlds import Worlds, writer
-from ._poses import compose, product, rotate, without
+from ._poses import compose, inverse, product, rotate, without
 
 if TYPE_CHECKING:
     from mujoco import MjModel  # type: ignore[import-not-found, import-untyped, unused-ignore]
@@ -104,11 +104,36 @@ class _Writer:
         if field == "geom_size":  # that of a mesh is computed from its vertices
             is_shape = self._base.geom_dataid[mine] < 0
             mine, values = mine[is_shape], values[:, is_shape]
+        if field == "eq_data":
+            values = self._welded_to_world(mine, values.copy())
         there = self._placed.ids(kind)[mine]
         if (there < 0).any():
             name = self._placed.names(kind)[mine[there < 0][0]]
             raise ValueError(f"prefix={self._placed.prefix!r}: the model has no {kind} '{self._placed.prefix}{name}'")
         self._write(field, there, values)
+
+    def _welded_to_world(self, mine: Any, values: Any) -> Any:
+        """Computes anew what is relative to the world of the base: the anchor of a connect moves with the object;
+        that of a weld stays, as where MjSpec attaches a weld, and so its place in the other body moves.
+        """
+        types, (pos, quat) = self._placed.types, self._placed.frame_of_roots()
+        for at, number in enumerate(mine):
+            kind, ends = self._base.eq_type[number], (self._base.eq_obj1id[number], self._base.eq_obj2id[number])
+            if kind not in (types.mjEQ_WELD, types.mjEQ_CONNECT) or 0 not in ends:
+                continue
+            if self._placed.ids("body")[0] != 0:
+                raise ValueError(f"prefix={self._placed.prefix!r}: the object has an equality with the world, and is "
+                                 "attached to a body: attach it to the world")
+            first, second, turn = values[:, at, :3], values[:, at, 3:6], values[:, at, 6:10]  # turn: of a weld
+            if kind == types.mjEQ_CONNECT:
+                anchor = first if ends[0] == 0 else second
+                anchor[...] = pos + rotate(quat, anchor)
+            elif ends[0] == 0:
+                second[...], turn[...] = compose((pos, quat), (second, turn))
+            else:
+                second += rotate(turn, rotate(inverse(quat), first - pos) - first)
+                turn[...] = product(turn, inverse(quat))
+        return values
 
     def _write_materials(self, field: str) -> None:
         names = self._members["materials"].tolist()

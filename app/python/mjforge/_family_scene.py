@@ -38,6 +38,7 @@ class Placed:
         self.model = model
         self.prefix = prefix
         self.mesh_type = int(self._mujoco.mjtGeom.mjGEOM_MESH)
+        self.types = self._mujoco.mjtEq
         self.free_type = int(self._mujoco.mjtJoint.mjJNT_FREE)
         self._known: dict[str, Any] = {}
         self._expect_object()
@@ -155,7 +156,7 @@ class Placed:
         pos, quat = np.zeros((len(elements), 3)), np.tile([1.0, 0, 0, 0], (len(elements), 1))
         for at in np.flatnonzero(parents == 0):
             if kind == "light":
-                pos[at], quat[at] = self._frame_of_roots()
+                pos[at], quat[at] = self.frame_of_roots()
                 continue
             mine, there = elements[at], self.ids(kind)[elements[at]]
             pos[at], quat[at] = without(
@@ -163,7 +164,8 @@ class Placed:
                 (getattr(self.base, f"{kind}_pos")[mine], getattr(self.base, f"{kind}_quat")[mine]))
         return pos, quat
 
-    def _frame_of_roots(self) -> Poses:
+    def frame_of_roots(self) -> Poses:
+        """Where the world of the base is in the frame of the parent in the scene."""
         roots = self._np.flatnonzero(self.base.body_parentid == 0)[1:2]
         if not len(roots):
             return self._np.zeros(3), self._np.array([1.0, 0, 0, 0])

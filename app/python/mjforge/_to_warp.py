@@ -125,7 +125,12 @@ def _expect_no_static_geoms(fields: Mapping[str, Any], model: MjModel) -> None:
 
     is_static = (model.body_weldid == 0) & (model.body_mocapid[model.body_rootid] < 0)
     geoms = np.flatnonzero(is_static[model.geom_bodyid])
-    for kind, ids in (("geom", geoms), ("body", np.unique(model.geom_bodyid[geoms]))):
+    bodies = set(model.geom_bodyid[geoms].tolist())
+    for body in sorted(bodies, reverse=True):  # parents come before their children
+        while body:
+            bodies.add(body)
+            body = int(model.body_parentid[body])
+    for kind, ids in (("geom", geoms), ("body", np.array(sorted(bodies), dtype=int))):
         for field in (f"{kind}_pos", f"{kind}_quat"):
             values = fields.get(field)
             if values is None or not len(ids):

@@ -100,9 +100,9 @@ class BatchRun {
     Schedule schedule(all_, todo, request_.destination, jobs);
     // Without validation, workers finish tasks faster than the leader is scheduled among them.
     const bool is_quick = request_.variant.validation == manifest::Validation::kNone;
+    const Request request = WithSuperset();
     Pool pool(jobs, is_quick ? kMaxTasksPerWorker : 2, request_.time_limit, [&] {
-      return MakeTaskHandler(recipe_, sources_, request_, sink.overwrite(),
-                             bool{observer_.variant});
+      return MakeTaskHandler(recipe_, sources_, request, sink.overwrite(), bool{observer_.variant});
     });
     next_ = todo.first;
     std::optional<Chunk> chunk = schedule.Next();
@@ -132,6 +132,18 @@ class BatchRun {
       if (stopped && Clock::now() - *stopped > kGrace) return;
     }
     has_lost_worker_ = pool.has_lost_worker();
+  }
+
+  // Finds the geoms of padded variants once, for all workers.
+  Request WithSuperset() const {
+    Request request = request_;
+    if (request.variant.pad == 0) return request;
+    forge::Options options = OptionsOf(request_);
+    options.validation = manifest::Validation::kNone;
+    diag::Sources sources = sources_;  // workers number attached files themselves
+    request.variant.superset =
+        forge::Generator(recipe_, sources, options).FindSuperset(request_.stop);
+    return request;
   }
 
   static std::size_t SizeOf(const ChunkResult& result) {

@@ -10,6 +10,7 @@
 //   generator.Make(41, variant);  // variant.document.text is the MJCF
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -100,6 +101,10 @@ class Generator {
   /// Generates a variant, which is a pure function of the index; replaces the content of `variant`.
   void Make(std::uint64_t index, Variant& variant);
 
+  /// Returns the geoms and sites that any of the options' `pad` variants has. Stops early if
+  /// `*stop`.
+  std::shared_ptr<const padding::Superset> FindSuperset(const std::atomic<bool>* stop = nullptr);
+
   /// Fills `variant` as one that failed with this finding, without generating it.
   void Fail(std::uint64_t index, diag::Finding finding, Variant& variant);
 
@@ -109,13 +114,15 @@ class Generator {
   Outcome Attempt(std::uint64_t index, std::uint64_t attempt, Variant& variant);
   /// Assembles the object of these parameters; returns nothing after an error.
   std::optional<model::Object> Assemble(sample::Evaluator& values, Variant& variant);
+  /// Makes the object of a variant without null elements, whose piles are not settled; returns
+  /// nothing after an error.
+  std::optional<model::Object> Unpadded(std::uint64_t index, std::uint64_t attempt,
+                                        Variant& variant);
   /// Brings the piles of an object to rest; returns false after an error.
   bool SettlePiles(model::Object& object, Variant& variant);
   /// Assembles the object of these parameters and writes its MJCF; returns false after an error.
   bool Build(sample::Evaluator& values, Variant& variant);
   void Validate(Variant& variant);
-  /// Determines the geoms and sites that any of the options' `pad` variants has.
-  void FindSuperset();
   /// Determines the structure of a batch with Layout::kOne: that of the first valid variant.
   void FindReference();
   /// Returns true if a variant has the structure of the batch; otherwise adds a finding.
@@ -143,7 +150,6 @@ class Generator {
   assemble::Assembler assembler_;
   std::map<std::string, std::string> hashes_;  // hashes of assets, by file
   std::vector<split::ScenePart> parts_;        // objects of the current scene
-  std::optional<padding::Superset> superset_;  // null without Options::pad, and before a variant
   /// Layout::kOne: record and structure of the variant that all others must equal. The structure is
   /// empty if none of the first kMaxReferences variants is valid.
   std::optional<std::pair<manifest::Record, structure::Structure>> reference_;

@@ -105,7 +105,7 @@ void Generator::Reset(std::uint64_t index, std::uint64_t attempt, Variant& varia
 }
 
 void Generator::Make(std::uint64_t index, Variant& variant) {
-  if (options_.pad > 0 && !superset_) FindSuperset();
+  if (options_.pad > 0 && !options_.superset) options_.superset = FindSuperset();
   if (options_.layout == Layout::kOne && !reference_) FindReference();
   Outcome outcome = Attempt(index, options_.attempt, variant);
   const int resamples = options_.on_invalid == OnInvalid::kResample ? kMaxResamples : 0;
@@ -201,7 +201,7 @@ bool Generator::Build(sample::Evaluator& values, Variant& variant) {
   diag::Findings of_scene;
   mjcf::Adapt(*object, target, options_.each ? of_scene : variant.findings);
   if (of_scene.HasErrors()) variant.findings.Append(std::move(of_scene));
-  if (superset_) superset_->Complete(*object);
+  if (options_.superset) options_.superset->Complete(*object);
   variant.object = std::make_shared<const model::Object>(*std::move(object));
   if (variant.findings.HasErrors()) return false;
   mjcf::Provenance provenance = record;

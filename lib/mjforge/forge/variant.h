@@ -13,6 +13,7 @@
 #include "mjforge/manifest/manifest.h"
 #include "mjforge/mjcf/mjcf.h"
 #include "mjforge/model/model.h"
+#include "mjforge/padding/padding.h"
 #include "mjforge/sample/sample.h"
 #include "mjforge/structure/structure.h"
 
@@ -59,6 +60,8 @@ struct Options {
   /// For a family: each variant has the geoms and sites of this many variants from layout_first on.
   /// batch::OptionsOf sets the number of variants of the batch if the option is not 0.
   std::uint64_t pad = 0;
+  /// The geoms and sites of these variants, from FindSuperset(). Null: the generator finds them.
+  std::shared_ptr<const padding::Superset> superset = nullptr;
   bool mocap = false;  // recorded: the family's base has mocap bodies for fixed ones
   /// Folder of the manifest. Records contain the path of the spec's file relative to this folder;
   /// no path if the option is empty.

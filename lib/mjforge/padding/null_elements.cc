@@ -79,6 +79,10 @@ void MakeNull(const Eigen::Vector3d& center, model::Part& part) {
   part.X_GS = {};
   part.is_shell = false;
   part.material = -1;
+  // A geom with a fluid shape, however small, gives its whole body another model of the fluid.
+  std::erase_if(part.attributes, [](const model::Attribute& attribute) {
+    return attribute.name == "fluidshape" || attribute.name == "fluidcoef";
+  });
   Set("rgba", {0, 0, 0, 0}, part.attributes);
   Set("margin", {kNullMargin}, part.attributes);
   Set("gap", {kNullGap}, part.attributes);

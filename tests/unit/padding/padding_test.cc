@@ -64,7 +64,7 @@ constexpr const char* kCore =
 TEST_CASE("a part that a variant lacks is null and in the largest part") {
   const std::string knob =
       "  - {name: knob, type: sphere, size: 0.05, friction: [2, 0, 0], margin: 0.01,\n"
-      "     condim: 4, material: red}\n";
+      "     condim: 4, material: red, fluidshape: ellipsoid}\n";
   const std::string materials = "materials: {red: {rgba: [1, 0, 0, 1]}}\nparts:\n";
   const auto objects = Completed({materials + kCore, materials + knob + kCore});
   CHECK(NamesOf(objects[0].bodies[0].parts) == Texts{"knob", "core"});
@@ -78,6 +78,7 @@ TEST_CASE("a part that a variant lacks is null and in the largest part") {
   CHECK(model::FindAttribute(null.attributes, "margin")->numbers == sample::Numbers{-2000});
   CHECK(model::FindAttribute(null.attributes, "gap")->numbers == sample::Numbers{1000});
   REQUIRE(model::FindAttribute(null.attributes, "condim") != nullptr);
+  CHECK(model::FindAttribute(null.attributes, "fluidshape") == nullptr);
   CHECK(model::FindAttribute(null.attributes, "rgba")->numbers == sample::Numbers{0, 0, 0, 0});
   CHECK(PartOf(objects[1], "knob").shape.size[0] == 0.05);
   CHECK(model::FindAttribute(PartOf(objects[1], "knob").attributes, "margin")->numbers ==
