@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,85 +10,9 @@
 namespace mjforge::python {
 namespace {
 
+using spec::Bounds;
 using spec::Distribution;
 using spec::Value;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-struct Bounds {
-  double low = 0;
-  double high = 0;
-};
-
-std::optional<Bounds> BoundsOf(const Value& value);
-
-// Returns bounds from two constants; nothing if one of them depends on the variant.
-std::optional<Bounds> Between(const Value& low, const Value& high) {
-  const auto from = spec::ConstantOf(low);
-  const auto to = spec::ConstantOf(high);
-  if (!from || !to) return std::nullopt;
-  return Bounds{*from, *to};
-}
-
-// Returns the bounds of all options of a choice.
-std::optional<Bounds> Around(const std::vector<Value>& options) {
-  std::optional<Bounds> all;
-  for (const Value& option : options) {
-    const std::optional<Bounds> bounds = BoundsOf(option);
-    if (!bounds) return std::nullopt;
-    if (!all) all = bounds;
-    all->low = std::min(all->low, bounds->low);
-    all->high = std::max(all->high, bounds->high);
-  }
-  return all;
-}
-
-std::optional<Bounds> BoundsOf(const spec::Draw& draw) {
-  if (draw.limits.size() == 2) return Between(draw.limits[0], draw.limits[1]);
-  switch (draw.distribution) {
-    case Distribution::kUniform:
-    case Distribution::kLogUniform:
-    case Distribution::kTriangular:
-    case Distribution::kInteger:
-      return Between(draw.arguments.front(), draw.arguments.back());
-    case Distribution::kNormal:
-      return Bounds{-kInfinity, kInfinity};
-    case Distribution::kLogNormal:
-    case Distribution::kExponential:
-    case Distribution::kPoisson:
-      return Bounds{0, kInfinity};
-    case Distribution::kBeta:
-      return Bounds{0, 1};
-    case Distribution::kChoice:
-    case Distribution::kCycle:
-      return Around(draw.arguments);
-    case Distribution::kBernoulli:
-      return std::nullopt;
-  }
-  return std::nullopt;
-}
-
-// Returns the bounds of a number; nothing for other types, and for numbers that depend on others.
-std::optional<Bounds> BoundsOf(const Value& value) {
-  if (value.type != expr::Type::kNumber || value.is_list) return std::nullopt;
-  if (const auto* draw = std::get_if<spec::Draw>(&value.form)) return BoundsOf(*draw);
-  const std::optional<double> number = spec::ConstantOf(value);
-  if (!number) return std::nullopt;
-  return Bounds{*number, *number};
-}
-
-// Returns the bounds of each component of a vector; none if one of them has no bounds.
-std::vector<Bounds> BoundsOfComponents(const Value& value) {
-  std::vector<Bounds> all;
-  const auto* list = std::get_if<spec::List>(&value.form);
-  if (list == nullptr || value.is_list) return {};
-  for (const Value& item : list->items) {
-    const std::optional<Bounds> bounds = BoundsOf(item);
-    if (!bounds) return {};
-    all.push_back(*bounds);
-  }
-  return all;
-}
 
 // Writes a number; Python's reader of JSON knows the word Infinity.
 void WriteNumber(diag::Json& json, double number) {
@@ -101,8 +24,8 @@ void WriteNumber(diag::Json& json, double number) {
 }
 
 void WriteBounds(diag::Json& json, const Value& value) {
-  const std::optional<Bounds> bounds = value.components == 1 ? BoundsOf(value) : std::nullopt;
-  const std::vector<Bounds> components = BoundsOfComponents(value);
+  const std::optional<Bounds> bounds = value.components == 1 ? spec::BoundsOf(value) : std::nullopt;
+  const std::vector<Bounds> components = spec::BoundsOfComponents(value);
   for (const bool is_low : {true, false}) {
     json.Key(is_low ? "low" : "high");
     if (bounds) {
@@ -117,26 +40,6 @@ void WriteBounds(diag::Json& json, const Value& value) {
   }
 }
 
-// Writes a value that is the same in all variants; returns false for any other.
-bool WriteConstant(diag::Json& json, const Value& value) {
-  if (const auto number = spec::ConstantOf(value)) {
-    json.Value(*number);
-  } else if (const auto text = spec::LiteralText(value)) {
-    json.Value(*text);
-  } else if (const auto* flag = std::get_if<bool>(&value.form)) {
-    json.Value(*flag);
-  } else if (const auto* list = std::get_if<spec::List>(&value.form)) {
-    json.StartArray();
-    for (const Value& item : list->items) {
-      if (!WriteConstant(json, item)) return false;
-    }
-    json.EndArray();
-  } else {
-    return false;
-  }
-  return true;
-}
-
 void WriteChoices(diag::Json& json, const spec::Draw& draw) {
   json.Key("choices");
   diag::Json choices(expr::AppendExactNumber);
@@ -144,7 +47,7 @@ void WriteChoices(diag::Json& json, const spec::Draw& draw) {
   const bool has_list =
       draw.distribution == Distribution::kChoice || draw.distribution == Distribution::kCycle;
   const bool is_constant = std::ranges::all_of(
-      draw.arguments, [&](const Value& option) { return WriteConstant(choices, option); });
+      draw.arguments, [&](const Value& option) { return spec::WriteConstant(choices, option); });
   choices.EndArray();
   json.Raw(has_list && is_constant ? choices.Take() : "null");
 }

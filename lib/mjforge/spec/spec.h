@@ -13,7 +13,9 @@
 
 #include "mjforge/diag/diag.h"
 #include "mjforge/expr/expr.h"
+#include "mjforge/spec/bounds.h"
 #include "mjforge/spec/checks.h"
+#include "mjforge/spec/constant_json.h"
 #include "mjforge/spec/entry.h"
 #include "mjforge/spec/fields.h"
 #include "mjforge/spec/shapes.h"

@@ -1,0 +1,23 @@
+// Bounds of the values that a parameter can have, as far as the spec alone determines them.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace mjforge::spec {
+
+struct Value;
+
+/// The closed interval that contains a number; infinite where a distribution has no limit.
+struct Bounds {
+  double low = 0;
+  double high = 0;
+};
+
+/// Returns the bounds of a number; nothing for other types, and for numbers that depend on others.
+std::optional<Bounds> BoundsOf(const Value& value);
+
+/// Returns the bounds of each component of a vector; none if one of them has no bounds.
+std::vector<Bounds> BoundsOfComponents(const Value& value);
+
+}  // namespace mjforge::spec
