@@ -82,8 +82,10 @@ Camera FrameShapes(const PlacedShapes& shapes, double width, double height, cons
                CenterEye(shapes, camera.up, camera.forward, depth, ty) * camera.up +
                depth * camera.forward;
   camera.near = 0.5 * (nearest - depth);
-  if (view.distance) {
-    camera.eye = camera.center - *view.distance * camera.forward;
+  if (view.distance || view.zoom != 1) {
+    const double fitted = (camera.center - camera.eye).dot(camera.forward);
+    const double distance = view.distance.value_or(fitted / view.zoom);
+    camera.eye = camera.center - distance * camera.forward;
     // The near plane stays in front of the eye even if the eye is inside the shapes.
     camera.near = std::max(0.5 * (nearest - camera.eye.dot(camera.forward)), 0.01 * camera.radius);
   }

@@ -48,7 +48,8 @@ std::uint8_t ToByte(float value) {
 
 }  // namespace
 
-Matte::Matte(int width, int height) : width_(width), height_(height) {
+Matte::Matte(int width, int height, int samples)
+    : width_(width), height_(height), samples_(samples) {
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   color_.resize(3 * pixels);
   alpha_.resize(pixels);
@@ -57,29 +58,29 @@ Matte::Matte(int width, int height) : width_(width), height_(height) {
 }
 
 void Matte::Add(const RenderedBand& drawn, int top, int bottom) {
-  const int columns = width_ * kSamples;
-  const int rows = (bottom - top) * kSamples;
-  constexpr float kWeight = 1.0F / (kSamples * kSamples);
+  const int columns = width_ * samples_;
+  const int rows = (bottom - top) * samples_;
+  const float weight = 1.0F / static_cast<float>(samples_ * samples_);
   for (int row = 0; row < rows; ++row) {
     const std::size_t start =
         static_cast<std::size_t>(rows - 1 - row) * static_cast<std::size_t>(columns) * 3;
     const std::uint8_t* light = drawn.on_light.data() + start;
     const std::uint8_t* black = drawn.on_black.data() + start;
     const std::size_t first =
-        static_cast<std::size_t>(top + row / kSamples) * static_cast<std::size_t>(width_);
+        static_cast<std::size_t>(top + row / samples_) * static_cast<std::size_t>(width_);
     for (int column = 0; column < columns; ++column, light += 3, black += 3) {
-      const std::size_t pixel = first + static_cast<std::size_t>(column / kSamples);
+      const std::size_t pixel = first + static_cast<std::size_t>(column / samples_);
       const int seen = std::clamp(light[1] - black[1], 0, drawn.light);
       const int hidden = drawn.light - seen <= kNothing ? 0 : drawn.light - seen;
       const float alpha = static_cast<float>(hidden) / static_cast<float>(drawn.light);
       if (seen > kNothing && black[0] + black[1] + black[2] == 0) {
-        floor_[pixel] += kWeight;
-        shade_[pixel] += kWeight * alpha;
+        floor_[pixel] += weight;
+        shade_[pixel] += weight * alpha;
         continue;
       }
-      alpha_[pixel] += kWeight * alpha;
+      alpha_[pixel] += weight * alpha;
       for (std::size_t c = 0; c < 3; ++c)
-        color_[3 * pixel + c] += kWeight * static_cast<float>(black[c]) / 255;
+        color_[3 * pixel + c] += weight * static_cast<float>(black[c]) / 255;
     }
   }
 }

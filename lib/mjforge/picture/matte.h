@@ -15,7 +15,7 @@
 
 namespace mjforge::picture {
 
-/// Samples along each side of a pixel.
+/// Samples along each side of a pixel, unless the picture is drawn quickly.
 inline constexpr int kSamples = 2;
 
 /// MuJoCo's two renderings of some rows: 3 bytes per sample, starting with the lowest row.
@@ -28,7 +28,7 @@ struct RenderedBand {
 /// Accumulates renderings, and computes the picture from them.
 class Matte {
  public:
-  Matte(int width, int height);
+  Matte(int width, int height, int samples = kSamples);
   /// Adds the renderings of rows [top, bottom) of the picture.
   void Add(const RenderedBand& drawn, int top, int bottom);
   /// Returns the whole picture. Call it once, after all rows were added.
@@ -40,6 +40,7 @@ class Matte {
 
   int width_;
   int height_;
+  int samples_;
   // Values of each pixel, 0..1: colors times alpha, alpha, the visible share of the floor, and the
   // shadow on this share.
   std::vector<float> color_;

@@ -31,19 +31,23 @@ int ShadowSize(int width, int height) {
 // Pictures with more samples are drawn in horizontal bands, to limit the size of the framebuffer.
 constexpr int kMostSamples = 1 << 22;
 
-int RowsOfBand(int width, int height) {
-  return std::clamp(kMostSamples / (kSamples * kSamples * width), 1, height);
+// Returns the number of samples along each side of a pixel.
+int SamplesOf(const Options& options) { return options.quick ? 1 : kSamples; }
+
+int RowsOfBand(const Options& options) {
+  const int samples = SamplesOf(options);
+  return std::clamp(kMostSamples / (samples * samples * options.width), 1, options.height);
 }
 
 // OpenGL objects of one model: meshes, textures and framebuffer.
 class ModelContext {
  public:
   ModelContext(mjModel& model, const Options& options) {
-    const int rows = RowsOfBand(options.width, options.height);
-    model.vis.global.offwidth = options.width * kSamples;
-    model.vis.global.offheight = rows * kSamples;
+    const int samples = SamplesOf(options);
+    model.vis.global.offwidth = options.width * samples;
+    model.vis.global.offheight = RowsOfBand(options) * samples;
     model.vis.quality.offsamples = 0;
-    model.vis.quality.shadowsize = ShadowSize(options.width, options.height);
+    model.vis.quality.shadowsize = options.quick ? 0 : ShadowSize(options.width, options.height);
     model.vis.quality.numslices = 48;
     model.vis.quality.numstacks = 24;
     mjr_defaultContext(&context_);
@@ -105,20 +109,21 @@ Image Renderer::DrawText(std::string_view text, const Background::Color& color) 
 
 Image Renderer::State::DrawScene(ModelContext& context, Scene& scene, const Camera& camera,
                                  const Options& options) {
-  const int band = RowsOfBand(options.width, options.height);
+  const int band = RowsOfBand(options);
+  const int samples = SamplesOf(options);
   (*context).shadowClip = static_cast<float>(1.05 * camera.radius);
-  Matte matte(options.width, options.height);
+  Matte matte(options.width, options.height, samples);
   for (int top = 0; top < options.height; top += band) {
     const int bottom = std::min(top + band, options.height);
-    const mjrRect viewport = {0, 0, options.width * kSamples, (bottom - top) * kSamples};
+    const mjrRect viewport = {0, 0, options.width * samples, (bottom - top) * samples};
     scene.SetCamera(BandOf(camera, top, bottom, options.height));
     const std::size_t bytes =
         static_cast<std::size_t>(viewport.width) * static_cast<std::size_t>(viewport.height) * 3;
-    const auto draw = [&](std::vector<std::uint8_t>& samples) {
-      samples.resize(bytes);
+    const auto draw = [&](std::vector<std::uint8_t>& pixels) {
+      pixels.resize(bytes);
       const LeakCheckPause pause;
       mjr_render(viewport, &scene.mujoco(), &*context);
-      mjr_readPixels(samples.data(), nullptr, viewport, &*context);
+      mjr_readPixels(pixels.data(), nullptr, viewport, &*context);
     };
     const int light = scene.SetFloor(true);
     draw(on_light);

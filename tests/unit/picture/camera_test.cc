@@ -49,6 +49,20 @@ TEST_CASE("a wide box fills the picture from side to side") {
   CHECK(place[2] + place[3] == Approx(200));
 }
 
+TEST_CASE("a zoom divides the distance from the middle of the shapes") {
+  PlacedShapes shapes;
+  shapes.Add(Box({0.1, 0.2, 0.4}, {1, 2, 3}));
+  const Camera fitted = FrameShapes(shapes, 300, 200);
+  const double distance = (fitted.center - fitted.eye).dot(fitted.forward);
+  View view;
+  view.zoom = 2;
+  const Camera near = FrameShapes(shapes, 300, 200, view);
+  CHECK((near.center - near.eye).norm() == Approx(distance / 2));
+  CHECK(near.forward == fitted.forward);
+  view.distance = 3;
+  CHECK((FrameShapes(shapes, 300, 200, view).eye - near.center).norm() == Approx(3));
+}
+
 TEST_CASE("planes near and far hold the object at every size") {
   for (const double scale : {1e-9, 1e-6, 1e-3, 1.0, 1e3, 1e6}) {
     CAPTURE(scale);

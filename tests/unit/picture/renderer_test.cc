@@ -27,6 +27,22 @@ std::array<int, 4> At(const Image& image, int x, int y) {
   return {image.rgba[at], image.rgba[at + 1], image.rgba[at + 2], image.rgba[at + 3]};
 }
 
+TEST_CASE("a quick picture shows the same object without its shadow") {
+  const auto renderer = OpenRenderer();
+  const auto subject = LoadGeom("type='box' size='1 2 0.5' rgba='1 0 0 1'");
+  const Image full = Draw(*renderer, *subject);
+  Options options = kSmall;
+  options.quick = true;
+  const Image quick = Draw(*renderer, *subject, options);
+  CHECK(std::abs(Opaque(full) - Opaque(quick)) < 300);  // edges are not smoothed
+  int others = 0;
+  for (std::size_t i = 3; i < quick.rgba.size(); i += 4)
+    others += quick.rgba[i] != 0 && quick.rgba[i] != 255 ? 1 : 0;
+  CHECK(others == 0);
+  CHECK(At(quick, 48, 48)[0] > 2 * At(quick, 48, 48)[1]);
+  CHECK(Draw(*renderer, *subject).rgba == full.rgba);  // the next full picture is as before
+}
+
 TEST_CASE("an object is seen, and so is its shadow, at every size") {
   const auto renderer = OpenRenderer();
   int expected = 0;
