@@ -44,15 +44,6 @@ std::shared_ptr<Progress> ShareProgress() {
   return {new (memory) Progress, [](Progress* progress) { ::munmap(progress, sizeof(Progress)); }};
 }
 
-// Limits memory to more than any object needs; not with AddressSanitizer, which reserves terabytes.
-void LimitMemory() {
-#ifndef __SANITIZE_ADDRESS__
-  constexpr ::rlim_t kMost = ::rlim_t{8} << 30;
-  const ::rlimit limit = {kMost, kMost};
-  ::setrlimit(RLIMIT_DATA, &limit);
-#endif
-}
-
 // Limits the CPU time of the next step; SIGXCPU ends the process when the time is over.
 void LimitTime(Seconds time) {
   struct rusage used;
@@ -116,22 +107,34 @@ std::string WaitFor(::pid_t child, int pipe, Seconds time_limit, const Progress&
   }
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-  if (!WIFSIGNALED(status)) {
-    return WEXITSTATUS(status) == batch::kNoMemoryStatus
-               ? std::string(kNeedsMemory)
-               : fmt::format("made MuJoCo end the process with status {}", WEXITSTATUS(status));
-  }
-  const int signal = WTERMSIG(status);
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (signal == SIGXCPU)
     return fmt::format("took more than {:g} s of CPU time", time_limit.count());
   if (signal == SIGINT || signal == SIGTERM || signal == SIGHUP) {
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   }
-  return fmt::format("made MuJoCo crash (SIG{})", ::sigabbrev_np(signal));
+  return DescribeEnd(status);
 }
 
 }  // namespace
+
+std::string DescribeEnd(int status) {
+  if (WIFSIGNALED(status))
+    return fmt::format("made MuJoCo crash (SIG{})", ::sigabbrev_np(WTERMSIG(status)));
+  return WEXITSTATUS(status) == batch::kNoMemoryStatus
+             ? std::string(kNeedsMemory)
+             : fmt::format("made MuJoCo end the process with status {}", WEXITSTATUS(status));
+}
+
+// Not with AddressSanitizer, which reserves terabytes.
+void LimitMemory() {
+#ifndef __SANITIZE_ADDRESS__
+  constexpr ::rlim_t kMost = ::rlim_t{8} << 30;
+  const ::rlimit limit = {kMost, kMost};
+  ::setrlimit(RLIMIT_DATA, &limit);
+#endif
+}
 
 ExitStatus RunInChild(std::size_t count, Seconds time_limit,
                       const std::function<ExitStatus(std::size_t)>& take,

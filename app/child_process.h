@@ -19,6 +19,12 @@ ExitStatus RunInChild(std::size_t count, Seconds time_limit,
                       const std::function<ExitStatus(std::size_t)>& take,
                       const std::function<ExitStatus(std::size_t, const std::string&)>& crashed);
 
+/// Limits the memory of this process to 8 GiB, more than any object needs.
+void LimitMemory();
+
+/// Returns the reason of the end of a process from its wait status: "made MuJoCo crash (SIGSEGV)".
+std::string DescribeEnd(int status);
+
 /// Adds the finding that the file or spec `what` crashed or exceeded a limit. `reason`: see above.
 void AddCrashFinding(const std::string& what, const std::string& reason, diag::Findings& findings);
 

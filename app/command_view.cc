@@ -14,6 +14,7 @@
 
 #include "commands.h"
 #include "options.h"
+#include "temporary_folder.h"
 #include "usage.h"
 
 namespace mjforge::app {
@@ -71,25 +72,6 @@ std::string DescribeExit(int status) {
   if (WIFSIGNALED(status)) return fmt::format("signal {} killed it", WTERMSIG(status));
   if (WEXITSTATUS(status) == kCannotRun) return "it cannot be run";
   return fmt::format("exit status {}", WEXITSTATUS(status));
-}
-
-// Makes a temporary folder, which is removed with its last pointer. Returns null and adds a finding
-// on failure.
-std::shared_ptr<const std::filesystem::path> MakeTemporaryFolder(diag::Findings& findings) {
-  std::error_code error;
-  const std::filesystem::path parent = std::filesystem::temp_directory_path(error);
-  std::string name = ((error ? "/tmp" : parent) / "mjforge-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) {
-    findings.Add(Code::kOutputCannotWrite, {},
-                 fmt::format("cannot make a temporary folder '{}': {}", name,
-                             std::generic_category().message(errno)));
-    return nullptr;
-  }
-  return {new std::filesystem::path(name), [](const std::filesystem::path* folder) {
-            std::error_code ignored;
-            std::filesystem::remove_all(*folder, ignored);
-            delete folder;
-          }};
 }
 
 // Finds MuJoCo's viewer in PATH, by its name in Debian or by its name in MuJoCo's releases. Returns

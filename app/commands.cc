@@ -39,6 +39,10 @@ constexpr Command kCommands[] = {
      "  mjforge preview lamp.yaml --watch -o lamp.png\n"
      "  mjforge preview faucet --sweep -o faucet.gif --size 320\n"
      "  mjforge preview robot.xml --layer collision --azimuth 90 --elevation -20"},
+    {"customize", "Serve a page to change parameters and see it", AddCustomize,
+     "  mjforge customize hammer\n"
+     "  mjforge customize lamp.yaml --set height=30cm --seed 7\n"
+     "  mjforge customize mug --no-open --port 8080"},
     {"view", "Open an object in MuJoCo's own viewer", AddView,
      "  mjforge view hammer --index 41\n"
      "  mjforge view robot.xml"},

@@ -22,6 +22,7 @@ Action AddCheck(CLI::App& command);
 Action AddInspect(CLI::App& command);
 Action AddValidate(CLI::App& command);
 Action AddPreview(CLI::App& command);
+Action AddCustomize(CLI::App& command);
 Action AddView(CLI::App& command);
 Action AddMerge(CLI::App& command);
 Action AddVerify(CLI::App& command);

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <thread>
+#include <utility>
 
 namespace mjforge::app {
 
@@ -28,6 +29,14 @@ WatchedFiles::Stamps WatchedFiles::Now() const {
                  found.st_mtim.tv_sec, found.st_mtim.tv_nsec};
   }
   return now;
+}
+
+bool WatchedFiles::HasChanged() {
+  Stamps now = Now();
+  const bool is_steady = now == std::exchange(last_, now);
+  if (now == stamps_ || !is_steady) return false;
+  stamps_ = std::move(now);
+  return true;
 }
 
 void WatchedFiles::Wait() {

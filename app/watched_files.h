@@ -19,6 +19,10 @@ class WatchedFiles {
   /// the same for a moment, because an editor may write a file in several steps.
   void Wait();
 
+  /// Returns true if a file was changed, made or removed since the constructor ran or this function
+  /// last returned true, and all are as they were at the last call. For calls at intervals.
+  bool HasChanged();
+
  private:
   // Device, inode, size and time of change; zeros if there is no file.
   using Stamp = std::tuple<std::uint64_t, std::uint64_t, std::uint64_t, std::time_t, long>;
@@ -27,6 +31,7 @@ class WatchedFiles {
   Stamps Now() const;
 
   Stamps stamps_;
+  Stamps last_;  // at the last call of HasChanged
 };
 
 }  // namespace mjforge::app

@@ -24,7 +24,7 @@ install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
 add_library(mjforge_library INTERFACE)
 add_library(mjforge::mjforge ALIAS mjforge_library)
 set_target_properties(mjforge_library PROPERTIES EXPORT_NAME mjforge)
-target_link_libraries(mjforge_library INTERFACE mjforge::batch mjforge::picture mjforge::report)
+target_link_libraries(mjforge_library INTERFACE mjforge::batch mjforge::customize mjforge::picture mjforge::report)
 
 install(TARGETS mjforge_library EXPORT mjforge_targets)
 install(EXPORT mjforge_targets NAMESPACE mjforge:: FILE mjforgeTargets.cmake

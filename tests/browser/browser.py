@@ -45,13 +45,17 @@ class Browser:
         return self.driver.execute_cdp_cmd(name, arguments)
 
     def open(self, page, width=1280, height=900, scheme="light"):
+        """Opens a file."""
+        self.visit(page.as_uri(), width, height, scheme)
+
+    def visit(self, address, width=1280, height=900, scheme="light"):
         self.command("Emulation.setDeviceMetricsOverride", width=width, height=height,
                      deviceScaleFactor=1, mobile=width < 600)
         self.command("Emulation.setEmulatedMedia",
                      features=[{"name": "prefers-color-scheme", "value": scheme}])
         self.driver.get_log("browser")
         self.driver.get_log("performance")
-        self.driver.get(page.as_uri())
+        self.driver.get(address)
 
     def run(self, script, *arguments):
         """What a script returns; works in a page whose own scripts are off, too."""

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""The pages that `mjforge report` makes, in a real Chromium without a window: what is there, in
-light and dark, on a phone, with the keyboard and without a script. Says a line about each check,
-and counts them.
+"""The pages of `mjforge report` and `mjforge customize`, in a real Chromium without a window: what is
+there, in light and dark, on a phone, with the keyboard and without a script. Says a line about each
+check, and counts them.
 
     run.py PROGRAM FOLDER
 
@@ -15,6 +15,7 @@ import sys
 # The words of the checks are those of tests/slurm.
 sys.path.insert(1, str(pathlib.Path(__file__).resolve().parent.parent / "slurm"))
 
+import customize_checks  # noqa: E402
 import page_checks  # noqa: E402
 from browser import Browser  # noqa: E402
 from pages import Pages  # noqa: E402
@@ -29,6 +30,7 @@ def run_all(program, folder):
             scenario(name, page_checks.run_all, browser, pages, name)
         scenario("sorting and filtering", page_checks.run_controls, browser, pages)
         scenario("hostile texts", page_checks.run_hostile, browser, pages)
+        scenario("customize", customize_checks.run_all, browser, program, folder)
     with Browser(folder / "profile-without-script", script=False) as browser:
         scenario("without a script", page_checks.run_without_script, browser, pages)
 
@@ -38,7 +40,7 @@ def main():
     if folder.exists():
         shutil.rmtree(folder)
     folder.mkdir(parents=True)
-    scenario("report in a browser", run_all, program, folder)
+    scenario("pages in a browser", run_all, program, folder)
     sys.exit(finish())
 
 

@@ -69,10 +69,14 @@ const std::array kRooms = {
     Room{"picture", {"bytes", "diag", "model", "engine", "backport", "compiled"}},
     Room{"report",
          {"bytes", "diag", "expr", "spec", "sample", "physics", "manifest", "output", "forge"}},
+    Room{"customize",
+         {"bytes", "diag", "expr", "spec", "sample", "model", "manifest", "output", "forge",
+          "picture"}},
     // xml: elements of files, for the Python package
-    Room{"app",
-         {"bytes", "diag", "expr", "spec", "sample", "xml", "model", "structure", "mjcf",
-          "validate", "physics", "manifest", "output", "forge", "batch", "picture", "report"}},
+    Room{
+        "app",
+        {"bytes", "diag", "expr", "spec", "sample", "xml", "model", "structure", "mjcf", "validate",
+         "physics", "manifest", "output", "forge", "batch", "picture", "report", "customize"}},
 };
 
 struct Library {
@@ -85,13 +89,15 @@ const std::array kLibraries = {
     Library{"CLI/", {"app"}},
     Library{"EGL/", {"picture"}},  // headers alone: it is opened at run time
     Library{"Eigen/",
-            {"solid", "model", "assemble", "start", "distance", "placing", "static_checks",
-             "compiled", "mjcf", "files", "attach", "family", "validate", "physics", "manifest",
-             "output", "forge", "picture", "app"},
+            {"solid",    "model",  "assemble", "start",   "distance",  "placing",  "static_checks",
+             "compiled", "mjcf",   "files",    "attach",  "family",    "validate", "physics",
+             "manifest", "output", "forge",    "picture", "customize", "app"},
             true},
     Library{"Random123/", {"sample"}},
     Library{"archive", {"output"}},
     Library{"boost/archive/iterators/", {"report"}},
+    Library{"boost/asio/", {"app"}},
+    Library{"boost/beast/", {"app"}},
     Library{"boost/container/small_vector.hpp", {"sample", "model", "assemble"}, true},
     Library{"boost/math/", {"sample", "solid"}},
     // validate: points over joint ranges; physics: points in parts
@@ -102,7 +108,7 @@ const std::array kLibraries = {
             {"bytes",         "diag",      "expr",  "spec",     "sample",  "xml",      "engine",
              "backport",      "solid",     "model", "assemble", "start",   "split",    "padding",
              "static_checks", "structure", "mjcf",  "files",    "attach",  "validate", "physics",
-             "manifest",      "output",    "forge", "batch",    "picture", "report",   "app"}},
+             "manifest",      "output",    "forge", "batch",    "picture", "report",   "customize", "app"}},
     Library{"gcrypt.h", {"bytes"}},
     Library{"gif_lib.h", {"picture"}},
     Library{"libqhull_r/", {"solid"}},
@@ -114,7 +120,7 @@ const std::array kLibraries = {
     Library{"png.h", {"bytes"}},
     // xml reads MJCF files of others, and mjcf only what it wrote.
     Library{"pugixml.hpp", {"mjcf", "xml", "engine", "physics"}},
-    Library{"rapidjson/", {"spec", "manifest", "report"}},
+    Library{"rapidjson/", {"spec", "manifest", "report", "customize"}},
     Library{"sanitizer/", {"picture"}},  // of the compiler
     Library{"tiny_obj_loader.h", {"assemble"}},
     Library{"webp/", {"picture"}},

@@ -1,0 +1,78 @@
+// A browser's connection to the server.
+#include "page_connection.h"
+
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/http/parser.hpp>
+#include <boost/beast/http/read.hpp>
+#include <boost/beast/http/write.hpp>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "page_server.h"
+
+namespace mjforge::app {
+namespace {
+
+namespace beast = boost::beast;
+namespace http = beast::http;
+using boost::system::error_code;
+
+constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 20;  // size limit of a request
+constexpr std::chrono::seconds kPatience(30);  // time limit for a request or a response
+
+class Connection : public std::enable_shared_from_this<Connection> {
+ public:
+  Connection(boost::asio::ip::tcp::socket socket, PageServer& server)
+      : stream_(std::move(socket)), server_(server) {
+    server_.AddConnection();
+  }
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+  ~Connection() { server_.RemoveConnection(); }
+
+  void Read() {
+    parser_.emplace();
+    parser_->body_limit(kMostBytes);
+    stream_.expires_after(kPatience);
+    http::async_read(stream_, buffer_, *parser_,
+                     [self = shared_from_this()](error_code error, std::size_t) {
+                       if (!error) self->Answer();
+                     });
+  }
+
+ private:
+  void Answer() {
+    stream_.expires_never();
+    server_.Answer(parser_->get(), [self = shared_from_this()](PageServer::Response response) {
+      self->Write(std::move(response));
+    });
+  }
+
+  void Write(PageServer::Response response) {
+    response_ = std::move(response);
+    response_.keep_alive(parser_->get().keep_alive());
+    response_.prepare_payload();
+    stream_.expires_after(kPatience);
+    http::async_write(stream_, response_,
+                      [self = shared_from_this()](error_code error, std::size_t) {
+                        if (!error && self->response_.keep_alive()) self->Read();
+                      });
+  }
+
+  beast::tcp_stream stream_;
+  beast::flat_buffer buffer_;
+  std::optional<http::request_parser<http::string_body>> parser_;
+  PageServer::Response response_;
+  PageServer& server_;
+};
+
+}  // namespace
+
+void ServeConnection(boost::asio::ip::tcp::socket socket, PageServer& server) {
+  std::make_shared<Connection>(std::move(socket), server)->Read();
+}
+
+}  // namespace mjforge::app

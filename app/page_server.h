@@ -1,0 +1,75 @@
+// The HTTP server of `mjforge customize`, for browsers on this machine.
+#pragma once
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/beast/http/message.hpp>
+#include <boost/beast/http/string_body.hpp>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "request_queue.h"
+#include "watched_files.h"
+
+namespace mjforge::app {
+
+/// Serves the page of a spec at 127.0.0.1. A single thread serves all connections, and a worker
+/// process answers the requests.
+class PageServer {
+ public:
+  using Request = boost::beast::http::request<boost::beast::http::string_body>;
+  using Response = boost::beast::http::response<boost::beast::http::string_body>;
+  using Respond = std::function<void(Response)>;
+
+  PageServer(boost::asio::io_context& io, WorkerMaker make, Seconds time_limit);
+
+  /// Begins to listen at a port, 0 for any free one. Returns the reason of a failure.
+  std::string Listen(std::uint16_t port);
+  /// Returns the page's address, which contains the token.
+  std::string Address() const;
+
+  /// Answers a request, at once or later.
+  void Answer(const Request& request, const Respond& respond);
+  /// Counts the connections, whose number is limited.
+  void AddConnection() { ++connections_; }
+  void RemoveConnection() { --connections_; }
+
+ private:
+  // A page that waits for a change of the spec's files.
+  struct Waiting {
+    std::uint64_t revision = 0;
+    std::chrono::steady_clock::time_point end;
+    Respond respond;
+  };
+
+  void Accept();
+  void AnswerGet(std::string_view name, std::string_view query, const Respond& respond);
+  void AnswerPost(std::string_view name, std::string_view query, const std::string& body,
+                  const Respond& respond);
+  Response AnswerOf(RequestQueue::Outcome outcome);
+  void Watch(const std::vector<std::filesystem::path>& files);
+  void Tick();
+
+  boost::asio::io_context& io_;
+  boost::asio::ip::tcp::acceptor acceptor_;
+  boost::asio::steady_timer timer_;
+  RequestQueue queue_;
+  std::string token_;
+  std::uint64_t revision_ = 0;
+  std::vector<std::filesystem::path> files_;
+  std::optional<WatchedFiles> watched_;
+  std::vector<Waiting> waiting_;
+  int connections_ = 0;
+};
+
+/// Encodes an answer of the worker for AnswerOf: the files to watch, and the body of the response.
+std::string EncodeAnswer(const std::vector<std::filesystem::path>& files, std::string_view json,
+                         std::string_view picture);
+
+}  // namespace mjforge::app

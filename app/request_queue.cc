@@ -1,0 +1,94 @@
+// Requests that wait for the one worker process.
+#include "request_queue.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/read.hpp>
+#include <boost/asio/write.hpp>
+#include <chrono>
+#include <utility>
+
+namespace mjforge::app {
+
+namespace asio = boost::asio;
+using boost::system::error_code;
+
+void RequestQueue::Add(const std::string& client, std::string request, Done done) {
+  const auto older = std::ranges::find_if(
+      waiting_, [&](const Job& job) { return !client.empty() && job.client == client; });
+  if (older != waiting_.end()) {
+    const Done replaced = std::move(older->done);
+    waiting_.erase(older);
+    replaced({Outcome::Kind::kReplaced, {}});
+  }
+  waiting_.push_back({client, std::move(request), std::move(done)});
+  Next();
+}
+
+void RequestQueue::Next() {
+  if (current_ || waiting_.empty()) return;
+  current_ = std::move(waiting_.front());
+  waiting_.pop_front();
+  is_late_ = false;
+  if (!socket_.is_open()) socket_.assign({}, process_.Start());
+  timer_.expires_after(std::chrono::duration_cast<std::chrono::milliseconds>(time_limit_));
+  timer_.async_wait([this](error_code error) {
+    if (error || !current_) return;
+    is_late_ = true;
+    process_.Kill();
+  });
+  Send();
+}
+
+void RequestQueue::Send() {
+  head_ = WorkerProcess::Head(current_->request.size());
+  const std::array<asio::const_buffer, 2> buffers = {asio::buffer(head_),
+                                                     asio::buffer(current_->request)};
+  asio::async_write(socket_, buffers, [this](error_code error, std::size_t) {
+    if (error)
+      Fail();
+    else
+      Receive();
+  });
+}
+
+void RequestQueue::Receive() {
+  head_.assign(WorkerProcess::kHeadBytes, '\0');
+  asio::async_read(socket_, asio::buffer(head_), [this](error_code error, std::size_t) {
+    if (error)
+      Fail();
+    else
+      ReceiveBody();
+  });
+}
+
+void RequestQueue::ReceiveBody() {
+  body_.assign(WorkerProcess::LengthOf(head_), '\0');
+  asio::async_read(socket_, asio::buffer(body_), [this](error_code error, std::size_t) {
+    if (error)
+      Fail();
+    else
+      Finish({Outcome::Kind::kAnswered, std::move(body_)});
+  });
+}
+
+void RequestQueue::Fail() {
+  error_code ignored;
+  socket_.close(ignored);
+  std::string reason = process_.Stop();
+  if (is_late_) reason = fmt::format("took more than {:g} s", time_limit_.count());
+  Finish({Outcome::Kind::kFailed, std::move(reason)});
+}
+
+void RequestQueue::Finish(Outcome outcome) {
+  timer_.cancel();
+  const Done done = std::move(current_->done);
+  current_.reset();
+  done(std::move(outcome));
+  Next();
+}
+
+}  // namespace mjforge::app

@@ -1,0 +1,61 @@
+// Requests that wait for the one worker process.
+#pragma once
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/local/stream_protocol.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <deque>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "console.h"
+#include "worker_process.h"
+
+namespace mjforge::app {
+
+/// Passes requests to a worker process, one at a time and in order. The worker is started with the
+/// first request, and again after a request that made it crash or took too long.
+class RequestQueue {
+ public:
+  struct Outcome {
+    enum class Kind { kAnswered, kReplaced, kFailed };
+    Kind kind = Kind::kAnswered;
+    std::string text;  // the answer, or the reason of the failure
+  };
+  using Done = std::function<void(Outcome)>;
+
+  RequestQueue(boost::asio::io_context& io, WorkerMaker make, Seconds time_limit)
+      : process_(std::move(make)), socket_(io), timer_(io), time_limit_(time_limit) {}
+
+  /// Adds a request. A request of the same client that still waits is replaced, unless `client` is
+  /// empty.
+  void Add(const std::string& client, std::string request, Done done);
+
+ private:
+  struct Job {
+    std::string client;
+    std::string request;
+    Done done;
+  };
+
+  void Next();
+  void Send();
+  void Receive();
+  void ReceiveBody();
+  /// Ends the current job after an error of the socket, which is the end of the worker.
+  void Fail();
+  void Finish(Outcome outcome);
+
+  WorkerProcess process_;
+  boost::asio::local::stream_protocol::socket socket_;
+  boost::asio::steady_timer timer_;
+  Seconds time_limit_;
+  std::deque<Job> waiting_;
+  std::optional<Job> current_;
+  bool is_late_ = false;  // the current job exceeded the time limit
+  std::string head_;
+  std::string body_;
+};
+
+}  // namespace mjforge::app

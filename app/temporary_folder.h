@@ -1,0 +1,15 @@
+// A temporary folder for files that another program reads.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "mjforge/diag/diag.h"
+
+namespace mjforge::app {
+
+/// Makes a temporary folder that only this user can read, and that is removed with its last
+/// pointer. Returns null and adds a finding on failure.
+std::shared_ptr<const std::filesystem::path> MakeTemporaryFolder(diag::Findings& findings);
+
+}  // namespace mjforge::app

@@ -1,0 +1,134 @@
+// Controls of the page: one for each parameter of a spec.
+
+#include "mjforge/customize/controls.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+
+#include "mjforge/expr/expr.h"
+
+namespace mjforge::customize {
+namespace {
+
+using spec::Distribution;
+using spec::Value;
+
+// Returns the value of a parameter, also if an imported file declares it.
+const Value& ValueOf(const spec::ObjectSpec& spec, const spec::Parameter& parameter) {
+  const auto* shared = std::get_if<spec::SharedParameter>(&parameter.value.form);
+  return shared == nullptr ? parameter.value
+                           : ValueOf(*spec.shared[shared->file],
+                                     spec.shared[shared->file]->parameters[shared->position]);
+}
+
+// Returns the options of a choice as a JSON list; nothing if a variant determines one of them.
+std::optional<std::string> ChoicesOf(const Value& value) {
+  const auto* draw = std::get_if<spec::Draw>(&value.form);
+  if (draw == nullptr ||
+      (draw->distribution != Distribution::kChoice && draw->distribution != Distribution::kCycle))
+    return std::nullopt;
+  diag::Json choices(expr::AppendExactNumber);
+  choices.StartArray();
+  for (const Value& option : draw->arguments) {
+    if (!spec::WriteConstant(choices, option)) return std::nullopt;
+  }
+  choices.EndArray();
+  return choices.Take();
+}
+
+bool IsColor(const spec::Parameter& parameter, const Value& value,
+             const std::vector<spec::Bounds>& bounds) {
+  if (value.components != 3 && value.components != 4) return false;
+  if (std::holds_alternative<spec::HsvColor>(value.form)) return true;
+  const bool is_named = std::ranges::any_of(std::array{"color", "colour", "rgb"}, [&](auto word) {
+    return parameter.name.find(word) != std::string::npos;
+  });
+  return is_named && std::ranges::all_of(bounds, [](const spec::Bounds& each) {
+           return each.low >= 0 && each.high <= 1;
+         });
+}
+
+std::string_view KindOf(const spec::Parameter& parameter, const Value& value, bool has_choices,
+                        const std::vector<spec::Bounds>& bounds) {
+  const auto* draw = std::get_if<spec::Draw>(&value.form);
+  if (draw != nullptr && draw->rows != nullptr) return "fixed";
+  if (has_choices) return "choice";
+  if (value.is_list) return "list";
+  if (value.type == expr::Type::kBoolean) return "switch";
+  if (value.type == expr::Type::kText) return "text";
+  if (IsColor(parameter, value, bounds)) return "color";
+  return value.components > 1 ? "vector" : "number";
+}
+
+// Returns true if the spec gives a whole number or draws one.
+bool IsWhole(const spec::Parameter& parameter, const Value& value) {
+  if (const auto* draw = std::get_if<spec::Draw>(&value.form))
+    return draw->distribution == Distribution::kInteger ||
+           draw->distribution == Distribution::kPoisson;
+  return !parameter.source.empty() &&
+         parameter.source.find_first_not_of("0123456789") == std::string::npos;
+}
+
+// Counts the parameters whose names begin with each first word: "handle" for "handle_length".
+std::map<std::string, int> CountPrefixes(const spec::ObjectSpec& spec) {
+  std::map<std::string, int> counts;
+  for (const spec::Parameter& parameter : spec.parameters)
+    ++counts[parameter.name.substr(0, parameter.name.find_first_of("_."))];
+  return counts;
+}
+
+std::string GroupOf(const spec::Parameter& parameter, const std::map<std::string, int>& prefixes) {
+  std::string prefix = parameter.name.substr(0, parameter.name.find_first_of("_."));
+  return prefixes.at(prefix) > 1 ? prefix : "";
+}
+
+// A bound is null if it is infinite.
+void WriteBounds(diag::Json& json, const std::vector<spec::Bounds>& bounds) {
+  for (const bool is_low : {true, false}) {
+    json.Key(is_low ? "low" : "high");
+    if (bounds.empty()) {
+      json.Value(nullptr);
+      continue;
+    }
+    json.StartArray();
+    for (const spec::Bounds& each : bounds) json.Value(is_low ? each.low : each.high);
+    json.EndArray();
+  }
+}
+
+std::vector<spec::Bounds> AllBounds(const Value& value) {
+  if (value.components > 1) return spec::BoundsOfComponents(value);
+  const std::optional<spec::Bounds> bounds = spec::BoundsOf(value);
+  return bounds ? std::vector{*bounds} : std::vector<spec::Bounds>();
+}
+
+}  // namespace
+
+void WriteControls(diag::Json& json, const spec::ObjectSpec& spec) {
+  const std::map<std::string, int> prefixes = CountPrefixes(spec);
+  json.StartArray();
+  for (const spec::Parameter& parameter : spec.parameters) {
+    const Value& value = ValueOf(spec, parameter);
+    const std::vector<spec::Bounds> bounds = AllBounds(value);
+    const std::optional<std::string> choices = ChoicesOf(value);
+    json.StartObject();
+    json.Member("name", parameter.name);
+    json.Member("group", GroupOf(parameter, prefixes));
+    json.Member("unit", parameter.unit);
+    json.Member("doc", diag::SafeText(parameter.doc));
+    json.Member("spec", diag::SafeText(parameter.source));
+    json.Member("kind", KindOf(parameter, value, choices.has_value(), bounds));
+    json.Member("components", value.components);
+    json.Member("whole", IsWhole(parameter, value));
+    json.Member("random", spec::HasDraw(value));
+    WriteBounds(json, bounds);
+    json.Key("choices");
+    json.Raw(choices.value_or("null"));
+    json.EndObject();
+  }
+  json.EndArray();
+}
+
+}  // namespace mjforge::customize

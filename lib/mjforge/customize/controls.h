@@ -1,0 +1,17 @@
+// Controls of the page: one for each parameter of a spec.
+
+#pragma once
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/spec/spec.h"
+
+namespace mjforge::customize {
+
+/// Writes a list of objects with the members name, group, unit, doc, spec (the value as written),
+/// kind, components, whole, random, low, high and choices. The kind is number, choice, switch,
+/// color, vector, text or list, or fixed for a column of a record, whose key chooses the value.
+/// `low` and `high` are lists with a number for each component, or null if the spec alone does not
+/// determine them.
+void WriteControls(diag::Json& json, const spec::ObjectSpec& spec);
+
+}  // namespace mjforge::customize

@@ -1,0 +1,72 @@
+// The page of `mjforge customize`: its files, the answers to its requests, and who may send them.
+//
+//   customize::Studio studio({.reference = "hammer"});
+//   customize::Reply reply = studio.Answer(R"({"action": "draw", "settings": []})");
+
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mjforge/customize/access.h"
+#include "mjforge/customize/settings_text.h"
+#include "mjforge/spec/spec.h"
+
+namespace mjforge::customize {
+
+/// A file of the page, which is compiled in.
+struct PageFile {
+  std::string_view name;  // "" is the page itself
+  std::string_view type;  // media type
+  std::string_view text;
+};
+std::span<const PageFile> PageFiles();
+
+/// The spec to customize, and the state in which the page begins.
+struct Start {
+  std::string reference;
+  spec::LoadOptions load;
+  std::uint64_t seed = 0;
+  std::uint64_t index = 0;
+};
+
+/// Answer to a request of the page.
+struct Reply {
+  std::string json;     // an object
+  std::string picture;  // WebP or PNG; empty: none
+  /// Files that the spec was read from; the page asks again when one of them changes.
+  std::vector<std::filesystem::path> files;
+};
+
+/// Makes and draws variants for the page. Every request contains the whole state of the page, so
+/// that several pages can ask in turn. Keeps the spec, the last variant and OpenGL between
+/// requests.
+class Studio {
+ public:
+  explicit Studio(Start start);
+  ~Studio();
+  Studio(const Studio&) = delete;
+  Studio& operator=(const Studio&) = delete;
+
+  /// Answers a request, which is one JSON object:
+  /// - `action: open` returns the description of the spec, its controls and the first state;
+  /// - `action: draw` returns a picture of a variant, its values, facts and findings;
+  /// - `action: redraw` returns another random value of the parameter `name`;
+  /// - `action: export` returns the variant as text: `name` is command, params, mjcf or png;
+  /// - `action: source` returns the text of the spec's file `name`;
+  /// - `action: save` writes the settings to the preset `name`, and `action: preset` returns those
+  ///   of a preset.
+  /// A request that is wrong gives `{"error": "..."}`.
+  Reply Answer(std::string_view request);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace mjforge::customize

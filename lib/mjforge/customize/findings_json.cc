@@ -1,0 +1,27 @@
+// Findings as JSON for the page.
+
+#include "mjforge/customize/findings_json.h"
+
+namespace mjforge::customize {
+namespace {
+
+constexpr std::size_t kMostFindings = 50;
+
+}  // namespace
+
+void WriteFindings(diag::Json& json, diag::Findings findings, const diag::Sources& sources) {
+  findings.Sort();
+  findings.Unique();
+  findings.Truncate(kMostFindings);
+  json.StartArray();
+  for (const diag::Finding& finding : findings) {
+    json.StartObject();
+    json.Key("finding");
+    json.Raw(diag::RenderJson(finding, sources));
+    json.Member("text", diag::SafeText(sources.Line(finding.mark)));
+    json.EndObject();
+  }
+  json.EndArray();
+}
+
+}  // namespace mjforge::customize

@@ -1,0 +1,170 @@
+// A request of the page, read from JSON.
+
+#include "mjforge/customize/request.h"
+
+#include <fmt/format.h>
+#include <rapidjson/document.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "mjforge/customize/settings_text.h"
+#include "mjforge/expr/expr.h"
+
+namespace mjforge::customize {
+namespace {
+
+using Json = rapidjson::Value;
+
+constexpr std::size_t kMostSettings = 10'000;
+constexpr double kMostZoom = 1000;
+
+std::string_view TextOf(const Json& value) { return {value.GetString(), value.GetStringLength()}; }
+
+const Json* Find(const Json& object, const char* key) {
+  const auto found = object.FindMember(key);
+  return found == object.MemberEnd() ? nullptr : &found->value;
+}
+
+// Reads the members of one request, and keeps the reason of the first failure.
+class Reader {
+ public:
+  Reader(const Json& root, std::string& why_not) : root_(root), why_not_(why_not) {}
+
+  void Text(const char* key, std::string& out) {
+    const Json* value = Find(root_, key);
+    if (value == nullptr) return;
+    if (!value->IsString()) return Fail(key, "a text");
+    out = TextOf(*value);
+  }
+
+  void Whole(const char* key, std::uint64_t& out) {
+    const Json* value = Find(root_, key);
+    if (value == nullptr) return;
+    if (!value->IsString()) return Fail(key, "a text of digits");
+    const std::string_view text = TextOf(*value);
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, out);
+    if (error != std::errc() || stop != end) Fail(key, "a whole number up to 2^64 - 1");
+  }
+
+  void Flag(const char* key, bool& out) {
+    const Json* value = Find(root_, key);
+    if (value == nullptr) return;
+    if (!value->IsBool()) return Fail(key, "true or false");
+    out = value->GetBool();
+  }
+
+  template <typename Number>
+  void Bounded(const char* key, double least, double most, Number& out) {
+    const Json* value = Find(root_, key);
+    if (value == nullptr) return;
+    const double number = value->IsNumber() ? value->GetDouble() : NAN;
+    if (!(number >= least && number <= most))
+      return Fail(key, fmt::format("a number from {} to {}", least, most));
+    out = static_cast<typename std::conditional<std::is_same_v<Number, int>, int, double>::type>(
+        number);
+  }
+
+  void Layer(picture::Layer& out) {
+    std::string word;
+    Text("layer", word);
+    if (word.empty()) return;
+    const std::optional<picture::Layer> layer = picture::ParseLayer(word);
+    if (!layer) return Fail("layer", "the name of a layer");
+    out = *layer;
+  }
+
+  void Settings(std::vector<spec::Setting>& out) {
+    const Json* list = Find(root_, "settings");
+    if (list == nullptr) return;
+    if (!list->IsArray() || list->Size() > kMostSettings) return Fail("settings", "a list");
+    for (const Json& item : list->GetArray()) {
+      const Json* name = item.IsObject() ? Find(item, "name") : nullptr;
+      const Json* value = item.IsObject() ? Find(item, "value") : nullptr;
+      if (name == nullptr || !name->IsString() || value == nullptr)
+        return Fail("settings", "a list of objects with `name` and `value`");
+      std::string text;
+      if (!Flow(*value, text)) return Fail("settings", "a list of values");
+      out.push_back({std::string(TextOf(*name)), std::move(text), std::string(kSettingOrigin)});
+    }
+  }
+
+  void Joints(std::vector<std::pair<std::string, double>>& out) {
+    const Json* joints = Find(root_, "joints");
+    if (joints == nullptr) return;
+    if (!joints->IsObject()) return Fail("joints", "an object");
+    for (const auto& member : joints->GetObject()) {
+      if (!member.value.IsNumber()) return Fail("joints", "an object of numbers");
+      out.emplace_back(TextOf(member.name), member.value.GetDouble());
+    }
+  }
+
+ private:
+  void Fail(const char* key, std::string_view wanted) {
+    if (why_not_.empty()) why_not_ = fmt::format("'{}' is not {}", key, wanted);
+  }
+
+  // Converts a value to YAML flow text; an object {"yaml": "..."} contains that text itself.
+  static bool Flow(const Json& value, std::string& out) {
+    if (value.IsNumber()) {
+      out += expr::ExactNumberText(value.GetDouble());
+    } else if (value.IsBool()) {
+      out += value.GetBool() ? "true" : "false";
+    } else if (value.IsString()) {
+      out += QuoteForYaml(TextOf(value));
+    } else if (value.IsArray()) {
+      out += '[';
+      for (const Json& item : value.GetArray()) {
+        if (item.IsObject() || item.IsArray()) return false;
+        if (!out.ends_with('[')) out += ", ";
+        if (!Flow(item, out)) return false;
+      }
+      out += ']';
+    } else {
+      const Json* yaml = value.IsObject() ? Find(value, "yaml") : nullptr;
+      if (yaml == nullptr || !yaml->IsString()) return false;
+      out += TextOf(*yaml);
+    }
+    return true;
+  }
+
+  const Json& root_;
+  std::string& why_not_;
+};
+
+}  // namespace
+
+std::optional<Request> ReadRequest(std::string_view json, std::string& why_not) {
+  rapidjson::Document root;
+  constexpr unsigned kFlags =
+      rapidjson::kParseFullPrecisionFlag | rapidjson::kParseValidateEncodingFlag;
+  if (diag::IsNestedTooDeep(json) || root.Parse<kFlags>(json.data(), json.size()).HasParseError() ||
+      !root.IsObject()) {
+    why_not = "the request is not a JSON object";
+    return std::nullopt;
+  }
+  Request request;
+  Reader reader(root, why_not);
+  reader.Text("action", request.action);
+  reader.Text("name", request.name);
+  reader.Whole("revision", request.revision);
+  reader.Whole("seed", request.seed);
+  reader.Whole("index", request.index);
+  reader.Flag("nine", request.nine);
+  reader.Flag("simulate", request.simulate);
+  reader.Settings(request.settings);
+  reader.Joints(request.joints);
+  picture::Options& picture = request.picture;
+  reader.Flag("quick", picture.quick);
+  reader.Bounded("width", picture::kMinSize, 2048, picture.width);
+  reader.Bounded("height", picture::kMinSize, 2048, picture.height);
+  reader.Bounded("azimuth", -1e4, 1e4, picture.view.azimuth);
+  reader.Bounded("elevation", -90, 90, picture.view.elevation);
+  reader.Bounded("zoom", 1 / kMostZoom, kMostZoom, picture.view.zoom);
+  reader.Layer(picture.layer);
+  if (!why_not.empty()) return std::nullopt;
+  return request;
+}
+
+}  // namespace mjforge::customize

@@ -1,0 +1,38 @@
+// A request of the page, read from JSON.
+
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "mjforge/picture/picture.h"
+#include "mjforge/spec/spec.h"
+
+namespace mjforge::customize {
+
+/// Origin of the settings of the page, which findings show in place of a file.
+inline constexpr std::string_view kSettingOrigin = "control";
+
+struct Request {
+  std::string action;
+  std::string name;            // name of a parameter, a preset, a file or a form of export
+  std::uint64_t revision = 0;  // number of the changes of the spec's files so far
+  std::vector<spec::Setting> settings;
+  std::uint64_t seed = 0;
+  std::uint64_t index = 0;
+  bool nine = false;                                   // draws nine variants, from the index on
+  bool simulate = false;                               // runs the physical checks
+  std::vector<std::pair<std::string, double>> joints;  // rad or m
+  picture::Options picture = {.width = 640, .height = 480};
+};
+
+/// Reads a request. Returns nothing, and the reason, if a member is wrong. Numbers outside of the
+/// allowed range of the picture's size or view are wrong; seed and index are texts of digits,
+/// because numbers of JavaScript have only 53 bits.
+std::optional<Request> ReadRequest(std::string_view json, std::string& why_not);
+
+}  // namespace mjforge::customize

@@ -1,0 +1,69 @@
+// Chosen values as texts: for a shell, and for files that --params reads.
+
+#include "mjforge/customize/settings_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace mjforge::customize {
+namespace {
+
+constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_";
+constexpr std::string_view kDigits = "0123456789";
+
+bool ConsistsOf(std::string_view text, const std::string& characters) {
+  return !text.empty() && text.find_first_not_of(characters) == text.npos;
+}
+
+// Returns true for words that YAML does not read as texts.
+bool IsYamlWord(std::string_view text) {
+  constexpr std::array<std::string_view, 9> kWords = {"true", "false", "yes", "no", "on",
+                                                      "off",  "null",  "y",   "n"};
+  return std::ranges::find(kWords, diag::LowerCase(text)) != kWords.end();
+}
+
+// Encloses a text in single quotes; `quote` replaces each single quote in it.
+std::string Enclose(std::string_view text, std::string_view quote) {
+  std::string out = "'";
+  for (const char c : text) {
+    if (c == '\'')
+      out += quote;
+    else
+      out += c;
+  }
+  return out + "'";
+}
+
+}  // namespace
+
+std::string QuoteForYaml(std::string_view text) {
+  const bool is_word = ConsistsOf(text, fmt::format("{}{}", kLetters, kDigits)) &&
+                       kLetters.find(text.front()) != kLetters.npos && !IsYamlWord(text);
+  return is_word ? std::string(text) : Enclose(text, "''");
+}
+
+std::string QuoteForShell(std::string_view text) {
+  const bool is_safe = ConsistsOf(text, fmt::format("{}{}=./,:+-@%", kLetters, kDigits));
+  return is_safe ? std::string(text) : Enclose(text, "'\\''");
+}
+
+std::string CommandText(std::string_view spec, std::span<const spec::Setting> settings,
+                        std::uint64_t seed, std::uint64_t index) {
+  std::string command = "mjforge generate " + QuoteForShell(spec);
+  if (seed != 0) command += fmt::format(" --seed {}", seed);
+  if (index != 0) command += fmt::format(" --first {}", index);
+  for (const spec::Setting& setting : settings)
+    command += " --set " + QuoteForShell(setting.name + "=" + setting.text);
+  return command;
+}
+
+std::string ParamsText(std::span<const spec::Setting> settings) {
+  std::string text;
+  for (const spec::Setting& setting : settings)
+    text += fmt::format("{}: {}\n", setting.name, setting.text);
+  return text.empty() ? "{}\n" : text;
+}
+
+}  // namespace mjforge::customize

@@ -1,0 +1,25 @@
+// Chosen values as texts: for a shell, and for files that --params reads.
+
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "mjforge/spec/spec.h"
+
+namespace mjforge::customize {
+
+/// Returns a text as YAML that is read as that text, with quotes only if they are needed.
+std::string QuoteForYaml(std::string_view text);
+/// Returns a text as one word of a POSIX shell.
+std::string QuoteForShell(std::string_view text);
+
+/// Returns the command that makes one variant with these settings.
+std::string CommandText(std::string_view spec, std::span<const spec::Setting> settings,
+                        std::uint64_t seed, std::uint64_t index);
+/// Returns the settings as a YAML mapping, one in a line.
+std::string ParamsText(std::span<const spec::Setting> settings);
+
+}  // namespace mjforge::customize

@@ -1,0 +1,310 @@
+// Answers to the requests of the page.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <new>
+
+#include "mjforge/customize/controls.h"
+#include "mjforge/customize/customize.h"
+#include "mjforge/customize/findings_json.h"
+#include "mjforge/customize/presets.h"
+#include "mjforge/customize/request.h"
+#include "mjforge/customize/variant_cache.h"
+#include "mjforge/customize/variant_json.h"
+
+namespace mjforge::customize {
+namespace {
+
+constexpr int kQuality = 85;
+constexpr int kQuickQuality = 70;
+
+// Writes the settings of a recipe as a list of objects with `name` and `text`.
+void WriteSettings(diag::Json& json, const std::optional<forge::Recipe>& recipe) {
+  json.Key("settings");
+  json.StartArray();
+  for (const auto& [name, text] : recipe ? recipe->settings : decltype(recipe->settings)()) {
+    json.StartObject();
+    json.Member("name", name);
+    json.Member("text", text);
+    json.EndObject();
+  }
+  json.EndArray();
+}
+
+// Copies an image into a cell of three rows of three.
+void PutInCell(const picture::Image& tile, int cell, picture::Image& image) {
+  const int left = cell % 3 * tile.width;
+  const int top = cell / 3 * tile.height;
+  for (int y = 0; y < tile.height; ++y)
+    std::copy_n(tile.rgba.data() + 4 * y * tile.width, 4 * tile.width,
+                image.rgba.data() + 4 * ((top + y) * image.width + left));
+}
+
+Reply Failure(std::string_view message) {
+  diag::Json json(expr::AppendNumber);
+  json.StartObject();
+  json.Member("error", diag::SafeText(message));
+  json.EndObject();
+  return {json.Take(), {}, {}};
+}
+
+// Moves the joints of the request, each within its range, and all others to their start.
+void MoveJoints(const Request& request, ShownVariant& shown) {
+  diag::Findings ignored;  // values are within the ranges
+  for (std::size_t i = 0; i < shown.joints.size(); ++i) {
+    const picture::Joint& joint = shown.joints[i];
+    if (!IsMovable(joint)) continue;
+    const auto wanted =
+        std::ranges::find(request.joints, joint.name, &std::pair<std::string, double>::first);
+    double value = wanted == request.joints.end() ? joint.value : wanted->second;
+    if (joint.limited) value = std::clamp(value, joint.range[0], joint.range[1]);
+    shown.subject->SetJoint(static_cast<int>(i), value, ignored);
+  }
+}
+
+}  // namespace
+
+struct Studio::State {
+  explicit State(Start given)
+      : start(std::move(given)), cache(start.reference, start.load.search_path) {}
+
+  Reply Answer(const Request& request);
+  Reply Open(const Request& request);
+  Reply Draw(const Request& request);
+  Reply Redraw(Request request);
+  Reply Export(const Request& request);
+  Reply Source(const Request& request);
+  Reply SavePreset(const Request& request);
+  Reply LoadPreset(const Request& request);
+  Presets PresetsOf(const ShownVariant& shown) const;
+  std::optional<picture::Image> DrawNine(const Request& request);
+  std::optional<picture::Image> DrawPicture(const Request& request, ShownVariant& shown,
+                                            diag::Findings& findings);
+
+  Start start;
+  VariantCache cache;
+  std::unique_ptr<picture::Renderer> renderer;
+};
+
+Studio::Studio(Start start) : state_(std::make_unique<State>(std::move(start))) {}
+Studio::~Studio() = default;
+
+Reply Studio::Answer(std::string_view text) {
+  std::string why_not;
+  const std::optional<Request> request = ReadRequest(text, why_not);
+  if (!request) return Failure(why_not);
+  try {
+    return state_->Answer(*request);
+  } catch (const std::bad_alloc&) {
+    throw;  // the process ends, and with it its memory
+  } catch (const std::exception& error) {
+    return Failure(error.what());
+  }
+}
+
+Reply Studio::State::Answer(const Request& request) {
+  if (request.action == "open") return Open(request);
+  if (request.action == "draw") return Draw(request);
+  if (request.action == "redraw") return Redraw(request);
+  if (request.action == "export") return Export(request);
+  if (request.action == "source") return Source(request);
+  if (request.action == "save") return SavePreset(request);
+  if (request.action == "preset") return LoadPreset(request);
+  return Failure("there is no action '" + request.action + "'");
+}
+
+// Controls are those of the spec without settings, which would hide ranges and choices.
+Reply Studio::State::Open(const Request& request) {
+  diag::Sources sources;
+  diag::Findings findings;
+  const bool is_set = !start.load.settings.empty() || !start.load.parameter_files.empty();
+  std::optional<forge::Recipe> first;
+  if (is_set) first = forge::LoadRecipe(start.reference, start.load, sources, findings);
+  Request bare = request;
+  bare.settings.clear();
+  ShownVariant& shown = cache.LoadSpec(bare);
+  diag::Json json(expr::AppendExactNumber);
+  json.StartObject();
+  json.Member("reference", diag::SafeText(start.reference));
+  json.Member("layers", picture::LayerNames());
+  json.Member("seed", std::to_string(start.seed));
+  json.Member("index", std::to_string(start.index));
+  WriteSettings(json, first);
+  json.Member("name", shown.recipe ? shown.recipe->spec->name : start.reference);
+  json.Member("description", shown.recipe ? diag::SafeText(shown.recipe->spec->description) : "");
+  json.Key("controls");
+  if (shown.recipe)
+    WriteControls(json, *shown.recipe->spec);
+  else
+    json.Value(nullptr);
+  json.Member("presets", shown.recipe ? PresetsOf(shown).List() : std::vector<std::string>());
+  json.Key("findings");
+  if (findings.HasErrors())
+    WriteFindings(json, findings, sources);
+  else
+    WriteFindings(json, shown.spec_findings, shown.sources);
+  json.EndObject();
+  return {json.Take(), {}, cache.Files()};
+}
+
+// Specs of the search path, which may not be writable, have their presets in the working folder.
+Presets Studio::State::PresetsOf(const ShownVariant& shown) const {
+  const std::filesystem::path& file = shown.recipe->file;
+  return {file.parent_path(), std::filesystem::path(start.reference).stem().string()};
+}
+
+Reply Studio::State::SavePreset(const Request& request) {
+  const ShownVariant& shown = cache.LoadSpec(request);
+  if (!Presets::IsName(request.name))
+    return Failure("'" + request.name + "' is no name for a file: use letters, digits, _ and -");
+  if (!shown.recipe) return Failure("the spec has errors");
+  diag::Findings findings;
+  const Presets presets = PresetsOf(shown);
+  if (!presets.Save(request.name, request.settings, findings)) return Failure(findings[0].message);
+  diag::Json json(expr::AppendNumber);
+  json.StartObject();
+  json.Member("file", diag::SafeText(presets.FileOf(request.name).string()));
+  json.Member("presets", presets.List());
+  json.EndObject();
+  return {json.Take(), {}, {}};
+}
+
+Reply Studio::State::LoadPreset(const Request& request) {
+  Request bare = request;
+  bare.settings.clear();
+  const ShownVariant& shown = cache.LoadSpec(bare);
+  if (!shown.recipe || !Presets::IsName(request.name)) return Failure("there is no such preset");
+  spec::LoadOptions load;
+  load.search_path = start.load.search_path;
+  load.parameter_files = {PresetsOf(shown).FileOf(request.name)};
+  diag::Sources sources;
+  diag::Findings findings;
+  const auto recipe = forge::LoadRecipe(start.reference, load, sources, findings);
+  diag::Json json(expr::AppendNumber);
+  json.StartObject();
+  WriteSettings(json, recipe);
+  json.Key("findings");
+  WriteFindings(json, findings, sources);
+  json.EndObject();
+  return {json.Take(), {}, {}};
+}
+
+std::optional<picture::Image> Studio::State::DrawPicture(const Request& request,
+                                                         ShownVariant& shown,
+                                                         diag::Findings& findings) {
+  if (shown.subject == nullptr) return std::nullopt;
+  if (renderer == nullptr) renderer = picture::Renderer::Open(findings);
+  if (renderer == nullptr) return std::nullopt;
+  MoveJoints(request, shown);
+  return renderer->Draw(*shown.subject, request.picture, findings);
+}
+
+// Draws nine variants from the index on, three in a row. The first one comes last, so that it stays
+// in the cache.
+std::optional<picture::Image> Studio::State::DrawNine(const Request& request) {
+  picture::Image image{request.picture.width, request.picture.height, {}};
+  image.rgba.assign(4 * static_cast<std::size_t>(image.width * image.height), 255);
+  Request one = request;
+  one.picture.width /= 3;
+  one.picture.height /= 3;
+  for (int cell = 8; cell >= 0; --cell) {
+    one.index = request.index + static_cast<std::uint64_t>(cell);
+    diag::Findings findings;
+    const auto tile = DrawPicture(one, cache.Make(one, CheckLevel::kNone), findings);
+    if (findings.HasErrors() && renderer == nullptr) return std::nullopt;
+    if (tile) PutInCell(*tile, cell, image);
+  }
+  return image;
+}
+
+Reply Studio::State::Draw(const Request& request) {
+  std::optional<picture::Image> nine;
+  if (request.nine) nine = DrawNine(request);
+  const CheckLevel level = request.picture.quick ? CheckLevel::kNone
+                           : request.simulate    ? CheckLevel::kPhysics
+                                                 : CheckLevel::kLoad;
+  ShownVariant& shown = cache.Make(request, level);
+  diag::Findings findings = shown.Findings();
+  const std::optional<picture::Image> image =
+      nine ? std::move(nine) : DrawPicture(request, shown, findings);
+  Reply reply;
+  if (image)
+    reply.picture = request.picture.quick ? picture::EncodeWebpFast(*image, kQuickQuality)
+                                          : picture::EncodeWebp(*image, kQuality);
+  diag::Json json(expr::AppendExactNumber);
+  json.StartObject();
+  WriteVariant(json, shown);
+  json.Key("findings");
+  WriteFindings(json, findings, shown.sources);
+  json.EndObject();
+  reply.json = json.Take();
+  reply.files = cache.Files();
+  return reply;
+}
+
+Reply Studio::State::Redraw(Request request) {
+  std::erase_if(request.settings,
+                [&](const spec::Setting& setting) { return setting.name == request.name; });
+  const ShownVariant& shown = cache.Make(request, CheckLevel::kNone);
+  diag::Json json(expr::AppendExactNumber);
+  json.StartObject();
+  if (shown.variant) {
+    for (const auto& [name, value] : shown.variant->record.params) {
+      if (name == request.name) json.Member("value", value);
+    }
+  }
+  json.Key("findings");
+  WriteFindings(json, shown.Findings(), shown.sources);
+  json.EndObject();
+  return {json.Take(), {}, {}};
+}
+
+Reply Studio::State::Export(const Request& request) {
+  ShownVariant& shown = cache.Make(request, CheckLevel::kLoad);
+  Reply reply;
+  std::string text;
+  if (request.name == "command") {
+    text = CommandText(start.reference, request.settings, request.seed, request.index);
+  } else if (request.name == "params") {
+    text = ParamsText(request.settings);
+  } else if (!shown.variant || shown.variant->object == nullptr) {
+    return Failure("the variant has errors");
+  } else if (request.name == "mjcf") {
+    text = shown.variant->document.text;
+  } else if (request.name == "png") {
+    diag::Findings findings;
+    const std::optional<picture::Image> image = DrawPicture(request, shown, findings);
+    if (!image) return Failure("it cannot be drawn");
+    const std::string facts =
+        fmt::format("spec={} seed={} index={}", start.reference, request.seed, request.index);
+    reply.picture = picture::EncodePng(
+        *image, {{"Software", fmt::format("mjforge {}", forge::Version())}, {"mjforge", facts}});
+  } else {
+    return Failure("there is no export '" + request.name + "'");
+  }
+  diag::Json json(expr::AppendNumber);
+  json.StartObject();
+  json.Member("text", text);
+  json.Member("file", shown.recipe ? shown.recipe->spec->name : "");
+  json.EndObject();
+  reply.json = json.Take();
+  return reply;
+}
+
+// Returns the text of a file that the spec was read from, and of no other file.
+Reply Studio::State::Source(const Request& request) {
+  const ShownVariant& shown = cache.LoadSpec(request);
+  for (std::uint32_t i = 1; i <= shown.sources.size(); ++i) {
+    if (shown.sources.Name(i) != request.name) continue;
+    diag::Json json(expr::AppendNumber);
+    json.StartObject();
+    json.Member("text", diag::SafeLines(shown.sources.Text(i)));
+    json.EndObject();
+    return {json.Take(), {}, {}};
+  }
+  return Failure("the spec was not read from '" + request.name + "'");
+}
+
+}  // namespace mjforge::customize

@@ -1,0 +1,65 @@
+// The variant that the page shows, kept between its requests.
+
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "mjforge/customize/request.h"
+#include "mjforge/forge/forge.h"
+#include "mjforge/picture/picture.h"
+
+namespace mjforge::customize {
+
+/// Checks of a variant; each includes the checks before it.
+enum class CheckLevel { kNone, kLoad, kPhysics };
+
+/// A spec with settings, and one of its variants.
+struct ShownVariant {
+  diag::Sources sources;
+  diag::Findings spec_findings;
+  std::optional<forge::Recipe> recipe;
+  std::optional<forge::Variant> variant;
+  CheckLevel level = CheckLevel::kNone;
+  std::unique_ptr<picture::Subject> subject;  // null: there is nothing to draw
+  std::vector<picture::Joint> joints;         // joints of the subject at the start
+
+  /// Returns the findings of the spec and of the variant.
+  diag::Findings Findings() const;
+};
+
+/// Loads a spec with settings and makes variants. Keeps the texts of the spec's files until the
+/// revision of a request changes, and the last variant.
+class VariantCache {
+ public:
+  VariantCache(std::string reference, std::vector<std::filesystem::path> search_path)
+      : reference_(std::move(reference)), search_path_(std::move(search_path)) {}
+
+  /// Returns the spec with these settings, without a new variant.
+  ShownVariant& LoadSpec(const Request& request);
+  /// Returns the variant of the request, with at least these checks.
+  ShownVariant& Make(const Request& request, CheckLevel level);
+
+  /// Returns the names of the files that the current spec was read from.
+  std::vector<std::filesystem::path> Files() const;
+
+ private:
+  void MakeVariant(const Request& request, CheckLevel level);
+  void LoadSubject();
+
+  std::string reference_;
+  std::vector<std::filesystem::path> search_path_;
+  std::uint64_t revision_ = 0;
+  spec::Snapshot snapshot_;
+  picture::Loader loader_;
+  std::string key_;          // revision and settings of `shown_`; empty: none
+  std::string variant_key_;  // seed and index of its variant; empty: none
+  ShownVariant shown_;
+};
+
+}  // namespace mjforge::customize

@@ -1,0 +1,60 @@
+// Description of a variant as JSON for the page.
+
+#include "mjforge/customize/variant_json.h"
+
+namespace mjforge::customize {
+namespace {
+
+void WriteValues(diag::Json& json, const ShownVariant& shown) {
+  json.Key("values");
+  json.StartObject();
+  if (shown.variant) {
+    for (const auto& [name, value] : shown.variant->record.params) json.Member(name, value);
+  }
+  json.EndObject();
+}
+
+// Writes mass (kg), size (m) and counts of the object; null if there is none.
+void WriteFacts(diag::Json& json, const ShownVariant& shown) {
+  json.Key("facts");
+  if (!shown.variant || shown.variant->object == nullptr) return json.Value(nullptr);
+  const manifest::Record& record = shown.variant->record;
+  const model::Object& object = *shown.variant->object;
+  json.StartObject();
+  json.Member("mass", object.mass_properties.mass);
+  json.Member("size", Eigen::Vector3d(2 * object.bounds.half_size()));
+  json.Member("bodies", object.bodies.size());
+  json.Member("geoms", record.ngeom);
+  json.Member("attempt", record.attempt);
+  json.EndObject();
+}
+
+void WriteJoints(diag::Json& json, const ShownVariant& shown) {
+  json.Key("joints");
+  json.StartArray();
+  for (const picture::Joint& joint : shown.joints) {
+    if (!IsMovable(joint)) continue;
+    json.StartObject();
+    json.Member("name", joint.name);
+    json.Member("type", joint.type == picture::Joint::Type::kHinge ? "hinge" : "slide");
+    json.Member("limited", joint.limited);
+    json.Member("range", joint.range);
+    json.Member("value", joint.value);
+    json.EndObject();
+  }
+  json.EndArray();
+}
+
+}  // namespace
+
+bool IsMovable(const picture::Joint& joint) {
+  return joint.type == picture::Joint::Type::kHinge || joint.type == picture::Joint::Type::kSlide;
+}
+
+void WriteVariant(diag::Json& json, const ShownVariant& shown) {
+  WriteValues(json, shown);
+  WriteFacts(json, shown);
+  WriteJoints(json, shown);
+}
+
+}  // namespace mjforge::customize

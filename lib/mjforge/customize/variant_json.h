@@ -1,0 +1,17 @@
+// Description of a variant as JSON for the page.
+
+#pragma once
+
+#include "mjforge/customize/variant_cache.h"
+#include "mjforge/diag/diag.h"
+
+namespace mjforge::customize {
+
+/// Returns true for joints whose position is one number: hinges and slides.
+bool IsMovable(const picture::Joint& joint);
+
+/// Writes three members: `values` of the parameters; `facts`, which are mass (kg), size (m) and
+/// counts, or null if there is no object; and `joints`, a list of those that are movable.
+void WriteVariant(diag::Json& json, const ShownVariant& shown);
+
+}  // namespace mjforge::customize

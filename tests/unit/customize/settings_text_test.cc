@@ -1,0 +1,40 @@
+#include "mjforge/customize/settings_text.h"
+
+#include <catch2/catch.hpp>
+
+namespace mjforge::customize {
+namespace {
+
+TEST_CASE("a text is quoted for YAML only if it would be read as something else") {
+  CHECK(QuoteForYaml("cylinder") == "cylinder");
+  CHECK(QuoteForYaml("M3") == "M3");
+  CHECK(QuoteForYaml("no") == "'no'");
+  CHECK(QuoteForYaml("True") == "'True'");
+  CHECK(QuoteForYaml("") == "''");
+  CHECK(QuoteForYaml("3") == "'3'");
+  CHECK(QuoteForYaml("it's: [a]") == "'it''s: [a]'");
+}
+
+TEST_CASE("a word is quoted for a shell if a shell would change it") {
+  CHECK(QuoteForShell("handle_length=0.25") == "handle_length=0.25");
+  CHECK(QuoteForShell("x=10cm .. 12cm") == "'x=10cm .. 12cm'");
+  CHECK(QuoteForShell("") == "''");
+  CHECK(QuoteForShell("a'b $(rm)") == "'a'\\''b $(rm)'");
+}
+
+TEST_CASE("the command names what is not the default") {
+  const std::vector<spec::Setting> settings = {{"length", "0.25"}, {"size", "[1, 2]"}};
+  CHECK(CommandText("hammer", {}, 0, 0) == "mjforge generate hammer");
+  CHECK(
+      CommandText("my lamp.yaml", settings, 7, 41) ==
+      "mjforge generate 'my lamp.yaml' --seed 7 --first 41 --set length=0.25 --set 'size=[1, 2]'");
+}
+
+TEST_CASE("settings are a YAML mapping") {
+  const std::vector<spec::Setting> settings = {{"length", "0.25"}, {"size", "[1, 2]"}};
+  CHECK(ParamsText(settings) == "length: 0.25\nsize: [1, 2]\n");
+  CHECK(ParamsText({}) == "{}\n");
+}
+
+}  // namespace
+}  // namespace mjforge::customize

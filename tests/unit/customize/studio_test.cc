@@ -1,0 +1,205 @@
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "harness/temporary_folder.h"
+#include "mjforge/customize/customize.h"
+
+namespace mjforge::customize {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::string_view kLamp =
+    "mjforge: 1\n"
+    "name: lamp\n"
+    "params: {height: 20cm .. 40cm, color: {choice: [red, blue]}}\n"
+    "bodies:\n"
+    "  - {name: base, parts: [{name: plate, type: box, size: [5cm, 5cm, 1cm]}]}\n"
+    "  - name: arm\n"
+    "    parent: base\n"
+    "    parts: [{name: rod, type: capsule, size: [1cm, height / 2], pos: [0, 0, height / 2 + "
+    "3cm]}]\n"
+    "    joints: [{name: hinge, axis: [0, 1, 0], range: [0, 90deg]}]\n"
+    "checks: {silence: {spec/unused: of no use}}\n";
+
+Start StartOf(const std::filesystem::path& file) {
+  Start start;
+  start.reference = file.string();
+  return start;
+}
+
+class StudioTest {
+ protected:
+  StudioTest() : file_(folder_.Write("lamp.yaml", kLamp)), studio_(StartOf(file_)) {}
+
+  Json Ask(Json request) {
+    last_ = studio_.Answer(request.dump());
+    return Json::parse(last_.json);
+  }
+
+  harness::TemporaryFolder folder_;
+  std::filesystem::path file_;
+  Studio studio_;
+  Reply last_;
+};
+
+TEST_CASE_METHOD(StudioTest,
+                 "the page begins with the controls, the layers and the files of the spec") {
+  const Json answer = Ask({{"action", "open"}});
+  CHECK(answer["name"] == "lamp");
+  CHECK(answer["controls"].size() == 2);
+  CHECK(answer["layers"].size() == 6);
+  CHECK(answer["settings"].empty());
+  CHECK(answer["findings"].empty());
+  CHECK(last_.files == std::vector<std::filesystem::path>{file_});
+}
+
+TEST_CASE_METHOD(StudioTest, "settings of the command line are those that the page begins with") {
+  Start start = StartOf(file_);
+  start.load.settings = {{"height", "25cm"}};
+  start.seed = 7;
+  start.index = 3;
+  Studio studio(start);
+  const Json answer = Json::parse(studio.Answer(R"({"action": "open"})").json);
+  CHECK(answer["settings"] == Json({{{"name", "height"}, {"text", "25cm"}}}));
+  CHECK(answer["seed"] == "7");
+  CHECK(answer["index"] == "3");
+  CHECK(answer["controls"][0]["high"] == Json{0.4});  // as in the spec
+}
+
+TEST_CASE_METHOD(StudioTest, "a drawn variant has values, facts, joints and a WebP picture") {
+  const Json answer =
+      Ask({{"action", "draw"}, {"settings", {{{"name", "height"}, {"value", 0.3}}}}});
+  CHECK(answer["values"]["height"] == 0.3);
+  CHECK(answer["facts"]["bodies"] == 3);  // with the root
+  CHECK(answer["facts"]["size"][2].get<double>() == Approx(0.35));
+  CHECK(answer["joints"].size() == 1);
+  CHECK(answer["joints"][0]["name"] == "lamp_hinge");
+  CHECK(answer["findings"].empty());
+  CHECK(last_.picture.starts_with("RIFF"));
+  CHECK(last_.picture.substr(8, 4) == "WEBP");
+}
+
+TEST_CASE_METHOD(StudioTest, "parameters, view, joints and layers change the picture") {
+  const Json plain = {{"action", "draw"}, {"quick", true}};
+  std::set<std::string> pictures;
+  const auto draw = [&](const char* key, const Json& value) {
+    Json request = plain;
+    if (key[0] != '\0') request[key] = value;
+    Ask(request);
+    pictures.insert(last_.picture);
+  };
+  draw("", {});
+  draw("settings", {{{"name", "height"}, {"value", 0.21}}});
+  draw("azimuth", 10);
+  draw("zoom", 2);
+  draw("joints", {{"lamp_hinge", 0.7}});
+  draw("layer", "collision");
+  draw("index", "4");
+  draw("quick", false);
+  draw("nine", true);
+  CHECK(pictures.size() == 9);
+  draw("", {});  // nothing of the other requests stays
+  CHECK(pictures.size() == 9);
+}
+
+TEST_CASE_METHOD(StudioTest, "a joint stops at the end of its range") {
+  Ask({{"action", "draw"}, {"quick", true}, {"joints", {{"lamp_hinge", 1.5707963}}}});
+  const std::string end = last_.picture;
+  Ask({{"action", "draw"}, {"quick", true}, {"joints", {{"lamp_hinge", 9}}}});
+  CHECK(last_.picture == end);
+}
+
+TEST_CASE_METHOD(StudioTest,
+                 "a wrong setting is a finding at its control, and there is no picture") {
+  const Json answer =
+      Ask({{"action", "draw"}, {"settings", {{{"name", "color"}, {"value", "green"}}}}});
+  CHECK(last_.picture.empty());
+  REQUIRE(answer["findings"].size() == 1);
+  CHECK(answer["findings"][0]["finding"]["file"] == "control");
+  CHECK(answer["findings"][0]["finding"]["message"] == "'green' is not one of red, blue");
+  CHECK(answer["findings"][0]["text"] == "color: green");
+}
+
+TEST_CASE_METHOD(StudioTest, "a new revision reads the files again") {
+  Ask({{"action", "draw"}});
+  folder_.Write("lamp.yaml", "mjforge: 1\nname: lamp\nparts: [\n");
+  CHECK(Ask({{"action", "draw"}})["findings"].empty());  // the texts of the same revision
+  const Json broken = Ask({{"action", "draw"}, {"revision", "1"}});
+  REQUIRE(broken["findings"].size() == 1);
+  CHECK(broken["findings"][0]["finding"]["code"] == "yaml/syntax");
+  CHECK(last_.files.size() == 1);  // which is still watched
+  const Json open = Ask({{"action", "open"}, {"revision", "1"}});
+  CHECK(open["controls"].is_null());
+  CHECK(open["findings"].size() == 1);
+  folder_.Write("lamp.yaml", kLamp);
+  CHECK(Ask({{"action", "draw"}, {"revision", "2"}})["findings"].empty());
+}
+
+TEST_CASE_METHOD(StudioTest, "another value of one parameter is random, and of its range") {
+  std::set<double> values;
+  for (const char* seed : {"1", "2", "3"}) {
+    const double value = Ask({{"action", "redraw"},
+                              {"name", "height"},
+                              {"seed", seed},
+                              {"settings", {{{"name", "height"}, {"value", 0.3}}}}})["value"];
+    CHECK(value >= 0.2);
+    CHECK(value <= 0.4);
+    values.insert(value);
+  }
+  CHECK(values.size() == 3);
+}
+
+TEST_CASE_METHOD(StudioTest, "a variant is exported as command, YAML, MJCF and PNG") {
+  const Json settings = {{{"name", "height"}, {"value", 0.3}}};
+  const auto text = [&](const char* name) {
+    return Ask({{"action", "export"},
+                {"name", name},
+                {"settings", settings},
+                {"seed", "7"}})["text"]
+        .get<std::string>();
+  };
+  CHECK(text("command") == "mjforge generate " + file_.string() + " --seed 7 --set height=0.3");
+  CHECK(text("params") == "height: 0.3\n");
+  CHECK(text("mjcf").find("<mujoco model=\"lamp\">") != std::string::npos);
+  text("png");
+  CHECK(last_.picture.starts_with("\x89PNG"));
+  CHECK(Ask({{"action", "export"}, {"name", "obj"}})["error"] == "there is no export 'obj'");
+}
+
+TEST_CASE_METHOD(StudioTest, "only the spec's own files are shown") {
+  CHECK(Ask({{"action", "source"}, {"name", file_.string()}})["text"] == std::string(kLamp));
+  CHECK(Ask({{"action", "source"}, {"name", "/etc/passwd"}})["error"] ==
+        "the spec was not read from '/etc/passwd'");
+}
+
+TEST_CASE_METHOD(StudioTest, "a preset that was saved can be loaded") {
+  const Json saved = Ask(
+      {{"action", "save"}, {"name", "tall"}, {"settings", {{{"name", "height"}, {"value", 0.4}}}}});
+  CHECK(saved["presets"] == Json{"tall"});
+  CHECK(Ask({{"action", "open"}})["presets"] == Json{"tall"});
+  CHECK(Ask({{"action", "preset"}, {"name", "tall"}})["settings"] ==
+        Json({{{"name", "height"}, {"text", "0.4"}}}));
+  CHECK(Ask({{"action", "save"}, {"name", "a/b"}})["error"] ==
+        "'a/b' is no name for a file: use letters, digits, _ and -");
+  CHECK(Ask({{"action", "preset"}, {"name", "none"}})["findings"].size() == 1);
+}
+
+TEST_CASE_METHOD(StudioTest, "physical checks run only if they are asked for") {
+  folder_.Write("lamp.yaml",
+                "mjforge: 1\nname: lamp\nparts: [{name: rod, type: capsule, size: [1cm, 20cm]}]\n"
+                "checks: {stable: true}\n");
+  CHECK(Ask({{"action", "draw"}})["findings"].empty());
+  CHECK(Ask({{"action", "draw"}, {"quick", true}, {"simulate", true}})["findings"].empty());
+  CHECK_FALSE(Ask({{"action", "draw"}, {"simulate", true}})["findings"].empty());
+}
+
+TEST_CASE_METHOD(StudioTest, "a request that is wrong has an error as its answer") {
+  CHECK(Ask({{"action", "dance"}})["error"] == "there is no action 'dance'");
+  CHECK(Json::parse(studio_.Answer("x").json)["error"] == "the request is not a JSON object");
+}
+
+}  // namespace
+}  // namespace mjforge::customize
