@@ -31,6 +31,7 @@ def run_all(program, folder):
         scenario("sorting and filtering", page_checks.run_controls, browser, pages)
         scenario("hostile texts", page_checks.run_hostile, browser, pages)
         scenario("customize", customize_checks.run_all, browser, program, folder)
+        scenario("tasks with customize", customize_checks.run_tasks, browser, program, folder)
     with Browser(folder / "profile-without-script", script=False) as browser:
         scenario("without a script", page_checks.run_without_script, browser, pages)
 

@@ -39,15 +39,15 @@ materials: {iron: {rgba: [0.25, 0.27, 0.3, 1], density: 4000}}
 
 
 class Served:
-    """A program in a folder with lamp.yaml. It ends with the block."""
+    """A program that serves a spec, by default lamp.yaml, in a folder. It ends with the block."""
 
-    def __init__(self, program, folder, *arguments):
+    def __init__(self, program, folder, spec="lamp.yaml"):
         self.folder = folder
         self.spec = folder / "lamp.yaml"
         folder.mkdir(exist_ok=True)
         self.spec.write_text(SPEC, encoding="utf-8")
         self.process = subprocess.Popen(  # pylint: disable=consider-using-with
-            [program, "customize", "lamp.yaml", "--no-open", *arguments], cwd=folder, text=True,
+            [program, "customize", spec, "--no-open"], cwd=folder, text=True,
             stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, env={**os.environ, "NO_COLOR": "1"})
         self.address = self.process.stdout.readline().strip()
 

@@ -33,7 +33,8 @@ TEST_CASE_METHOD(CompletionTest, "commands are completed, and say what they do")
   CHECK(Ask({"help", "mer"}) == "merge\tJoin the manifests of all shards of a batch\n:\n");
   CHECK(Ask({"help", "merge", ""}) == ":\n");
   CHECK(Words({""}) ==
-        "generate\ncheck\ninspect\nvalidate\npreview\nview\nreport\nmerge\nverify\nreplay\n"
+        "generate\ncheck\ninspect\nvalidate\npreview\ncustomize\nview\nreport\nmerge\nverify\nrepla"
+        "y\n"
         "new\ncatalogue\nschema\nhelp\n");
   CHECK(Words({}) == Words({""}));
   CHECK(Words({"-"}) == "--help\n--version\n");

@@ -38,6 +38,19 @@ std::optional<std::string> ChoicesOf(const Value& value) {
   return choices.Take();
 }
 
+// Returns true for four numbers from 0 to 1: red, green, blue and opacity.
+bool IsRgba(const Value& value) {
+  const std::vector<spec::Bounds> bounds = spec::BoundsOfComponents(value);
+  return bounds.size() == 4 && std::ranges::all_of(bounds, [](const spec::Bounds& each) {
+           return each.low >= 0 && each.high <= 1;
+         });
+}
+
+bool HasColorOptions(const Value& value) {
+  const auto* draw = std::get_if<spec::Draw>(&value.form);
+  return draw != nullptr && value.components == 4 && std::ranges::all_of(draw->arguments, IsRgba);
+}
+
 bool IsColor(const spec::Parameter& parameter, const Value& value,
              const std::vector<spec::Bounds>& bounds) {
   if (value.components != 3 && value.components != 4) return false;
@@ -54,6 +67,7 @@ std::string_view KindOf(const spec::Parameter& parameter, const Value& value, bo
                         const std::vector<spec::Bounds>& bounds) {
   const auto* draw = std::get_if<spec::Draw>(&value.form);
   if (draw != nullptr && draw->rows != nullptr) return "fixed";
+  if (HasColorOptions(value)) return "color";
   if (has_choices) return "choice";
   if (value.is_list) return "list";
   if (value.type == expr::Type::kBoolean) return "switch";

@@ -280,27 +280,24 @@
     color(control, id) {
       let values = [];
       const picker = make("input", { type: "color", id });
-      const change = (isComplete) => {
-        const rgb = [1, 3, 5].map((at) => Number(digits(parseInt(picker.value.slice(at, at + 2), 16) / 255)));
-        values = rgb.concat(values.slice(3));
-        set(control.name, values, isComplete);
-      };
-      picker.addEventListener("input", () => change(false));
-      picker.addEventListener("change", () => change(true));
-      const alpha = control.components === 4 ? makeNumber(id + "-alpha", control.name + ", opacity", 0, 1, false, "", (value, isComplete) => {
-        values = values.slice(0, 3).concat([value]);
-        set(control.name, values, isComplete);
-      }) : null;
+      const change = (rgb, rest, isComplete) => set(control.name, values = rgb.concat(rest), isComplete);
+      const picked = () => [1, 3, 5].map((at) => Number(digits(parseInt(picker.value.slice(at, at + 2), 16) / 255)));
+      picker.addEventListener("input", () => change(picked(), values.slice(3), false));
+      picker.addEventListener("change", () => change(picked(), values.slice(3), true));
+      const alpha = control.components === 4 ? makeNumber(id + "-alpha", control.name + ", opacity", 0, 1, false, "",
+        (value, isComplete) => change(values.slice(0, 3), [value], isComplete)) : null;
+      const list = control.choices ? makers.choice(control, id + "-list") : null;
       const hex = (value) => Math.round(255 * Math.min(Math.max(value, 0), 1)).toString(16).padStart(2, "0");
       const show = (value) => {
         values = value;
         picker.value = "#" + value.slice(0, 3).map(hex).join("");
         if (alpha) alpha.show(value[3]);
+        if (list) list.show(value);
       };
-      return { rows: [make("div", { className: "row single" }, picker), alpha && alpha.row], show, focus: () => picker.focus() };
+      return { rows: [make("div", { className: "row single" }, picker), alpha && alpha.row, list && list.rows[0]], show, focus: () => picker.focus() };
     },
     choice(control, id) {
-      const list = make("select", { id });
+      const list = make("select", { id, "aria-label": control.name });
       const text = (value) => Array.isArray(value) ? value.join(", ") : String(value);
       control.choices.forEach((value, i) => list.append(make("option", { value: String(i) }, text(value))));
       list.addEventListener("change", () => {

@@ -91,12 +91,12 @@ struct Studio::State {
 Studio::Studio(Start start) : state_(std::make_unique<State>(std::move(start))) {}
 Studio::~Studio() = default;
 
-Reply Studio::Answer(std::string_view text) {
+Reply Studio::Answer(std::string_view request) {
   std::string why_not;
-  const std::optional<Request> request = ReadRequest(text, why_not);
-  if (!request) return Failure(why_not);
+  const std::optional<Request> wanted = ReadRequest(request, why_not);
+  if (!wanted) return Failure(why_not);
   try {
-    return state_->Answer(*request);
+    return state_->Answer(*wanted);
   } catch (const std::bad_alloc&) {
     throw;  // the process ends, and with it its memory
   } catch (const std::exception& error) {

@@ -52,13 +52,15 @@ TEST_CASE("the form of a value decides which control it has") {
       "  word: hello\n"
       "  size: [1, 2 .. 3, 4]\n"
       "  color: [0.5, 0.2 .. 0.9, 0, 1]\n"
+      "  glaze: {choice: [[0.9, 0.8, 0.7, 1], [0.1, 0.2, 0.3, 1]]}\n"
       "  tint: {hsv: [0.1, 0.2, 0.3]}\n"
       "  rows: {each: 1 .. 2, count: 5}\n"
       "  thin: {normal: [3, 1]}\n");
   const std::map<std::string, std::string> kinds = {
       {"count", "number"}, {"drawn", "number"}, {"double", "number"},  {"shape", "choice"},
       {"pair", "choice"},  {"mixed", "number"}, {"painted", "switch"}, {"word", "text"},
-      {"size", "vector"},  {"color", "color"},  {"rows", "list"},      {"thin", "number"}};
+      {"size", "vector"},  {"color", "color"},  {"glaze", "color"},    {"tint", "color"},
+      {"rows", "list"},    {"thin", "number"}};
   for (const auto& [name, kind] : kinds) {
     INFO(name);
     CHECK(controls[name]["kind"] == kind);
@@ -69,6 +71,7 @@ TEST_CASE("the form of a value decides which control it has") {
   CHECK(controls["double"]["low"].is_null());
   CHECK(controls["shape"]["choices"] == Json({"box", "cylinder"}));
   CHECK(controls["pair"]["choices"] == Json({{1, 2}, {3, 4}}));
+  CHECK(controls["glaze"]["choices"].size() == 2);
   CHECK(controls["mixed"]["low"] == Json{1});
   CHECK(controls["mixed"]["high"] == Json{5});
   CHECK(controls["size"]["low"] == Json({1, 2, 4}));
