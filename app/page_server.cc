@@ -155,12 +155,11 @@ void PageServer::AnswerPost(std::string_view name, std::string_view query, const
   if (name != "ask" && name != "draw")
     return respond(Text(http::status::not_found, "mjforge: no such page"));
   const std::string client(name == "draw" ? QueryValue(query, "client") : std::string_view());
-  queue_.Add(client, body, [this, respond](RequestQueue::Outcome outcome) {
-    respond(AnswerOf(std::move(outcome)));
-  });
+  queue_.Add(client, body,
+             [this, respond](const RequestQueue::Outcome& outcome) { respond(AnswerOf(outcome)); });
 }
 
-PageServer::Response PageServer::AnswerOf(RequestQueue::Outcome outcome) {
+PageServer::Response PageServer::AnswerOf(const RequestQueue::Outcome& outcome) {
   constexpr std::string_view kType = "application/octet-stream";
   if (outcome.kind == RequestQueue::Outcome::Kind::kReplaced)
     return Text(http::status::conflict, "mjforge: a newer request replaced it");

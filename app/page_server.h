@@ -52,7 +52,7 @@ class PageServer {
   void AnswerGet(std::string_view name, std::string_view query, const Respond& respond);
   void AnswerPost(std::string_view name, std::string_view query, const std::string& body,
                   const Respond& respond);
-  Response AnswerOf(RequestQueue::Outcome outcome);
+  Response AnswerOf(const RequestQueue::Outcome& outcome);
   void Watch(const std::vector<std::filesystem::path>& files);
   void Tick();
 

@@ -59,6 +59,7 @@ class Studio {
   /// - `action: redraw` returns another random value of the parameter `name`;
   /// - `action: export` returns the variant as text: `name` is command, params, mjcf or png;
   /// - `action: source` returns the text of the spec's file `name`;
+  /// - `action: pick` returns the part at the place `x`, `y` of the picture;
   /// - `action: save` writes the settings to the preset `name`, and `action: preset` returns those
   ///   of a preset.
   /// A request that is wrong gives `{"error": "..."}`.

@@ -143,9 +143,9 @@
     byId("source-name").textContent = finding.file;
     byId("source-text").replaceChildren(...lines);
     byId("source").hidden = false;
-    const here = byId("source-text").querySelector(".here");
-    if (here) here.scrollIntoView({ block: "center" });
-    byId("source-text").focus();
+    const pre = byId("source-text");
+    pre.scrollTop = (pre.querySelector(".here") || pre).offsetTop - pre.offsetTop - 60; // a few lines above
+    pre.focus({ preventScroll: !text });
   }
 
   // History: states before each change that is complete.
@@ -208,8 +208,7 @@
     const step = whole ? 1 : "any";
     const slider = make("input", { type: "range", step, "aria-label": label + ", slider" });
     const field = make("input", { type: "number", id, step, "aria-label": label + (unit ? ", " + unit : "") });
-    let shown = NaN;
-    let isEdited = false; // since the last complete change
+    let [shown, isEdited] = [NaN, false]; // the value, and whether it changed since the last complete change
     function range(value) {
       if (low === null || high === null || !(low < high)) {
         const width = Math.abs(value) || 1;
@@ -304,8 +303,7 @@
         if (list.value !== "") set(control.name, control.choices[Number(list.value)], true);
       });
       const show = (value) => {
-        const at = control.choices.findIndex((choice) => JSON.stringify(choice) === JSON.stringify(value));
-        list.value = at < 0 ? "" : String(at);
+        list.value = String(control.choices.findIndex((choice) => JSON.stringify(choice) === JSON.stringify(value)));
       };
       return { rows: [make("div", { className: "row single" }, list)], show, focus: () => list.focus() };
     },
@@ -359,8 +357,7 @@
   }
 
   async function redraw(name) {
-    const random = String(Math.floor(Math.random() * 2 ** 53));
-    const reply = await ask(request("redraw", { name, seed: random }));
+    const reply = await ask(request("redraw", { name, seed: String(Math.floor(Math.random() * 2 ** 53)) }));
     if (!reply || reply.value === undefined) return;
     controls.get(name).show(reply.value);
     set(name, reply.value, true);
@@ -432,15 +429,13 @@
       turn(-(event.clientX - at[0]) * kDegreesPerPixel, -(event.clientY - at[1]) * kDegreesPerPixel, true);
       at = [event.clientX, event.clientY];
     });
-    const release = () => {
-      if (at) draw(false);
-      at = null;
-    };
+    const release = () => at && (at = null, draw(false));
     for (const name of ["pointerup", "pointercancel"]) figure.addEventListener(name, release);
     figure.addEventListener("wheel", (event) => {
       event.preventDefault();
       zoom(Math.exp(-event.deltaY * 0.001));
     }, { passive: false });
+    figure.addEventListener("dblclick", (event) => showPart(event, figure.getBoundingClientRect()));
     const keys = {
       ArrowLeft: () => turn(10, 0, true), ArrowRight: () => turn(-10, 0, true),
       ArrowUp: () => turn(0, 10, true), ArrowDown: () => turn(0, -10, true),
@@ -456,6 +451,14 @@
   function showFirstView() {
     view = { ...kFirstView };
     draw(false);
+  }
+
+  // Shows the part at a place of the picture, and its line of the spec.
+  async function showPart(event, box) {
+    const found = await ask(request("pick", { x: (event.clientX - box.left) / box.width, y: (event.clientY - box.top) / box.height }));
+    byId("part").textContent = found && found.part
+      ? [found.part, found.material, digits(found.mass) + " kg"].filter(Boolean).join(", ") : "no part";
+    if (found && found.file) openPlace(found, "");
   }
 
   // Shows the one of nine variants at a place of the picture.
@@ -478,9 +481,8 @@
   }
 
   async function loadPreset() {
-    if (!byId("preset").value) return;
     const reply = await ask(request("preset", { name: byId("preset").value }));
-    if (reply.error || reply.findings.length) return showFindings(reply.findings || []);
+    if (reply.error || reply.findings.length) return showFindings(reply.findings || []); // no preset was chosen
     pins = Object.fromEntries(reply.settings.map(({ name, text }) => [name, { yaml: text }]));
     commit();
     showHistory();
@@ -507,8 +509,7 @@
   }
 
   function save(name, type, content) {
-    const link = make("a", { href: URL.createObjectURL(new Blob([content], { type })), download: name });
-    link.click();
+    make("a", { href: URL.createObjectURL(new Blob([content], { type })), download: name }).click();
   }
 
   // Shows the spec, as it is now in its file. Set values stay set if there still is such a parameter.

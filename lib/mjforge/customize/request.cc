@@ -162,6 +162,8 @@ std::optional<Request> ReadRequest(std::string_view json, std::string& why_not) 
   reader.Bounded("azimuth", -1e4, 1e4, picture.view.azimuth);
   reader.Bounded("elevation", -90, 90, picture.view.elevation);
   reader.Bounded("zoom", 1 / kMostZoom, kMostZoom, picture.view.zoom);
+  reader.Bounded("x", 0, 1, request.x);
+  reader.Bounded("y", 0, 1, request.y);
   reader.Layer(picture.layer);
   if (!why_not.empty()) return std::nullopt;
   return request;

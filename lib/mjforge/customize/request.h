@@ -27,6 +27,8 @@ struct Request {
   bool nine = false;                                   // draws nine variants, from the index on
   bool simulate = false;                               // runs the physical checks
   std::vector<std::pair<std::string, double>> joints;  // rad or m
+  double x = 0.5;  // place in the picture, from 0 at the left and the top to 1
+  double y = 0.5;
   picture::Options picture = {.width = 640, .height = 480};
 };
 

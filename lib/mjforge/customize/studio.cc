@@ -76,6 +76,7 @@ struct Studio::State {
   Reply Redraw(Request request);
   Reply Export(const Request& request);
   Reply Source(const Request& request);
+  Reply Pick(const Request& request);
   Reply SavePreset(const Request& request);
   Reply LoadPreset(const Request& request);
   Presets PresetsOf(const ShownVariant& shown) const;
@@ -110,6 +111,7 @@ Reply Studio::State::Answer(const Request& request) {
   if (request.action == "redraw") return Redraw(request);
   if (request.action == "export") return Export(request);
   if (request.action == "source") return Source(request);
+  if (request.action == "pick") return Pick(request);
   if (request.action == "save") return SavePreset(request);
   if (request.action == "preset") return LoadPreset(request);
   return Failure("there is no action '" + request.action + "'");
@@ -291,6 +293,18 @@ Reply Studio::State::Export(const Request& request) {
   json.EndObject();
   reply.json = json.Take();
   return reply;
+}
+
+Reply Studio::State::Pick(const Request& request) {
+  ShownVariant& shown = cache.Make(request, CheckLevel::kNone);
+  diag::Json json(expr::AppendExactNumber);
+  json.StartObject();
+  if (shown.subject != nullptr) {
+    MoveJoints(request, shown);
+    WritePart(json, shown, picture::GeomAt(*shown.subject, request.picture, request.x, request.y));
+  }
+  json.EndObject();
+  return {json.Take(), {}, {}};
 }
 
 // Returns the text of a file that the spec was read from, and of no other file.

@@ -51,6 +51,30 @@ bool IsMovable(const picture::Joint& joint) {
   return joint.type == picture::Joint::Type::kHinge || joint.type == picture::Joint::Type::kSlide;
 }
 
+void WritePart(diag::Json& json, const ShownVariant& shown, std::string_view geom) {
+  if (geom.ends_with(model::kVisualSuffix)) geom.remove_suffix(model::kVisualSuffix.size());
+  const model::Object& object = *shown.variant->object;
+  const model::Part* found = nullptr;
+  double mass = 0;
+  for (const model::Body& body : object.bodies) {
+    for (const model::Part& part : body.parts) {
+      if (part.name == geom) found = &part;
+    }
+  }
+  if (found == nullptr) return;
+  for (const model::Body& body : object.bodies) {
+    for (const model::Part& part : body.parts)
+      mass += part.NameInSpec() == found->NameInSpec() ? part.mass : 0;
+  }
+  json.Member("part", found->NameInSpec());
+  if (found->material >= 0)
+    json.Member("material", object.materials[static_cast<std::size_t>(found->material)].name);
+  json.Member("mass", mass);
+  if (!found->mark) return;
+  json.Member("file", diag::SafeText(shown.sources.Name(found->mark.file)));
+  json.Member("line", found->mark.line);
+}
+
 void WriteVariant(diag::Json& json, const ShownVariant& shown) {
   WriteValues(json, shown);
   WriteFacts(json, shown);

@@ -14,4 +14,8 @@ bool IsMovable(const picture::Joint& joint);
 /// counts, or null if there is no object; and `joints`, a list of those that are movable.
 void WriteVariant(diag::Json& json, const ShownVariant& shown);
 
+/// Writes members about the part of the spec whose geom has this name: `part`, `material`, `mass`
+/// (kg, with all its pieces), `file` and `line`. Writes none if there is no such part.
+void WritePart(diag::Json& json, const ShownVariant& shown, std::string_view geom);
+
 }  // namespace mjforge::customize

@@ -69,6 +69,21 @@ inline void RemoveTexture(mjvGeom& geom) {
 #endif
 }
 
+/// Returns the first geom that a ray hits, of the groups that are not 0 in `groups` (mjNGROUP
+/// numbers); -1 if there is none. Later releases also ask mj_ray for a normal.
+template <typename Ray = decltype(&mj_ray)>
+int FindGeomOnRay(const mjModel& m, const mjData& d, const mjtNum* from, const mjtNum* direction,
+                  const mjtByte* groups, Ray ray = &mj_ray) {
+  int geom = -1;
+  if constexpr (std::is_invocable_v<Ray, const mjModel*, const mjData*, const mjtNum*,
+                                    const mjtNum*, const mjtByte*, Flag, int, int*>) {
+    ray(&m, &d, from, direction, groups, 1, -1, &geom);
+  } else {
+    ray(&m, &d, from, direction, groups, 1, -1, &geom, nullptr);
+  }
+  return geom;
+}
+
 /// Returns the MJCF keyword of a mjtDyn, mjtGain or mjtBias.
 std::string_view WordOf(mjtDyn dynamics);
 std::string_view WordOf(mjtGain gain);

@@ -170,6 +170,11 @@ class Renderer {
   std::unique_ptr<State> state_;
 };
 
+/// Returns the name of the geom at a place of the picture that Draw makes of the visible geoms; x
+/// goes from 0 at the left to 1 at the right, and y from 0 at the top to 1 at the bottom. Returns
+/// an empty text if there is no geom.
+std::string GeomAt(Subject& subject, const Options& options, double x, double y);
+
 /// An image in a contact sheet, and the lines of text below it.
 struct Tile {
   Image image;

@@ -175,6 +175,16 @@ TEST_CASE_METHOD(StudioTest, "only the spec's own files are shown") {
         "the spec was not read from '/etc/passwd'");
 }
 
+TEST_CASE_METHOD(StudioTest, "a place of the picture leads to the part and its line") {
+  const Json part = Ask({{"action", "pick"}, {"x", 0.5}, {"y", 0.3}});
+  CHECK(part["part"] == "lamp_rod");
+  CHECK(part["line"] == 8);
+  CHECK(part["file"] == file_.string());
+  CHECK(part["mass"] > 0);
+  CHECK(Ask({{"action", "pick"}, {"x", 0.5}, {"y", 0.9}})["part"] == "lamp_plate");
+  CHECK(Ask({{"action", "pick"}, {"x", 0.01}, {"y", 0.01}}).empty());
+}
+
 TEST_CASE_METHOD(StudioTest, "a preset that was saved can be loaded") {
   const Json saved = Ask(
       {{"action", "save"}, {"name", "tall"}, {"settings", {{{"name", "height"}, {"value", 0.4}}}}});

@@ -1,0 +1,24 @@
+// The geom at a place of a picture.
+
+#include "mjforge/picture/camera.h"
+#include "mjforge/picture/picture.h"
+#include "mjforge/picture/scene.h"
+#include "mjforge/picture/subject.h"
+
+namespace mjforge::picture {
+
+std::string GeomAt(Subject& subject, const Options& options, double x, double y) {
+  const mjModel& model = *subject.state().model;
+  Scene scene(model);
+  diag::Findings ignored;
+  if (!scene.Fill(subject, Layer::kVisual, ignored)) return {};
+  const Camera camera = FrameShapes(scene.shapes(), options.width, options.height, options.view);
+  const Eigen::Vector3d ray = camera.forward + (2 * x - 1) * camera.tan_x * camera.right +
+                              (1 - 2 * y) * camera.tan_y * camera.up;
+  constexpr std::array<mjtByte, mjNGROUP> kVisible = {1, 1, 1};
+  const int geom = engine::FindGeomOnRay(model, *subject.state().data, camera.eye.data(),
+                                         ray.data(), kVisible.data());
+  return geom < 0 ? std::string() : std::string(model.names + model.name_geomadr[geom]);
+}
+
+}  // namespace mjforge::picture
