@@ -1,4 +1,5 @@
 // `mjforge customize`: a page with a control for every parameter of a spec, served on this machine.
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/wait.h>
 #include <unistd.h>
