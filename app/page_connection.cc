@@ -22,24 +22,24 @@ using boost::system::error_code;
 
 constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 20;  // size limit of a request
 constexpr std::chrono::seconds kPatience(30);  // time limit for a request or a response
+// Shorter time limit for the first request: programs of other users, which do not know the token,
+// may take connections, too.
+constexpr std::chrono::seconds kFirstPatience(5);
 
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
   Connection(boost::asio::ip::tcp::socket socket, PageServer& server)
-      : stream_(std::move(socket)), server_(server) {
-    server_.AddConnection();
-  }
-  Connection(const Connection&) = delete;
-  Connection& operator=(const Connection&) = delete;
-  ~Connection() { server_.RemoveConnection(); }
+      : stream_(std::move(socket)), server_(server), counted_(server.connections()) {}
 
-  void Read() {
+  /// Reads a request, which must begin within this time.
+  void Read(std::chrono::seconds patience) {
     parser_.emplace();
     parser_->body_limit(kMostBytes);
-    stream_.expires_after(kPatience);
+    stream_.expires_after(patience);
     http::async_read(stream_, buffer_, *parser_,
                      [self = shared_from_this()](error_code error, std::size_t) {
                        if (!error) self->Answer();
+                       if (error == http::error::body_limit) self->Refuse();
                      });
   }
 
@@ -47,18 +47,24 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void Answer() {
     stream_.expires_never();
     server_.Answer(parser_->get(), [self = shared_from_this()](PageServer::Response response) {
-      self->Write(std::move(response));
+      self->Write(std::move(response), self->parser_->get().keep_alive());
     });
   }
 
-  void Write(PageServer::Response response) {
+  void Refuse() {
+    PageServer::Response response(http::status::payload_too_large, 11);
+    response.body() = "mjforge: the request is too long\n";
+    Write(std::move(response), false);
+  }
+
+  void Write(PageServer::Response response, bool keep_alive) {
     response_ = std::move(response);
-    response_.keep_alive(parser_->get().keep_alive());
+    response_.keep_alive(keep_alive);
     response_.prepare_payload();
     stream_.expires_after(kPatience);
     http::async_write(stream_, response_,
                       [self = shared_from_this()](error_code error, std::size_t) {
-                        if (!error && self->response_.keep_alive()) self->Read();
+                        if (!error && self->response_.keep_alive()) self->Read(kPatience);
                       });
   }
 
@@ -67,12 +73,13 @@ class Connection : public std::enable_shared_from_this<Connection> {
   std::optional<http::request_parser<http::string_body>> parser_;
   PageServer::Response response_;
   PageServer& server_;
+  std::shared_ptr<void> counted_;
 };
 
 }  // namespace
 
 void ServeConnection(boost::asio::ip::tcp::socket socket, PageServer& server) {
-  std::make_shared<Connection>(std::move(socket), server)->Read();
+  std::make_shared<Connection>(std::move(socket), server)->Read(kFirstPatience);
 }
 
 }  // namespace mjforge::app

@@ -109,7 +109,8 @@ std::string PageServer::Address() const {
 void PageServer::Accept() {
   acceptor_.async_accept([this](error_code error, tcp::socket socket) {
     if (error == asio::error::operation_aborted) return;
-    if (!error && connections_ < kMostConnections) ServeConnection(std::move(socket), *this);
+    if (!error && connections_.use_count() <= kMostConnections)
+      ServeConnection(std::move(socket), *this);
     Accept();
   });
 }

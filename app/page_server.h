@@ -36,9 +36,9 @@ class PageServer {
 
   /// Answers a request, at once or later.
   void Answer(const Request& request, const Respond& respond);
-  /// Counts the connections, whose number is limited.
-  void AddConnection() { ++connections_; }
-  void RemoveConnection() { --connections_; }
+  /// Returns the owner of which each connection has a copy; their number is limited. Connections
+  /// may outlive the server.
+  const std::shared_ptr<void>& connections() const { return connections_; }
 
  private:
   // A page that waits for a change of the spec's files.
@@ -65,7 +65,7 @@ class PageServer {
   std::vector<std::filesystem::path> files_;
   std::optional<WatchedFiles> watched_;
   std::vector<Waiting> waiting_;
-  int connections_ = 0;
+  std::shared_ptr<void> connections_ = std::make_shared<int>();
 };
 
 /// Encodes an answer of the worker for AnswerOf: the files to watch, and the body of the response.

@@ -136,7 +136,7 @@ TEST_CASE_METHOD(CustomizeTest, "of two requests of a page that wait, the newer 
   CHECK(answered + replaced == 8);
 }
 
-TEST_CASE_METHOD(CustomizeTest, "a request that is no HTTP or too long ends its connection alone") {
+TEST_CASE_METHOD(CustomizeTest, "a request that is too long is refused") {
   CHECK(
       page_.Ask("POST", "/" + page_.token() + "/ask", {{"Content-Length", "99999999999"}}).status ==
       413);

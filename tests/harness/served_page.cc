@@ -102,9 +102,10 @@ ServedPage::~ServedPage() {
 HttpAnswer ServedPage::Ask(std::string_view method, std::string_view path, Headers headers,
                            std::string_view body) const {
   headers.try_emplace("Host", host());
+  headers.try_emplace("Content-Length", std::to_string(body.size()));
   std::string text = std::string(method) + " " + std::string(path) + " HTTP/1.1\r\n";
   for (const auto& [name, value] : headers) text += name + ": " + value + "\r\n";
-  text += "Connection: close\r\nContent-Length: " + std::to_string(body.size()) + "\r\n\r\n";
+  text += "Connection: close\r\n\r\n";
   text += body;
   const int socket = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
   sockaddr_in address = {};

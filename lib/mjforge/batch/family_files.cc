@@ -39,7 +39,7 @@ std::vector<std::unique_ptr<output::PartFile>> WriteFamilies(
     const output::Destination& destination, std::span<const std::filesystem::path> rows,
     const manifest::Record& record, const IndexRange& all, bool force, diag::Findings& findings) {
   const auto place = [&](const std::string& key) {
-    const std::filesystem::path file = destination.Family(key);
+    std::filesystem::path file = destination.Family(key);
     MayReplaceFamily(file, force, findings);
     return file;
   };

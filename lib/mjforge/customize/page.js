@@ -15,7 +15,6 @@
   let view = { ...kFirstView };
   let joints = {};
   let controls = new Map();
-  let reference = "";
 
   // Creates an element with properties and children.
   function make(tag, properties, ...children) {
@@ -50,7 +49,7 @@
 
   // Drawing: at most one request is under way, and only the newest state waits.
   let wanted = null;
-  let isBusy = false;
+  let running = null;
   let fullTimer = 0;
 
   function draw(quick) {
@@ -61,9 +60,8 @@
     return pump();
   }
 
-  async function pump() {
-    if (isBusy) return;
-    isBusy = true;
+  const pump = () => running || (running = drawWanted().finally(() => { running = null; }));
+  async function drawWanted() {
     while (wanted) {
       const quick = wanted.quick;
       wanted = null;
@@ -74,17 +72,13 @@
         byId("state").textContent = "outdated: no answer";
       }
     }
-    isBusy = false;
   }
 
   function show(reply, quick) {
-    if (reply.error) {
-      byId("state").textContent = "outdated";
-      return showFindings([{ finding: { severity: "error", message: reply.error }, text: "" }]);
-    }
+    if (reply.error) return showError(reply.error);
     const hasPicture = reply.picture.length > 0;
     if (hasPicture) showPicture(reply.picture);
-    for (const [name, control] of controls) if (name in reply.values && !wanted) control.show(reply.values[name]);
+    for (const [name, control] of controls) if (Object.hasOwn(reply.values, name) && !wanted) control.show(reply.values[name]);
     showFacts(reply.facts);
     showJoints(reply.joints);
     const isCurrent = hasPicture && !wanted;
@@ -96,6 +90,11 @@
     }
   }
 
+  function showError(message) {
+    byId("state").textContent = "outdated";
+    showFindings([{ finding: { severity: "error", message }, text: "" }]);
+  }
+
   function showPicture(bytes) {
     const picture = byId("picture");
     const old = picture.src;
@@ -104,7 +103,7 @@
     if (old) URL.revokeObjectURL(old);
   }
 
-  const digits = (number) => String(Number(Number(number).toPrecision(5)));
+  const digits = (number) => String(Number(Number.isInteger(Number(number)) ? number : Number(number).toPrecision(5)));
 
   function showFacts(facts) {
     const rows = facts ? [["mass", digits(facts.mass) + " kg"],
@@ -149,8 +148,7 @@
   }
 
   // History: states before each change that is complete.
-  const past = [];
-  const future = [];
+  const past = [], future = [];
   const now = () => JSON.stringify({ pins, seed, index });
   let last = now();
 
@@ -227,7 +225,7 @@
     function take(element, isComplete) {
       if (!isNumber(element.value)) return isComplete && show(shown);
       const value = element === slider ? Number(digits(element.value)) : Number(element.value);
-      if (isComplete && value === shown && !isEdited) return;
+      if (isComplete && !isEdited && (value === shown || element.value === digits(shown))) return;
       isEdited = !isComplete;
       shown = value;
       range(value);
@@ -337,8 +335,8 @@
     if (help) rows[0].querySelectorAll("input, select").forEach((element) =>
       element.setAttribute("aria-describedby", help.id));
     const showPin = () => {
-      box.classList.toggle("set", control.name in pins);
-      free.disabled = !(control.name in pins);
+      box.classList.toggle("set", Object.hasOwn(pins, control.name));
+      free.disabled = !Object.hasOwn(pins, control.name);
     };
     return { box, show, showPin, focus };
   }
@@ -378,7 +376,7 @@
           joints[joint.name] = value;
           draw(!isComplete);
         });
-      number.show(joint.name in joints ? joints[joint.name] : joint.value);
+      number.show(Object.hasOwn(joints, joint.name) ? joints[joint.name] : joint.value);
       const sweep = make("button", { type: "button", "aria-label": "Move " + joint.name,
         onclick: () => play(joint.name, ends, number) }, "Move");
       return make("div", { className: "control" }, make("div", { className: "head" },
@@ -481,8 +479,12 @@
   }
 
   async function loadPreset() {
-    const reply = await ask(request("preset", { name: byId("preset").value }));
-    if (reply.error || reply.findings.length) return showFindings(reply.findings || []); // no preset was chosen
+    const name = byId("preset").value;
+    byId("preset").value = ""; // so that the same preset can be chosen again
+    if (!name) return;
+    const reply = await ask(request("preset", { name }));
+    if (reply.error) return showError(reply.error);
+    if (reply.findings.some(({ finding }) => finding.severity === "error")) return showFindings(reply.findings);
     pins = Object.fromEntries(reply.settings.map(({ name, text }) => [name, { yaml: text }]));
     commit();
     showHistory();
@@ -515,6 +517,7 @@
   // Shows the spec, as it is now in its file. Set values stay set if there still is such a parameter.
   async function open() {
     const reply = await ask(request("open", { settings: [] }));
+    if (reply.error) return showError(reply.error);
     if (!first) {
       seed = reply.seed;
       index = reply.index;
@@ -522,7 +525,6 @@
       first = last = now();
       byId("layer").replaceChildren(...reply.layers.map((layer) => make("option", {}, layer)));
     }
-    reference = reply.reference;
     document.title = reply.name + " - mjforge customize";
     byId("name").textContent = reply.name;
     byId("description").textContent = reply.description;
@@ -588,7 +590,7 @@
         /^\d{1,19}$/.test(byId(id).value) ? setNumber(id, byId(id).value) : showHistory());
     }
     for (const button of document.querySelectorAll("[data-export]")) button.addEventListener("click", () => take(button.dataset.export));
-    byId("copy-seed").addEventListener("click", () => copy(reference + " --seed " + seed + " --index " + index));
+    byId("copy-seed").addEventListener("click", () => copy("--seed " + seed + " --index " + index));
     listenToView();
   }
 

@@ -129,7 +129,6 @@ Reply Studio::State::Open(const Request& request) {
   ShownVariant& shown = cache.LoadSpec(bare);
   diag::Json json(expr::AppendExactNumber);
   json.StartObject();
-  json.Member("reference", diag::SafeText(start.reference));
   json.Member("layers", picture::LayerNames());
   json.Member("seed", std::to_string(start.seed));
   json.Member("index", std::to_string(start.index));

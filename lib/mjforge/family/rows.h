@@ -72,7 +72,7 @@ class RowsFile {
   std::string ReadAt(std::uint64_t offset, std::uint64_t count);
   /// Position of the family of a header; that behind the last one if there is none.
   std::size_t Find(const Header& header) const;
-  void AddChunk(std::uint64_t at, std::uint64_t size, std::size_t family);
+  void AddChunk(std::uint64_t at, std::uint64_t size, std::size_t number);
   void AddAsset(std::uint64_t at, std::uint64_t size);
 
   bytes::File file_;
