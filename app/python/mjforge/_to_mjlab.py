@@ -33,14 +33,14 @@ def _in_turn(family: Family) -> Choice:
 
 
 def _at_random(family: Family) -> Choice:
-    import torch  # type: ignore[import-not-found, import-untyped, unused-ignore]
+    torch = needed("torch", "mjlab")
 
     return lambda env, worlds: torch.randint(len(family), worlds.shape, device=worlds.device)
 
 
 def _term_of(family: Family, prefix: str, choose: Choice) -> type:
     """A class for EventTermCfg, of which mjlab makes an instance for each environment."""
-    import torch
+    torch = needed("torch", "mjlab")
 
     class Variants:
         """Gives worlds their variants; `rows` has the variant of each world."""
@@ -68,7 +68,7 @@ def _columns_of(family: Family, prefix: str, env: Any) -> "list[tuple[str, tuple
     to other objects.
     """
     import numpy as np
-    import torch
+    torch = needed("torch", "mjlab")
 
     model, m = env.sim.mj_model, env.sim.wp_model
     columns = []

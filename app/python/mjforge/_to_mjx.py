@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Mapping
 
+from ._attach import _module_of
 from ._mjx_hulls import moved_hull
 from ._packages import needed
 
@@ -48,10 +49,9 @@ def _leaf(base: Any, name: str) -> Any:
 
 
 def _check_sensors(model: MjModel, fields: Mapping[str, Any]) -> None:
-    import mujoco
-
+    types = _module_of(model).mjtSensor
     for name, kind in _SENSED.items():
-        if name in fields and (model.sensor_type == getattr(mujoco.mjtSensor, f"mjSENS_{kind}")).any():
+        if name in fields and (model.sensor_type == getattr(types, f"mjSENS_{kind}")).any():
             raise ValueError(f"{name} differs between the variants, and the model has a sensor of the type "
                              f"{kind.lower()}, for which MJX has it once for all worlds")
 
@@ -70,10 +70,10 @@ def _check_height_fields(model: MjModel, fields: Mapping[str, Any]) -> None:
 
 def _check_wraps(model: MjModel, fields: Mapping[str, Any], base: Any) -> None:
     """Raises ValueError if a tendon passes inside a sphere or a cylinder in some variants only."""
-    import mujoco
     import numpy as np
 
-    wraps = np.isin(model.wrap_type, [int(mujoco.mjtWrap.mjWRAP_SPHERE), int(mujoco.mjtWrap.mjWRAP_CYLINDER)])
+    types = _module_of(model).mjtWrap
+    wraps = np.isin(model.wrap_type, [int(types.mjWRAP_SPHERE), int(types.mjWRAP_CYLINDER)])
     if not model.nsite or not wraps.any():
         return
     geoms, sites = model.wrap_objid[wraps], np.round(model.wrap_prm[wraps]).astype(int)
