@@ -47,6 +47,9 @@ FAMILIES = {
 FAMILY_SIZE = 64
 # Options of the family, and not of its variants alone: null geoms, and a mocap body.
 OF_FAMILY = {"any_hammer": ["--pad"], "mug": ["--pad"], "cabinet": ["--mocap"]}
+FOR_MJX = {"mug": ["--set", "handle_shape=round"], "cabinet": ["--mocap"]}
+# Falling on a ball, the prisms that stand for round handles touch it in other places than in MuJoCo.
+UNLIKE_MJX = {"any_hammer"}
 
 
 @dataclasses.dataclass
@@ -159,8 +162,9 @@ def generate(program, folder, is_all):
         for output, more in ((f"{name}.npz", OF_FAMILY.get(name, [])), (f"{name}/", [])):
             run([program, "generate", *options, *more, "-n", str(FAMILY_SIZE), "--seed", "7",
                  "-o", str(folder / "family" / output), "--quiet"])
-        run([program, "generate", *options, *(["--mocap"] if name in FIXED else []), "-n", str(FAMILY_SIZE),
-             "--seed", "7", "--target", "mjx", "-o", str(folder / "family_mjx" / f"{name}.npz"), "--quiet"])
+        if name not in UNLIKE_MJX:
+            run([program, "generate", *options, *FOR_MJX.get(name, []), "-n", str(FAMILY_SIZE), "--seed", "7",
+                 "--target", "mjx", "-o", str(folder / "family_mjx" / f"{name}.npz"), "--quiet"])
     for spec in ("primitives/cylinder", HERE / "uneven.yaml", HERE / "string.yaml"):
         run([program, "generate", str(spec), "-n", str(FAMILY_SIZE), "--seed", "7", "--target", "mjx",
              "-o", str(folder / "family_mjx" / f"{pathlib.Path(spec).stem}.npz"), "--quiet"])
