@@ -25,10 +25,10 @@ import venv
 
 HERE = pathlib.Path(__file__).resolve().parent
 
-# The sets of files: how many variants of each spec, and options of `generate`. MuJoCo gets seven
+# The sets of files: how many variants of each spec, and options of `generate`. MuJoCo gets ten
 # times as many with --all.
 SETS = {
-    "mujoco": (3, ["--target", "mujoco"]),
+    "mujoco": (2, ["--target", "mujoco"]),
     "robosuite": (2, ["--target", "robosuite"]),
     "robocasa": (2, ["--target", "robocasa"]),
     "mjx": (2, ["--target", "mjx"]),
@@ -134,7 +134,7 @@ def run(command):
 
 
 def count_of(target, is_all):
-    return SETS[target][0] * (7 if is_all and target == "mujoco" else 1)
+    return SETS[target][0] * (10 if is_all and target == "mujoco" else 1)
 
 
 def generate(program, folder, is_all):
