@@ -11,7 +11,6 @@ namespace mjforge::python {
 namespace {
 
 using spec::Bounds;
-using spec::Distribution;
 using spec::Value;
 
 // Writes a number; Python's reader of JSON knows the word Infinity.
@@ -38,18 +37,6 @@ void WriteBounds(diag::Json& json, const Value& value) {
       json.EndArray();
     }
   }
-}
-
-void WriteChoices(diag::Json& json, const spec::Draw& draw) {
-  json.Key("choices");
-  diag::Json choices(expr::AppendExactNumber);
-  choices.StartArray();
-  const bool has_list =
-      draw.distribution == Distribution::kChoice || draw.distribution == Distribution::kCycle;
-  const bool is_constant = std::ranges::all_of(
-      draw.arguments, [&](const Value& option) { return spec::WriteConstant(choices, option); });
-  choices.EndArray();
-  json.Raw(has_list && is_constant ? choices.Take() : "null");
 }
 
 std::string_view TypeName(const Value& value) {
@@ -80,7 +67,8 @@ void WriteParameters(diag::Json& json, const spec::ObjectSpec& spec) {
               ->key);
     }
     WriteBounds(json, parameter.value);
-    WriteChoices(json, draw == nullptr ? spec::Draw() : *draw);
+    json.Key("choices");
+    json.Raw(spec::ConstantChoices(parameter.value).value_or("null"));
     json.EndObject();
   }
   json.EndArray();

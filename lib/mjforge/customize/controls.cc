@@ -23,21 +23,6 @@ const Value& ValueOf(const spec::ObjectSpec& spec, const spec::Parameter& parame
                                      spec.shared[shared->file]->parameters[shared->position]);
 }
 
-// Returns the options of a choice as a JSON list; nothing if a variant determines one of them.
-std::optional<std::string> ChoicesOf(const Value& value) {
-  const auto* draw = std::get_if<spec::Draw>(&value.form);
-  if (draw == nullptr ||
-      (draw->distribution != Distribution::kChoice && draw->distribution != Distribution::kCycle))
-    return std::nullopt;
-  diag::Json choices(expr::AppendExactNumber);
-  choices.StartArray();
-  for (const Value& option : draw->arguments) {
-    if (!spec::WriteConstant(choices, option)) return std::nullopt;
-  }
-  choices.EndArray();
-  return choices.Take();
-}
-
 // Returns true for four numbers from 0 to 1: red, green, blue and opacity.
 bool IsRgba(const Value& value) {
   const std::vector<spec::Bounds> bounds = spec::BoundsOfComponents(value);
@@ -126,7 +111,7 @@ void WriteControls(diag::Json& json, const spec::ObjectSpec& spec) {
   for (const spec::Parameter& parameter : spec.parameters) {
     const Value& value = ValueOf(spec, parameter);
     const std::vector<spec::Bounds> bounds = AllBounds(value);
-    const std::optional<std::string> choices = ChoicesOf(value);
+    const std::optional<std::string> choices = spec::ConstantChoices(value);
     json.StartObject();
     json.Member("name", parameter.name);
     json.Member("group", GroupOf(parameter, prefixes));

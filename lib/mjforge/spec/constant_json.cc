@@ -2,10 +2,14 @@
 
 #include "mjforge/spec/constant_json.h"
 
+#include "mjforge/diag/diag.h"
+#include "mjforge/expr/expr.h"
 #include "mjforge/spec/values.h"
 
 namespace mjforge::spec {
+namespace {
 
+// Returns false for a value that a variant determines, after which the JSON may be incomplete.
 bool WriteConstant(diag::Json& json, const Value& value) {
   if (const auto number = ConstantOf(value)) {
     json.Value(*number);
@@ -23,6 +27,22 @@ bool WriteConstant(diag::Json& json, const Value& value) {
     return false;
   }
   return true;
+}
+
+}  // namespace
+
+std::optional<std::string> ConstantChoices(const Value& value) {
+  const auto* draw = std::get_if<Draw>(&value.form);
+  if (draw == nullptr ||
+      (draw->distribution != Distribution::kChoice && draw->distribution != Distribution::kCycle))
+    return std::nullopt;
+  diag::Json choices(expr::AppendExactNumber);
+  choices.StartArray();
+  for (const Value& option : draw->arguments) {
+    if (!WriteConstant(choices, option)) return std::nullopt;
+  }
+  choices.EndArray();
+  return choices.Take();
 }
 
 }  // namespace mjforge::spec

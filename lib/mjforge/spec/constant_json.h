@@ -1,14 +1,15 @@
 // Values that are the same in all variants, as JSON.
 #pragma once
 
-#include "mjforge/diag/diag.h"
+#include <optional>
+#include <string>
 
 namespace mjforge::spec {
 
 struct Value;
 
-/// Writes a number, text, boolean or list of these that is the same in all variants. Returns false
-/// for any other value, after which the JSON may be incomplete.
-bool WriteConstant(diag::Json& json, const Value& value);
+/// Returns the options of a choice or a cycle as a JSON list; nothing for any other value, and if
+/// an option is not the same number, text, boolean or list of these in all variants.
+std::optional<std::string> ConstantChoices(const Value& value);
 
 }  // namespace mjforge::spec
