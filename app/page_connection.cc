@@ -39,7 +39,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
     http::async_read(stream_, buffer_, *parser_,
                      [self = shared_from_this()](error_code error, std::size_t) {
                        if (!error) self->Answer();
-                       if (error == http::error::body_limit) self->Refuse();
+                       if (error == http::error::body_limit)
+                         self->Write(PageServer::TooLong(), false);
                      });
   }
 
@@ -49,12 +50,6 @@ class Connection : public std::enable_shared_from_this<Connection> {
     server_.Answer(parser_->get(), [self = shared_from_this()](PageServer::Response response) {
       self->Write(std::move(response), self->parser_->get().keep_alive());
     });
-  }
-
-  void Refuse() {
-    PageServer::Response response(http::status::payload_too_large, 11);
-    response.body() = "mjforge: the request is too long\n";
-    Write(std::move(response), false);
   }
 
   void Write(PageServer::Response response, bool keep_alive) {

@@ -115,6 +115,10 @@ void PageServer::Accept() {
   });
 }
 
+PageServer::Response PageServer::TooLong() {
+  return Text(http::status::payload_too_large, "mjforge: the request is too long");
+}
+
 void PageServer::Answer(const Request& request, const Respond& respond) {
   const std::string_view target = View(request.target());
   const std::string_view path = target.substr(0, target.find('?'));

@@ -34,6 +34,8 @@ class PageServer {
   /// Returns the page's address, which contains the token.
   std::string Address() const;
 
+  /// Returns the response to a request that is too long to be read.
+  static Response TooLong();
   /// Answers a request, at once or later.
   void Answer(const Request& request, const Respond& respond);
   /// Returns the owner of which each connection has a copy; their number is limited. Connections

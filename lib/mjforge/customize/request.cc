@@ -62,8 +62,7 @@ class Reader {
     const double number = value->IsNumber() ? value->GetDouble() : NAN;
     if (!(number >= least && number <= most))
       return Fail(key, fmt::format("a number from {} to {}", least, most));
-    out = static_cast<typename std::conditional<std::is_same_v<Number, int>, int, double>::type>(
-        number);
+    out = static_cast<Number>(number);
   }
 
   void Layer(picture::Layer& out) {
