@@ -115,11 +115,9 @@ std::optional<Checkpoint> ArchiveSink::LastValidCheckpoint(std::uint64_t most) c
   const auto lost = std::ranges::find_if(closed, [&](const manifest::SealedFile& file) {
     return !IsIntact(file) || output::PartFile::Exists(destination_.Folder() / file.file);
   });
-  // All families of a batch are closed at once.
-  const bool are_lost =
-      destination_.kind == output::Destination::Kind::kFamily && lost != closed.end();
-  const std::uint64_t archive = ArchiveOf(options_.range.first) +
-                                (are_lost ? 0 : static_cast<std::uint64_t>(lost - closed.begin()));
+  const std::uint64_t archive =
+      ArchiveOf(options_.range.first) +
+      CountClosed(static_cast<std::uint64_t>(lost - closed.begin()), closed.size());
   std::vector<Checkpoint> candidates;  // checkpoints of the last archive that can be continued
   for (const Checkpoint& checkpoint : journal_.checkpoints()) {
     if (checkpoint.next > most || !CanContinueAt(checkpoint)) continue;

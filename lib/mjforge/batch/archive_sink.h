@@ -37,6 +37,11 @@ class ArchiveSink : public Sink {
   virtual bool IsOwn(const std::filesystem::path& file) const {
     return output::IsObjectArchive(file);
   }
+  /// Returns the number of closed archives, if the first `intact` of their `files` are as they were
+  /// made.
+  virtual std::uint64_t CountClosed(std::uint64_t intact, std::uint64_t /*files*/) const {
+    return intact;
+  }
   /// Encodes an asset.
   virtual bool AppendAsset(const std::string& name, std::string_view bytes,
                            diag::Findings& findings);

@@ -23,6 +23,11 @@ class FamilySink : public ArchiveSink {
 
   bool IsOwn(const std::filesystem::path& file) const override { return family::IsRows(file); }
 
+  // All families of a batch are closed at once.
+  std::uint64_t CountClosed(std::uint64_t intact, std::uint64_t files) const override {
+    return intact == files && files > 0 ? 1 : 0;
+  }
+
   bool AppendAsset(const std::string& name, std::string_view bytes,
                    diag::Findings& findings) override {
     return file()->Append(family::AssetBlock(name, bytes), findings);

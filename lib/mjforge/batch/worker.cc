@@ -133,8 +133,10 @@ class ChunkMaker {
     manifest::Record& record = variant_.record;
     if (IsFamily()) {
       record.file.clear();
-      record.archive =
-          request_.destination.Family(variant_.structure.FamilyKey()).filename().string();
+      const bool is_split = destination.IsSplit();
+      record.archive = is_split
+                           ? destination.Family(variant_.structure.FamilyKey()).filename().string()
+                           : archive_;
       AddAssets(result);
       return family_.Add(variant_, record.archive, findings);
     }

@@ -105,7 +105,6 @@ class Rows {
   std::string Header(std::string_view base) const;
   /// Returns the bytes of the chunk; empty if it has no rows.
   std::string Bytes() const;
-  void Clear() { *this = Rows(); }
   bool empty() const { return count_ == 0; }
 
  private:

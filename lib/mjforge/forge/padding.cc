@@ -14,8 +14,9 @@ std::shared_ptr<const padding::Superset> Generator::FindSuperset(const std::atom
     const std::uint64_t index = options_.layout_first + i;
     for (std::uint64_t attempt = 0; attempt < attempts; ++attempt) {
       const std::optional<model::Object> object = Unpadded(index, attempt, variant);
-      if (object) superset->Add(*object);
-      if (object) break;
+      if (!object) continue;
+      superset->Add(*object);
+      break;
     }
   }
   return superset;
