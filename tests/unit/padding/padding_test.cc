@@ -4,28 +4,13 @@
 
 #include <catch2/catch.hpp>
 
-#include "mjforge/assemble/assemble.h"
+#include "harness/spec_object.h"
 
 namespace mjforge::padding {
 namespace {
 
+using harness::ObjectOf;
 using Texts = std::vector<std::string>;
-
-// Returns the object of a spec with this text after its first lines.
-model::Object ObjectOf(const std::string& body) {
-  diag::Sources sources;
-  diag::Findings findings;
-  const auto spec = spec::LoadSpecText("thing.yaml", "mjforge: 1\nname: thing\n" + body, ".", {},
-                                       sources, findings);
-  for (const diag::Finding& finding : findings) UNSCOPED_INFO(finding.message);
-  REQUIRE(spec != nullptr);
-  auto values = sample::Sample(*spec, {.seed = 1}, sample::kRootStream, {}, findings);
-  REQUIRE(values);
-  auto object = assemble::Assembler().Assemble(*values, {.name = {}, .prefix = false}, findings);
-  for (const diag::Finding& finding : findings) UNSCOPED_INFO(finding.message);
-  REQUIRE(object);
-  return *std::move(object);
-}
 
 // Completes the objects of specs by the elements of all.
 std::vector<model::Object> Completed(const Texts& bodies) {

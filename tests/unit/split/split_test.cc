@@ -2,28 +2,14 @@
 
 #include <catch2/catch.hpp>
 
-#include "mjforge/assemble/assemble.h"
+#include "harness/spec_object.h"
 
 namespace mjforge::split {
 namespace {
 
 using Texts = std::vector<std::string>;
 
-/// Returns the scene of a spec whose header is put before `body`, without prefixes.
-model::Object Scene(const std::string& body) {
-  diag::Sources sources;
-  diag::Findings findings;
-  const auto spec = spec::LoadSpecText("scene.yaml", "mjforge: 1\nname: scene\n" + body, ".", {},
-                                       sources, findings);
-  for (const diag::Finding& finding : findings) UNSCOPED_INFO(finding.message);
-  REQUIRE(spec != nullptr);
-  auto values = sample::Sample(*spec, {.seed = 1}, sample::kRootStream, {}, findings);
-  REQUIRE(values);
-  auto scene = assemble::Assembler().Assemble(*values, {.name = {}, .prefix = false}, findings);
-  for (const diag::Finding& finding : findings) UNSCOPED_INFO(finding.message);
-  REQUIRE(scene);
-  return *std::move(scene);
-}
+model::Object Scene(const std::string& body) { return harness::ObjectOf(body, "scene"); }
 
 /// Parts of a scene, and the messages of the findings about them.
 struct Result {
