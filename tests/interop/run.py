@@ -74,11 +74,12 @@ HOSTS = {
     "mujoco-3.1": Host(["mujoco==3.1.2", "numpy<2"], ["check_mujoco.py"], MUJOCO,
                        heavy=True),
     "mujoco-3.3": Host(["mujoco==3.3.7"], ["check_mujoco.py", "check_couplings.py", "check_python.py",
-                                            "check_reset.py", "check_later.py", "check_family.py"],
+                                            "check_reset.py", "check_later.py", "check_family.py",
+                                            "check_family_files.py"],
                        MUJOCO + "; families, row by row; couplings, driven; attached to a scene in Python; "
                        "files with `<frame>` and `<replicate>`, expanded and attached"),
     "mujoco-newest": Host(["mujoco"], ["check_mujoco.py", "check_couplings.py", "check_files.py",
-                                       "check_python.py", "check_reset.py", "check_family.py"],
+                                       "check_python.py", "check_reset.py", "check_family.py", "check_family_files.py"],
                           MUJOCO + "; families, row by row; couplings, driven; attached to a scene in Python; "
                           "the same with `--assets files`"),
     "robosuite": Host(["mujoco"] + ROBOSUITE,

@@ -126,7 +126,7 @@ def _expect_no_static_geoms(fields: Mapping[str, Any], model: MjModel) -> None:
     is_static = (model.body_weldid == 0) & (model.body_mocapid[model.body_rootid] < 0)
     geoms = np.flatnonzero(is_static[model.geom_bodyid])
     bodies = set(model.geom_bodyid[geoms].tolist())
-    for body in sorted(bodies, reverse=True):  # parents come before their children
+    for body in sorted(bodies):
         while body:
             bodies.add(body)
             body = int(model.body_parentid[body])
