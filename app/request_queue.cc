@@ -36,7 +36,8 @@ void RequestQueue::Next() {
   if (!socket_.is_open()) socket_.assign({}, process_.Start());
   timer_.expires_after(std::chrono::duration_cast<std::chrono::milliseconds>(time_limit_));
   timer_.async_wait([this](error_code error) {
-    if (error || !current_) return;
+    // The time of an earlier request may have run out just before that request was answered.
+    if (error || !current_ || timer_.expiry() > std::chrono::steady_clock::now()) return;
     is_late_ = true;
     process_.Kill();
   });
