@@ -37,15 +37,20 @@ endif()
 
 # Sanitizers and coverage apply to the rooms and the program only. Tests compile to the same objects
 # in every configuration, so that the compiler's cache is valid.
-option(MJFORGE_SANITIZE "Find memory errors and undefined behaviour; count the lines run" OFF)
+option(MJFORGE_SANITIZE "Find memory errors and undefined behaviour" OFF)
+option(MJFORGE_COVERAGE "Count the lines run" OFF)
 add_library(mjforge_watched INTERFACE)
 if(MJFORGE_SANITIZE)
-  set(watchers -fsanitize=address,undefined --coverage)
+  set(watchers -fsanitize=address,undefined)
   # Without the checks for null and misaligned pointers, which took a quarter of the compile time:
   # null pointers crash anyway, and x86-64 allows misaligned reads. Fuzzing has these checks.
   target_compile_options(mjforge_watched INTERFACE ${watchers} -fno-sanitize=null,alignment -O1 -g1
-    -UNDEBUG -fno-sanitize-recover=all -fno-omit-frame-pointer -fprofile-update=atomic)
+    -UNDEBUG -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(${watchers})
+endif()
+if(MJFORGE_COVERAGE)
+  target_compile_options(mjforge_watched INTERFACE --coverage -fprofile-update=atomic)
+  add_link_options(--coverage)
 endif()
 
 # For tests/fuzz, with clang: coverage for libFuzzer, and the same sanitizers.

@@ -1,6 +1,7 @@
 """What the checks say: one line each, `ok NAME` or `FAILED NAME: why`."""
 
 import sys
+import time
 import traceback
 
 _passed = 0
@@ -10,9 +11,10 @@ _failed = 0
 def check(name, action, *arguments):
     """Runs an action; it passes unless it raises. Says which, and goes on.
 
-    The action may return a few words that are said after the name.
+    The action may return a few words that are said after the name. Durations from 2 s on are said, too.
     """
     global _passed, _failed
+    start = time.monotonic()
     try:
         words = action(*arguments)
     except Exception as error:  # whatever the host throws is a failure of the check
@@ -21,7 +23,9 @@ def check(name, action, *arguments):
         print(f"FAILED {name}: {error} ({where.name}, line {where.lineno})", flush=True)
     else:
         _passed += 1
-        print(f"ok {name}" + (f" ({words})" if words else ""), flush=True)
+        seconds = time.monotonic() - start
+        print(f"ok {name}" + (f" ({words})" if words else "") + (f" in {seconds:.0f} s" if seconds >= 2 else ""),
+              flush=True)
 
 
 def still_refused(name, reason, action, *arguments):
