@@ -90,7 +90,7 @@ TEST_CASE_METHOD(BatchTest, "a worker that is killed costs one variant, which is
   folder().Write("heap.yaml", kHeap);
   const std::string signal = GENERATE(as<std::string>(), "ABRT", "KILL");
   const CommandResult result = Shell(
-      "$mjforge generate heap.yaml -n 400 -j 2 --seed 7 -o out & p=$!\n"
+      "$mjforge generate heap.yaml -n 100 -j 2 --seed 7 -o out & p=$!\n"
       "until [ -s out/.manifest.jsonl.part ]; do sleep 0.01; done\n"
       "echo '<mujoco' > out/.heap_000033.xml.tmp1-0\n"  // as if the worker was writing it
       "kill -" +
@@ -102,10 +102,10 @@ TEST_CASE_METHOD(BatchTest, "a worker that is killed costs one variant, which is
   CHECK_FALSE(std::filesystem::exists(folder() / "out/.heap_000033.xml.tmp1-0"));
   CHECK(result.err.find(": its worker was killed by SIG" + signal + " (seed 7, index ") !=
         std::string::npos);
-  CHECK(result.err.find(": 399 ok, 1 failed") != std::string::npos);
+  CHECK(result.err.find(": 99 ok, 1 failed") != std::string::npos);
   const CommandResult again = Shell(
-      "$mjforge generate heap.yaml -n 400 --seed 7 -o out --resume -q &&"
-      "$mjforge generate heap.yaml -n 400 --seed 7 -o whole -q && diff -r out whole");
+      "$mjforge generate heap.yaml -n 100 --seed 7 -o out --resume -q &&"
+      "$mjforge generate heap.yaml -n 100 --seed 7 -o whole -q && diff -r out whole");
   CHECK(again.status == 0);
   CHECK(again.out.empty());
 }
@@ -279,15 +279,15 @@ TEST_CASE_METHOD(BatchTest, "samplers spread the draws over the batch") {
 }
 
 TEST_CASE_METHOD(BatchTest, "the progress bar is for terminals only") {
-  const std::string command = "$mjforge generate crate.yaml -n 15000 -j 1 --durability none -o ";
-  const CommandResult piped = Shell(command + "piped");
+  const std::string command = "$mjforge generate crate.yaml -n 30000 -j 1 --durability none -o ";
+  const CommandResult piped = Shell(command + "piped.tar");
   CHECK(piped.err.find('\r') == std::string::npos);
-  const CommandResult shown = Shell("TERM=xterm script -qec \"" + command + "shown\" /dev/null");
-  CHECK(shown.out.find(" of 15000  ") != std::string::npos);
+  const CommandResult shown = Shell("TERM=xterm script -qec \"" + command + "shown.tar\" /dev/null");
+  CHECK(shown.out.find(" of 30000  ") != std::string::npos);
   CHECK(shown.out.find("/s  ") != std::string::npos);
   // The bar is erased at the end.
-  CHECK(shown.out.rfind("\r\x1b[K") < shown.out.rfind("15000 variants of crate in shown/"));
-  const CommandResult quiet = Shell("TERM=xterm script -qec \"" + command + "quiet -q\" /dev/null");
+  CHECK(shown.out.rfind("\r\x1b[K") < shown.out.rfind("30000 variants of crate in shown.tar"));
+  const CommandResult quiet = Shell("TERM=xterm script -qec \"" + command + "quiet.tar -q\" /dev/null");
   CHECK(quiet.out.empty());
 }
 
