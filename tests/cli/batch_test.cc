@@ -282,12 +282,14 @@ TEST_CASE_METHOD(BatchTest, "the progress bar is for terminals only") {
   const std::string command = "$mjforge generate crate.yaml -n 30000 -j 1 --durability none -o ";
   const CommandResult piped = Shell(command + "piped.tar");
   CHECK(piped.err.find('\r') == std::string::npos);
-  const CommandResult shown = Shell("TERM=xterm script -qec \"" + command + "shown.tar\" /dev/null");
+  const CommandResult shown =
+      Shell("TERM=xterm script -qec \"" + command + "shown.tar\" /dev/null");
   CHECK(shown.out.find(" of 30000  ") != std::string::npos);
   CHECK(shown.out.find("/s  ") != std::string::npos);
   // The bar is erased at the end.
   CHECK(shown.out.rfind("\r\x1b[K") < shown.out.rfind("30000 variants of crate in shown.tar"));
-  const CommandResult quiet = Shell("TERM=xterm script -qec \"" + command + "quiet.tar -q\" /dev/null");
+  const CommandResult quiet =
+      Shell("TERM=xterm script -qec \"" + command + "quiet.tar -q\" /dev/null");
   CHECK(quiet.out.empty());
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "mjforge/assemble/assembly.h"
+#include "mjforge/assemble/grain.h"
 #include "mjforge/assemble/names.h"
 #include "mjforge/assemble/shape_reader.h"
 
@@ -46,29 +47,6 @@ void HardenContacts(std::vector<model::Attribute>& attributes) {
   };
   add("solref", {0.005, 1});
   add("solmix", {100});
-}
-
-// Returns the texture mapping that a material needs; none if it has no 2D texture.
-solid::TextureMapping TextureOf(const model::Object& object, int index) {
-  using Unit = solid::TextureMapping::Unit;
-  solid::TextureMapping texture = {.unit = Unit::kNone};
-  if (index < 0) return texture;
-  const model::Material& material = object.materials[static_cast<std::size_t>(index)];
-  if (material.texture < 0) return texture;
-  const model::Texture& image = object.textures[static_cast<std::size_t>(material.texture)];
-  // MuJoCo computes the coordinates of cube textures itself.
-  const auto is_2d = [](const model::Attribute& a) { return a.name == "type" && a.text == "2d"; };
-  if (std::ranges::none_of(image.attributes, is_2d)) return texture;
-  texture.unit = Unit::kWhole;
-  for (const model::Attribute& attribute : material.attributes) {
-    if (attribute.name == "texuniform" && attribute.text == "true") texture.unit = Unit::kMetre;
-    if (attribute.name != "texrepeat") continue;
-    const std::size_t last = attribute.numbers.size() - 1;
-    texture.repeat = {attribute.numbers[0], attribute.numbers[last]};
-  }
-  // MuJoCo repeats uniform textures on its own geoms half as often as `texrepeat`, too.
-  if (texture.unit == Unit::kMetre) texture.repeat /= 2;
-  return texture;
 }
 
 // Returns the bounding box of a part, or of its pieces if it has some.

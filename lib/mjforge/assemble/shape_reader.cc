@@ -65,13 +65,13 @@ model::GeomType TypeOf(std::string_view word) {
 }
 
 std::optional<ShapePlacement> ReadShape(FieldReader& reader, const spec::Entry& entry,
-                                        const std::filesystem::path& folder,
-                                        const solid::TextureMapping& texture, Assets& assets,
-                                        model::Part& part) {
+                                        const std::filesystem::path& folder, PartTexture texture,
+                                        Assets& assets, model::Part& part) {
   const spec::Field* type = Required(reader, entry, Key::kType, "type", part.mark);
   if (type == nullptr) return std::nullopt;
   const std::optional<std::string> word = reader.Word(*type);
-  if (!word || HasStrayKeys(reader, entry, *word)) return std::nullopt;
+  if (!word || HasStrayKeys(reader, entry, *word) || !ReadGrain(reader, entry, *word, texture))
+    return std::nullopt;
   part.shape.type = TypeOf(*word);
   ShapePlacement placed;
   std::optional<double> half_length;
@@ -87,12 +87,13 @@ std::optional<ShapePlacement> ReadShape(FieldReader& reader, const spec::Entry& 
   }
   bool good = true;
   if (IsSolid(*word, entry)) {
-    auto pieces = ReadSolid(reader, entry, *word, half_length, texture, assets, part);
-    good = pieces.has_value();
-    if (pieces) placed.pieces = *std::move(pieces);
+    good = ReadSolid(reader, entry, *word, half_length, texture, assets, part, placed);
+  } else if (*word == "mesh") {
+    good = assets.ReadMesh(reader, entry, folder, part);
   } else {
-    good = *word == "mesh" ? assets.ReadMesh(reader, entry, folder, part)
-                           : ReadSize(reader, entry, *word, half_length, part);
+    good = ReadSize(reader, entry, *word, half_length, part);
+    if (good && part.shape.type == model::GeomType::kBox)
+      placed.X_FG.q = placed.X_FG.q * TurnToGrain(texture, part.shape.size);
   }
   return good ? std::optional(std::move(placed)) : std::nullopt;
 }

@@ -8,6 +8,7 @@
 
 #include "mjforge/assemble/assets.h"
 #include "mjforge/assemble/field_reader.h"
+#include "mjforge/assemble/grain.h"
 
 namespace mjforge::assemble {
 
@@ -16,12 +17,10 @@ struct ShapePlacement {
   model::Pose X_FG;
   std::vector<model::Part> pieces;
 };
-/// Sets the part's shape and mesh. `texture` is the mapping for shapes with texture coordinates.
-/// Returns nothing after a finding.
+/// Sets the part's shape and mesh. Returns nothing after a finding.
 std::optional<ShapePlacement> ReadShape(FieldReader& reader, const spec::Entry& entry,
-                                        const std::filesystem::path& folder,
-                                        const solid::TextureMapping& texture, Assets& assets,
-                                        model::Part& part);
+                                        const std::filesystem::path& folder, PartTexture texture,
+                                        Assets& assets, model::Part& part);
 
 /// Returns the geom type for a value of `type:`; shapes of the room `solid` are meshes.
 model::GeomType TypeOf(std::string_view word);

@@ -132,18 +132,25 @@ class SolidReader {
   bool is_good_ = true;
 };
 
-solid::Lathe ReadLathe(SolidReader& read, const solid::TextureMapping& texture) {
+solid::Lathe ReadLathe(SolidReader& read, const PartTexture& texture) {
   solid::Lathe lathe;
   lathe.wall = read.Wall();
   lathe.angle = read.Number(Key::kAngle, lathe.angle);
   lathe.crease = read.Number(Key::kCrease, lathe.crease);
   lathe.facets = read.Integer(Key::kFacets, lathe.facets);
-  lathe.texture = texture;
+  lathe.texture = texture.mapping;
   lathe.profile = PointsIn(read.Points(Key::kProfile, "profile"));
   return lathe;
 }
 
-solid::Prism ReadPrism(SolidReader& read, const solid::TextureMapping& texture) {
+// Size of a prism's polygon.
+Eigen::Vector2d SizeOf(const std::vector<Eigen::Vector2d>& polygon) {
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector2d& p : polygon) box.extend(p);
+  return box.sizes();
+}
+
+solid::Prism ReadPrism(SolidReader& read, const PartTexture& texture) {
   solid::Prism prism;
   prism.height = read.Numbers(Key::kHeight, "height", 1)[0];
   prism.round = read.Number(Key::kRound, 0);
@@ -151,9 +158,9 @@ solid::Prism ReadPrism(SolidReader& read, const solid::TextureMapping& texture) 
   prism.crease = read.Number(Key::kCrease, prism.crease);
   const Eigen::Vector2d scale = read.Scale();
   prism.facets = read.Integer(Key::kFacets, prism.facets);
-  prism.texture = texture;
   read.Holes({scale.x(), scale.y(), 1}, prism);
   prism.polygon = PointsIn(read.Points(Key::kPolygon, "polygon"), scale);
+  prism.texture = MappingFromAbove(texture, SizeOf(prism.polygon));
   if (prism.holes_x.empty() && prism.holes_y.empty()) return prism;
   constexpr std::string_view kWhy = "has no meaning beside holes along x or y";
   read.Refuse(Key::kRound, kWhy,
@@ -164,11 +171,11 @@ solid::Prism ReadPrism(SolidReader& read, const solid::TextureMapping& texture) 
 }
 
 // Reads a box with holes, which is a prism with a rectangle as its polygon.
-solid::Prism ReadCutBox(SolidReader& read, const solid::TextureMapping& texture,
+solid::Prism ReadCutBox(SolidReader& read, const PartTexture& texture,
                         const std::optional<double>& half_length) {
   const sample::Numbers half = read.Numbers(Key::kSize, "size", 3, half_length);
   solid::Prism prism;
-  prism.texture = texture;
+  prism.texture = MappingFromAbove(texture, {half[0], half[1]});
   prism.polygon = {
       {-half[0], -half[1]}, {half[0], -half[1]}, {half[0], half[1]}, {-half[0], half[1]}};
   prism.height = 2 * half[2];
@@ -178,19 +185,22 @@ solid::Prism ReadCutBox(SolidReader& read, const solid::TextureMapping& texture,
   return prism;
 }
 
-solid::ConvexHull ReadHull(SolidReader& read, const solid::TextureMapping& texture) {
-  solid::ConvexHull hull{.points = {}, .round = read.Number(Key::kRound, 0), .texture = texture};
+solid::ConvexHull ReadHull(SolidReader& read, const PartTexture& texture) {
+  solid::ConvexHull hull{.points = {}, .round = read.Number(Key::kRound, 0)};
   const sample::Numbers numbers = read.Points(Key::kPoints, "points").numbers;
-  for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) hull.points.emplace_back(&numbers[i]);
+  Eigen::AlignedBox2d box;
+  for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
+    box.extend(hull.points.emplace_back(&numbers[i]).head<2>());
+  hull.texture = MappingFromAbove(texture, box.sizes());
   return hull;
 }
 
-solid::Tube ReadTube(SolidReader& read, const solid::TextureMapping& texture) {
+solid::Tube ReadTube(SolidReader& read, const PartTexture& texture) {
   solid::Tube tube;
   tube.smooth = read.Flag(Key::kSmooth, false);
   tube.closed = read.Flag(Key::kClosed, false);
   tube.facets = read.Integer(Key::kFacets, tube.facets);
-  tube.texture = texture;
+  tube.texture = texture.mapping;
   tube.wall = read.Wall();
   tube.bend = read.Number(Key::kBend, 0);
   tube.crease = read.Number(Key::kCrease, tube.crease);
@@ -205,22 +215,23 @@ solid::Tube ReadTube(SolidReader& read, const solid::TextureMapping& texture) {
   return tube;
 }
 
-solid::RoundedBox ReadBox(SolidReader& read, const solid::TextureMapping& texture,
-                          const std::optional<double>& half_length) {
+solid::RoundedBox ReadBox(SolidReader& read, const PartTexture& texture,
+                          const std::optional<double>& half_length, model::Pose& X_FG) {
   solid::RoundedBox box;
-  box.texture = texture;
+  box.texture = texture.mapping;
   box.piece_is_plain = !read.Flag(Key::kRoundCollision, true);
   box.round = read.Number(Key::kRound, 0);
   box.half = Eigen::Vector3d(read.Numbers(Key::kSize, "size", 3, half_length).data());
+  X_FG.q = X_FG.q * TurnToGrain(texture, box.half);
   return box;
 }
 
-solid::RoundedCylinder ReadCylinder(SolidReader& read, const solid::TextureMapping& texture,
+solid::RoundedCylinder ReadCylinder(SolidReader& read, const PartTexture& texture,
                                     const std::optional<double>& half_length) {
   solid::RoundedCylinder cylinder;
   cylinder.piece_is_plain = !read.Flag(Key::kRoundCollision, true);
   cylinder.facets = read.Integer(Key::kFacets, cylinder.facets);
-  cylinder.texture = texture;
+  cylinder.texture = texture.mapping;
   cylinder.round = read.Number(Key::kRound, 0);
   cylinder.crease = read.Number(Key::kCrease, cylinder.crease);
   const sample::Numbers size = read.Numbers(Key::kSize, "size", 2, half_length);
@@ -230,14 +241,15 @@ solid::RoundedCylinder ReadCylinder(SolidReader& read, const solid::TextureMappi
 }
 
 solid::SolidShape ReadSolidShape(SolidReader& read, std::string_view type,
-                                 const solid::TextureMapping& texture,
-                                 const std::optional<double>& half_length, bool has_holes) {
+                                 const PartTexture& texture,
+                                 const std::optional<double>& half_length, bool has_holes,
+                                 model::Pose& X_FG) {
   if (type == "lathe") return ReadLathe(read, texture);
   if (type == "prism") return ReadPrism(read, texture);
   if (type == "tube") return ReadTube(read, texture);
   if (type == "hull") return ReadHull(read, texture);
   if (type == "box" && has_holes) return ReadCutBox(read, texture, half_length);
-  if (type == "box") return ReadBox(read, texture, half_length);
+  if (type == "box") return ReadBox(read, texture, half_length, X_FG);
   return ReadCylinder(read, texture, half_length);
 }
 
@@ -249,15 +261,16 @@ bool IsSolid(std::string_view type, const spec::Entry& entry) {
   return type == "prism" || type == "lathe" || type == "tube" || type == "hull";
 }
 
-std::optional<std::vector<model::Part>> ReadSolid(FieldReader& reader, const spec::Entry& entry,
-                                                  std::string_view type,
-                                                  const std::optional<double>& half_length,
-                                                  const solid::TextureMapping& texture,
-                                                  Assets& assets, model::Part& part) {
+bool ReadSolid(FieldReader& reader, const spec::Entry& entry, std::string_view type,
+               const std::optional<double>& half_length, const PartTexture& texture, Assets& assets,
+               model::Part& part, ShapePlacement& placed) {
   SolidReader read(reader, entry, part.mark);
   const bool has_holes = entry.Find(Key::kHoles) != nullptr;
-  const solid::SolidShape shape = ReadSolidShape(read, type, texture, half_length, has_holes);
-  return read.Make(shape, assets, part);
+  const solid::SolidShape shape =
+      ReadSolidShape(read, type, texture, half_length, has_holes, placed.X_FG);
+  std::optional<std::vector<model::Part>> pieces = read.Make(shape, assets, part);
+  if (pieces) placed.pieces = *std::move(pieces);
+  return pieces.has_value();
 }
 
 }  // namespace mjforge::assemble

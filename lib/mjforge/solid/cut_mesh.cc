@@ -55,6 +55,7 @@ class CutMesher {
     for (const Point2& p : sections[2].corners) {
       box_.extend(Vector3d(p.x(), p.y(), -prism.height / 2));
       box_.extend(Vector3d(p.x(), p.y(), prism.height / 2));
+      picture_.extend(OnPicture(prism.texture, p));
     }
     beside_ = kBeside * box_.diagonal().norm();
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -62,7 +63,7 @@ class CutMesher {
     cap_scale_ = prism.texture.repeat;
     side_scale_ = prism.texture.repeat;
     if (prism.texture.unit == TextureMapping::Unit::kMetre) return;
-    cap_scale_ = cap_scale_.cwiseQuotient(Point2(box_.sizes().head<2>()));
+    cap_scale_ = cap_scale_.cwiseQuotient(picture_.sizes());
     const Strip last = StripsOf(sections[2], 0, prism.crease).back();
     const double around = last.along + (last.to - last.from).norm();
     side_scale_ = side_scale_.cwiseQuotient(Point2(around, prism.height));
@@ -94,7 +95,7 @@ class CutMesher {
     for (const double side : {-1.0, 1.0}) {
       const int first = static_cast<int>(mesh_.vertices.size());
       for (const Point2& p : area.corners) {
-        const Point2 at(p.x() - box_.min().x(), box_.max().y() - p.y());
+        const Point2 at = OnPicture(prism_.texture, p) - picture_.min();
         AddVertex({p.x(), p.y(), side * prism_.height / 2}, {0, 0, side},
                   at.cwiseProduct(cap_scale_));
       }
@@ -147,6 +148,7 @@ class CutMesher {
   const Prism& prism_;
   const CutSections& sections_;
   Eigen::AlignedBox3d box_;
+  Eigen::AlignedBox2d picture_;  // on the caps
   double beside_ = 0;
   std::array<std::vector<Cell>, 3> cells_;
   Point2 cap_scale_;

@@ -13,11 +13,11 @@ class ExtrusionMesher {
   ExtrusionMesher(const Prism& prism, const PrismSections& sections)
       : prism_(prism), sections_(sections) {
     const Area& middle = sections.middle;
-    for (const Point2& p : middle.corners) box_.extend(p);
+    for (const Point2& p : middle.corners) picture_.extend(OnPicture(prism.texture, p));
     cap_scale_ = prism.texture.repeat;
     side_scale_ = prism.texture.repeat;
     if (prism.texture.unit == TextureMapping::Unit::kMetre) return;
-    cap_scale_ = cap_scale_.cwiseQuotient(box_.sizes());
+    cap_scale_ = cap_scale_.cwiseQuotient(picture_.sizes());
     double around = 0;  // length of the outline
     const auto [first, count] = middle.Loop(0);
     for (std::size_t i = 0; i < count; ++i)
@@ -58,7 +58,7 @@ class ExtrusionMesher {
     for (const double side : {-1.0, 1.0}) {
       const int first = static_cast<int>(mesh_.vertices.size());
       for (const Point2& p : area.corners) {
-        const Point2 at(p.x() - box_.min().x(), box_.max().y() - p.y());
+        const Point2 at = OnPicture(prism_.texture, p) - picture_.min();
         AddVertex(p, side * prism_.height / 2, {0, 0, side}, at.cwiseProduct(cap_scale_));
       }
       for (std::array<int, 3> triangle : triangles) {
@@ -118,7 +118,7 @@ class ExtrusionMesher {
 
   const Prism& prism_;
   const PrismSections& sections_;
-  Eigen::AlignedBox2d box_;
+  Eigen::AlignedBox2d picture_;  // on the caps
   Point2 cap_scale_;
   Point2 side_scale_;
   TriangleMesh mesh_;

@@ -28,17 +28,18 @@ void AddQuad(int a, int b, int c, int d, TriangleMesh& mesh) {
 
 void ProjectTextureFromAbove(const TextureMapping& texture, TriangleMesh& mesh) {
   if (texture.unit == TextureMapping::Unit::kNone) return;
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& p : mesh.vertices) box.extend(p);
-  Eigen::Vector2d center = box.center().head<2>();
-  Eigen::Vector2d scale = texture.repeat.cwiseQuotient(box.sizes().head<2>());
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector3d& p : mesh.vertices) box.extend(OnPicture(texture, p.head<2>()));
+  Eigen::Vector2d center = box.center();
+  Eigen::Vector2d scale = texture.repeat.cwiseQuotient(box.sizes());
   if (texture.unit == TextureMapping::Unit::kMetre) {
     center.setZero();
     scale = texture.repeat;
   }
-  scale.y() = -scale.y();  // rows of a picture are counted from the top
-  for (const Eigen::Vector3d& p : mesh.vertices)
-    mesh.texcoords.emplace_back((p.head<2>() - center).cwiseProduct(scale).array() + 0.5);
+  for (const Eigen::Vector3d& p : mesh.vertices) {
+    const Point2 at = OnPicture(texture, p.head<2>()) - center;
+    mesh.texcoords.emplace_back(at.cwiseProduct(scale).array() + 0.5);
+  }
 }
 
 void RoundCoordinates(TriangleMesh& mesh) {

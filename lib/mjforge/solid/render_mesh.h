@@ -32,6 +32,11 @@ TriangleMesh MakeLatheMesh(const Lathe& lathe, const Outline& outline,
 /// Makes the render mesh of a prism with these cross sections.
 TriangleMesh MakeExtrusionMesh(const Prism& prism, const PrismSections& sections);
 
+/// Returns a point on the axes of a picture that is projected from above: to its right, and down.
+inline Point2 OnPicture(const TextureMapping& texture, const Point2& p) {
+  return texture.is_turned ? Point2(p.y(), p.x()) : Point2(p.x(), -p.y());
+}
+
 /// Adds the texture coordinates that MuJoCo gives a box: along x and against y, equal in all cross
 /// sections.
 void ProjectTextureFromAbove(const TextureMapping& texture, TriangleMesh& mesh);

@@ -72,6 +72,9 @@ struct TextureMapping {
   /// (once around and along), or one metre.
   Unit unit = Unit::kWhole;
   Eigen::Vector2d repeat = Eigen::Vector2d::Ones();  // around, along
+  /// Turns the picture by 90 degrees on what it is projected to from above: its upper edge is at
+  /// the lowest x in place of the highest y.
+  bool is_turned = false;
 
   bool operator==(const TextureMapping&) const = default;
 };

@@ -333,6 +333,10 @@ constexpr FieldInfo kPartFields[] = {
     Word({"role", Key::kRole}, "both collision visual", "both",
          "`both` writes a collision geom NAME and a visual geom NAME_vis that has no contacts and "
          "no mass; `collision` only the first, `visual` only the second."),
+    Word({"grain", Key::kGrain}, "x y z none", "",
+         "Axis of a box, along which the grain of its material's texture runs: without it, that of "
+         "the longest edge; x or y for a prism, a hull, and a box with holes. none: along y of its "
+         "frame."),
     kRgba,
     On(Applies::kVisual, Integer({"group", Key::kGroup}, Between(0, 5), "",
                                  "Group of the visual geom in place of the target's.")),

@@ -39,6 +39,7 @@ enum class Key {
   kMass,
   kMaterial,
   kRole,
+  kGrain,
   kPolygon,
   kHoles,
   kHeight,

@@ -9,22 +9,22 @@ namespace mjforge::spec {
 namespace {
 
 constexpr std::array kSize = {Key::kSize};
-constexpr std::array kBox = {Key::kHoles, Key::kRound, Key::kRoundCollision};
+constexpr std::array kBox = {Key::kHoles, Key::kRound, Key::kRoundCollision, Key::kGrain};
 constexpr std::array kRoundCylinder = {Key::kRound, Key::kRoundCollision, Key::kFacets,
                                        Key::kCrease};
 constexpr std::array kHowRoundBox = {Key::kRoundCollision};
 constexpr std::array kHowRoundCylinder = {Key::kRoundCollision, Key::kFacets, Key::kCrease};
 constexpr std::array kHowRoundPrism = {Key::kFacets};
 constexpr std::array kPolygon = {Key::kPolygon, Key::kHeight};
-constexpr std::array kPrism = {Key::kScale, Key::kHoles,  Key::kRound,
-                               Key::kBevel, Key::kFacets, Key::kCrease};
+constexpr std::array kPrism = {Key::kScale,  Key::kHoles,  Key::kRound, Key::kBevel,
+                               Key::kFacets, Key::kCrease, Key::kGrain};
 constexpr std::array kProfile = {Key::kProfile};
 constexpr std::array kLathe = {Key::kWall, Key::kAngle, Key::kFacets, Key::kCrease};
 constexpr std::array kPath = {Key::kPath};
 constexpr std::array kTube = {Key::kRadius, Key::kBend,   Key::kSmooth, Key::kClosed,
                               Key::kWall,   Key::kFacets, Key::kCrease};
 constexpr std::array kPoints = {Key::kPoints};
-constexpr std::array kHull = {Key::kRound};
+constexpr std::array kHull = {Key::kRound, Key::kGrain};
 constexpr std::array kFile = {Key::kFile};
 constexpr std::array kMesh = {Key::kScale, Key::kInertia};
 
