@@ -53,11 +53,12 @@ void SetTexts(PngWriter& writer, const PngTexts& texts) {
 
 }  // namespace
 
-std::string EncodePng(const Pixels& pixels, const PngTexts& texts) {
+std::string EncodePng(const Pixels& pixels, const PngTexts& texts, PngEffort effort) {
   std::string bytes;
   PngWriter writer;
   png_set_write_fn(writer.png, &bytes, AppendPng, FlushPng);
   png_set_compression_level(writer.png, kCompression);
+  if (effort == PngEffort::kFast) png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
   png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(pixels.width),
                static_cast<png_uint_32>(pixels.height), 8,
                pixels.has_alpha ? PNG_COLOR_TYPE_RGBA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,

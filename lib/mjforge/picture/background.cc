@@ -40,6 +40,7 @@ void PutOn(const Background& background, Image& image) {
     }
     for (int x = 0; x < image.width; ++x, at += 4) {
       const int alpha = image.rgba[at + 3];
+      if (alpha == 255) continue;
       for (std::size_t c = 0; c < 3; ++c) {
         const int mixed = image.rgba[at + c] * alpha + behind[c] * (255 - alpha);
         image.rgba[at + c] = static_cast<std::uint8_t>((mixed + 127) / 255);

@@ -100,6 +100,18 @@ Eigen::Vector2d Camera::Project(const Eigen::Vector3d& point, int width, int hei
           (1 - p.dot(up) / (depth * tan_y)) * height / 2};
 }
 
+// One over the distance of the plane along `forward` is dz / (level - z) for a viewing ray of slope
+// dz, which is linear in the place in the picture.
+LevelDepth DepthOfLevel(const Camera& camera, double level, int width, int height) {
+  const double scale = camera.far / (camera.far - camera.near);
+  const double to_depth = -scale * camera.near / (level - camera.eye.z());
+  const double across = 2 * camera.tan_x / width * camera.right.z();
+  const double down = -2 * camera.tan_y / height * camera.up.z();
+  const double corner = camera.forward.z() - camera.tan_x * camera.right.z() +
+                        camera.tan_y * camera.up.z();
+  return {scale + to_depth * corner, to_depth * across, to_depth * down};
+}
+
 mjvGLCamera BandOf(const Camera& camera, int top, int bottom, int height) {
   mjvGLCamera band = {};
   Eigen::Map<Eigen::Vector3f>(band.pos) = camera.eye.cast<float>();

@@ -32,6 +32,17 @@ struct Camera {
 /// picture unless `view` sets the distance.
 Camera FrameShapes(const PlacedShapes& shapes, double width, double height, const View& view = {});
 
+/// Depth of a level plane in a picture, as OpenGL stores it: 0 at the camera's near plane, 1 at its
+/// far plane. The depth is linear in the place, because one over the distance is.
+struct LevelDepth {
+  double at_corner = 1;  // in the upper left corner of the picture
+  double per_x = 0;      // per pixel to the right
+  double per_y = 0;      // per pixel downwards
+};
+/// Returns the depths of the plane z = `level` in a picture of this size in pixels. Where the plane
+/// is not in front of the camera, they are above 1.
+LevelDepth DepthOfLevel(const Camera& camera, double level, int width, int height);
+
 /// Returns MuJoCo's camera for rows [top, bottom) of a picture that is `height` rows high.
 mjvGLCamera BandOf(const Camera& camera, int top, int bottom, int height);
 

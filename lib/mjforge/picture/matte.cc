@@ -3,6 +3,7 @@
 #include "mjforge/picture/matte.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace mjforge::picture {
@@ -17,33 +18,51 @@ constexpr float kEdge = 0.10F;
 // Brightness and alpha up to this level (of 255) are rounding errors and count as zero.
 constexpr int kNothing = 2;
 
-// Computes the moving mean over 2 * radius + 1 values; values outside count as zero. Weights are
-// blurred in the same way, so that the picture's border needs no special case.
-void Blur(const float* in, float* out, int count, int stride, int radius) {
-  float sum = 0;
-  for (int i = 0; i < std::min(radius, count); ++i) sum += in[i * stride];
-  for (int i = 0; i < count; ++i) {
-    if (i + radius < count) sum += in[(i + radius) * stride];
-    if (i - radius - 1 >= 0) sum -= in[(i - radius - 1) * stride];
-    out[i * stride] = sum / static_cast<float>(2 * radius + 1);
+// Computes the moving mean over 2 * radius + 1 rows, each of `width` values; rows outside count as
+// zero. Weights are blurred in the same way, so that the picture's border needs no special case.
+void BlurRows(std::span<const float> in, int width, int radius, std::span<float> out) {
+  const auto columns = static_cast<std::ptrdiff_t>(width);
+  const std::ptrdiff_t rows = std::ssize(in) / columns;
+  std::vector<float> sums(static_cast<std::size_t>(columns));
+  const auto add = [&](std::ptrdiff_t row, float sign) {
+    if (row < 0 || row >= rows) return;
+    const float* values = in.data() + row * columns;
+    for (std::size_t x = 0; x < sums.size(); ++x) sums[x] += sign * values[x];
+  };
+  for (std::ptrdiff_t row = 0; row < radius; ++row) add(row, 1);
+  const float share = 1 / static_cast<float>(2 * radius + 1);
+  for (std::ptrdiff_t row = 0; row < rows; ++row) {
+    add(row + radius, 1);
+    add(row - radius - 1, -1);
+    float* means = out.data() + row * columns;
+    for (std::size_t x = 0; x < sums.size(); ++x) means[x] = share * sums[x];
+  }
+}
+
+void Transpose(std::span<const float> in, int width, std::span<float> out) {
+  const auto columns = static_cast<std::size_t>(width);
+  const std::size_t rows = in.size() / columns;
+  for (std::size_t x = 0; x < columns; ++x) {
+    for (std::size_t y = 0; y < rows; ++y) out[x * rows + y] = in[y * columns + x];
   }
 }
 
 // Blurs with three box filters, which approximate a Gaussian.
 void BlurAll(std::vector<float>& values, int width, int height, int radius) {
   std::vector<float> other(values.size());
-  for (int pass = 0; pass < 3; ++pass) {
-    for (int y = 0; y < height; ++y) {
-      const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(y) * width;
-      Blur(values.data() + row, other.data() + row, width, 1, radius);
-    }
-    for (int x = 0; x < width; ++x)
-      Blur(other.data() + x, values.data() + x, height, width, radius);
-  }
+  const auto blur_thrice = [&](int columns) {
+    BlurRows(values, columns, radius, other);
+    BlurRows(other, columns, radius, values);
+    BlurRows(values, columns, radius, other);
+  };
+  blur_thrice(width);
+  Transpose(other, width, values);
+  blur_thrice(height);
+  Transpose(other, height, values);
 }
 
 std::uint8_t ToByte(float value) {
-  return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 255));
+  return static_cast<std::uint8_t>(std::clamp(value, 0.0F, 1.0F) * 255 + 0.5F);
 }
 
 }  // namespace
@@ -83,6 +102,51 @@ void Matte::Add(const RenderedBand& drawn, int top, int bottom) {
         color_[3 * pixel + c] += weight * static_cast<float>(black[c]) / 255;
     }
   }
+}
+
+void Matte::Add(const OpaqueBand& drawn, int top, int bottom) {
+  const auto columns = static_cast<std::size_t>(width_ * samples_);
+  for (int y = top; y < bottom; ++y) {
+    // Rows start with the lowest.
+    std::size_t first = static_cast<std::size_t>((bottom - y) * samples_ - 1) * columns;
+    std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_);
+    for (int x = 0; x < width_; ++x) {
+      AddPixel(pixel++, drawn, x, y, first);
+      first += static_cast<std::size_t>(samples_);
+    }
+  }
+}
+
+// Adds the samples of a pixel; `first` is the index of the upper left one.
+void Matte::AddPixel(std::size_t pixel, const OpaqueBand& drawn, int x, int y, std::size_t first) {
+  const double step = 1.0 / samples_;
+  std::array<int, 3> color = {};
+  int shown = 0;
+  int hidden = 0;
+  double row_limit = drawn.floor.at_corner + drawn.floor.per_x * (x + step / 2) +
+                     drawn.floor.per_y * (y + step / 2);
+  for (int row = 0; row < samples_; ++row) {
+    double limit = row_limit;
+    for (std::size_t i = first; i < first + static_cast<std::size_t>(samples_); ++i) {
+      const double depth = static_cast<double>(drawn.depths[i]);
+      if (depth < std::min(limit, 1.0)) {
+        ++shown;
+        for (std::size_t c = 0; c < 3; ++c) color[c] += drawn.colors[3 * i + c];
+      } else if (depth < 1) {
+        const int dark = drawn.light - drawn.colors[3 * i + 1];
+        if (dark > kNothing) hidden += dark;
+      }
+      limit += step * drawn.floor.per_x;
+    }
+    row_limit += step * drawn.floor.per_y;
+    first -= static_cast<std::size_t>(width_ * samples_);
+  }
+  const float weight = 1.0F / static_cast<float>(samples_ * samples_);
+  for (std::size_t c = 0; c < 3; ++c)
+    color_[3 * pixel + c] += weight * static_cast<float>(color[c]) / 255;
+  alpha_[pixel] += weight * static_cast<float>(shown);
+  floor_[pixel] += weight * static_cast<float>(samples_ * samples_ - shown);
+  shade_[pixel] += weight * static_cast<float>(hidden) / static_cast<float>(drawn.light);
 }
 
 // Replaces the shadow on each floor pixel by the mean over the floor pixels around it. Pixels of

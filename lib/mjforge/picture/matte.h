@@ -1,9 +1,10 @@
 // Matting: two renderings on different floors give a picture with alpha and a soft shadow.
 //
-// Every picture is rendered twice, on a light and on a black floor. The difference is the visible
-// share of the floor, lit or in shadow, and so gives the alpha of the object in front of it (A. R.
-// Smith, J. F. Blinn: Blue Screen Matting, SIGGRAPH 1996, section 3, with two backing colors). The
-// floor itself becomes a shadow: black, with an alpha that is blurred.
+// An object with translucent parts is rendered twice, on a light and on a black floor. The difference
+// is the visible share of the floor, lit or in shadow, and so gives the alpha of the object in front
+// of it (A. R. Smith, J. F. Blinn: Blue Screen Matting, SIGGRAPH 1996, section 3, with two backing
+// colors). An opaque object is rendered once, because the depth of a sample tells whether it belongs
+// to the object. The floor itself becomes a shadow: black, with an alpha that is blurred.
 
 #pragma once
 
@@ -11,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "mjforge/picture/camera.h"
 #include "mjforge/picture/picture.h"
 
 namespace mjforge::picture {
@@ -25,16 +27,26 @@ struct RenderedBand {
   int light = 255;  // brightness of the light floor outside of shadows, 0..255
 };
 
+/// MuJoCo's only rendering of some rows of an opaque object, starting with the lowest row.
+struct OpaqueBand {
+  std::span<const std::uint8_t> colors;  // on the light floor; 3 bytes per sample
+  std::span<const float> depths;         // 1: nothing was drawn
+  LevelDepth floor;  // samples at this depth or deeper do not belong to the object
+  int light = 255;   // as in RenderedBand
+};
+
 /// Accumulates renderings, and computes the picture from them.
 class Matte {
  public:
   Matte(int width, int height, int samples = kSamples);
   /// Adds the renderings of rows [top, bottom) of the picture.
   void Add(const RenderedBand& drawn, int top, int bottom);
+  void Add(const OpaqueBand& drawn, int top, int bottom);
   /// Returns the whole picture. Call it once, after all rows were added.
   Image Finish();
 
  private:
+  void AddPixel(std::size_t pixel, const OpaqueBand& drawn, int x, int y, std::size_t first);
   void Soften();
   float EdgeFade(std::size_t pixel) const;
 

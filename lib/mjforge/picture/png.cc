@@ -32,10 +32,10 @@ std::string EncodePng(const Image& image, const Texts& texts) {
   if (!IsOpaque(image)) {
     return bytes::EncodePng(
         {.width = image.width, .height = image.height, .colors = image.rgba, .has_alpha = true},
-        texts);
+        texts, bytes::PngEffort::kFast);
   }
   const std::vector<std::uint8_t> rgb = WithoutAlpha(image);
-  return bytes::EncodePng({.width = image.width, .height = image.height, .colors = rgb}, texts);
+  return bytes::EncodePng({.width = image.width, .height = image.height, .colors = rgb}, texts, bytes::PngEffort::kFast);
 }
 
 }  // namespace mjforge::picture

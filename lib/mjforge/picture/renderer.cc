@@ -13,6 +13,7 @@
 #include "mjforge/picture/font.h"
 #include "mjforge/picture/gl_context.h"
 #include "mjforge/picture/matte.h"
+#include "mjforge/picture/model_context.h"
 #include "mjforge/picture/scene.h"
 #include "mjforge/picture/sheet.h"
 #include "mjforge/picture/subject.h"
@@ -39,39 +40,29 @@ int RowsOfBand(const Options& options) {
   return std::clamp(kMostSamples / (samples * samples * options.width), 1, options.height);
 }
 
-// OpenGL objects of one model: meshes, textures and framebuffer.
-class ModelContext {
- public:
-  ModelContext(mjModel& model, const Options& options) {
-    const int samples = SamplesOf(options);
-    model.vis.global.offwidth = options.width * samples;
-    model.vis.global.offheight = RowsOfBand(options) * samples;
-    model.vis.quality.offsamples = 0;
-    model.vis.quality.shadowsize = options.quick ? 0 : ShadowSize(options.width, options.height);
-    model.vis.quality.numslices = 48;
-    model.vis.quality.numstacks = 24;
-    mjr_defaultContext(&context_);
-    mjr_makeContext(&model, &context_, mjFONTSCALE_50);
-    mjr_setBuffer(mjFB_OFFSCREEN, &context_);
-  }
-  ~ModelContext() { mjr_freeContext(&context_); }
-  ModelContext(const ModelContext&) = delete;
-  ModelContext& operator=(const ModelContext&) = delete;
-
-  mjrContext& operator*() { return context_; }
-
- private:
-  mjrContext context_;
-};
+// Renders the scene, and reads its colors and, if wanted, its depths.
+void Render(const mjrContext& context, Scene& scene, const mjrRect& viewport,
+            std::vector<std::uint8_t>& colors, std::vector<float>* depths) {
+  const std::size_t samples =
+      static_cast<std::size_t>(viewport.width) * static_cast<std::size_t>(viewport.height);
+  colors.resize(3 * samples);
+  if (depths != nullptr) depths->resize(samples);
+  const LeakCheckPause pause;
+  mjr_render(viewport, &scene.mujoco(), &context);
+  mjr_readPixels(colors.data(), depths == nullptr ? nullptr : depths->data(), viewport, &context);
+}
 
 }  // namespace
 
 struct Renderer::State {
   std::unique_ptr<GlContext> gl;
   std::optional<Font> font;
+  std::optional<Buffers> buffers;
   std::vector<std::uint8_t> on_light;
   std::vector<std::uint8_t> on_black;
+  std::vector<float> depths;
 
+  const Buffers& BuffersFor(const Options& options);
   Image DrawScene(ModelContext& context, Scene& scene, const Camera& camera,
                   const Options& options);
   void DrawLabels(const Scene& scene, const Camera& camera, int height, Image& image);
@@ -83,8 +74,11 @@ struct Renderer::State {
 
 Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
-// Frees the font before the OpenGL context that it needs.
-Renderer::~Renderer() { state_->font.reset(); }
+// Frees the font and the buffers before the OpenGL context that they need.
+Renderer::~Renderer() {
+  state_->buffers.reset();
+  state_->font.reset();
+}
 
 std::unique_ptr<Renderer> Renderer::Open(diag::Findings& findings) {
   auto state = std::make_unique<State>();
@@ -107,29 +101,42 @@ Image Renderer::DrawText(std::string_view text, const Background::Color& color) 
   return state_->font->Draw(text, color);
 }
 
+// Returns buffers of the size that the picture needs: those of the last picture if they have it.
+const Buffers& Renderer::State::BuffersFor(const Options& options) {
+  const int samples = SamplesOf(options);
+  const int width = options.width * samples;
+  const int height = RowsOfBand(options) * samples;
+  const int shadow_size = options.quick ? 0 : ShadowSize(options.width, options.height);
+  if (!buffers || !buffers->HasSize(width, height, shadow_size)) {
+    buffers.reset();
+    buffers.emplace(width, height, shadow_size);
+  }
+  return *buffers;
+}
+
 Image Renderer::State::DrawScene(ModelContext& context, Scene& scene, const Camera& camera,
                                  const Options& options) {
   const int band = RowsOfBand(options);
   const int samples = SamplesOf(options);
   (*context).shadowClip = static_cast<float>(1.05 * camera.radius);
+  LevelDepth floor;
+  if (const auto level = scene.LevelAboveFloor())
+    floor = DepthOfLevel(camera, *level, options.width, options.height);
   Matte matte(options.width, options.height, samples);
   for (int top = 0; top < options.height; top += band) {
     const int bottom = std::min(top + band, options.height);
     const mjrRect viewport = {0, 0, options.width * samples, (bottom - top) * samples};
     scene.SetCamera(BandOf(camera, top, bottom, options.height));
-    const std::size_t bytes =
-        static_cast<std::size_t>(viewport.width) * static_cast<std::size_t>(viewport.height) * 3;
-    const auto draw = [&](std::vector<std::uint8_t>& pixels) {
-      pixels.resize(bytes);
-      const LeakCheckPause pause;
-      mjr_render(viewport, &scene.mujoco(), &*context);
-      mjr_readPixels(pixels.data(), nullptr, viewport, &*context);
-    };
     const int light = scene.SetFloor(true);
-    draw(on_light);
+    if (scene.IsOpaque()) {
+      Render(*context, scene, viewport, on_light, &depths);
+      matte.Add(OpaqueBand{on_light, depths, floor, light}, top, bottom);
+      continue;
+    }
+    Render(*context, scene, viewport, on_light, nullptr);
     scene.SetFloor(false);
-    draw(on_black);
-    matte.Add({on_light, on_black, light}, top, bottom);
+    Render(*context, scene, viewport, on_black, nullptr);
+    matte.Add(RenderedBand{on_light, on_black, light}, top, bottom);
   }
   return matte.Finish();
 }
@@ -222,7 +229,7 @@ std::optional<std::vector<Image>> Renderer::State::DrawPoses(Subject& subject,
   Options above = options;
   if (!legend.empty()) above.height -= legend.back().y + legend.back().text.height;
   const Camera camera = FrameShapes(all, above.width, above.height, above.view);
-  ModelContext context(model, above);
+  ModelContext context(model, BuffersFor(above));
   std::vector<Image> images;
   for (const JointPositions& pose : poses) {
     diag::Findings again;
@@ -230,7 +237,7 @@ std::optional<std::vector<Image>> Renderer::State::DrawPoses(Subject& subject,
       subject.state().Move(pose);
       scene.Fill(subject, options.layer, again);
     }
-    scene.Light(camera, lowest);
+    scene.Light(camera, lowest, !options.quick);
     Image& image = images.emplace_back(DrawScene(context, scene, camera, above));
     image.height = options.height;
     image.rgba.resize(4 * static_cast<std::size_t>(image.width) *

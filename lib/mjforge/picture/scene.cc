@@ -28,6 +28,7 @@ constexpr float kAmbient = 0.30F;
 constexpr float kFaded = 0.35F;   // factor of alpha
 constexpr double kBelow = 0.003;  // depth of the floor, as a share of the object's radius
 constexpr float kFloor = 0.85F;   // gray level of the light floor
+constexpr float kOpaque = 0.995F;  // alpha from which MuJoCo draws a geom as opaque
 
 void SetColor(float* rgba, const std::array<float, 4>& color) {
   std::copy(color.begin(), color.end(), rgba);
@@ -41,6 +42,12 @@ mjvOption VisibleOption() {
     option.flags[flag] = 1;
   std::ranges::fill(option.sitegroup, mjtByte{0});
   return option;
+}
+
+// Returns true if the camera sees the back of a plane, which MuJoCo draws translucent.
+bool IsBehind(const Eigen::Vector3d& eye, const mjvGeom& plane) {
+  const Eigen::Vector3d normal(plane.mat[2], plane.mat[5], plane.mat[8]);
+  return normal.dot(eye - Eigen::Map<const Eigen::Vector3f>(plane.pos).cast<double>()) < 0;
 }
 
 bool IsGround(const mjvGeom& geom) {
@@ -249,7 +256,7 @@ mjvGeom* Scene::Add(int type, const Eigen::Vector3d& size, const Eigen::Vector3d
   return geom;
 }
 
-void Scene::Light(const Camera& camera, double floor_height) {
+void Scene::Light(const Camera& camera, double floor_height, bool has_shadows) {
   scene_.lights[0] = MakeLight(kKeyDirection, kKey, kKeySpecular, 0);
   scene_.lights[0].castshadow = 1;
   // MuJoCo renders the shadow map from this position, between the camera's near and far planes.
@@ -257,20 +264,50 @@ void Scene::Light(const Camera& camera, double floor_height) {
   Eigen::Map<Eigen::Vector3f>(scene_.lights[0].pos) = eye.cast<float>();
   scene_.lights[1] = MakeLight(camera.forward, kFill, 0.1F, kAmbient);
   scene_.nlight = 2;
-  AddBackdrop(camera);
-  if (has_ground_) return;
+  is_opaque_ = std::ranges::none_of(Geoms(), [&](const mjvGeom& geom) {
+    return geom.rgba[3] < kOpaque || (geom.type == mjGEOM_PLANE && IsBehind(camera.eye, geom));
+  });
   // Slightly below the object's lowest faces, because coincident faces would flicker.
-  const Eigen::Vector3d place(camera.center.x(), camera.center.y(),
-                              floor_height - kBelow * camera.radius);
-  const double side = 40 * camera.radius;
-  mjvGeom* floor = Add(mjGEOM_PLANE, {side, side, side}, place, Eigen::Matrix3d::Identity(),
-                       {kFloor, kFloor, kFloor, 1});
-  if (floor == nullptr) return;
-  floor->category = mjCAT_STATIC;
-  floor->specular = 0;
-  floor->shininess = 0;
-  floor->dataid = -1;
-  floor_ = scene_.ngeom - 1;
+  const double below = kBelow * camera.radius;
+  level_above_floor_ = floor_height - below / 2;
+  if (has_shadows && !has_ground_ && camera.eye.z() > floor_height)
+    AddFloor(camera, floor_height - below);
+  // The floor comes first, because it hides most of the backdrop.
+  if (!is_opaque_) AddBackdrop(camera);
+}
+
+mjvGeom* Scene::AddPlane(const Eigen::Vector2d& half_sides, const Eigen::Vector3d& place,
+                         const Eigen::Matrix3d& axes) {
+  mjvGeom* plane = Add(mjGEOM_PLANE, {half_sides.x(), half_sides.y(), 1}, place, axes, {1, 1, 1, 1});
+  if (plane == nullptr) return nullptr;
+  plane->category = mjCAT_STATIC;
+  plane->specular = 0;
+  plane->shininess = 0;
+  plane->dataid = -1;
+  return plane;
+}
+
+// Adds a floor as far as it is seen, or as far as the shadow reaches if the object is opaque: where
+// nothing is drawn, there is no shadow.
+void Scene::AddFloor(const Camera& camera, double height) {
+  Eigen::Vector3d place(camera.center.x(), camera.center.y(), height);
+  Eigen::Vector2d half_sides = Eigen::Vector2d::Constant(40 * camera.radius);
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  if (is_opaque_) {
+    axes.col(0) = Eigen::Vector3d(kKeyDirection.x(), kKeyDirection.y(), 0).normalized();
+    axes.col(1) = Eigen::Vector3d::UnitZ().cross(axes.col(0));
+    place = {0, 0, height};
+    for (int i = 0; i < 2; ++i) {
+      // Along the light, a point moves by its height above the floor times this slope.
+      const double slope = axes.col(i).dot(kKeyDirection) / -kKeyDirection.z();
+      const Eigen::Vector3d direction = axes.col(i) + slope * Eigen::Vector3d::UnitZ();
+      const double most = shapes_.Support(direction) - slope * height;
+      const double least = -shapes_.Support(-direction) - slope * height;
+      half_sides[i] = 0.51 * (most - least) + kBelow * camera.radius;
+      place += (most + least) / 2 * axes.col(i);
+    }
+  }
+  if (AddPlane(half_sides, place, axes) != nullptr) floor_ = scene_.ngeom - 1;
 }
 
 // Adds a plane behind the object that emits light, so that its color does not depend on the lights.
@@ -279,13 +316,15 @@ void Scene::AddBackdrop(const Camera& camera) {
   axes << camera.right, camera.up, -camera.forward;
   const double depth = 0.98 * camera.far;
   const double side = 2 * depth * std::max(camera.tan_x, camera.tan_y);
-  mjvGeom* backdrop = Add(mjGEOM_PLANE, {side, side, side}, camera.eye + depth * camera.forward,
-                          axes, {1, 1, 1, 1});
+  mjvGeom* backdrop = AddPlane({side, side}, camera.eye + depth * camera.forward, axes);
   if (backdrop == nullptr) return;
   backdrop->emission = 1;
-  backdrop->specular = 0;
-  backdrop->dataid = -1;
   backdrop_ = scene_.ngeom - 1;
+}
+
+std::optional<double> Scene::LevelAboveFloor() const {
+  if (floor_ < 0) return std::nullopt;
+  return level_above_floor_;
 }
 
 int Scene::SetFloor(bool light) {

@@ -5,6 +5,7 @@
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -45,11 +46,16 @@ class Scene {
   };
   const std::vector<Line>& legend() const { return legend_; }
 
-  /// Adds light, a backdrop, and a floor at the given height unless there is one already.
-  void Light(const Camera& camera, double floor_height);
+  /// Adds light and, if there are shadows, a floor at the given height, unless the model has a
+  /// ground or the camera is below the floor. A scene that is not opaque also gets a backdrop.
+  void Light(const Camera& camera, double floor_height, bool has_shadows);
+  /// Returns true if nothing that is shown lets light through.
+  bool IsOpaque() const { return is_opaque_; }
   /// Makes the floor and the backdrop light or black, and returns the brightness of the light floor
   /// outside of shadows, 0..255.
   int SetFloor(bool light);
+  /// Returns a height between the floor and the object, or nothing if there is no floor.
+  std::optional<double> LevelAboveFloor() const;
   void SetCamera(const mjvGLCamera& camera) { std::ranges::fill(scene_.camera, camera); }
 
   mjvScene& mujoco() { return scene_; }
@@ -80,7 +86,10 @@ class Scene {
   void CollectColliding(Subject::State& state);
   void ColorGeoms();
   void Fade();
+  void AddFloor(const Camera& camera, double height);
   void AddBackdrop(const Camera& camera);
+  mjvGeom* AddPlane(const Eigen::Vector2d& half_sides, const Eigen::Vector3d& place,
+                    const Eigen::Matrix3d& axes);
   void Measure(const mjModel& m);
 
   mjvScene scene_;
@@ -88,7 +97,9 @@ class Scene {
   std::vector<Label> labels_;
   std::vector<Line> legend_;
   bool has_ground_ = false;  // the model has a floor or another geom fixed to the world
+  bool is_opaque_ = false;
   double floor_height_ = 0;
+  double level_above_floor_ = 0;
   int floor_ = -1;     // index of its geom
   int backdrop_ = -1;  // index of its geom
 };

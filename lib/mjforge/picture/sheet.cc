@@ -10,6 +10,20 @@ namespace {
 
 constexpr int kGap = 12;  // pixels between tiles and around them
 
+// Puts a pixel over another.
+void PutPixel(const std::uint8_t* top, std::uint8_t* below) {
+  const int over = top[3];
+  const int under = below[3] * (255 - over) / 255;
+  const int alpha = over + under;
+  for (int c = 0; c < 3; ++c) {
+    const int mixed = top[c] * over + below[c] * under;
+    // Dividing by a constant is several times as fast.
+    const int mean = alpha == 255 ? (mixed + 127) / 255 : (mixed + alpha / 2) / alpha;
+    below[c] = static_cast<std::uint8_t>(mean);
+  }
+  below[3] = static_cast<std::uint8_t>(alpha);
+}
+
 Image MakeImage(int width, int height) {
   Image image{width, height, {}};
   image.rgba.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
@@ -40,19 +54,14 @@ Background::Color InkColor(const Background& background) {
 }  // namespace
 
 void PutOver(const Image& top, int x, int y, Image& below) {
+  const int first = std::max(0, -x);
   for (int row = std::max(0, -y); row < std::min(top.height, below.height - y); ++row) {
-    for (int column = std::max(0, -x); column < std::min(top.width, below.width - x); ++column) {
-      const std::size_t from = 4 * static_cast<std::size_t>(row * top.width + column);
-      const std::size_t to = 4 * static_cast<std::size_t>((y + row) * below.width + x + column);
-      const int over = top.rgba[from + 3];
-      const int under = below.rgba[to + 3] * (255 - over) / 255;
-      const int alpha = over + under;
-      if (alpha == 0) continue;
-      for (std::size_t c = 0; c < 3; ++c) {
-        const int mixed = top.rgba[from + c] * over + below.rgba[to + c] * under;
-        below.rgba[to + c] = static_cast<std::uint8_t>((mixed + alpha / 2) / alpha);
-      }
-      below.rgba[to + 3] = static_cast<std::uint8_t>(alpha);
+    const std::uint8_t* from = top.rgba.data() + 4 * std::ptrdiff_t{row * top.width + first};
+    std::uint8_t* to = below.rgba.data() + 4 * std::ptrdiff_t{(y + row) * below.width + x + first};
+    for (int column = first; column < std::min(top.width, below.width - x); ++column) {
+      if (from[3] != 0) PutPixel(from, to);
+      from += 4;
+      to += 4;
     }
   }
 }

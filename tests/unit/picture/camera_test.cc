@@ -28,6 +28,22 @@ Eigen::Vector4d Extremes(const Camera& camera, const PlacedShape& box, int width
   return extremes;
 }
 
+TEST_CASE("the depth of a level plane is that of its points, and above 1 beyond the horizon") {
+  PlacedShapes shapes;
+  shapes.Add(Box({0.1, 0.2, 0.4}, {1, 2, 3}));
+  const Camera camera = FrameShapes(shapes, 300, 200);
+  const LevelDepth level = DepthOfLevel(camera, 2.5, 300, 200);
+  for (const Eigen::Vector3d& point :
+       {Eigen::Vector3d(1, 2, 2.5), Eigen::Vector3d(1.3, 2, 2.5), Eigen::Vector3d(1, 1.6, 2.5)}) {
+    const Eigen::Vector2d at = camera.Project(point, 300, 200);
+    const double z = (point - camera.eye).dot(camera.forward);
+    const double depth = camera.far / (camera.far - camera.near) * (1 - camera.near / z);
+    CHECK(level.at_corner + level.per_x * at.x() + level.per_y * at.y() == Approx(depth));
+  }
+  const LevelDepth above = DepthOfLevel(camera, camera.eye.z() + 1, 300, 200);
+  CHECK(above.at_corner > 1);
+}
+
 TEST_CASE("a box fills the picture up to the margin, and is in the middle") {
   const PlacedShape box = Box({0.1, 0.2, 0.4}, {1, 2, 3});
   PlacedShapes shapes;

@@ -75,6 +75,34 @@ TEST_CASE("the same subject gives the same bytes, whatever was drawn before") {
   CHECK(Draw(*renderer, *second).rgba == alone.rgba);
 }
 
+TEST_CASE("from below there is no floor between the camera and the object") {
+  const auto renderer = OpenRenderer();
+  const auto subject = LoadGeom("type='box' size='1 1 1' rgba='0 0.2 0 1'");
+  Options below = kSmall;
+  below.view.elevation = 30;
+  const Image image = Draw(*renderer, *subject, below);
+  CHECK(At(image, 48, 48)[3] == 255);
+  CHECK(At(image, 48, 48)[0] < 40);
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4 * 96)
+    CHECK(image.rgba[i] == 0);  // left border
+}
+
+TEST_CASE("a translucent part elsewhere does not change an opaque one and its shadow") {
+  const auto renderer = OpenRenderer();
+  const auto draw = [&](const std::string& alpha) {
+    const auto subject = Load(
+        "<mujoco><worldbody><body><freejoint/><geom type='box' size='1 1 1' rgba='1 0 0 1'/>"
+        "<geom size='0.1' rgba='1 0 0 " +
+        alpha + "'/></body></worldbody></mujoco>");
+    return Draw(*renderer, *subject).rgba;
+  };
+  const auto once = draw("1");
+  const auto twice = draw("0.5");  // inside the box
+  int most = 0;
+  for (std::size_t i = 0; i < once.size(); ++i) most = std::max(most, std::abs(once[i] - twice[i]));
+  CHECK(most <= 2);
+}
+
 TEST_CASE("faces in one plane are lit once") {
   const auto renderer = OpenRenderer();
   const auto brightest = [&](const std::string& geoms) {
