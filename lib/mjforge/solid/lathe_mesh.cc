@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "mjforge/solid/render_mesh.h"
 
@@ -19,6 +20,13 @@ struct Ring {
   int first = 0;                // index of its first vertex
   bool has_one_vertex = false;  // a point of the axis with a single vertex
   bool is_tip() const { return place.x() == 0; }
+};
+
+/// The faces of a visible edge of the outline, between two rings.
+struct Band {
+  int from = 0;
+  int to = 0;
+  int covers = 0;  // surfaces around it
 };
 
 Point2 OutwardOf(const Point2& from, const Point2& to) {
@@ -76,12 +84,14 @@ class LatheMesher {
       if (!IsVisible(i)) continue;
       const int from = !bands_.empty() && last_corner_ == i ? JoinedTo(i) : AddRing(i, i);
       const int to = AddRing(outline_.Next(i), i);
-      bands_.emplace_back(from, to);
+      bands_.push_back({from, to, CoversOf(i)});
       last_corner_ = outline_.Next(i);
     }
     CloseOutline();
     for (Ring& ring : rings_) AddVertices(ring);
-    for (const auto& [from, to] : bands_) AddBand(from, to);
+    // Viewers draw translucent meshes in the order of their faces, so the innermost come first.
+    std::ranges::stable_sort(bands_, std::greater(), [&](const Band& band) { return band.covers; });
+    for (const Band& band : bands_) AddBand(band.from, band.to);
     if (lathe_.angle != kWholeTurn) AddCutFaces(partition);
     return std::move(mesh_);
   }
@@ -108,6 +118,22 @@ class LatheMesher {
     return closes && sources[corner] == 0 ? along_.back() : along_[sources[corner]];
   }
 
+  /// Returns the number of surfaces between the middle of an edge, on its outer side, and far away
+  /// from the axis: 2 for the inside of a cup, 0 for its outside.
+  int CoversOf(std::size_t edge) const {
+    constexpr double kBeside = 1e-9;  // m
+    const Point2 place = (At(edge) + At(outline_.Next(edge))) / 2 + kBeside * NormalOf(edge);
+    int covers = 0;
+    for (std::size_t i = 0; i < outline_.corners.size(); ++i) {
+      const Point2& a = At(i);
+      const Point2& b = At(outline_.Next(i));
+      if ((a.y() > place.y()) == (b.y() > place.y())) continue;
+      const double share = (place.y() - a.y()) / (b.y() - a.y());
+      if (a.x() + share * (b.x() - a.x()) > place.x()) ++covers;
+    }
+    return covers;
+  }
+
   int AddRing(std::size_t corner, std::size_t edge) { return Add(RingOf(corner, edge)); }
 
   Ring RingOf(std::size_t corner, std::size_t edge) const {
@@ -132,7 +158,7 @@ class LatheMesher {
 
   /// Returns the ring at the end of the previous edge if this edge can share it, or a new ring.
   int JoinedTo(std::size_t edge) {
-    const int before = bands_.back().second;
+    const int before = bands_.back().to;
     Ring next = RingOf(edge, edge);
     return Smooth(rings_[static_cast<std::size_t>(before)], next) ? before : Add(next);
   }
@@ -140,10 +166,10 @@ class LatheMesher {
   /// Joins the last edge to the first if the crease between them is smooth.
   void CloseOutline() {
     if (last_corner_ != 0 || !IsVisible(0)) return;
-    auto& [first, unused] = bands_.front();
-    const auto last = static_cast<std::size_t>(bands_.back().second);
+    const int first = bands_.front().from;
+    const auto last = static_cast<std::size_t>(bands_.back().to);
     if (!Smooth(rings_[static_cast<std::size_t>(first)], rings_[last])) return;
-    bands_.back().second = first;
+    bands_.back().to = first;
     rings_.pop_back();
   }
 
@@ -220,7 +246,7 @@ class LatheMesher {
   std::vector<Point2> directions_;  // cosine and sine at each half segment
   TriangleMesh mesh_;
   std::vector<Ring> rings_;
-  std::vector<std::pair<int, int>> bands_;  // the two rings of each visible edge
+  std::vector<Band> bands_;
   std::size_t last_corner_ = 0;             // corner at the end of the last band
 };
 
