@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -19,7 +20,41 @@ namespace {
 using manifest::Record;
 using sample::ParameterValue;
 
-constexpr std::size_t kMaxParameters = 3;
+constexpr std::size_t kMaxParameters = 4;
+constexpr std::size_t kMaxLetters = 36;  // in a line, as many as fit below a tile of 320 pixels
+
+// Last words of parameters' names that their values make superfluous: "steel" for "material steel".
+constexpr std::array<std::string_view, 13> kEmptyWords = {
+    "color", "colour", "finish", "kind", "look",  "make", "material",
+    "model", "name",   "shape",  "size", "style", "type"};
+// Quantities without unit that no picture shows.
+constexpr std::array<std::string_view, 9> kUnseen = {"armature", "clearance", "damping",
+                                                     "density",  "friction",  "margin",
+                                                     "mass",     "play",      "stiffness"};
+// What a name adds to a noun if the parameter is a count or a yes-no question.
+constexpr std::array<std::string_view, 6> kPrefixes = {"number of ", "count of ", "n ",
+                                                       "has ",       "with ",     "is "};
+
+std::string WithSpaces(std::string_view text) {
+  std::string words(text);
+  std::ranges::replace_if(
+      words, [](char c) { return c == '_' || c == '.'; }, ' ');
+  return words;
+}
+
+// Returns the noun in a parameter's name: "handle" for "handle_shape" and for "has_handle".
+std::string NounOf(std::string_view name) {
+  std::string words = WithSpaces(name);
+  for (const std::string_view prefix : kPrefixes) {
+    if (words.starts_with(prefix)) words.erase(0, prefix.size());
+  }
+  for (std::size_t space = words.rfind(' ');; space = words.rfind(' ')) {
+    const std::string last = words.substr(space == words.npos ? 0 : space + 1);
+    if (std::ranges::find(kEmptyWords, last) == kEmptyWords.end()) return words;
+    if (space == words.npos) return "";
+    words.erase(space);
+  }
+}
 
 // Returns the SI unit of a parameter's numbers, or an empty text. If the spec declares no unit, the
 // unit is inferred from the text of the value: "m" from "22cm .. 30cm".
@@ -37,33 +72,71 @@ std::string_view UnitOf(const spec::Parameter* parameter) {
   return "";
 }
 
-// Returns "28.1 cm", "45 deg".
+// Returns two digits, or all digits before the point: "28", "0.75", "1500".
+std::string ShortNumber(double number) {
+  return std::abs(number) >= 10 ? fmt::format("{:.0f}", number) : fmt::format("{:.2g}", number);
+}
+
+// Returns "28 cm", "45 deg".
 std::string NumberText(double number, std::string_view unit) {
   const double size = std::abs(number);
-  if (unit == "rad") return fmt::format("{:.3g} deg", number * 180 / std::numbers::pi);
-  if (unit == "m" && size > 0 && size < 0.01) return fmt::format("{:.3g} mm", 1000 * number);
-  if (unit == "m" && size > 0 && size < 1) return fmt::format("{:.3g} cm", 100 * number);
-  return fmt::format("{:.3g}{}{}", number, unit.empty() ? "" : " ", unit);
+  if (unit == "rad") return ShortNumber(number * 180 / std::numbers::pi) + " deg";
+  if (unit == "m" && size > 0 && size < 0.01) return ShortNumber(1000 * number) + " mm";
+  if (unit == "m" && size > 0 && size < 1) return ShortNumber(100 * number) + " cm";
+  if (unit == "m") return fmt::format("{:.2g} m", number);
+  return ShortNumber(number);
 }
 
-std::string TextOf(const ParameterValue& value, std::string_view unit) {
-  if (const auto* number = std::get_if<double>(&value)) return NumberText(*number, unit);
-  if (const auto* boolean = std::get_if<bool>(&value)) return *boolean ? "true" : "false";
-  return std::get<std::string>(value);
+std::string WordText(const std::string& noun, const std::string& value) {
+  const std::string words = WithSpaces(value);
+  if (noun.empty() || words == noun) return words;
+  return (words == "none" ? "no" : words) + " " + noun;
 }
 
-// Visibility of a parameter's differences. Ranks: 0 for words, 1 for lengths, 2 for angles, 3 for
-// numbers without a unit, 4 for mass and others that no picture shows. Lists are too long for
-// captions and have no spread.
+bool IsWhole(const ParameterValue& value) {
+  const auto* number = std::get_if<double>(&value);
+  return number != nullptr && *number == std::floor(*number) && std::abs(*number) < 1e6;
+}
+
+// Returns "steel handle", "no lid", "7 spokes", "handle length 28 cm".
+std::string TextOf(const std::string& name, const ParameterValue& value, std::string_view unit,
+                   bool is_count) {
+  const std::string noun = NounOf(name);
+  if (const auto* boolean = std::get_if<bool>(&value)) {
+    const char* no = name.starts_with("is_") ? "not " : "no ";
+    return *boolean ? noun : no + noun;
+  }
+  const auto* number = std::get_if<double>(&value);
+  if (number == nullptr) return WordText(noun, std::get<std::string>(value));
+  if (is_count) return fmt::format("{:.0f} {}", *number, noun);
+  return WithSpaces(name) + " " + NumberText(*number, unit);
+}
+
+bool IsSeen(std::string_view name, std::string_view unit) {
+  if (!unit.empty() && unit != "m" && unit != "rad") return false;
+  return std::ranges::none_of(kUnseen, [&](std::string_view word) {
+    const std::size_t at = name.find(word);
+    if (at == name.npos) return false;
+    const std::size_t end = at + word.size();
+    return (at == 0 || name[at - 1] == '_') && (end == name.size() || name[end] == '_');
+  });
+}
+
+// Visibility of a parameter's differences. Ranks: 0 for words, 1 for counts, 2 for lengths, 3 for
+// angles, 4 for other numbers without a unit. Lists are too long for captions and have no spread.
 struct Difference {
   int rank = 0;
-  double spread = 0;  // orders parameters of one rank; 0: all values are equal
+  double spread = 0;  // orders parameters of one rank; 0: nothing differs that a picture shows
 };
+constexpr int kCount = 1;
 
 Difference DifferenceOf(std::span<const Record> records, std::size_t parameter,
                         std::string_view unit) {
+  const std::string& name = records.front().params[parameter].first;
+  if (!IsSeen(name, unit)) return {};
   std::set<std::string> texts;
   std::vector<double> numbers;
+  bool is_count = unit.empty();
   for (const Record& record : records) {
     const ParameterValue& value = record.params[parameter].second;
     if (std::holds_alternative<std::vector<double>>(value) ||
@@ -71,7 +144,8 @@ Difference DifferenceOf(std::span<const Record> records, std::size_t parameter,
         std::holds_alternative<std::vector<bool>>(value)) {
       return {};
     }
-    texts.insert(TextOf(value, unit));
+    is_count = is_count && IsWhole(value);
+    texts.insert(TextOf(name, value, unit, false));
     if (const auto* number = std::get_if<double>(&value)) numbers.push_back(*number);
   }
   if (texts.size() < 2) return {};
@@ -79,9 +153,9 @@ Difference DifferenceOf(std::span<const Record> records, std::size_t parameter,
     return {0, static_cast<double>(texts.size()) / static_cast<double>(records.size())};
   const auto [min, max] = std::minmax_element(numbers.begin(), numbers.end());
   const double width = *max - *min;
-  if (unit == "m") return {1, width};
-  if (unit == "rad") return {2, width};
-  return {unit.empty() ? 3 : 4, width / std::max(std::abs(*max), std::abs(*min))};
+  if (unit == "m") return {2, width};
+  if (unit == "rad") return {3, width};
+  return {is_count ? kCount : 4, width / std::max(std::abs(*max), std::abs(*min))};
 }
 
 // Returns false for parameters that are computed from others or looked up in a table.
@@ -112,6 +186,15 @@ std::vector<std::tuple<int, double, std::size_t>> MostDifferent(std::span<const 
   return found;
 }
 
+// Adds an item to the last line, or begins another line if the last one is full.
+void AddItem(const std::string& item, std::vector<std::string>& lines) {
+  if (lines.size() > 1 && lines.back().size() + 2 + item.size() <= kMaxLetters) {
+    lines.back() += ", " + item;
+  } else {
+    lines.push_back(item);
+  }
+}
+
 }  // namespace
 
 std::vector<std::vector<std::string>> MakeCaptions(std::span<const Record> records,
@@ -124,7 +207,7 @@ std::vector<std::vector<std::string>> MakeCaptions(std::span<const Record> recor
     lines.push_back(fmt::format("#{}", record.index));
     for (const auto& [rank, spread, parameter] : parameters) {
       const auto& [name, value] = record.params[parameter];
-      lines.push_back(fmt::format("{} {}", name, TextOf(value, UnitOf(spec.FindParameter(name)))));
+      AddItem(TextOf(name, value, UnitOf(spec.FindParameter(name)), rank == kCount), lines);
     }
   }
   return captions;
