@@ -15,6 +15,7 @@ void WriteParameters(JsonOutput& json, const forge::Recipe& recipe, const forge:
     json.Member("spec", parameter.source);
     json.Member("value", (drawn++)->second);
     json.Member("unit", parameter.unit);
+    json.Member("section", parameter.section);
     json.Member("doc", parameter.doc);
   });
 }

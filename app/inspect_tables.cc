@@ -48,11 +48,11 @@ std::string SizeText(const model::Shape& shape) {
 }
 
 std::string ParametersText(const forge::Recipe& recipe, const forge::Variant& variant) {
-  TextTable table({"parameter", "spec", "here", "unit", "doc"});
+  TextTable table({"parameter", "spec", "here", "unit", "section", "doc"});
   for (std::size_t i = 0; i < recipe.spec->parameters.size(); ++i) {
     const spec::Parameter& parameter = recipe.spec->parameters[i];
     table.Add({parameter.name, parameter.source, ValueText(variant.record.params[i].second),
-               parameter.unit, parameter.doc});
+               parameter.unit, parameter.section, parameter.doc});
   }
   return table.empty() ? "" : table.Render() + "\n";
 }

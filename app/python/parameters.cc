@@ -53,6 +53,7 @@ void WriteParameters(diag::Json& json, const spec::ObjectSpec& spec) {
     json.StartObject();
     json.Member("name", parameter.name);
     json.Member("unit", parameter.unit);
+    json.Member("section", parameter.section);
     json.Member("doc", parameter.doc);
     json.Member("spec", parameter.source);
     json.Member("type", TypeName(parameter.value));

@@ -76,7 +76,8 @@ TEST_CASE_METHOD(CrateTest, "inspect --json is one object") {
       result.out.starts_with("{\"name\":\"crate\",\"description\":\"A box.\","
                              "\"spec\":\"crate.yaml\",\"spec_sha256\":\""));
   CHECK(result.out.find("\"parameters\":[{\"name\":\"height\",\"spec\":\"0.15\",\"value\":0.15,"
-                        "\"unit\":\"m\",\"doc\":\"Half the height.\"}]") != std::string::npos);
+                        "\"unit\":\"m\",\"section\":\"\",\"doc\":\"Half the height.\"}]") !=
+        std::string::npos);
   CHECK(result.out.find("\"aabb\":{\"min\":[-0.1,-0.1,-0.15],\"max\":[0.1,0.1,0.15]},"
                         "\"swept_aabb\":{\"min\":[-0.1,-0.1,-0.15],\"max\":[0.1,0.1,0.15]},"
                         "\"mass\":6,\"com\":[0,0,0],") != std::string::npos);

@@ -18,7 +18,7 @@ ALL_FAIL = {**HALF_FAIL, "expect": ["l < 1cm"]}
 EXACT = {"mjforge": 1, "name": "m", "params": {"c": {"choice": ["a", "b", "c", "d"], "exact": True}},
          "parts": [{"name": "h", "type": "sphere", "size": ["1cm"]}]}
 KINDS = {"mjforge": 1, "name": "kinds", "params": {
-    "width": {"value": "20cm .. 30cm", "unit": "m", "doc": "Of it."},
+    "width": {"value": "20cm .. 30cm", "unit": "m", "section": "Size", "doc": "Of it."},
     "gauss": {"normal": [0.5, 0.1], "clip": [0.4, 0.6]}, "free": {"normal": [0, 1]}, "count": {"integer": [1, 4]},
     "shape": {"choice": ["box", "disc"]}, "level": {"choice": [1, 3, 2]}, "flag": {"bernoulli": 0.5},
     "size": ["1cm .. 2cm", "3cm", "4cm .. 5cm"], "fixed": 0.25, "twice": "2 * width", "rate": {"exponential": 2}},
@@ -140,8 +140,8 @@ class Parameters(unittest.TestCase):
         known = mjforge.Spec(KINDS).parameters
         self.assertEqual(list(known), list(KINDS["params"]))
         width = known["width"]
-        self.assertEqual((width.unit, width.doc, width.default, width.distribution, width.range),
-                         ("m", "Of it.", "20cm .. 30cm", "uniform", (0.2, 0.3)))
+        self.assertEqual((width.unit, width.section, width.doc, width.default, width.distribution, width.range),
+                         ("m", "Size", "Of it.", "20cm .. 30cm", "uniform", (0.2, 0.3)))
         self.assertEqual({name: known[name].range for name in known if name != "width"}, {
             "gauss": (0.4, 0.6), "free": (-math.inf, math.inf), "count": (1, 4), "shape": None, "level": (1, 3),
             "flag": None, "size": ((0.01, 0.03, 0.04), (0.02, 0.03, 0.05)), "fixed": (0.25, 0.25), "twice": None,

@@ -18,6 +18,7 @@ class Parameter:
 
     name: str
     unit: str  # "m", or "" if the spec does not say it
+    section: str  # heading of its control in `mjforge customize`, or ""
     doc: str
     default: str  # the value as the spec has it: "20cm .. 30cm"
     type: str  # "number", "text" or "boolean"

@@ -70,15 +70,20 @@ bool IsWhole(const spec::Parameter& parameter, const Value& value) {
          parameter.source.find_first_not_of("0123456789") == std::string::npos;
 }
 
-// Counts the parameters whose names begin with each first word: "handle" for "handle_length".
+// Counts the parameters without a section whose names begin with each first word: "handle" for
+// "handle_length".
 std::map<std::string, int> CountPrefixes(const spec::ObjectSpec& spec) {
   std::map<std::string, int> counts;
-  for (const spec::Parameter& parameter : spec.parameters)
-    ++counts[parameter.name.substr(0, parameter.name.find_first_of("_."))];
+  for (const spec::Parameter& parameter : spec.parameters) {
+    if (parameter.section.empty())
+      ++counts[parameter.name.substr(0, parameter.name.find_first_of("_."))];
+  }
   return counts;
 }
 
+// Returns the section of a parameter, or else the first word that its name shares with others.
 std::string GroupOf(const spec::Parameter& parameter, const std::map<std::string, int>& prefixes) {
+  if (!parameter.section.empty()) return diag::SafeText(parameter.section);
   std::string prefix = parameter.name.substr(0, parameter.name.find_first_of("_."));
   return prefixes.at(prefix) > 1 ? prefix : "";
 }

@@ -168,6 +168,9 @@ constexpr FieldInfo kParameterFields[] = {
     Row({"unit", Key::kUnit}, FieldKind::kPlainText,
         "Its unit: of SI (`m`, `kg/m^3`, `rad`), `1` for a plain number, `s, 1` for a vector. What "
         "the value is in where it names one; any other text is for readers only."),
+    Row({"section", Key::kSection}, FieldKind::kPlainText,
+        "Heading under which `customize` shows its control; parameters with the same heading are "
+        "together."),
 };
 
 // Fields that several elements share.

@@ -20,6 +20,7 @@ enum class Key {
   // Parameters.
   kDoc,
   kUnit,
+  kSection,
   // List entries.
   kIf,
   kFor,

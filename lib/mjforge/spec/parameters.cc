@@ -15,12 +15,12 @@ namespace {
 
 using diag::Code;
 
-constexpr std::array<std::string_view, 3> kLongFormKeys = {"value", "doc", "unit"};
+constexpr std::array<std::string_view, 4> kLongFormKeys = {"value", "doc", "unit", "section"};
 
 bool IsLongForm(const YamlNode& node) {
   return node.kind == YamlNode::Kind::kMap &&
-         (node.Find("value") != nullptr || node.Find("doc") != nullptr ||
-          node.Find("unit") != nullptr);
+         std::ranges::any_of(kLongFormKeys,
+                             [&](std::string_view key) { return node.Find(key) != nullptr; });
 }
 
 void CheckParameterName(const YamlNode::Pair& pair, Context& context) {
@@ -32,14 +32,13 @@ void CheckParameterName(const YamlNode::Pair& pair, Context& context) {
   }
 }
 
-// Returns the value without `doc` and `unit`, as the user wrote it.
+// Returns the value without `doc`, `unit` and `section`, as the user wrote it.
 std::string SourceText(const YamlNode& node) {
   if (node.kind == YamlNode::Kind::kScalar) return node.text;
   if (!IsLongForm(node)) return FlowText(node);
   if (const YamlNode* value = node.Find("value")) return SourceText(*value);
   YamlNode bare = node;
-  std::erase_if(bare.pairs,
-                [](const auto& pair) { return pair.key == "doc" || pair.key == "unit"; });
+  std::erase_if(bare.pairs, [](const auto& pair) { return IsAboutValue(pair.key); });
   return FlowText(bare);
 }
 
@@ -57,8 +56,8 @@ Dependencies UsesOf(const std::vector<ParameterNode>& declared, const expr::Symb
     std::vector<std::string> words;
     // Skip the cells of a table, which are not expressions.
     for (const YamlNode::Pair& pair : parameter.node.pairs) {
-      const bool is_text = pair.key == "doc" || pair.key == "unit";
-      if (!is_text && (parameter.kind == FieldKind::kAnything || pair.key != "choice"))
+      if (!IsAboutValue(pair.key) &&
+          (parameter.kind == FieldKind::kAnything || pair.key != "choice"))
         CollectNames(pair.value, words);
     }
     if (parameter.node.kind != YamlNode::Kind::kMap) CollectNames(parameter.node, words);
@@ -276,6 +275,22 @@ void ReadRequirements(const YamlNode& require, Context& context) {
   }
 }
 
+// Reads `doc`, `unit` and `section` of a parameter's long form.
+void ReadAboutValue(const YamlNode& node, Parameter& parameter, Context& context) {
+  if (const YamlNode* doc = node.Find("doc"))
+    parameter.doc = context.values.ReadPlainText("doc", *doc);
+  if (const YamlNode* unit = node.Find("unit")) {
+    parameter.unit = context.values.ReadPlainText("unit", *unit);
+    CheckIsSi(parameter, unit->mark, context);
+  }
+  const YamlNode* section = node.Find("section");
+  if (section == nullptr) return;
+  parameter.section = context.values.ReadPlainText("section", *section);
+  if (section->kind == YamlNode::Kind::kScalar && section->text.empty())
+    context.findings.Add(Code::kSpecBadValue, section->mark, "'section' is empty",
+                         "name the heading, as in `section: Handle`");
+}
+
 std::vector<ParameterNode> DeclareParameters(const YamlNode& params, Context& context) {
   std::vector<ParameterNode> all;
   for (const auto& pair : params.pairs) {
@@ -285,6 +300,7 @@ std::vector<ParameterNode> DeclareParameters(const YamlNode& params, Context& co
       record.emplace(
           {ParameterNode{.name = pair.key, .mark = pair.mark, .node = pair.value, .source = {}}});
     }
+    const std::size_t first = context.spec.parameters.size();
     for (ParameterNode& declared : *record) {
       Parameter parameter;
       parameter.name = declared.name;
@@ -293,15 +309,10 @@ std::vector<ParameterNode> DeclareParameters(const YamlNode& params, Context& co
           declared.source.empty() ? SourceText(pair.value) : std::move(declared.source);
       parameter.record = declared.record;
       parameter.unit = declared.unit;
-      if (&declared == &record->front() && IsLongForm(pair.value)) {
-        if (const YamlNode* doc = pair.value.Find("doc")) {
-          parameter.doc = context.values.ReadPlainText("doc", *doc);
-        }
-        if (const YamlNode* unit = pair.value.Find("unit")) {
-          parameter.unit = context.values.ReadPlainText("unit", *unit);
-          CheckIsSi(parameter, unit->mark, context);
-        }
-      }
+      if (&declared != &record->front())
+        parameter.section = context.spec.parameters[first].section;
+      else if (IsLongForm(pair.value))
+        ReadAboutValue(pair.value, parameter, context);
       context.spec.parameters.push_back(std::move(parameter));
       all.push_back(std::move(declared));
     }

@@ -256,9 +256,11 @@ std::string Doc(std::string_view element) {
   return fmt::format(R"("description": {})", Quoted(FindElement(element)->doc));
 }
 
-std::string DocAndUnit(std::string_view /*none*/) {
+// Properties of a parameter besides its value.
+std::string About(std::string_view /*none*/) {
   const ElementInfo& parameter = kParameterElement;
-  return Joined({Property(*parameter.Find(Key::kDoc)), Property(*parameter.Find(Key::kUnit))});
+  return Joined({Property(*parameter.Find(Key::kDoc)), Property(*parameter.Find(Key::kUnit)),
+                 Property(*parameter.Find(Key::kSection))});
 }
 
 std::string Draws(std::string_view /*none*/) {
@@ -277,7 +279,7 @@ std::string DrawsOf(std::string_view kind) {
 
 std::string DrawsWithDoc(std::string_view none) {
   return Joined(Each(Distributions(), [none](const DistributionInfo& info) {
-    return fmt::format("{{{}}}", DrawForm(info, {DocAndUnit(none)}));
+    return fmt::format("{{{}}}", DrawForm(info, {About(none)}));
   }));
 }
 
@@ -313,7 +315,7 @@ struct Marker {
 constexpr Marker kMarkers[] = {
     {"doc", Doc},
     {"fields", Fields},
-    {"doc_and_unit", DocAndUnit},
+    {"about", About},
     {"draws", Draws},
     {"draws_of", DrawsOf},
     {"draws_with_doc", DrawsWithDoc},

@@ -30,6 +30,7 @@ struct Parameter {
   Value value;
   std::string doc;
   std::string unit;
+  std::string section;
   std::string source;  // the value as written in the YAML, on one line
   int slot = 0;
   int list = -1;  // see expr::SymbolTable::Variable::list

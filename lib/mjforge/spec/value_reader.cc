@@ -77,7 +77,7 @@ void CollectNames(const YamlNode& node, std::vector<std::string>& names) {
   };
   for (const YamlNode& item : node.items) CollectNames(item, names);
   for (const auto& pair : node.pairs) {
-    if (pair.key != "doc" && pair.key != "unit") CollectNames(pair.value, names);
+    if (!IsAboutValue(pair.key)) CollectNames(pair.value, names);
   }
   if (node.kind != YamlNode::Kind::kScalar) return;
   const std::string_view text = node.text;

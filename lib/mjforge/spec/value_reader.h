@@ -189,4 +189,9 @@ std::vector<std::string_view> Split(std::string_view text, std::string_view sepa
 /// Appends the names in the expressions of a node and its inner nodes; names may repeat.
 void CollectNames(const YamlNode& node, std::vector<std::string>& names);
 
+/// Returns true for the keys of a parameter's mapping that are texts about its value.
+inline bool IsAboutValue(std::string_view key) {
+  return key == "doc" || key == "unit" || key == "section";
+}
+
 }  // namespace mjforge::spec

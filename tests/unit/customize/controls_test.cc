@@ -79,6 +79,16 @@ TEST_CASE("the form of a value decides which control it has") {
   CHECK(controls["thin"]["low"] == Json{nullptr});
 }
 
+TEST_CASE("a parameter with a section is in the group of that name, and in no other") {
+  auto controls = ControlsOf(
+      "  leg_length: {value: 1 .. 2, section: Height}\n"
+      "  leg_radius: 1\n"
+      "  top: {value: 3, section: Height}\n");
+  CHECK(controls["leg_length"]["group"] == "Height");
+  CHECK(controls["top"]["group"] == "Height");
+  CHECK(controls["leg_radius"]["group"] == "");
+}
+
 TEST_CASE("parameters whose names begin with the same word are a group") {
   auto controls = ControlsOf("  handle_length: 1\n  handle_radius: 2\n  head_size: 3\n  gap: 1\n");
   CHECK(controls["handle_length"]["group"] == "handle");

@@ -36,6 +36,32 @@ TEST_CASE("the long form carries meaning and unit", "[params]") {
   CHECK(loaded.spec->parameters[1].source == "{choice: [box, ball]}");
 }
 
+TEST_CASE("a section is a heading for parameters and for all columns of a record", "[params]") {
+  const Loaded loaded = LoadWithBox(
+      "params:\n"
+      "  section: 2cm\n"
+      "  r: {value: 1cm .. section, section: Section of the ball}\n"
+      "  s: {normal: [3, 1], section: Other}\n"
+      "  style: {choice: [{name: old, leg: 1cm}, {name: new, leg: 2cm}], section: Legs}\n"
+      "  bare: 1\n");
+  REQUIRE(loaded.Report() == Strings{});
+  Strings sections;
+  for (const auto& parameter : loaded.spec->parameters) sections.push_back(parameter.section);
+  CHECK(sections == Strings{"", "Section of the ball", "Other", "Legs", "Legs", ""});
+  CHECK(loaded.spec->parameters[1].source == "1cm .. section");
+  CHECK(loaded.spec->parameters[2].source == "{normal: [3, 1]}");
+}
+
+TEST_CASE("a section that is no heading is reported", "[params]") {
+  CHECK(ReportWithBox("params: {r: {value: 1, section: [a, b]}}\n") ==
+        Strings{"4:33 spec/wrong-type: expected text for 'section', got a list"});
+  CHECK(ReportWithBox("params: {r: {value: 1, section: \"\"}}\n") ==
+        Strings{"4:33 spec/bad-value: 'section' is empty (name the heading, as in `section: "
+                "Handle`)"});
+  CHECK(ReportWithBox("params: {r: {value: 1, section: \"a ${r}\"}}\n") ==
+        Strings{"4:33 spec/wrong-type: 'section' is fixed text: ${...} has no meaning in it"});
+}
+
 TEST_CASE("a name of the expression language is no parameter's name", "[params]") {
   const Strings report = ReportWithBox("params: {index: 1, max: 2, 2x: 3}\n");
   REQUIRE(report.size() == 3);
