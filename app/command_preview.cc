@@ -3,8 +3,11 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <limits>
 #include <memory>
+#include <set>
+#include <utility>
 
 #include "child_process.h"
 #include "commands.h"
@@ -47,8 +50,11 @@ class Preview {
   Preview(const PreviewOptions& options, Console& console)
       : options_(options), console_(console), findings_(console.findings) {}
 
-  ExitStatus operator()() {
+  /// Makes the picture, and writes the names of the files that it depends on to `files`, unless
+  /// that is null.
+  ExitStatus operator()(std::FILE* files) {
     const std::optional<std::string> bytes = Make();
+    if (files != nullptr) WriteFiles(files);
     const bool printed = options_.output == "-";
     if (bytes && !printed && MayReplacePicture(place_, options_.force, findings_))
       output::WriteSingleFile(place_, *bytes, findings_);
@@ -57,6 +63,16 @@ class Preview {
   }
 
  private:
+  void WriteFiles(std::FILE* file) const {
+    std::set<std::string> names = assets_;
+    for (std::uint32_t i = 1; i <= console_.sources.size(); ++i)
+      names.insert(console_.sources.Name(i));
+    for (const diag::Finding& finding : findings_)
+      names.insert(finding.files.begin(), finding.files.end());
+    for (const std::string& name : names) std::fwrite(name.c_str(), 1, name.size() + 1, file);
+    std::fflush(file);
+  }
+
   std::optional<std::string> Make() {
     std::vector<PreviewObject> objects = options_.is_file ? LoadFiles() : LoadVariants();
     if (objects.empty() || !Pose(objects)) return std::nullopt;
@@ -109,6 +125,7 @@ class Preview {
       generator.Make(options_.first + i, variant);
       found.Add(variant.findings, false);
       if (!variant.ok()) continue;
+      for (const bytes::Asset& asset : variant.document.assets) assets_.insert(asset.file.string());
       std::string why_not;
       auto subject = loader.LoadText(variant.document.text, variant.document.assets, why_not);
       if (subject) {
@@ -208,15 +225,17 @@ class Preview {
   diag::Findings& findings_;  // findings of the console
   std::optional<forge::Recipe> recipe_;
   std::filesystem::path place_;
+  std::set<std::string> assets_;  // files that the variants refer to
 };
 
-ExitStatus DrawInChild(const PreviewOptions& options, Console& console) {
+ExitStatus DrawInChild(const PreviewOptions& options, Console& console,
+                       std::FILE* files = nullptr) {
   return RunInChild(options.what, options.time_limit, console,
-                    [&] { return Preview(options, console)(); });
+                    [&] { return Preview(options, console)(files); });
 }
 
 // Returns the files of a preview: MJCF files, or the files that a spec is read from, as far as they
-// can be read now.
+// are known without a variant.
 std::vector<std::filesystem::path> FilesOf(const PreviewOptions& options) {
   std::vector<std::filesystem::path> files(options.whats.begin(), options.whats.end());
   if (options.is_file) return files;
@@ -224,14 +243,36 @@ std::vector<std::filesystem::path> FilesOf(const PreviewOptions& options) {
   LoadRecipe(options.what, options.spec, silent);
   for (std::uint32_t i = 1; i <= silent.sources.size(); ++i)
     files.emplace_back(silent.sources.Name(i));
+  for (const diag::Finding& finding : silent.findings)
+    files.insert(files.end(), finding.files.begin(), finding.files.end());
   return files;
+}
+
+// Returns the names that a child process wrote, each with a zero byte behind it.
+std::vector<std::filesystem::path> ReadNames(std::FILE* file) {
+  std::vector<std::filesystem::path> names;
+  std::string name;
+  std::rewind(file);
+  for (int byte = std::getc(file); byte != EOF; byte = std::getc(file)) {
+    if (byte != 0) {
+      name += static_cast<char>(byte);
+    } else if (!name.empty()) {
+      names.emplace_back(std::exchange(name, {}));
+    }
+  }
+  return names;
 }
 
 // Draws again after each change of a file, until a signal ends the process.
 [[noreturn]] void Watch(const PreviewOptions& options, Console& console) {
+  std::vector<std::filesystem::path> drawn;  // files that the last picture depends on
   while (true) {
     WatchedFiles files(FilesOf(options));
-    const bool is_drawn = DrawInChild(options, console) == ExitStatus::kDone;
+    for (const std::filesystem::path& file : drawn) files.Add(file);
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> names(std::tmpfile(), std::fclose);
+    const bool is_drawn = DrawInChild(options, console, names.get()) == ExitStatus::kDone;
+    if (names) drawn = ReadNames(names.get());
+    for (const std::filesystem::path& file : drawn) files.Add(file);
     console.PrintLine(fmt::format("mjforge: note: {}waiting for a change (Ctrl-C ends)",
                                   is_drawn ? "drawn; " : ""));
     files.Wait();

@@ -20,14 +20,20 @@ WatchedFiles::WatchedFiles(const std::vector<std::filesystem::path>& files) {
   stamps_ = Now();
 }
 
+void WatchedFiles::Add(const std::filesystem::path& file) {
+  if (!stamps_.contains(file)) stamps_[file] = StampOf(file);
+}
+
+WatchedFiles::Stamp WatchedFiles::StampOf(const std::filesystem::path& file) {
+  struct stat found = {};
+  if (::stat(file.c_str(), &found) != 0) found = {};
+  return {found.st_dev, found.st_ino, static_cast<std::uint64_t>(found.st_size),
+          found.st_mtim.tv_sec, found.st_mtim.tv_nsec};
+}
+
 WatchedFiles::Stamps WatchedFiles::Now() const {
   Stamps now;
-  for (const auto& [file, old] : stamps_) {
-    struct stat found = {};
-    if (::stat(file.c_str(), &found) != 0) found = {};
-    now[file] = {found.st_dev, found.st_ino, static_cast<std::uint64_t>(found.st_size),
-                 found.st_mtim.tv_sec, found.st_mtim.tv_nsec};
-  }
+  for (const auto& [file, old] : stamps_) now[file] = StampOf(file);
   return now;
 }
 

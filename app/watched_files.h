@@ -19,6 +19,9 @@ class WatchedFiles {
   /// the same for a moment, because an editor may write a file in several steps.
   void Wait();
 
+  /// Watches another file from now on.
+  void Add(const std::filesystem::path& file);
+
   /// Returns true if a file was changed, made or removed since the constructor ran or this function
   /// last returned true, and all are as they were at the last call. For calls at intervals.
   bool HasChanged();
@@ -28,6 +31,7 @@ class WatchedFiles {
   using Stamp = std::tuple<std::uint64_t, std::uint64_t, std::uint64_t, std::time_t, long>;
   using Stamps = std::map<std::filesystem::path, Stamp>;
 
+  static Stamp StampOf(const std::filesystem::path& file);
   Stamps Now() const;
 
   Stamps stamps_;

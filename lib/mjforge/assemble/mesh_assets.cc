@@ -111,15 +111,18 @@ bool Assets::ReadMesh(FieldReader& reader, const spec::Entry& entry,
   const std::filesystem::path file = (folder / *name).lexically_normal();
   const Assembler::CachedMesh& content = assembler_.ReadMesh(file);
   if (!content.exists) {
-    findings_.Add(Code::kModelFileNotFound, field->value.mark,
-                  fmt::format("{}: no file {}", reader.Owner(), Quoted(*name)),
-                  "file names are relative to the folder of the spec");
+    findings_
+        .Add(Code::kModelFileNotFound, field->value.mark,
+             fmt::format("{}: no file {}", reader.Owner(), Quoted(*name)),
+             "file names are relative to the folder of the spec")
+        .files = {file.string()};
     return false;
   }
   if (!content.mesh) {
-    findings_.Add(content.unreadable ? Code::kYamlCannotRead : Code::kModelBadMesh,
-                  field->value.mark,
-                  fmt::format("cannot read mesh {}: {}", Quoted(*name), content.why_not));
+    findings_
+        .Add(content.unreadable ? Code::kYamlCannotRead : Code::kModelBadMesh, field->value.mark,
+             fmt::format("cannot read mesh {}: {}", Quoted(*name), content.why_not))
+        .files = {file.string()};
     return false;
   }
   if (!ReadInertia(reader, entry, part)) return false;

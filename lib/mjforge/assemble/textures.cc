@@ -37,18 +37,22 @@ bool Assets::ReadPicture(FieldReader& reader, const spec::Field& field,
   const std::filesystem::path file = (folder / *name).lexically_normal();
   const Assembler::CachedTexture& content = assembler_.ReadTexture(file);
   if (!content.exists) {
-    findings_.Add(Code::kModelFileNotFound, field.value.mark,
-                  fmt::format("{}: no file {}", reader.Owner(), Quoted(*name)),
-                  "file names are relative to the folder of the file that uses them");
+    findings_
+        .Add(Code::kModelFileNotFound, field.value.mark,
+             fmt::format("{}: no file {}", reader.Owner(), Quoted(*name)),
+             "file names are relative to the folder of the file that uses them")
+        .files = {file.string()};
     return false;
   }
   if (!content.pixels) {
-    findings_.Add(content.why_not.empty() ? Code::kModelBadTexture : Code::kYamlCannotRead,
-                  field.value.mark,
-                  content.why_not.empty()
-                      ? fmt::format("{}: {} is not a PNG file", reader.Owner(), Quoted(*name))
-                      : fmt::format("{}: cannot read {}: {}", reader.Owner(), Quoted(*name),
-                                    content.why_not));
+    findings_
+        .Add(content.why_not.empty() ? Code::kModelBadTexture : Code::kYamlCannotRead,
+             field.value.mark,
+             content.why_not.empty()
+                 ? fmt::format("{}: {} is not a PNG file", reader.Owner(), Quoted(*name))
+                 : fmt::format("{}: cannot read {}: {}", reader.Owner(), Quoted(*name),
+                               content.why_not))
+        .files = {file.string()};
     return false;
   }
   texture.files.push_back({.file = file, .output_file = OutputName(file)});

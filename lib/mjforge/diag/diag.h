@@ -73,6 +73,8 @@ struct Finding {
   std::vector<Note> notes;             // related places
   std::optional<std::uint64_t> seed;   // seed of the variant; empty if about the spec
   std::optional<std::uint64_t> index;  // index of the variant; empty if about the spec
+  /// Paths of files that were not found or are wrong; the finding may end when one of them changes.
+  std::vector<std::string> files = {};
 };
 
 class Findings {

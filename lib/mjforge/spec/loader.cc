@@ -360,8 +360,10 @@ std::unique_ptr<ObjectSpec> LoadSpec(const std::string& reference, const LoadOpt
     if (found) {
       file = *found;
     } else if (!fs::is_directory(file, error)) {
-      findings.Add(Code::kYamlCannotRead, {}, fmt::format("cannot find the spec '{}'", reference),
-                   NotFoundHint(reference, options.search_path));
+      findings
+          .Add(Code::kYamlCannotRead, {}, fmt::format("cannot find the spec '{}'", reference),
+               NotFoundHint(reference, options.search_path))
+          .files = Candidates(reference, base, options.search_path);
       return nullptr;
     }
   }

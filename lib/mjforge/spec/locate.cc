@@ -3,6 +3,7 @@
 #include "mjforge/spec/locate.h"
 
 #include <algorithm>
+#include <array>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -22,8 +23,10 @@ bool IsFile(const fs::path& path) {
   return fs::exists(path, error) && !fs::is_directory(path, error);
 }
 
+constexpr std::array<std::string_view, 3> kEndings = {"", ".yaml", ".yml"};
+
 std::optional<fs::path> InFolder(const fs::path& folder, const std::string& reference) {
-  for (const std::string_view ending : {"", ".yaml", ".yml"}) {
+  for (const std::string_view ending : kEndings) {
     const fs::path path = folder / (reference + std::string(ending));
     if (IsFile(path)) return path;
   }
@@ -60,6 +63,18 @@ std::optional<fs::path> Locate(const std::string& reference, const fs::path& fol
     }
   }
   return std::nullopt;
+}
+
+std::vector<std::string> Candidates(const std::string& reference, const fs::path& folder,
+                                    std::span<const fs::path> search_path) {
+  std::vector<std::string> files;
+  const auto add = [&](const fs::path& base) {
+    for (const std::string_view ending : kEndings)
+      files.push_back((base / (reference + std::string(ending))).string());
+  };
+  add(folder);
+  for (const fs::path& shelf : search_path) add(shelf);
+  return files;
 }
 
 std::string NotFoundHint(const std::string& reference, std::span<const fs::path> search_path) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace mjforge::spec {
 
@@ -16,6 +17,12 @@ namespace mjforge::spec {
 std::optional<std::filesystem::path> Locate(const std::string& reference,
                                             const std::filesystem::path& folder,
                                             std::span<const std::filesystem::path> search_path);
+
+/// Returns the paths at which a file that Locate did not find could appear, except below folders of
+/// the search path.
+std::vector<std::string> Candidates(const std::string& reference,
+                                    const std::filesystem::path& folder,
+                                    std::span<const std::filesystem::path> search_path);
 
 /// Returns a hint for a reference that was not found: the closest name of a bundled spec, or the
 /// command that lists all of them.

@@ -66,7 +66,8 @@ std::optional<std::uint32_t> ReadSource(const fs::path& file, std::string_view n
     if (snapshot != nullptr) (snapshot->*held_texts).emplace(file, *text);
     return sources.Add(shown, *std::move(text));
   }
-  findings.Add(Code::kYamlCannotRead, mark, fmt::format("cannot read '{}': {}", name, why_not));
+  findings.Add(Code::kYamlCannotRead, mark, fmt::format("cannot read '{}': {}", name, why_not))
+      .files = {file.string()};
   return std::nullopt;
 }
 
@@ -74,8 +75,10 @@ std::optional<fs::path> SpecFiles::Find(const std::string& reference, const fs::
                                         SourceMark mark) {
   const auto found = FindFile(reference, folder, options_);
   if (!found) {
-    findings_.Add(Code::kSpecNotFound, mark, fmt::format("cannot find '{}'", reference),
-                  NotFoundHint(reference, options_.search_path));
+    findings_
+        .Add(Code::kSpecNotFound, mark, fmt::format("cannot find '{}'", reference),
+             NotFoundHint(reference, options_.search_path))
+        .files = Candidates(reference, folder, options_.search_path);
     return std::nullopt;
   }
   return Canonical(*found);

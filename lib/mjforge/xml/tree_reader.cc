@@ -58,7 +58,8 @@ class TreeReader {
     std::optional<std::string> text = bytes::Read(main_, bytes::kMaxMjcf, why_not);
     if (!text) {
       AddError(findings_, UnreadableCode(main_), {},
-               fmt::format("cannot read '{}': {}", main_.string(), why_not));
+               fmt::format("cannot read '{}': {}", main_.string(), why_not))
+          .files = {main_.string()};
       return std::nullopt;
     }
     const std::uint32_t source = sources_.Add(ShownName(main_), *std::move(text));
