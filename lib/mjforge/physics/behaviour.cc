@@ -57,6 +57,16 @@ class Behaviour {
             Reporter& reporter)
       : m_(m), workspace_(workspace), object_(object), mark_(mark), reporter_(reporter) {}
 
+  /// Records the drop and, if a nudge topples the object, the drop with that nudge.
+  void RecordDrop(FilmRecorder& recorder) {
+    if (!CanStep()) return;
+    recorder_ = &recorder;
+    Result result;
+    Drop({}, result);
+    recorder.Keep();
+    CheckStability(result);
+  }
+
   void Check(Result& result) {
     if (!CanStep() || !JointChecks(m_, object_.name, reporter_.checks()).Verify(reporter_)) return;
     const DropOutcome outcome = Drop({}, result);
@@ -109,7 +119,8 @@ class Behaviour {
     return Simulate(m_, workspace_, [&](mjData& d) {
       result = {};  // discards a drop without room for its contacts
       end_ = &d;
-      return SimulateDrop(m_, d, reporter_.checks(), nudge, result);
+      if (recorder_ != nullptr) recorder_->Begin();
+      return SimulateDrop(m_, d, reporter_.checks(), nudge, result, recorder_);
     });
   }
 
@@ -148,6 +159,7 @@ class Behaviour {
       const DropOutcome outcome = Drop(nudge, nudged);
       if (!outcome.has_diverged && nudged.tilt <= checks.tilt) continue;
       ReportToppling(nudge, margin, nudged);
+      if (recorder_ != nullptr) recorder_->Keep();
       return;
     }
   }
@@ -360,9 +372,15 @@ class Behaviour {
   diag::SourceMark mark_;
   Reporter& reporter_;
   mjData* end_ = nullptr;  // final state of the last drop
+  FilmRecorder* recorder_ = nullptr;
 };
 
 }  // namespace
+
+void RecordDrop(mjModel& m, Workspace& workspace, const model::Object& object,
+                diag::SourceMark mark, Reporter& reporter, FilmRecorder& recorder) {
+  Behaviour(m, workspace, object, mark, reporter).RecordDrop(recorder);
+}
 
 void CheckBehaviour(mjModel& m, Workspace& workspace, const model::Object& object,
                     diag::SourceMark mark, Reporter& reporter, Result& result) {

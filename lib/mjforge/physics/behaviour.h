@@ -3,6 +3,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include "mjforge/physics/film_recorder.h"
 #include "mjforge/physics/physics.h"
 #include "mjforge/physics/simulation.h"
 #include "mjforge/static_checks/static_checks.h"
@@ -15,5 +16,9 @@ namespace mjforge::physics {
 /// for contacts. May throw std::exception.
 void CheckBehaviour(mjModel& m, Workspace& workspace, const model::Object& object,
                     diag::SourceMark mark, static_checks::Reporter& reporter, Result& result);
+
+/// Records the drop of these checks, with the nudge that topples the object, if there is one.
+void RecordDrop(mjModel& m, Workspace& workspace, const model::Object& object,
+                diag::SourceMark mark, static_checks::Reporter& reporter, FilmRecorder& recorder);
 
 }  // namespace mjforge::physics

@@ -23,9 +23,10 @@ constexpr double kMeasureInterval = 0.01;  // s
 class DropSimulation {
  public:
   DropSimulation(mjModel& m, mjData& d, const model::Checks& checks, const Nudge& nudge,
-                 Result& result)
+                 Result& result, FilmRecorder* recorder)
       : m_(m), d_(d), checks_(checks), nudge_(nudge), result_(result), stepper_(m, d) {
     for (const int body : FreeBodies(m)) roots_.emplace_back().body = body;
+    stepper_.RecordTo(recorder);
   }
 
   DropOutcome Run() {
@@ -182,8 +183,8 @@ class DropSimulation {
 }  // namespace
 
 DropOutcome SimulateDrop(mjModel& m, mjData& d, const model::Checks& checks, const Nudge& nudge,
-                         Result& result) {
-  return DropSimulation(m, d, checks, nudge, result).Run();
+                         Result& result, FilmRecorder* recorder) {
+  return DropSimulation(m, d, checks, nudge, result, recorder).Run();
 }
 
 std::optional<int> FreeStandingBody(const mjModel& m, mjData& d) {

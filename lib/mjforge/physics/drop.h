@@ -8,6 +8,7 @@
 #include <mujoco/mujoco.h>
 
 #include "mjforge/model/model.h"
+#include "mjforge/physics/film_recorder.h"
 #include "mjforge/physics/physics.h"
 
 namespace mjforge::physics {
@@ -31,10 +32,11 @@ struct Nudge {
 /// over; always for all of that time if an entry of checks.joints has `rests`. If the model has a
 /// level plane and nothing else to lie on, the free bodies start DropHeight() above the plane.
 /// `d` is the model's data at its initial state, and holds the final state afterwards; the model is
-/// unchanged. Fills in the members of `result` that a drop measures. The tilt is relative to the
+/// unchanged. Fills in the members of `result` that a drop measures, and records the drop unless
+/// `recorder` is null. The tilt is relative to the
 /// orientation before the nudge. May throw std::exception.
 DropOutcome SimulateDrop(mjModel& m, mjData& d, const model::Checks& checks, const Nudge& nudge,
-                         Result& result);
+                         Result& result, FilmRecorder* recorder = nullptr);
 
 /// Returns the body that stands alone on a level floor, so that it can be nudged; nothing if there
 /// is none or several.

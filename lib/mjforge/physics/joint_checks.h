@@ -30,6 +30,9 @@ class JointChecks {
   /// Returns the joints of an entry that can be driven.
   std::vector<int> JointsOf(const model::JointCheck& check) const;
 
+  /// Returns true for joints with a path to be driven on.
+  bool CanBeDriven(int joint) const;
+
   /// Returns true if an entry names a joint.
   bool Names(const model::JointCheck& check, int joint) const;
 
@@ -38,7 +41,6 @@ class JointChecks {
 
  private:
   std::optional<int> Find(const std::string& joint) const;
-  bool CanBeDriven(int joint) const;
 
   const mjModel& m_;
   std::string object_;  // its name

@@ -36,6 +36,9 @@ class JointController {
   /// Pairs of bodies that penetrate each other at the start positions.
   std::vector<InitialPenetration> InitialPenetrations() const;
 
+  /// Records the following drives, unless `recorder` is null.
+  void RecordTo(FilmRecorder* recorder) { stepper_.RecordTo(recorder); }
+
   /// Drives the joints at the same time, along each of their paths.
   std::vector<DrivenJoint> Run(std::span<const int> joints);
 

@@ -27,6 +27,26 @@ engine::Model WeightlessModel(const mjModel& model) {
 
 }  // namespace
 
+bool RecordDrive(const mjModel& m, mjData& d, std::string_view object, const model::Checks& checks,
+                 int joint, FilmRecorder& recorder) {
+  const JointChecks entries(m, object, checks);
+  if (!entries.CanBeDriven(joint)) return false;
+  const auto check = std::ranges::find_if(
+      checks.joints, [&](const model::JointCheck& entry) { return entries.Names(entry, joint); });
+  const bool has_entry = check != checks.joints.end();
+  const engine::Model held = WeightlessModel(m);
+  JointController controller(*held, d, CoupledJoints::kDriven);
+  if (has_entry && !check->positions.empty())
+    controller.Begin(entries.StartOf(*check));
+  else
+    controller.Begin(compiled::StartOf(m));
+  controller.RecordTo(&recorder);
+  recorder.Begin();
+  controller.Run(has_entry ? entries.JointsOf(*check) : std::vector<int>{joint});
+  recorder.Keep();
+  return true;
+}
+
 DriveResults DriveJoints(const mjModel& m, mjData& d, std::string_view object,
                          const model::Checks& checks) {
   DriveResults drives;

@@ -8,6 +8,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include "mjforge/physics/film_recorder.h"
 #include "mjforge/physics/physics.h"
 
 namespace mjforge::physics {
@@ -42,6 +43,11 @@ struct DriveResults {
   std::vector<DrivenJoint> joints;
   std::vector<InitialPenetration> initial_penetrations;
 };
+
+/// Drives one joint as DriveJoints does, with the joints that the same entry of checks.joints
+/// names, and records the drive. Returns false if the joint cannot be driven.
+bool RecordDrive(const mjModel& m, mjData& d, std::string_view object, const model::Checks& checks,
+                 int joint, FilmRecorder& recorder);
 
 /// Drives each hinge and slide from its start position (`compiled::StartOf`) to both ends of its
 /// range and back, and a ball joint from its zero about each axis. An unlimited hinge makes a full

@@ -22,6 +22,8 @@
 #include "mjforge/physics/friction_cones.h"
 #include "mjforge/physics/grasp_trial.h"
 #include "mjforge/physics/gripper.h"
+#include "mjforge/physics/joint_checks.h"
+#include "mjforge/physics/joint_drive.h"
 #include "mjforge/physics/peg_in_hole.h"
 #include "mjforge/physics/settling.h"
 #include "mjforge/physics/simulation.h"
@@ -126,7 +128,39 @@ struct Laboratory::Impl {
   std::optional<Result> Examine(mjModel& m, const model::Object& object, diag::SourceMark mark,
                                 const model::Checks& checks, diag::Findings& findings,
                                 std::string_view text, const Load& load);
+  /// Loads the model of a document with its floor. If that fails, adds a finding and returns none.
+  engine::Model LoadOnFloor(const mjcf::MjcfDocument& document, diag::SourceMark mark,
+                            diag::Findings& findings);
 };
+
+namespace {
+
+/// Returns the result of a simulation; nothing, after adding a finding, if MuJoCo fails.
+template <typename Simulation>
+auto Guarded(const model::Object& object, diag::SourceMark mark, diag::Findings& findings,
+             const Simulation& simulate) -> decltype(simulate()) {
+  try {
+    return simulate();
+  } catch (const std::bad_alloc&) {
+    throw;  // MuJoCo did not fail
+  } catch (const NoRoom&) {
+    findings.Warn(Code::kMujocoOlder, mark,
+                  fmt::format("'{}' is not simulated: MuJoCo {} has no room for its contacts",
+                              object.name, engine::Version()),
+                  "simulate it with a later release, or make its collision geoms simpler");
+  } catch (const std::exception& error) {
+    findings.Add(
+        Code::kMujocoError, mark,
+        fmt::format("MuJoCo cannot simulate the object: {}", engine::OneLine(error.what())));
+  }
+  return std::nullopt;
+}
+
+diag::SourceMark MarkOf(const model::Object& object) {
+  return object.bodies.empty() ? diag::SourceMark{} : object.bodies.front().mark;
+}
+
+}  // namespace
 
 Laboratory::Laboratory() : impl_(std::make_unique<Impl>()) {}
 Laboratory::~Laboratory() = default;
@@ -136,7 +170,7 @@ std::optional<Result> Laboratory::Impl::Examine(mjModel& m, const model::Object&
                                                 diag::Findings& findings, std::string_view text,
                                                 const Load& load) {
   static_checks::Reporter reporter(checks, findings);
-  try {
+  return Guarded(object, mark, findings, [&]() -> std::optional<Result> {
     Result result;
     CheckBehaviour(m, workspace, object, mark, reporter, result);
     result.overlap = static_checks::CheckProportions(object, mark, reporter);
@@ -154,40 +188,56 @@ std::optional<Result> Laboratory::Impl::Examine(mjModel& m, const model::Object&
     if (checks.grasps) test(WithGripper(text, *checks.grasps), CheckGrasps);
     Round(result);
     return result;
-  } catch (const std::bad_alloc&) {
-    throw;  // MuJoCo did not fail
-  } catch (const NoRoom&) {
-    findings.Warn(Code::kMujocoOlder, mark,
-                  fmt::format("'{}' is not simulated: MuJoCo {} has no room for its contacts",
-                              object.name, engine::Version()),
-                  "simulate it with a later release, or make its collision geoms simpler");
-    return std::nullopt;
-  } catch (const std::exception& error) {
-    findings.Add(
-        Code::kMujocoError, mark,
-        fmt::format("MuJoCo cannot simulate the object: {}", engine::OneLine(error.what())));
-    return std::nullopt;
-  }
+  });
 }
 
-std::optional<Result> Laboratory::Examine(const mjcf::MjcfDocument& document,
-                                          const model::Object& object, diag::Findings& findings) {
-  const diag::SourceMark mark =
-      object.bodies.empty() ? diag::SourceMark{} : object.bodies.front().mark;
-  const engine::Loaded loaded = impl_->engine.LoadText(WithSurroundings(document), document.assets);
+engine::Model Laboratory::Impl::LoadOnFloor(const mjcf::MjcfDocument& document,
+                                            diag::SourceMark mark, diag::Findings& findings) {
+  engine::Loaded loaded = engine.LoadText(WithSurroundings(document), document.assets);
   if (!loaded.model) {
     findings.Add(Code::kMujocoError, mark,
                  fmt::format("MuJoCo refused the object on a floor: {}",
                              engine::ParseRefusal(loaded.error).reason));
-    return std::nullopt;
+    return nullptr;
   }
   // A fixed object may have free bodies, so that its floor must be below all of them, too.
   const int floor = mj_name2id(loaded.model.get(), mjOBJ_GEOM, kFloorName.data());
   if (floor >= 0 && !document.host_adds_free_joint && loaded.model->body_dofnum[1] == 0)
     LevelFloor(*loaded.model, floor);
-  return impl_->Examine(*loaded.model, object, mark, object.checks, findings,
-                        WithFreeRoot(document),
+  return std::move(loaded.model);
+}
+
+std::optional<Result> Laboratory::Examine(const mjcf::MjcfDocument& document,
+                                          const model::Object& object, diag::Findings& findings) {
+  const diag::SourceMark mark = MarkOf(object);
+  const engine::Model model = impl_->LoadOnFloor(document, mark, findings);
+  if (!model) return std::nullopt;
+  return impl_->Examine(*model, object, mark, object.checks, findings, WithFreeRoot(document),
                         [&](const std::string& text) { return impl_->engine.LoadText(text); });
+}
+
+std::optional<Film> Laboratory::Record(const mjcf::MjcfDocument& document,
+                                       const model::Object& object, const std::string& joint,
+                                       std::size_t frames, diag::Findings& findings) {
+  const diag::SourceMark mark = MarkOf(object);
+  const engine::Model model = impl_->LoadOnFloor(document, mark, findings);
+  if (!model) return std::nullopt;
+  FilmRecorder recorder;
+  diag::Findings of_checks;  // Examine reports them
+  static_checks::Reporter reporter(object.checks, of_checks);
+  return Guarded(object, mark, findings, [&]() -> std::optional<Film> {
+    const int id = joint.empty() ? -1 : mj_name2id(model.get(), mjOBJ_JOINT, joint.c_str());
+    if (joint.empty()) {
+      RecordDrop(*model, impl_->workspace, object, mark, reporter, recorder);
+    } else if (!JointChecks(*model, object.name, object.checks).Verify(reporter) || id < 0 ||
+               !RecordDrive(*model, impl_->workspace.For(*model), object.name, object.checks, id,
+                            recorder)) {
+      findings.Add(Code::kPictureBadJointValue, mark,
+                   fmt::format("joint '{}' has no range through which it can be driven", joint));
+      return std::nullopt;
+    }
+    return recorder.Finish(frames);
+  });
 }
 
 std::optional<Result> Laboratory::Examine(const std::filesystem::path& file,

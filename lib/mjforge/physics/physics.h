@@ -110,6 +110,12 @@ struct Result {
   bool operator==(const Result&) const = default;
 };
 
+/// A simulated test as positions (MuJoCo's qpos) at equal intervals, and its time (s).
+struct Film {
+  std::vector<std::vector<double>> positions;
+  double time = 0;
+};
+
 /// Runs the simulations. Reuses MuJoCo's memory for the next object; make one per process.
 class Laboratory {
  public:
@@ -122,6 +128,13 @@ class Laboratory {
   /// violation of object.checks. If MuJoCo fails, adds a finding and returns nothing.
   std::optional<Result> Examine(const mjcf::MjcfDocument& document, const model::Object& object,
                                 diag::Findings& findings);
+
+  /// Simulates the drop of an object or, unless `joint` is empty, the drive of that joint, as
+  /// Examine does, and returns at most `frames` positions. The document must be complete: its host
+  /// adds no joint. If this is impossible, adds a finding and returns nothing.
+  std::optional<Film> Record(const mjcf::MjcfDocument& document, const model::Object& object,
+                             const std::string& joint, std::size_t frames,
+                             diag::Findings& findings);
 
   /// Tests any MJCF file that MuJoCo loads; findings point at its start. A model with free bodies
   /// but without a plane gets a floor.

@@ -52,6 +52,7 @@ int Stepper::FrameOf() const {
 }
 
 void Stepper::Step() {
+  if (recorder_ != nullptr) recorder_->Note(m_, d_);
   // A Runge-Kutta step visits several poses.
   if (!broad_phase_.works() || m_.opt.integrator == mjINT_RK4) {
     mj_step(&m_, &d_);

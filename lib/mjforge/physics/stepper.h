@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 
 #include "mjforge/physics/broad_phase.h"
+#include "mjforge/physics/film_recorder.h"
 
 namespace mjforge::physics {
 
@@ -17,6 +18,8 @@ class Stepper {
   Stepper(mjModel& m, mjData& d);
 
   void Step();
+  /// Shows the state before each step to a recorder, which must outlive this object; null: none.
+  void RecordTo(FilmRecorder* recorder) { recorder_ = recorder; }
 
  private:
   /// Pose of a body in frame_.
@@ -46,6 +49,7 @@ class Stepper {
   BroadPhase broad_phase_;
   int frame_ = 0;  // body relative to which others are tracked; 0: the world
   engine::GeomPairs* pairs_ = nullptr;
+  FilmRecorder* recorder_ = nullptr;
   bool is_stale_ = true;            // pairs must be found before the next step
   int steps_ = 0;                   // since pairs were found
   std::vector<BodyPose> poses_;     // poses of bodies when pairs were found

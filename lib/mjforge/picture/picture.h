@@ -22,16 +22,9 @@
 
 #include "mjforge/bytes/bytes.h"
 #include "mjforge/diag/diag.h"
+#include "mjforge/picture/image.h"
 
 namespace mjforge::picture {
-
-/// An image of four bytes per pixel (red, green, blue, alpha), starting with the top row. Colors
-/// are not premultiplied.
-struct Image {
-  int width = 0;
-  int height = 0;
-  std::vector<std::uint8_t> rgba;
-};
 
 /// Parts of a model that a picture shows.
 enum class Layer {
@@ -95,12 +88,17 @@ struct Joint {
 /// Positions of some joints: pairs of a joint's number and its position (rad or m).
 using JointPositions = std::vector<std::pair<int, double>>;
 
-/// A model in a pose.
+/// Poses of a model: its start, and the start with hinges, slides and ball joints at zero.
+enum class Pose { kStart, kZero };
+
+/// A model in a pose, at first its start.
 class Subject {
  public:
   struct State;
   explicit Subject(std::unique_ptr<State> state);
   ~Subject();
+
+  void Reset(Pose pose);
 
   std::vector<Joint> joints() const;
   /// Returns the number of the joint with this name. The name's prefix ("hammer_") may be left out
@@ -161,6 +159,11 @@ class Renderer {
                                                std::span<const JointPositions> poses,
                                                const Options& options, diag::Findings& findings);
 
+  /// Draws the subject with each of these positions (MuJoCo's qpos), with one camera.
+  std::optional<std::vector<Image>> DrawFilm(Subject& subject,
+                                             std::span<const std::vector<double>> positions,
+                                             const Options& options, diag::Findings& findings);
+
   /// Draws a line of text in the given color, on a transparent background.
   Image DrawText(std::string_view text, const Background::Color& color);
 
@@ -182,16 +185,5 @@ struct Tile {
 };
 /// Arranges tiles of equal size in rows, in a sheet that is as square as their number allows.
 Image ContactSheet(Renderer& renderer, std::span<const Tile> tiles, const Background& background);
-
-/// Keys and values of the text comments in a picture's file.
-using Texts = std::vector<std::pair<std::string, std::string>>;
-std::string EncodePng(const Image& image, const Texts& texts);
-/// Makes an endless animation in 255 colors, whose pixels are either opaque or transparent. Each
-/// frame is shown for `delay` ms, rounded down to a multiple of 10 ms.
-std::string EncodeGif(std::span<const Image> frames, int delay, const Texts& texts);
-/// Compresses with losses; quality from 0 to 100.
-std::string EncodeWebp(const Image& image, int quality);
-/// Compresses five times as fast, to a file that is a third larger.
-std::string EncodeWebpFast(const Image& image, int quality);
 
 }  // namespace mjforge::picture

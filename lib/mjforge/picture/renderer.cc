@@ -67,8 +67,11 @@ struct Renderer::State {
                   const Options& options);
   void DrawLabels(const Scene& scene, const Camera& camera, int height, Image& image);
   std::vector<PlacedText> DrawLegend(const Scene& scene, const Options& options);
-  std::optional<std::vector<Image>> DrawPoses(Subject& subject,
-                                              std::span<const JointPositions> poses,
+  template <typename Positions>
+  std::optional<std::vector<Image>> DrawPoses(Subject& subject, std::span<const Positions> poses,
+                                              const Options& options, diag::Findings& findings);
+  template <typename Positions>
+  std::optional<std::vector<Image>> TryToDraw(Subject& subject, std::span<const Positions> poses,
                                               const Options& options, diag::Findings& findings);
 };
 
@@ -197,27 +200,42 @@ std::optional<std::vector<Image>> Renderer::DrawMotion(Subject& subject,
                                                        std::span<const JointPositions> poses,
                                                        const Options& options,
                                                        diag::Findings& findings) {
+  return state_->TryToDraw(subject, poses, options, findings);
+}
+
+std::optional<std::vector<Image>> Renderer::DrawFilm(Subject& subject,
+                                                     std::span<const std::vector<double>> positions,
+                                                     const Options& options,
+                                                     diag::Findings& findings) {
+  return state_->TryToDraw(subject, positions, options, findings);
+}
+
+template <typename Positions>
+std::optional<std::vector<Image>> Renderer::State::TryToDraw(Subject& subject,
+                                                             std::span<const Positions> poses,
+                                                             const Options& options,
+                                                             diag::Findings& findings) {
   try {
-    return state_->DrawPoses(subject, poses, options, findings);
+    return DrawPoses(subject, poses, options, findings);
   } catch (const std::bad_alloc&) {
     throw;  // not an error of the renderer
   } catch (const std::exception& error) {
-    findings.Add(
-        Code::kPictureNoRenderer, {},
-        fmt::format("{} cannot draw it: {}", state_->gl->name(), engine::OneLine(error.what())));
+    findings.Add(Code::kPictureNoRenderer, {},
+                 fmt::format("{} cannot draw it: {}", gl->name(), engine::OneLine(error.what())));
     return std::nullopt;
   }
 }
 
+template <typename Positions>
 std::optional<std::vector<Image>> Renderer::State::DrawPoses(Subject& subject,
-                                                             std::span<const JointPositions> poses,
+                                                             std::span<const Positions> poses,
                                                              const Options& options,
                                                              diag::Findings& findings) {
   mjModel& model = *subject.state().model;
   Scene scene(model);
   PlacedShapes all;
   double lowest = std::numeric_limits<double>::infinity();
-  for (const JointPositions& pose : poses) {
+  for (const Positions& pose : poses) {
     // Every pose lacks the same things, so only the findings of the first pose are kept.
     diag::Findings again;
     subject.state().Move(pose);
@@ -231,7 +249,7 @@ std::optional<std::vector<Image>> Renderer::State::DrawPoses(Subject& subject,
   const Camera camera = FrameShapes(all, above.width, above.height, above.view);
   ModelContext context(model, BuffersFor(above));
   std::vector<Image> images;
-  for (const JointPositions& pose : poses) {
+  for (const Positions& pose : poses) {
     diag::Findings again;
     if (poses.size() > 1) {
       subject.state().Move(pose);

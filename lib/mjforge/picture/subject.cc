@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <stdexcept>
 
 namespace mjforge::picture {
 namespace {
@@ -47,11 +49,27 @@ void Subject::State::Move(const JointPositions& pose) {
   Update();
 }
 
-Subject::Subject(std::unique_ptr<State> state) : state_(std::move(state)) {
-  std::ranges::copy(compiled::StartOf(*state_->model), state_->data->qpos);
+void Subject::State::Move(const std::vector<double>& positions) {
+  if (positions.size() != static_cast<std::size_t>(model->nq))
+    throw std::invalid_argument("positions of another model");
+  std::ranges::copy(positions, data->qpos);
+  Update();
+}
+
+Subject::Subject(std::unique_ptr<State> state) : state_(std::move(state)) { Reset(Pose::kStart); }
+Subject::~Subject() = default;
+
+void Subject::Reset(Pose pose) {
+  const mjModel& m = *state_->model;
+  mjtNum* const qpos = state_->data->qpos;
+  std::ranges::copy(compiled::StartOf(m), qpos);
+  for (int i = 0; i < m.njnt && pose == Pose::kZero; ++i) {
+    if (compiled::HasOneNumber(m, i)) qpos[m.jnt_qposadr[i]] = 0;
+    if (m.jnt_type[i] == mjJNT_BALL)
+      std::ranges::copy(std::array<mjtNum, 4>{1, 0, 0, 0}, qpos + m.jnt_qposadr[i]);
+  }
   state_->Update();
 }
-Subject::~Subject() = default;
 
 std::vector<Joint> Subject::joints() const {
   const mjModel& m = *state_->model;

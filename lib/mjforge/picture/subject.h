@@ -16,6 +16,8 @@ struct Subject::State {
   void Update();
   /// Sets the positions of joints, and updates.
   void Move(const JointPositions& pose);
+  /// Sets all positions (nq), and updates.
+  void Move(const std::vector<double>& positions);
 };
 
 }  // namespace mjforge::picture

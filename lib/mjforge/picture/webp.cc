@@ -4,6 +4,8 @@
 
 #include <memory>
 #include <new>
+#include <stdexcept>
+#include <string_view>
 
 #include "mjforge/picture/picture.h"
 
@@ -35,7 +37,43 @@ std::string Encode(const Image& image, int quality, int method) {
   return {reinterpret_cast<const char*>(writer.mem), writer.size};
 }
 
+// Returns a number in `count` bytes, the lowest first.
+std::string Bytes(std::size_t number, int count) {
+  std::string bytes;
+  for (int i = 0; i < count; ++i) bytes += static_cast<char>(number >> (8 * i) & 0xff);
+  return bytes;
+}
+
+// Returns a chunk of a RIFF file, whose length is even.
+std::string Chunk(std::string_view name, std::string_view content) {
+  std::string chunk = std::string(name) + Bytes(content.size(), 4) + std::string(content);
+  if (content.size() % 2 != 0) chunk += '\0';
+  return chunk;
+}
+
 }  // namespace
+
+// Chunks by the WebP Container Specification
+// (developers.google.com/speed/webp/docs/riff_container).
+std::string EncodeWebpFilm(std::span<const Image> frames, int delay, int quality) {
+  if (frames.empty()) throw std::invalid_argument("an animation without frames");
+  const auto size = [](const Image& image) {
+    return Bytes(static_cast<std::size_t>(image.width - 1), 3) +
+           Bytes(static_cast<std::size_t>(image.height - 1), 3);
+  };
+  constexpr std::size_t kAnimation = 0x02;   // flag in VP8X
+  constexpr std::size_t kDoNotBlend = 0x02;  // flag in ANMF
+  constexpr std::size_t kFirstChunk = 12;    // offset behind RIFF, length and WEBP
+  std::string body = "WEBP" + Chunk("VP8X", Bytes(kAnimation, 4) + size(frames.front()));
+  body += Chunk("ANIM", Bytes(0xffffffff, 4) + Bytes(0, 2));  // white behind, endless
+  for (const Image& frame : frames) {
+    const std::string single = EncodeWebpFast(frame, quality);
+    body += Chunk("ANMF", Bytes(0, 3) + Bytes(0, 3) + size(frame) +
+                              Bytes(static_cast<std::size_t>(delay), 3) + Bytes(kDoNotBlend, 1) +
+                              single.substr(kFirstChunk));
+  }
+  return Chunk("RIFF", body);
+}
 
 std::string EncodeWebp(const Image& image, int quality) {
   return Encode(image, quality, kDefaultMethod);

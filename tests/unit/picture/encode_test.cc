@@ -121,5 +121,37 @@ TEST_CASE("a WebP has the image's size and nearly its colors") {
   WebPFree(pixels);
 }
 
+TEST_CASE("a WebP film has frames of the images' size, each a picture of its own") {
+  const std::vector<Image> frames = {Flat(20, 10, {200, 100, 50, 255}),
+                                     Flat(20, 10, {20, 30, 220, 255})};
+  const std::string film = EncodeWebpFilm(frames, 70, 80);
+  WebPBitstreamFeatures features;
+  REQUIRE(WebPGetFeatures(reinterpret_cast<const std::uint8_t*>(film.data()), film.size(),
+                          &features) == VP8_STATUS_OK);
+  CHECK(features.has_animation == 1);
+  CHECK(features.width == 20);
+  CHECK(features.height == 10);
+  std::size_t at = 0;
+  for (const int blue : {50, 220}) {
+    at = film.find("ANMF", at) + 8;
+    CHECK(film.substr(at + 12, 3) == std::string("\x46\0\0", 3));  // ms
+    std::uint32_t size = 0;
+    std::memcpy(&size, film.data() + at - 4, sizeof(size));
+    const std::string chunks = "WEBP" + film.substr(at + 16, size - 16);
+    const auto length = static_cast<std::uint32_t>(chunks.size());
+    const std::string single =
+        "RIFF" + std::string(reinterpret_cast<const char*>(&length), sizeof(length)) + chunks;
+    int width = 0;
+    int height = 0;
+    std::uint8_t* pixels = WebPDecodeRGBA(reinterpret_cast<const std::uint8_t*>(single.data()),
+                                          single.size(), &width, &height);
+    REQUIRE(pixels != nullptr);
+    CHECK(width == 20);
+    CHECK(std::abs(pixels[2] - blue) < 6);
+    WebPFree(pixels);
+  }
+  CHECK_THROWS_AS(EncodeWebpFilm({}, 70, 80), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace mjforge::picture

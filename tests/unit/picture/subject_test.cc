@@ -29,6 +29,16 @@ TEST_CASE("the start pose is shown") {
   CHECK(posed("home")->joints()[0].value == 0);
 }
 
+TEST_CASE("a subject is moved to zero, and back to its start") {
+  const auto subject = Load(
+      "<mujoco model=\"chest\"><worldbody><body><joint ref=\"0.2\"/><geom size=\"1\"/></body>"
+      "</worldbody><keyframe><key name=\"chest_start\" qpos=\"0.5\"/></keyframe></mujoco>");
+  subject->Reset(Pose::kZero);
+  CHECK(subject->joints()[0].value == 0);
+  subject->Reset(Pose::kStart);
+  CHECK(subject->joints()[0].value == 0.5);
+}
+
 TEST_CASE("a joint's name may lack its prefix") {
   const auto subject = Load(kChest);
   diag::Findings findings;

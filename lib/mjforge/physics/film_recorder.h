@@ -1,0 +1,31 @@
+// Recorder of a simulation for a film: positions at equal intervals of simulated time.
+#pragma once
+
+#include <vector>
+
+#include <mujoco/mujoco.h>
+
+#include "mjforge/physics/physics.h"
+
+namespace mjforge::physics {
+
+/// Records runs of a simulation, of which only some belong to the film.
+class FilmRecorder {
+ public:
+  /// Begins a run, and drops the previous one unless it was kept.
+  void Begin();
+  /// Records the positions if they are due. To be called before each step.
+  void Note(const mjModel& m, const mjData& d);
+  /// Adds the current run to the film.
+  void Keep();
+
+  /// Returns at most `frames` positions of the kept runs, at equal intervals.
+  Film Finish(std::size_t frames) const;
+
+ private:
+  std::vector<std::vector<double>> kept_;
+  std::vector<std::vector<double>> run_;
+  double time_ = 0;  // s, since the run began
+};
+
+}  // namespace mjforge::physics

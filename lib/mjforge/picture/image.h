@@ -1,0 +1,35 @@
+// Images, and their bytes as PNG, GIF and WebP.
+
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mjforge::picture {
+
+/// An image of four bytes per pixel (red, green, blue, alpha), starting with the top row. Colors
+/// are not premultiplied.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
+/// Keys and values of the text comments in a picture's file.
+using Texts = std::vector<std::pair<std::string, std::string>>;
+std::string EncodePng(const Image& image, const Texts& texts);
+/// Makes an endless animation in 255 colors, whose pixels are either opaque or transparent. Each
+/// frame is shown for `delay` ms, rounded down to a multiple of 10 ms.
+std::string EncodeGif(std::span<const Image> frames, int delay, const Texts& texts);
+/// Compresses with losses; quality from 0 to 100.
+std::string EncodeWebp(const Image& image, int quality);
+/// Compresses five times as fast, to a file that is a third larger.
+std::string EncodeWebpFast(const Image& image, int quality);
+/// Makes an endless animation of opaque images of one size, with losses. Each frame is shown for
+/// `delay` ms.
+std::string EncodeWebpFilm(std::span<const Image> frames, int delay, int quality);
+
+}  // namespace mjforge::picture
