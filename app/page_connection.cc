@@ -22,14 +22,14 @@ using boost::system::error_code;
 
 constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 20;  // size limit of a request
 constexpr std::chrono::seconds kPatience(30);  // time limit for a request or a response
-// Shorter time limit for the first request: programs of other users, which do not know the token,
-// may take connections, too.
+// Shorter time limit for the first request, because programs of other users, which do not know the
+// token, can connect, too.
 constexpr std::chrono::seconds kFirstPatience(5);
 
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
-  Connection(boost::asio::ip::tcp::socket socket, PageServer& server)
-      : stream_(std::move(socket)), server_(server), counted_(server.connections()) {}
+  Connection(boost::asio::ip::tcp::socket socket, PageServer& server, std::uint64_t number)
+      : stream_(std::move(socket)), server_(server), number_(number) {}
 
   /// Reads a request, which must begin within this time.
   void Read(std::chrono::seconds patience) {
@@ -38,14 +38,18 @@ class Connection : public std::enable_shared_from_this<Connection> {
     stream_.expires_after(patience);
     http::async_read(stream_, buffer_, *parser_,
                      [self = shared_from_this()](error_code error, std::size_t) {
-                       if (!error) self->Answer();
+                       if (!error) return self->Answer();
                        if (error == http::error::body_limit)
                          self->Write(PageServer::TooLong(), false);
                      });
   }
 
+  void Close() { stream_.close(); }
+
  private:
   void Answer() {
+    if (const auto refusal = server_.Refusal(parser_->get())) return Write(*refusal, false);
+    server_.Trust(number_);
     stream_.expires_never();
     server_.Answer(parser_->get(), [self = shared_from_this()](PageServer::Response response) {
       self->Write(std::move(response), self->parser_->get().keep_alive());
@@ -68,13 +72,18 @@ class Connection : public std::enable_shared_from_this<Connection> {
   std::optional<http::request_parser<http::string_body>> parser_;
   PageServer::Response response_;
   PageServer& server_;
-  std::shared_ptr<void> counted_;
+  std::uint64_t number_;
 };
 
 }  // namespace
 
-void ServeConnection(boost::asio::ip::tcp::socket socket, PageServer& server) {
-  std::make_shared<Connection>(std::move(socket), server)->Read(kFirstPatience);
+CloseConnection ServeConnection(boost::asio::ip::tcp::socket socket, PageServer& server,
+                                std::uint64_t number) {
+  const auto connection = std::make_shared<Connection>(std::move(socket), server, number);
+  connection->Read(kFirstPatience);
+  return [weak = std::weak_ptr(connection)] {
+    if (const auto still = weak.lock()) still->Close();
+  };
 }
 
 }  // namespace mjforge::app

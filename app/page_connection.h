@@ -2,13 +2,20 @@
 #pragma once
 
 #include <boost/asio/ip/tcp.hpp>
+#include <cstdint>
+#include <functional>
 
 namespace mjforge::app {
 
 class PageServer;
 
+/// Closes a connection unless it was closed.
+using CloseConnection = std::function<void()>;
+
 /// Reads requests from a connection and writes the responses of the server, until the browser
-/// closes the connection or leaves it idle.
-void ServeConnection(boost::asio::ip::tcp::socket socket, PageServer& server);
+/// closes the connection or leaves it idle, or after a response that refuses the request. The
+/// number is that of the connection for PageServer::Trust.
+CloseConnection ServeConnection(boost::asio::ip::tcp::socket socket, PageServer& server,
+                                std::uint64_t number);
 
 }  // namespace mjforge::app

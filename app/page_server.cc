@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "mjforge/customize/customize.h"
-#include "page_connection.h"
 
 namespace mjforge::app {
 namespace {
@@ -21,7 +20,10 @@ namespace http = boost::beast::http;
 using boost::system::error_code;
 using tcp = asio::ip::tcp;
 
-constexpr int kMostConnections = 128;
+// Connections whose requests have not had the token. If there are more, the oldest one is closed,
+// so that other users of the machine, whose programs can connect, cannot keep a browser away: its
+// request comes at once.
+constexpr std::size_t kMostStrangers = 64;
 constexpr std::chrono::milliseconds kInterval(100);  // interval between looks at the spec's files
 constexpr std::chrono::seconds kLongestWait(15);     // time limit of a page that waits for a change
 
@@ -109,8 +111,14 @@ std::string PageServer::Address() const {
 void PageServer::Accept() {
   acceptor_.async_accept([this](error_code error, tcp::socket socket) {
     if (error == asio::error::operation_aborted) return;
-    if (!error && connections_.use_count() <= kMostConnections)
-      ServeConnection(std::move(socket), *this);
+    if (!error) {
+      ++accepted_;
+      strangers_[accepted_] = ServeConnection(std::move(socket), *this, accepted_);
+    }
+    if (strangers_.size() > kMostStrangers) {
+      strangers_.begin()->second();
+      strangers_.erase(strangers_.begin());
+    }
     Accept();
   });
 }
@@ -119,18 +127,22 @@ PageServer::Response PageServer::TooLong() {
   return Text(http::status::payload_too_large, "mjforge: the request is too long");
 }
 
-void PageServer::Answer(const Request& request, const Respond& respond) {
+std::optional<PageServer::Response> PageServer::Refusal(const Request& request) const {
   const std::string_view target = View(request.target());
-  const std::string_view path = target.substr(0, target.find('?'));
   const std::string_view refusal =
-      customize::Refusal({.path = path,
+      customize::Refusal({.path = target.substr(0, target.find('?')),
                           .host = Header(request, "Host"),
                           .origin = Header(request, "Origin"),
                           .fetch_site = Header(request, "Sec-Fetch-Site"),
                           .proxy_path = Header(request, "X-ProxyContextPath")},
                          token_);
-  if (!refusal.empty())
-    return respond(Text(http::status::forbidden, fmt::format("mjforge: {}", refusal)));
+  if (refusal.empty()) return std::nullopt;
+  return Text(http::status::forbidden, fmt::format("mjforge: {}", refusal));
+}
+
+void PageServer::Answer(const Request& request, const Respond& respond) {
+  const std::string_view target = View(request.target());
+  const std::string_view path = target.substr(0, target.find('?'));
   const std::size_t slash = path.find('/', 1);
   if (slash == path.npos) return respond(Text(http::status::not_found, "mjforge: no such page"));
   const std::string_view name = path.substr(slash + 1);

@@ -9,11 +9,13 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "page_connection.h"
 #include "request_queue.h"
 #include "watched_files.h"
 
@@ -36,11 +38,12 @@ class PageServer {
 
   /// Returns the response to a request that is too long to be read.
   static Response TooLong();
-  /// Answers a request, at once or later.
+  /// Returns the response to a request that may not be answered; nothing if it may.
+  std::optional<Response> Refusal(const Request& request) const;
+  /// Answers a request that is not refused, at once or later.
   void Answer(const Request& request, const Respond& respond);
-  /// Returns the owner of which each connection has a copy; their number is limited. Connections
-  /// may outlive the server.
-  const std::shared_ptr<void>& connections() const { return connections_; }
+  /// Keeps a connection, whose request had the token, when others come.
+  void Trust(std::uint64_t number) { strangers_.erase(number); }
 
  private:
   // A page that waits for a change of the spec's files.
@@ -67,7 +70,9 @@ class PageServer {
   std::vector<std::filesystem::path> files_;
   std::optional<WatchedFiles> watched_;
   std::vector<Waiting> waiting_;
-  std::shared_ptr<void> connections_ = std::make_shared<int>();
+  // Connections without a request that had the token, by number.
+  std::map<std::uint64_t, CloseConnection> strangers_;
+  std::uint64_t accepted_ = 0;  // number of the last connection
 };
 
 /// Encodes an answer of the worker for AnswerOf: the files to watch, and the body of the response.

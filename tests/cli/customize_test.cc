@@ -3,6 +3,7 @@
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
 #include <catch2/catch.hpp>
 #include <csignal>
@@ -34,6 +35,15 @@ std::string PictureOf(const HttpAnswer& answer) {
 }
 
 bool Contains(std::string_view text, std::string_view part) { return text.find(part) != text.npos; }
+
+// Returns the processes whose parent is `process`.
+std::vector<pid_t> ChildrenOf(pid_t process) {
+  const std::string name = std::to_string(process);
+  std::ifstream file("/proc/" + name + "/task/" + name + "/children");
+  std::vector<pid_t> children;
+  for (pid_t child = 0; file >> child;) children.push_back(child);
+  return children;
+}
 
 constexpr const char* kDraw = R"({"action": "draw", "quick": true})";
 
@@ -136,20 +146,29 @@ TEST_CASE_METHOD(CustomizeTest, "of two requests of a page that wait, the newer 
   CHECK(answered + replaced == 8);
 }
 
+TEST_CASE_METHOD(CustomizeTest, "programs without the token cannot keep a browser away") {
+  const auto connect = [&] {
+    const int socket = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    sockaddr_in address = {};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(static_cast<std::uint16_t>(page_.port()));
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    REQUIRE(::connect(socket, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0);
+    return socket;
+  };
+  std::vector<int> sockets;
+  for (int i = 0; i < 300; ++i) sockets.push_back(connect());
+  CHECK(page_.Get("").status == 200);
+  char byte = 0;
+  CHECK(::recv(sockets.front(), &byte, 1, 0) == 0);  // the oldest one was closed
+  for (const int socket : sockets) ::close(socket);
+}
+
 TEST_CASE_METHOD(CustomizeTest, "a request that is too long is refused") {
   CHECK(
       page_.Ask("POST", "/" + page_.token() + "/ask", {{"Content-Length", "99999999999"}}).status ==
       413);
   CHECK(page_.Get("").status == 200);
-}
-
-// Returns the processes whose parent is `process`.
-std::vector<pid_t> ChildrenOf(pid_t process) {
-  const std::string name = std::to_string(process);
-  std::ifstream file("/proc/" + name + "/task/" + name + "/children");
-  std::vector<pid_t> children;
-  for (pid_t child = 0; file >> child;) children.push_back(child);
-  return children;
 }
 
 TEST_CASE_METHOD(CustomizeTest, "a worker that was killed is replaced") {
