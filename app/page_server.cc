@@ -84,11 +84,12 @@ std::string EncodeAnswer(const std::vector<std::filesystem::path>& files, std::s
   return text + kEnd + BodyOf(json, picture);
 }
 
-PageServer::PageServer(asio::io_context& io, WorkerMaker make, Seconds time_limit)
+PageServer::PageServer(asio::io_context& io, const WorkerMaker& make, Seconds time_limit)
     : io_(io),
       acceptor_(io),
       timer_(io),
-      queue_(io, std::move(make), time_limit),
+      queue_(io, make, time_limit, RequestQueue::Replace::kWaiting),
+      slow_queue_(io, make, time_limit, RequestQueue::Replace::kRunning),
       token_(customize::MakeToken()) {}
 
 std::string PageServer::Listen(std::uint16_t port) {
@@ -169,11 +170,12 @@ void PageServer::AnswerGet(std::string_view name, std::string_view query, const 
 
 void PageServer::AnswerPost(std::string_view name, std::string_view query, const std::string& body,
                             const Respond& respond) {
-  if (name != "ask" && name != "draw")
+  if (name != "ask" && name != "draw" && name != "slow")
     return respond(Text(http::status::not_found, "mjforge: no such page"));
-  const std::string client(name == "draw" ? QueryValue(query, "client") : std::string_view());
-  queue_.Add(client, body,
-             [this, respond](const RequestQueue::Outcome& outcome) { respond(AnswerOf(outcome)); });
+  const std::string client(name != "ask" ? QueryValue(query, "client") : std::string_view());
+  RequestQueue& queue = name == "slow" ? slow_queue_ : queue_;
+  queue.Add(client, body,
+            [this, respond](const RequestQueue::Outcome& outcome) { respond(AnswerOf(outcome)); });
 }
 
 PageServer::Response PageServer::AnswerOf(const RequestQueue::Outcome& outcome) {

@@ -21,15 +21,15 @@
 
 namespace mjforge::app {
 
-/// Serves the page of a spec at 127.0.0.1. A single thread serves all connections, and a worker
-/// process answers the requests.
+/// Serves the page of a spec at 127.0.0.1. A single thread serves all connections. A worker process
+/// answers the requests, and a second one those that take long.
 class PageServer {
  public:
   using Request = boost::beast::http::request<boost::beast::http::string_body>;
   using Response = boost::beast::http::response<boost::beast::http::string_body>;
   using Respond = std::function<void(Response)>;
 
-  PageServer(boost::asio::io_context& io, WorkerMaker make, Seconds time_limit);
+  PageServer(boost::asio::io_context& io, const WorkerMaker& make, Seconds time_limit);
 
   /// Begins to listen at a port, 0 for any free one. Returns the reason of a failure.
   std::string Listen(std::uint16_t port);
@@ -65,6 +65,7 @@ class PageServer {
   boost::asio::ip::tcp::acceptor acceptor_;
   boost::asio::steady_timer timer_;
   RequestQueue queue_;
+  RequestQueue slow_queue_;  // films and physical checks, which do not delay pictures
   std::string token_;
   std::uint64_t revision_ = 0;
   std::vector<std::filesystem::path> files_;

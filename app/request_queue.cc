@@ -24,6 +24,10 @@ void RequestQueue::Add(const std::string& client, std::string request, Done done
     waiting_.erase(older);
     replaced({Outcome::Kind::kReplaced, {}});
   }
+  if (replace_ == Replace::kRunning && current_ && !client.empty() && current_->client == client) {
+    is_replaced_ = true;
+    process_.Kill();
+  }
   waiting_.push_back({client, std::move(request), std::move(done)});
   Next();
 }
@@ -32,7 +36,7 @@ void RequestQueue::Next() {
   if (current_ || waiting_.empty()) return;
   current_ = std::move(waiting_.front());
   waiting_.pop_front();
-  is_late_ = false;
+  is_late_ = is_replaced_ = false;
   if (!socket_.is_open()) socket_.assign({}, process_.Start());
   timer_.expires_after(std::chrono::duration_cast<std::chrono::milliseconds>(time_limit_));
   timer_.async_wait([this](error_code error) {
@@ -76,16 +80,24 @@ void RequestQueue::ReceiveBody() {
   });
 }
 
-void RequestQueue::Fail() {
+// Returns the reason of the end of the worker.
+std::string RequestQueue::StopWorker() {
   error_code ignored;
   socket_.close(ignored);
-  std::string reason = process_.Stop();
+  return process_.Stop();
+}
+
+void RequestQueue::Fail() {
+  std::string reason = StopWorker();
+  if (is_replaced_) return Finish({Outcome::Kind::kReplaced, {}});
   if (is_late_) reason = fmt::format("took more than {:g} s", time_limit_.count());
   Finish({Outcome::Kind::kFailed, std::move(reason)});
 }
 
 void RequestQueue::Finish(Outcome outcome) {
   timer_.cancel();
+  // The answer may have come just before the worker was killed.
+  if ((is_late_ || is_replaced_) && socket_.is_open()) StopWorker();
   const Done done = std::move(current_->done);
   current_.reset();
   done(std::move(outcome));

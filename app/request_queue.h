@@ -25,11 +25,18 @@ class RequestQueue {
   };
   using Done = std::function<void(Outcome)>;
 
-  RequestQueue(boost::asio::io_context& io, WorkerMaker make, Seconds time_limit)
-      : process_(std::move(make)), socket_(io), timer_(io), time_limit_(time_limit) {}
+  /// Running: a request is replaced also while the worker answers it, which ends the worker. This
+  /// is worth it for answers that take longer than the start of a worker.
+  enum class Replace { kWaiting, kRunning };
 
-  /// Adds a request. A request of the same client that still waits is replaced, unless `client` is
-  /// empty.
+  RequestQueue(boost::asio::io_context& io, WorkerMaker make, Seconds time_limit, Replace replace)
+      : process_(std::move(make)),
+        socket_(io),
+        timer_(io),
+        time_limit_(time_limit),
+        replace_(replace) {}
+
+  /// Adds a request. An earlier request of the same client is replaced, unless `client` is empty.
   void Add(const std::string& client, std::string request, Done done);
 
  private:
@@ -46,6 +53,7 @@ class RequestQueue {
   /// Ends the current job after an error of the socket, which is the end of the worker.
   void Fail();
   void Finish(Outcome outcome);
+  std::string StopWorker();
 
   WorkerProcess process_;
   boost::asio::local::stream_protocol::socket socket_;
@@ -53,7 +61,10 @@ class RequestQueue {
   Seconds time_limit_;
   std::deque<Job> waiting_;
   std::optional<Job> current_;
-  bool is_late_ = false;  // the current job exceeded the time limit
+  Replace replace_;
+  // The worker was killed because the current job exceeded the time limit, or was replaced.
+  bool is_late_ = false;
+  bool is_replaced_ = false;
   std::string head_;
   std::string body_;
 };

@@ -34,6 +34,7 @@ bodies:
     pos: [0, 0, stem_height]
     parts: [{name: shade, type: cylinder, size: [6cm, 4cm], rgba: shade_color, density: 200}]
     joints: [{name: tilt, axis: [0, 1, 0], range: [-30deg, 30deg]}]
+pose: [{joint: tilt, value: 10deg}]
 materials: {iron: {rgba: [0.25, 0.27, 0.3, 1], density: 4000}}
 """
 
@@ -88,11 +89,11 @@ class Shown:
 
     def is_current(self):
         return self.run("""const picture = document.getElementById("picture");
-          return picture.complete && picture.naturalWidth > 0 &&
+          return picture.complete && picture.naturalWidth > 0 && !document.getElementById("state").textContent &&
             !document.getElementById("view").classList.contains("outdated");""")
 
     def wait(self):
-        """Waits for the full picture of the state that the page has."""
+        """Waits for the full picture of the state that the page has, and for its checks."""
         for pause in (0, 0.3):  # the full picture follows the quick one
             time.sleep(pause)
             until(self.is_current, lambda: f"the picture stays outdated: {self.text('#findings')}")

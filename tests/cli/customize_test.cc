@@ -6,10 +6,12 @@
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <csignal>
 #include <fstream>
 #include <future>
 #include <sstream>
+#include <thread>
 
 #include "crate.h"
 #include "harness/served_page.h"
@@ -144,6 +146,21 @@ TEST_CASE_METHOD(CustomizeTest, "of two requests of a page that wait, the newer 
   CHECK(answered >= 1);
   CHECK(replaced >= 1);
   CHECK(answered + replaced == 8);
+}
+
+TEST_CASE_METHOD(CustomizeTest, "a film delays no picture, and a newer film replaces it") {
+  constexpr const char* kFilm =
+      R"({"action": "film", "width": 2048, "height": 2048})";  // takes several seconds
+  auto film =
+      std::async(std::launch::async, [&] { return page_.Post("slow?client=a", kFilm).status; });
+  // The worker that makes the film must have begun, so that it is replaced while it works.
+  while (ChildrenOf(page_.process()).empty()) std::this_thread::yield();
+  CHECK(page_.Post("draw?client=a", kDraw).status == 200);
+  CHECK(film.wait_for(std::chrono::seconds(0)) == std::future_status::timeout);
+  const HttpAnswer newer =
+      page_.Post("slow?client=a", R"({"action": "film", "width": 64, "height": 64})");
+  CHECK(PictureOf(newer).starts_with("RIFF"));
+  CHECK(film.get() == 409);
 }
 
 TEST_CASE_METHOD(CustomizeTest, "programs without the token cannot keep a browser away") {

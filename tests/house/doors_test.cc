@@ -70,8 +70,8 @@ const std::array kRooms = {
     Room{"report",
          {"bytes", "diag", "expr", "spec", "sample", "physics", "manifest", "output", "forge"}},
     Room{"customize",
-         {"bytes", "diag", "expr", "spec", "sample", "model", "manifest", "output", "forge",
-          "picture"}},
+         {"bytes", "diag", "expr", "spec", "sample", "model", "mjcf", "physics", "manifest",
+          "output", "forge", "picture"}},
     // xml: elements of files, for the Python package
     Room{
         "app",

@@ -38,7 +38,7 @@ struct Start {
 /// Answer to a request of the page.
 struct Reply {
   std::string json;     // an object
-  std::string picture;  // WebP or PNG; empty: none
+  std::string picture;  // WebP, PNG or a tar archive; empty: none
   /// Files that the spec was read from; the page asks again when one of them changes.
   std::vector<std::filesystem::path> files;
 };
@@ -56,8 +56,13 @@ class Studio {
   /// Answers a request, which is one JSON object:
   /// - `action: open` returns the description of the spec, its controls and the first state;
   /// - `action: draw` returns a picture of a variant, its values, facts and findings;
+  /// - `action: check` returns the findings with those of the physical checks;
+  /// - `action: film` returns an animation of the simulated drop or, if there is a `name`, of the
+  ///   drive of that joint, and its description;
   /// - `action: redraw` returns another random value of the parameter `name`;
-  /// - `action: export` returns the variant as text: `name` is command, params, mjcf or png;
+  /// - `action: export` returns the variant as text: `name` is command, params, seed, mjcf or png;
+  /// as MJCF
+  ///   it is a tar archive in place of a text if it refers to other files;
   /// - `action: source` returns the text of the spec's file `name`;
   /// - `action: pick` returns the part at the place `x`, `y` of the picture;
   /// - `action: save` writes the settings to the preset `name`, and `action: preset` returns those

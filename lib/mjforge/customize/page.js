@@ -11,9 +11,10 @@
   let seed = "0";
   let index = "0";
   let pins = {}; // set values by parameter; all others are drawn
-  let first = null; // pins, seed and index with which the page began
   let view = { ...kFirstView };
-  let joints = {};
+  let joints = {}; // positions of joints that were moved, rad or m
+  let zero = false; // all other joints are at zero, not at the start pose
+  let filmed = ""; // state that the film shows
   let controls = new Map();
 
   // Creates an element with properties and children.
@@ -42,52 +43,70 @@
   function request(action, more) {
     const settings = Object.entries(pins).map(([name, value]) => ({ name, value }));
     return {
-      action, revision: String(revision), settings, seed, index, joints, ...view,
-      layer: byId("layer").value || "visual", simulate: byId("simulate").checked, nine: byId("nine").checked, ...more,
+      action, revision: String(revision), settings, seed, index, joints, zero, ...view,
+      layer: byId("layer").value || "visual", nine: byId("nine").checked, ...more,
     };
   }
 
   // Drawing: at most one request is under way, and only the newest state waits.
   let wanted = null;
-  let running = null;
+  let isDrawing = false;
   let fullTimer = 0;
 
-  function draw(quick) {
+  async function draw(quick) {
     clearTimeout(fullTimer);
     wanted = { quick: Boolean(quick) };
     byId("view").classList.add("outdated");
     byId("state").textContent = quick ? "" : "drawing ...";
-    return pump();
-  }
-
-  const pump = () => running || (running = drawWanted().finally(() => { running = null; }));
-  async function drawWanted() {
+    if (filmed !== now()) byId("film").hidden = true;
+    if (isDrawing) return;
+    isDrawing = true;
     while (wanted) {
-      const quick = wanted.quick;
+      const options = wanted;
       wanted = null;
       try {
-        const reply = await ask(request("draw", { quick }), "draw?client=" + client);
-        if (reply) show(reply, quick);
+        const reply = await ask(request("draw", options), "draw?client=" + client);
+        if (reply) show(reply, options.quick);
       } catch (error) {
         byId("state").textContent = "outdated: no answer";
       }
     }
+    isDrawing = false;
   }
 
   function show(reply, quick) {
     if (reply.error) return showError(reply.error);
     const hasPicture = reply.picture.length > 0;
-    if (hasPicture) showPicture(reply.picture);
+    if (hasPicture) showPicture(byId("picture"), reply.picture);
     for (const [name, control] of controls) if (Object.hasOwn(reply.values, name) && !wanted) control.show(reply.values[name]);
     showFacts(reply.facts);
     showJoints(reply.joints);
     const isCurrent = hasPicture && !wanted;
-    if (!quick || !isCurrent) showFindings(reply.findings);
+    const isChecked = isCurrent && !quick && byId("simulate").checked;
+    if (!isChecked && !(quick && isCurrent)) showFindings(reply.findings);
     if (!wanted) {
       byId("view").classList.toggle("outdated", !isCurrent);
       byId("state").textContent = isCurrent ? "" : "outdated: see the findings";
+      if (isChecked) check();
       if (quick && hasPicture) fullTimer = setTimeout(() => draw(false), kFullDelay);
     }
+  }
+
+  // Asks for what takes longer than a picture. Returns null after an error, or if the state changed.
+  async function askSlowly(action, more, doing) {
+    const state = now();
+    byId("state").textContent = doing;
+    const reply = await ask(request(action, more), "slow?client=" + action + "-" + client);
+    if (!reply || state !== now()) return null;
+    byId("state").textContent = "";
+    if (reply.error) showError(reply.error);
+    return reply.error ? null : reply;
+  }
+
+  // Shows the findings with those of the physical checks.
+  async function check() {
+    const reply = await askSlowly("check", {}, "checking ...");
+    if (reply) showFindings(reply.findings, "No findings; the physical checks passed.");
   }
 
   function showError(message) {
@@ -95,8 +114,7 @@
     showFindings([{ finding: { severity: "error", message }, text: "" }]);
   }
 
-  function showPicture(bytes) {
-    const picture = byId("picture");
+  function showPicture(picture, bytes) {
     const old = picture.src;
     picture.src = URL.createObjectURL(new Blob([bytes], { type: "image/webp" }));
     picture.alt = byId("name").textContent + ", seed " + seed + ", index " + index;
@@ -113,11 +131,11 @@
       make("div", {}, make("dt", {}, key), make("dd", {}, String(value)))));
   }
 
-  function showFindings(findings) {
+  function showFindings(findings, none = "No findings.") {
     const items = findings.map(({ finding, text }) => {
       const place = finding.file
         ? make("button", { type: "button", onclick: () => openPlace(finding, text) },
-          finding.file === "control" ? "the control" : [finding.file, finding.line].filter(Boolean).join(":"))
+          finding.file === "control" ? "the control" : [finding.file.split("/").pop(), finding.line].filter(Boolean).join(":"))
         : null;
       return make("li", { className: finding.severity },
         make("span", { className: "severity" }, finding.severity), " ", place, " ", finding.message,
@@ -125,7 +143,7 @@
         text ? make("code", {}, text.trim()) : null,
         finding.hint ? make("div", {}, "Hint: " + finding.hint) : null);
     });
-    if (!items.length) items.push(make("li", { className: "none" }, "No findings."));
+    if (!items.length) items.push(make("li", { className: "none" }, none));
     byId("findings").replaceChildren(...items);
   }
 
@@ -147,31 +165,28 @@
     pre.focus({ preventScroll: !text });
   }
 
-  // History: states before each change that is complete.
-  const past = [], future = [];
+  // History: the first state, and those after each change that is complete.
+  const states = [];
+  let current = 0;
   const now = () => JSON.stringify({ pins, seed, index });
-  let last = now();
 
   function commit() {
-    if (now() === last) return;
-    past.push(last);
-    last = now();
-    future.length = 0;
+    if (now() === states[current]) return;
+    current += 1;
+    states.splice(current, Infinity, now());
     showHistory();
   }
 
-  function restore(from, to) {
-    if (!from.length) return;
-    to.push(last);
-    last = from.pop();
-    ({ pins, seed, index } = JSON.parse(last));
+  function restore(position) {
+    current = position;
+    ({ pins, seed, index } = JSON.parse(states[current]));
     showHistory();
     draw(false);
   }
 
   function showHistory() {
-    byId("undo").disabled = !past.length;
-    byId("redo").disabled = !future.length;
+    byId("undo").disabled = current === 0;
+    byId("redo").disabled = current === states.length - 1;
     byId("seed").value = seed;
     byId("index").value = index;
     for (const control of controls.values()) control.showPin();
@@ -185,19 +200,14 @@
     draw(!isComplete);
   }
 
-  function setNumber(id, value) {
-    if (id === "seed") seed = value;
-    else index = value;
+  // Makes a complete change of the state.
+  function change(action) {
+    action();
     commit();
-    showHistory();
     draw(false);
   }
 
-  function unset(name) {
-    delete pins[name];
-    commit();
-    draw(false);
-  }
+  const setNumber = (id, value) => change(() => { if (id === "seed") seed = value; else index = value; });
 
   const isNumber = (text) => text.trim() !== "" && Number.isFinite(Number(text));
 
@@ -237,40 +247,40 @@
       element.addEventListener("input", () => take(element, false));
       element.addEventListener("change", () => take(element, true));
     }
-    field.addEventListener("keydown", (event) => { if (event.key === "Enter") take(field, true); });
     const row = make("div", { className: "row" }, slider, field,
       make("span", { className: "unit" }, unit === "1" ? "" : unit));
     return { row, show, focus: () => field.focus() };
   }
 
+  // A control of one element, whose changes are complete.
+  function makeSingle(control, element, read, show) {
+    element.addEventListener("change", () => set(control.name, read(), true));
+    return { rows: [make("div", { className: "row single" }, element)], show, focus: () => element.focus() };
+  }
+
   function makeField(control, id, read, write) {
     const field = make("input", { type: "text", id });
-    field.addEventListener("change", () => set(control.name, read(field.value), true));
-    const show = (value) => { if (document.activeElement !== field) field.value = write(value); };
-    return { rows: [make("div", { className: "row single" }, field)], show, focus: () => field.focus() };
+    return makeSingle(control, field, () => read(field.value),
+      (value) => { if (document.activeElement !== field) field.value = write(value); });
   }
 
   // Each function returns the elements of a control, and functions that show a value and set focus.
   const makers = {
-    number(control, id) {
-      const number = makeNumber(id, control.name, control.low && control.low[0], control.high && control.high[0],
-        control.whole, control.unit, (value, isComplete) => set(control.name, value, isComplete));
-      return { rows: [number.row], show: number.show, focus: number.focus };
-    },
+    number: (control, id) => makers.vector(control, id),
     vector(control, id) {
       let values = [];
+      const isOne = control.kind === "number";
       const units = control.unit.split(", ");
       const numbers = Array.from({ length: control.components }, (_, i) =>
-        makeNumber(i ? id + "-" + i : id, control.name + " " + (i + 1), control.low && control.low[i],
-          control.high && control.high[i], false, units[Math.min(i, units.length - 1)],
+        makeNumber(i ? id + "-" + i : id, control.name + (isOne ? "" : " " + (i + 1)), control.low && control.low[i],
+          control.high && control.high[i], control.whole, units[Math.min(i, units.length - 1)],
           (value, isComplete) => {
-            values = values.slice();
-            values[i] = value;
-            set(control.name, values, isComplete);
+            values = values.map((old, k) => k === i ? value : old);
+            set(control.name, isOne ? value : values, isComplete);
           }));
       const show = (value) => {
-        values = value;
-        numbers.forEach((number, i) => number.show(value[i]));
+        values = isOne ? [value] : value;
+        numbers.forEach((number, i) => number.show(values[i]));
       };
       return { rows: numbers.map((number) => number.row), show, focus: numbers[0].focus };
     },
@@ -279,9 +289,9 @@
       const picker = make("input", { type: "color", id });
       const change = (rgb, rest, isComplete) => set(control.name, values = rgb.concat(rest), isComplete);
       const picked = () => [1, 3, 5].map((at) => Number(digits(parseInt(picker.value.slice(at, at + 2), 16) / 255)));
-      picker.addEventListener("input", () => change(picked(), values.slice(3), false));
-      picker.addEventListener("change", () => change(picked(), values.slice(3), true));
-      const alpha = control.components === 4 ? makeNumber(id + "-alpha", control.name + ", opacity", 0, 1, false, "",
+      for (const event of ["input", "change"])
+        picker.addEventListener(event, () => change(picked(), values.slice(3), event === "change"));
+      const alpha = control.components === 4 ? makeNumber(id + "-alpha", control.name, 0, 1, false, "opacity",
         (value, isComplete) => change(values.slice(0, 3), [value], isComplete)) : null;
       const list = control.choices ? makers.choice(control, id + "-list") : null;
       const hex = (value) => Math.round(255 * Math.min(Math.max(value, 0), 1)).toString(16).padStart(2, "0");
@@ -297,18 +307,13 @@
       const list = make("select", { id, "aria-label": control.name });
       const text = (value) => Array.isArray(value) ? value.join(", ") : String(value);
       control.choices.forEach((value, i) => list.append(make("option", { value: String(i) }, text(value))));
-      list.addEventListener("change", () => {
-        if (list.value !== "") set(control.name, control.choices[Number(list.value)], true);
-      });
-      const show = (value) => {
+      return makeSingle(control, list, () => control.choices[Number(list.value)], (value) => {
         list.value = String(control.choices.findIndex((choice) => JSON.stringify(choice) === JSON.stringify(value)));
-      };
-      return { rows: [make("div", { className: "row single" }, list)], show, focus: () => list.focus() };
+      });
     },
     switch(control, id) {
       const box = make("input", { type: "checkbox", id });
-      box.addEventListener("change", () => set(control.name, box.checked, true));
-      return { rows: [make("div", {}, box)], show: (value) => { box.checked = value; }, focus: () => box.focus() };
+      return makeSingle(control, box, () => box.checked, (value) => { box.checked = value; });
     },
     text: (control, id) => makeField(control, id, (text) => text, String),
     list: (control, id) => makeField(control, id, (text) => ({ yaml: text }), JSON.stringify),
@@ -326,12 +331,10 @@
     const button = (sign, title, onclick) =>
       make("button", { type: "button", title, "aria-label": title + ": " + control.name, onclick }, sign);
     const dice = button("⚂", "Draw another value", () => redraw(control.name));
-    const free = button("↺", "As in the spec", () => unset(control.name));
-    const spec = make("span", { className: "spec" }, control.spec);
+    const free = button("↺", "As in the spec", () => change(() => { delete pins[control.name]; }));
     const buttons = control.kind === "fixed" ? [] : control.random ? [dice, free] : [free];
-    const box = make("div", { className: "control" },
-      make("div", { className: "head" }, label, spec, ...buttons), ...rows, help);
-    box.dataset.name = control.name;
+    const box = make("div", { className: "control", "data-name": control.name },
+      make("div", { className: "head" }, label, make("span", { className: "spec" }, control.spec), ...buttons), ...rows, help);
     if (help) rows[0].querySelectorAll("input, select").forEach((element) =>
       element.setAttribute("aria-describedby", help.id));
     const showPin = () => {
@@ -356,16 +359,14 @@
 
   async function redraw(name) {
     const reply = await ask(request("redraw", { name, seed: String(Math.floor(Math.random() * 2 ** 53)) }));
-    if (!reply || reply.value === undefined) return;
-    controls.get(name).show(reply.value);
-    set(name, reply.value, true);
+    if (reply && reply.value !== undefined) set(name, reply.value, true);
   }
 
   // Joints of the variant, with one slider each.
   let jointNames = "";
 
   function showJoints(list) {
-    const names = JSON.stringify(list.map((joint) => [joint.name, joint.limited, joint.range]));
+    const names = JSON.stringify(list.map((joint) => [joint.name, joint.limited, joint.range, joint.value]));
     if (names === jointNames) return;
     jointNames = names;
     byId("joints").hidden = !list.length;
@@ -377,28 +378,30 @@
           draw(!isComplete);
         });
       number.show(Object.hasOwn(joints, joint.name) ? joints[joint.name] : joint.value);
-      const sweep = make("button", { type: "button", "aria-label": "Move " + joint.name,
-        onclick: () => play(joint.name, ends, number) }, "Move");
+      const drive = make("button", { type: "button", "aria-label": "Film of the drive of " + joint.name,
+        onclick: () => film(joint.name) }, "Film");
       return make("div", { className: "control" }, make("div", { className: "head" },
-        make("label", { htmlFor: "j" + i }, joint.name), make("span", { className: "spec" }, joint.type), sweep), number.row);
+        make("label", { htmlFor: "j" + i }, joint.name), make("span", { className: "spec" }, joint.type), drive), number.row);
     });
-    byId("joints").replaceChildren(make("legend", {}, "Joints"), ...rows);
+    byId("joint-rows").replaceChildren(...rows);
   }
 
-  // Moves a joint to both ends of its range and back.
-  async function play(name, [low, high], number) {
-    const start = joints[name];
-    const from = start === undefined ? Math.min(Math.max(0, low), high) : start;
-    const kSteps = 24;
-    for (let step = 1; step <= kSteps; ++step) {
-      const way = 4 * step / kSteps;
-      const to = way < 1 ? from + (high - from) * way : way < 3 ? high + (low - high) * (way - 1) / 2
-        : low + (from - low) * (way - 3);
-      joints[name] = to;
-      number.show(to);
-      await draw(step < kSteps);
-    }
-    if (start === undefined) delete joints[name];
+  // Moves all joints to the start pose, or to zero.
+  function pose(isZero) {
+    zero = isZero;
+    joints = {};
+    jointNames = "";
+    draw(false);
+  }
+
+  // Shows the simulated drop or, if there is a name, the simulated drive of that joint.
+  async function film(name) {
+    const reply = await askSlowly("film", { name, width: 400, height: 300 }, "simulating ...");
+    if (!reply) return;
+    filmed = now();
+    showPicture(byId("film-picture"), reply.picture);
+    byId("film-text").textContent = reply.text;
+    byId("film").hidden = false;
   }
 
   // The view: pointer, wheel and keyboard.
@@ -418,7 +421,7 @@
     const kDegreesPerPixel = 0.4;
     let at = null;
     figure.addEventListener("pointerdown", (event) => {
-      if (byId("nine").checked) return chooseOfNine(event, figure.getBoundingClientRect());
+      if (byId("nine").checked) return chooseOfNine(event);
       at = [event.clientX, event.clientY];
       figure.setPointerCapture(event.pointerId);
     });
@@ -433,7 +436,7 @@
       event.preventDefault();
       zoom(Math.exp(-event.deltaY * 0.001));
     }, { passive: false });
-    figure.addEventListener("dblclick", (event) => showPart(event, figure.getBoundingClientRect()));
+    figure.addEventListener("dblclick", showPart);
     const keys = {
       ArrowLeft: () => turn(10, 0, true), ArrowRight: () => turn(-10, 0, true),
       ArrowUp: () => turn(0, 10, true), ArrowDown: () => turn(0, -10, true),
@@ -451,20 +454,25 @@
     draw(false);
   }
 
+  // Returns the place of a pointer in the picture, from 0 to 1.
+  function placeOf(event) {
+    const box = byId("view").getBoundingClientRect();
+    return { x: (event.clientX - box.left) / box.width, y: (event.clientY - box.top) / box.height };
+  }
+
   // Shows the part at a place of the picture, and its line of the spec.
-  async function showPart(event, box) {
-    const found = await ask(request("pick", { x: (event.clientX - box.left) / box.width, y: (event.clientY - box.top) / box.height }));
+  async function showPart(event) {
+    const found = await ask(request("pick", placeOf(event)));
     byId("part").textContent = found && found.part
       ? [found.part, found.material, digits(found.mass) + " kg"].filter(Boolean).join(", ") : "no part";
     if (found && found.file) openPlace(found, "");
   }
 
   // Shows the one of nine variants at a place of the picture.
-  function chooseOfNine(event, box) {
-    const column = Math.floor(3 * (event.clientX - box.left) / box.width);
-    const row = Math.floor(3 * (event.clientY - box.top) / box.height);
+  function chooseOfNine(event) {
+    const { x, y } = placeOf(event);
     byId("nine").checked = false;
-    setNumber("index", String(BigInt(index) + BigInt(3 * row + column)));
+    setNumber("index", String(BigInt(index) + BigInt(3 * Math.floor(3 * y) + Math.floor(3 * x))));
   }
 
   // Presets: named sets of values beside the spec.
@@ -485,19 +493,16 @@
     const reply = await ask(request("preset", { name }));
     if (reply.error) return showError(reply.error);
     if (reply.findings.some(({ finding }) => finding.severity === "error")) return showFindings(reply.findings);
-    pins = Object.fromEntries(reply.settings.map(({ name, text }) => [name, { yaml: text }]));
-    commit();
-    showHistory();
-    draw(false);
+    change(() => { pins = Object.fromEntries(reply.settings.map(({ name, text }) => [name, { yaml: text }])); });
   }
 
   // Texts and files to take away.
   async function take(form) {
     const size = form === "png" ? { width: 1280, height: 960 } : {};
-    const reply = await ask(request("export", { name: form, ...size }));
-    if (!reply) return;
+    const reply = await ask(request("export", { name: form, count: byId("count").value || "1", ...size }));
     if (reply.error) copy(reply.error);
     else if (form === "png") save(reply.file + ".png", "image/png", reply.picture);
+    else if (form === "mjcf" && reply.picture.length) save(reply.file + ".tar", "application/x-tar", reply.picture);
     else if (form === "mjcf") save(reply.file + ".xml", "application/xml", reply.text);
     else copy(reply.text);
   }
@@ -518,11 +523,10 @@
   async function open() {
     const reply = await ask(request("open", { settings: [] }));
     if (reply.error) return showError(reply.error);
-    if (!first) {
+    if (!states.length) {
       seed = reply.seed;
       index = reply.index;
       for (const { name, text } of reply.settings) pins[name] = { yaml: text };
-      first = last = now();
       byId("layer").replaceChildren(...reply.layers.map((layer) => make("option", {}, layer)));
     }
     document.title = reply.name + " - mjforge customize";
@@ -531,12 +535,11 @@
     const hasControls = reply.controls !== null;
     if (hasControls) {
       const names = new Set(reply.controls.map((control) => control.name));
-      for (const name of Object.keys(pins)) {
+      for (const name of Object.keys(pins))
         if (controls.has(name) && !names.has(name)) delete pins[name];
-      }
       showControls(reply.controls);
-      last = now();
     }
+    states[current] = now();
     showHistory();
     showPresets(reply.presets);
     if (hasControls) return draw(false);
@@ -567,34 +570,31 @@
     }
   }
 
+  const on = (id, event, action) => byId(id).addEventListener(event, action);
   function listen() {
-    byId("controls").addEventListener("submit", (event) => event.preventDefault());
-    for (const id of ["layer", "simulate", "nine"]) byId(id).addEventListener("change", () => draw(false));
-    byId("front").addEventListener("click", showFirstView);
-    byId("source-close").addEventListener("click", () => { byId("source").hidden = true; });
-    byId("preset-save").addEventListener("click", savePreset);
-    byId("preset").addEventListener("change", loadPreset);
-    byId("undo").addEventListener("click", () => restore(past, future));
-    byId("redo").addEventListener("click", () => restore(future, past));
-    byId("reset").addEventListener("click", () => {
-      ({ pins, seed, index } = JSON.parse(first));
-      joints = {};
-      jointNames = "";
-      commit();
-      showHistory();
-      draw(false);
-    });
-    byId("dice").addEventListener("click", () => setNumber("seed", String(Math.floor(Math.random() * 2 ** 32))));
-    for (const id of ["seed", "index"]) {
-      byId(id).addEventListener("change", () =>
-        /^\d{1,19}$/.test(byId(id).value) ? setNumber(id, byId(id).value) : showHistory());
-    }
+    on("controls", "submit", (event) => event.preventDefault());
+    for (const id of ["layer", "simulate", "nine"]) on(id, "change", () => draw(false));
+    on("front", "click", showFirstView);
+    on("drop", "click", () => film(""));
+    on("film-close", "click", () => { byId("film").hidden = true; });
+    on("start-pose", "click", () => pose(false));
+    on("zero-pose", "click", () => pose(true));
+    on("source-close", "click", () => { byId("source").hidden = true; });
+    on("preset-save", "click", savePreset);
+    on("preset", "change", loadPreset);
+    on("undo", "click", () => restore(current - 1));
+    on("redo", "click", () => restore(current + 1));
+    on("reset", "click", () => change(() => {
+      ({ pins, seed, index } = JSON.parse(states[0]));
+      pose(false);
+    }));
+    on("dice", "click", () => setNumber("seed", String(Math.floor(Math.random() * 2 ** 32))));
+    for (const id of ["seed", "index"])
+      on(id, "change", () => /^\d{1,19}$/.test(byId(id).value) ? setNumber(id, byId(id).value) : showHistory());
     for (const button of document.querySelectorAll("[data-export]")) button.addEventListener("click", () => take(button.dataset.export));
-    byId("copy-seed").addEventListener("click", () => copy("--seed " + seed + " --index " + index));
     listenToView();
   }
 
   listen();
-  showHistory();
   open().catch(() => { byId("stopped").hidden = false; }).then(watch);
 })();

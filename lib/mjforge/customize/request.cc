@@ -74,7 +74,7 @@ class Reader {
     out = *layer;
   }
 
-  void Settings(std::vector<spec::Setting>& out) {
+  void Settings(std::vector<spec::Setting>& out, std::vector<std::size_t>& words) {
     const Json* list = Find(root_, "settings");
     if (list == nullptr) return;
     if (!list->IsArray() || list->Size() > kMostSettings) return Fail("settings", "a list");
@@ -85,6 +85,7 @@ class Reader {
         return Fail("settings", "a list of objects with `name` and `value`");
       std::string text;
       if (!Flow(*value, text)) return Fail("settings", "a list of values");
+      if (value->IsString() && text == TextOf(*value)) words.push_back(out.size());
       out.push_back({std::string(TextOf(*name)), std::move(text), std::string(kSettingOrigin)});
     }
   }
@@ -150,9 +151,10 @@ std::optional<Request> ReadRequest(std::string_view json, std::string& why_not) 
   reader.Whole("revision", request.revision);
   reader.Whole("seed", request.seed);
   reader.Whole("index", request.index);
+  reader.Whole("count", request.count);
   reader.Flag("nine", request.nine);
-  reader.Flag("simulate", request.simulate);
-  reader.Settings(request.settings);
+  reader.Flag("zero", request.zero);
+  reader.Settings(request.settings, request.words);
   reader.Joints(request.joints);
   picture::Options& picture = request.picture;
   reader.Flag("quick", picture.quick);

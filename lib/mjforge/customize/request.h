@@ -22,10 +22,12 @@ struct Request {
   std::string name;            // name of a parameter, a preset, a file or a form of export
   std::uint64_t revision = 0;  // number of the changes of the spec's files so far
   std::vector<spec::Setting> settings;
+  std::vector<std::size_t> words = {};  // settings that are texts and have no quotes
   std::uint64_t seed = 0;
   std::uint64_t index = 0;
+  std::uint64_t count = 1;                             // variants that an exported command makes
   bool nine = false;                                   // draws nine variants, from the index on
-  bool simulate = false;                               // runs the physical checks
+  bool zero = false;                                   // all other joints are at zero
   std::vector<std::pair<std::string, double>> joints;  // rad or m
   double x = 0.5;  // place in the picture, from 0 at the left and the top to 1
   double y = 0.5;

@@ -50,12 +50,14 @@ std::string QuoteForShell(std::string_view text) {
 }
 
 std::string CommandText(std::string_view spec, std::span<const spec::Setting> settings,
-                        std::uint64_t seed, std::uint64_t index) {
+                        std::uint64_t seed, std::uint64_t index, std::uint64_t count,
+                        std::string_view name) {
   std::string command = "mjforge generate " + QuoteForShell(spec);
   if (seed != 0) command += fmt::format(" --seed {}", seed);
   if (index != 0) command += fmt::format(" --first {}", index);
   for (const spec::Setting& setting : settings)
     command += " --set " + QuoteForShell(setting.name + "=" + setting.text);
+  if (count > 1) command += fmt::format(" -n {} -o {}/", count, QuoteForShell(name));
   return command;
 }
 

@@ -16,9 +16,11 @@ std::string QuoteForYaml(std::string_view text);
 /// Returns a text as one word of a POSIX shell.
 std::string QuoteForShell(std::string_view text);
 
-/// Returns the command that makes one variant with these settings.
+/// Returns the command that makes variants with these settings, from an index on. If there are
+/// several, they are written to the folder `name`.
 std::string CommandText(std::string_view spec, std::span<const spec::Setting> settings,
-                        std::uint64_t seed, std::uint64_t index);
+                        std::uint64_t seed, std::uint64_t index, std::uint64_t count = 1,
+                        std::string_view name = {});
 /// Returns the settings as a YAML mapping, one in a line.
 std::string ParamsText(std::span<const spec::Setting> settings);
 

@@ -9,16 +9,21 @@
 #include "mjforge/customize/controls.h"
 #include "mjforge/customize/customize.h"
 #include "mjforge/customize/findings_json.h"
+#include "mjforge/customize/mjcf_archive.h"
 #include "mjforge/customize/presets.h"
 #include "mjforge/customize/request.h"
 #include "mjforge/customize/variant_cache.h"
 #include "mjforge/customize/variant_json.h"
+#include "mjforge/physics/physics.h"
 
 namespace mjforge::customize {
 namespace {
 
 constexpr int kQuality = 85;
 constexpr int kQuickQuality = 70;
+// Numbers of a film: frames, and the least time of each, ms.
+constexpr std::size_t kMostFrames = 32;
+constexpr int kShortestFrame = 40;
 
 // Writes the settings of a recipe as a list of objects with `name` and `text`.
 void WriteSettings(diag::Json& json, const std::optional<forge::Recipe>& recipe) {
@@ -50,15 +55,27 @@ Reply Failure(std::string_view message) {
   return {json.Take(), {}, {}};
 }
 
-// Moves the joints of the request, each within its range, and all others to their start.
+// Describes a film: "Drop, 0.25 s, shown 5.1 times slower".
+std::string FilmText(const std::string& joint, double time, double shown) {
+  constexpr double kSlow = 1.1;  // times slower; less is not mentioned
+  const std::string slower =
+      shown > kSlow * time ? fmt::format(", shown {:.1f} times slower", shown / time) : "";
+  return fmt::format("{}, {:.2f} s{}", joint.empty() ? "Drop" : "Drive of " + diag::SafeText(joint),
+                     time, slower);
+}
+
+// Moves the joints of the request, each within its range, and all others to their start or to zero.
 void MoveJoints(const Request& request, ShownVariant& shown) {
   diag::Findings ignored;  // values are within the ranges
+  shown.subject->Reset(request.zero ? picture::Pose::kZero : picture::Pose::kStart);
+  shown.joints = shown.subject->joints();
   for (std::size_t i = 0; i < shown.joints.size(); ++i) {
     const picture::Joint& joint = shown.joints[i];
     if (!IsMovable(joint)) continue;
     const auto wanted =
         std::ranges::find(request.joints, joint.name, &std::pair<std::string, double>::first);
-    double value = wanted == request.joints.end() ? joint.value : wanted->second;
+    if (wanted == request.joints.end()) continue;
+    double value = wanted->second;
     if (joint.limited) value = std::clamp(value, joint.range[0], joint.range[1]);
     shown.subject->SetJoint(static_cast<int>(i), value, ignored);
   }
@@ -73,6 +90,8 @@ struct Studio::State {
   Reply Answer(const Request& request);
   Reply Open(const Request& request);
   Reply Draw(const Request& request);
+  Reply Check(const Request& request);
+  Reply Film(const Request& request);
   Reply Redraw(Request request);
   Reply Export(const Request& request);
   Reply Source(const Request& request);
@@ -87,6 +106,7 @@ struct Studio::State {
   Start start;
   VariantCache cache;
   std::unique_ptr<picture::Renderer> renderer;
+  physics::Laboratory laboratory;
 };
 
 Studio::Studio(Start start) : state_(std::make_unique<State>(std::move(start))) {}
@@ -94,9 +114,10 @@ Studio::~Studio() = default;
 
 Reply Studio::Answer(std::string_view request) {
   std::string why_not;
-  const std::optional<Request> wanted = ReadRequest(request, why_not);
+  std::optional<Request> wanted = ReadRequest(request, why_not);
   if (!wanted) return Failure(why_not);
   try {
+    state_->cache.QuoteNames(*wanted);
     return state_->Answer(*wanted);
   } catch (const std::bad_alloc&) {
     throw;  // the process ends, and with it its memory
@@ -108,6 +129,8 @@ Reply Studio::Answer(std::string_view request) {
 Reply Studio::State::Answer(const Request& request) {
   if (request.action == "open") return Open(request);
   if (request.action == "draw") return Draw(request);
+  if (request.action == "check") return Check(request);
+  if (request.action == "film") return Film(request);
   if (request.action == "redraw") return Redraw(request);
   if (request.action == "export") return Export(request);
   if (request.action == "source") return Source(request);
@@ -223,9 +246,7 @@ std::optional<picture::Image> Studio::State::DrawNine(const Request& request) {
 Reply Studio::State::Draw(const Request& request) {
   std::optional<picture::Image> nine;
   if (request.nine) nine = DrawNine(request);
-  const CheckLevel level = request.picture.quick ? CheckLevel::kNone
-                           : request.simulate    ? CheckLevel::kPhysics
-                                                 : CheckLevel::kLoad;
+  const CheckLevel level = request.picture.quick ? CheckLevel::kNone : CheckLevel::kLoad;
   ShownVariant& shown = cache.Make(request, level);
   diag::Findings findings = shown.Findings();
   const std::optional<picture::Image> image =
@@ -243,6 +264,42 @@ Reply Studio::State::Draw(const Request& request) {
   reply.json = json.Take();
   reply.files = cache.Files();
   return reply;
+}
+
+// Returns all findings, with those of the physical checks.
+Reply Studio::State::Check(const Request& request) {
+  const ShownVariant& shown = cache.Make(request, CheckLevel::kPhysics);
+  diag::Json json(expr::AppendNumber);
+  json.StartObject();
+  json.Key("findings");
+  WriteFindings(json, shown.Findings(), shown.sources);
+  json.EndObject();
+  return {json.Take(), {}, {}};
+}
+
+// Returns an animation of the drop or, if the request has a name, of the drive of that joint.
+Reply Studio::State::Film(const Request& request) {
+  ShownVariant& shown = cache.Make(request, CheckLevel::kNone);
+  if (shown.subject == nullptr) return Failure("the variant has errors");
+  diag::Findings findings;
+  if (renderer == nullptr) renderer = picture::Renderer::Open(findings);
+  const forge::Variant& variant = *shown.variant;
+  const std::optional<physics::Film> film =
+      renderer == nullptr ? std::nullopt
+                          : laboratory.Record(variant.document, *variant.object, request.name,
+                                              kMostFrames, findings);
+  const auto frames =
+      film && !film->positions.empty()
+          ? renderer->DrawFilm(*shown.subject, film->positions, request.picture, findings)
+          : std::nullopt;
+  if (!frames) return Failure(findings.empty() ? "it cannot be simulated" : findings[0].message);
+  const auto count = static_cast<double>(frames->size());
+  const int delay = std::max(kShortestFrame, static_cast<int>(1000 * film->time / count));
+  diag::Json json(expr::AppendNumber);
+  json.StartObject();
+  json.Member("text", FilmText(request.name, film->time, delay * count / 1000));
+  json.EndObject();
+  return {json.Take(), picture::EncodeWebpFilm(*frames, delay, kQuickQuality), {}};
 }
 
 Reply Studio::State::Redraw(Request request) {
@@ -266,16 +323,23 @@ Reply Studio::State::Export(const Request& request) {
   ShownVariant& shown = cache.Make(request, CheckLevel::kLoad);
   Reply reply;
   std::string text;
+  diag::Findings findings;
   if (request.name == "command") {
-    text = CommandText(start.reference, request.settings, request.seed, request.index);
+    text = CommandText(start.reference, request.settings, request.seed, request.index,
+                       request.count, shown.recipe ? shown.recipe->spec->name : "");
+  } else if (request.name == "seed") {
+    text = fmt::format("--seed {} --index {}", request.seed, request.index);
   } else if (request.name == "params") {
     text = ParamsText(request.settings);
   } else if (!shown.variant || shown.variant->object == nullptr) {
     return Failure("the variant has errors");
   } else if (request.name == "mjcf") {
-    text = shown.variant->document.text;
+    const mjcf::MjcfDocument& document = shown.variant->document;
+    if (document.assets.empty())
+      text = document.text;
+    else if (!ArchiveMjcf(shown.recipe->spec->name, document, reply.picture, findings))
+      return Failure(findings[0].message);
   } else if (request.name == "png") {
-    diag::Findings findings;
     const std::optional<picture::Image> image = DrawPicture(request, shown, findings);
     if (!image) return Failure("it cannot be drawn");
     const std::string facts =

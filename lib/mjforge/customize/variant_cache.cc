@@ -6,6 +6,8 @@
 
 #include <utility>
 
+#include "mjforge/expr/expr.h"
+
 namespace mjforge::customize {
 namespace {
 
@@ -26,8 +28,35 @@ diag::Findings ShownVariant::Findings() const {
   return all;
 }
 
+// Forgets the files of an earlier revision.
+void VariantCache::Renew(std::uint64_t revision) {
+  if (std::exchange(revision_, revision) == revision) return;
+  snapshot_ = {};
+  names_.reset();
+  loader_.emplace();  // has read meshes and textures
+}
+
+void VariantCache::QuoteNames(Request& request) {
+  if (request.words.empty()) return;
+  Renew(request.revision);
+  if (!names_) {
+    Request bare;
+    bare.revision = request.revision;
+    names_.emplace();
+    const ShownVariant& shown = LoadSpec(bare);
+    if (!shown.recipe) return;
+    for (const spec::Parameter& parameter : shown.recipe->spec->parameters)
+      names_->insert({parameter.name, parameter.record});
+  }
+  for (const std::size_t i : request.words) {
+    std::string& text = request.settings[i].text;
+    if (names_->contains(text) || text == "index" || expr::IsReserved(text))
+      text = fmt::format("${{'{}'}}", text);
+  }
+}
+
 ShownVariant& VariantCache::LoadSpec(const Request& request) {
-  if (std::exchange(revision_, request.revision) != request.revision) snapshot_ = {};
+  Renew(request.revision);
   std::string key = KeyOf(request);
   if (key == key_) return shown_;
   key_ = std::move(key);
@@ -71,8 +100,12 @@ void VariantCache::LoadSubject() {
   shown_.joints.clear();
   const forge::Variant& variant = *shown_.variant;
   if (variant.object == nullptr) return;
+  assets_.clear();
+  for (const bytes::Asset& asset : variant.document.assets) {
+    if (!asset.file.empty()) assets_.push_back(asset.file);
+  }
   std::string why_not;
-  shown_.subject = loader_.LoadText(variant.document.text, variant.document.assets, why_not);
+  shown_.subject = loader_->LoadText(variant.document.text, variant.document.assets, why_not);
   if (shown_.subject != nullptr) {
     shown_.joints = shown_.subject->joints();
   } else if (!variant.findings.HasErrors()) {
@@ -82,12 +115,13 @@ void VariantCache::LoadSubject() {
 }
 
 std::vector<std::filesystem::path> VariantCache::Files() const {
-  if (shown_.recipe) return shown_.recipe->spec->files;
-  std::vector<std::filesystem::path> files;
+  std::set<std::filesystem::path> files(assets_.begin(), assets_.end());
   for (std::uint32_t i = 1; i <= shown_.sources.size(); ++i) {
-    if (shown_.sources.Name(i) != kSettingOrigin) files.emplace_back(shown_.sources.Name(i));
+    if (shown_.sources.Name(i) != kSettingOrigin) files.emplace(shown_.sources.Name(i));
   }
-  return files;
+  for (const diag::Finding& finding : shown_.Findings())
+    files.insert(finding.files.begin(), finding.files.end());
+  return {files.begin(), files.end()};
 }
 
 }  // namespace mjforge::customize

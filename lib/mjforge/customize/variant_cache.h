@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -40,25 +41,31 @@ class VariantCache {
   VariantCache(std::string reference, std::vector<std::filesystem::path> search_path)
       : reference_(std::move(reference)), search_path_(std::move(search_path)) {}
 
+  /// Replaces texts that the spec would read as names in expressions, such as `pi`, by expressions
+  /// of texts: `${'pi'}`.
+  void QuoteNames(Request& request);
   /// Returns the spec with these settings, without a new variant.
   ShownVariant& LoadSpec(const Request& request);
   /// Returns the variant of the request, with at least these checks.
   ShownVariant& Make(const Request& request, CheckLevel level);
 
-  /// Returns the names of the files that the current spec was read from.
+  /// Returns the files on which the current spec and variant depend, and those that are missing.
   std::vector<std::filesystem::path> Files() const;
 
  private:
+  void Renew(std::uint64_t revision);
   void MakeVariant(const Request& request, CheckLevel level);
   void LoadSubject();
 
   std::string reference_;
   std::vector<std::filesystem::path> search_path_;
   std::uint64_t revision_ = 0;
+  std::optional<std::set<std::string>> names_;  // names that expressions can use
   spec::Snapshot snapshot_;
-  picture::Loader loader_;
-  std::string key_;          // revision and settings of `shown_`; empty: none
-  std::string variant_key_;  // seed and index of its variant; empty: none
+  std::optional<picture::Loader> loader_ = std::make_optional<picture::Loader>();
+  std::vector<std::filesystem::path> assets_;  // files of the last object
+  std::string key_;                            // revision and settings of `shown_`; empty: none
+  std::string variant_key_;                    // seed and index of its variant; empty: none
   ShownVariant shown_;
 };
 

@@ -21,12 +21,12 @@ std::string WhyNot(std::string_view json) {
 
 TEST_CASE("a request has the whole state of the page") {
   const Request request = Read(R"({"action": "draw", "seed": "18446744073709551615", "index": "7",
-    "quick": true, "simulate": true, "nine": true, "azimuth": 90, "elevation": -20, "zoom": 2,
+    "quick": true, "zero": true, "nine": true, "azimuth": 90, "elevation": -20, "zoom": 2,
     "layer": "joints", "width": 320, "joints": {"lid": 0.5}})");
   CHECK(request.action == "draw");
   CHECK(request.seed == 18446744073709551615U);
   CHECK(request.index == 7);
-  CHECK(request.simulate);
+  CHECK(request.zero);
   CHECK(request.nine);
   CHECK(request.picture.quick);
   CHECK(request.picture.view.azimuth == 90);

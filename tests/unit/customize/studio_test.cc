@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -5,6 +6,7 @@
 
 #include "harness/temporary_folder.h"
 #include "mjforge/customize/customize.h"
+#include "mjforge/output/output.h"
 
 namespace mjforge::customize {
 namespace {
@@ -163,6 +165,7 @@ TEST_CASE_METHOD(StudioTest, "a variant is exported as command, YAML, MJCF and P
   };
   CHECK(text("command") == "mjforge generate " + file_.string() + " --seed 7 --set height=0.3");
   CHECK(text("params") == "height: 0.3\n");
+  CHECK(text("seed") == "--seed 7 --index 0");
   CHECK(text("mjcf").find("<mujoco model=\"lamp\">") != std::string::npos);
   text("png");
   CHECK(last_.picture.starts_with("\x89PNG"));
@@ -202,8 +205,101 @@ TEST_CASE_METHOD(StudioTest, "physical checks run only if they are asked for") {
                 "mjforge: 1\nname: lamp\nparts: [{name: rod, type: capsule, size: [1cm, 20cm]}]\n"
                 "checks: {stable: true}\n");
   CHECK(Ask({{"action", "draw"}})["findings"].empty());
-  CHECK(Ask({{"action", "draw"}, {"quick", true}, {"simulate", true}})["findings"].empty());
-  CHECK_FALSE(Ask({{"action", "draw"}, {"simulate", true}})["findings"].empty());
+  const Json checked = Ask({{"action", "check"}});
+  REQUIRE(checked["findings"].size() == 1);
+  CHECK(checked["findings"][0]["finding"]["code"] == "physics/topples");
+}
+
+// Returns the number of frames of an animated WebP picture.
+int FramesOf(const std::string& picture) {
+  int frames = 0;
+  for (auto at = picture.find("ANMF"); at != picture.npos; at = picture.find("ANMF", at + 1))
+    ++frames;
+  return frames;
+}
+
+TEST_CASE_METHOD(StudioTest, "films show the simulated drop, and the drive of a joint") {
+  const Json drop = Ask({{"action", "film"}, {"width", 64}, {"height", 48}});
+  CHECK(drop["text"].get<std::string>().starts_with("Drop, "));
+  CHECK(last_.picture.starts_with("RIFF"));
+  CHECK(FramesOf(last_.picture) > 8);
+  const std::string first = last_.picture;
+  const Json drive =
+      Ask({{"action", "film"}, {"name", "lamp_hinge"}, {"width", 64}, {"height", 48}});
+  CHECK(drive["text"].get<std::string>().starts_with("Drive of lamp_hinge, "));
+  CHECK(FramesOf(last_.picture) == 32);
+  CHECK(last_.picture != first);
+  CHECK(Ask({{"action", "film"}, {"name", "none"}})["error"] ==
+        "joint 'none' has no range through which it can be driven");
+}
+
+TEST_CASE_METHOD(StudioTest,
+                 "joints are at the start pose, at zero, or where the request has them") {
+  folder_.Write("lamp.yaml", std::string(kLamp) + "pose: [{joint: hinge, value: 40deg}]\n");
+  const auto draw = [&](const Json& more) {
+    Json request = {{"action", "draw"}, {"quick", true}};
+    for (const auto& [key, value] : more.items()) request[key] = value;
+    const Json answer = Ask(request);
+    REQUIRE(answer["joints"].size() == 1);
+    return std::pair(answer["joints"][0]["value"].get<double>(), last_.picture);
+  };
+  const auto start = draw({});
+  const auto zero = draw({{"zero", true}});
+  CHECK(start.first == Approx(0.698132));
+  CHECK(zero.first == 0);
+  CHECK(zero.second != start.second);
+  CHECK(draw({{"joints", {{"lamp_hinge", 0}}}}).second == zero.second);
+  CHECK(draw({}).second == start.second);  // nothing of the other requests stays
+}
+
+TEST_CASE_METHOD(StudioTest, "a text that is a name of the expression language stays a text") {
+  folder_.Write("lamp.yaml",
+                "mjforge: 1\nname: lamp\nparams: {label: lamp, height: 20cm}\n"
+                "parts: [{name: rod, if: label != 'x', type: capsule, size: [1cm, height]}]\n");
+  for (const char* word : {"pi", "max", "index", "height", "label", "free"}) {
+    const Json settings = {{{"name", "label"}, {"value", word}}};
+    const Json answer = Ask({{"action", "draw"}, {"settings", settings}});
+    INFO(answer["findings"].dump());
+    CHECK(answer["values"]["label"] == word);
+    const Json params = Ask({{"action", "export"}, {"name", "params"}, {"settings", settings}});
+    const bool is_name = word != std::string("free");
+    CHECK(params["text"] ==
+          std::string("label: ") + (is_name ? "${'" : "") + word + (is_name ? "'}\n" : "\n"));
+  }
+}
+
+TEST_CASE_METHOD(StudioTest, "missing files are watched, and so are those of the object") {
+  folder_.Write("lamp.yaml",
+                "mjforge: 1\nname: lamp\nimport: [size.yaml]\n"
+                "parts: [{name: rod, type: mesh, file: rod.obj, scale: a}]\n");
+  const auto watches = [&](const char* name) {
+    return std::ranges::find(last_.files, folder_.path() / name) != last_.files.end();
+  };
+  CHECK_FALSE(Ask({{"action", "draw"}})["findings"].empty());
+  CHECK(watches("size.yaml"));
+  folder_.Write("size.yaml", "mjforge: 1\nparams: {a: 1}\n");
+  CHECK(Ask({{"action", "draw"}, {"revision", "1"}})["findings"].size() == 1);
+  CHECK(watches("rod.obj"));
+  const std::string tetrahedron =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  folder_.Write("rod.obj", tetrahedron);
+  CHECK(Ask({{"action", "draw"}, {"revision", "2"}})["findings"].empty());
+  CHECK(watches("rod.obj"));
+  CHECK(watches("size.yaml"));
+  const std::string small = last_.picture;
+  folder_.Write("rod.obj", "v 0 0 -3\n" + tetrahedron.substr(8));
+  Ask({{"action", "draw"}, {"revision", "3"}});
+  CHECK(last_.picture != small);
+  const Json exported = Ask({{"action", "export"}, {"name", "mjcf"}, {"revision", "3"}});
+  INFO(exported.dump());
+  REQUIRE(exported["text"] == "");
+  const std::filesystem::path archive = folder_.Write("lamp.tar", last_.picture);
+  diag::Findings findings;
+  const auto member = [&](const char* name) {
+    return output::ReadMember(archive, name, findings).value_or("");
+  };
+  CHECK(member("lamp/lamp.xml").find("file=\"assets/rod.obj\"") != std::string::npos);
+  CHECK(member("lamp/assets/rod.obj").starts_with("v 0 0 -3"));
 }
 
 TEST_CASE_METHOD(StudioTest, "a request that is wrong has an error as its answer") {
