@@ -41,7 +41,7 @@ ExitStatus WriteNew(const NewOptions& options, Console& console) {
   }
   if (output::WriteSingleFile(file, *text, console.findings))
     console.PrintLine(fmt::format("mjforge: note: wrote {}; `mjforge preview {}` draws it",
-                                  file.string(), file.string()));
+                                  file.string(), output::ShellWord(file.string())));
   return console.Report();
 }
 

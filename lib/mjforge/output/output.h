@@ -147,4 +147,7 @@ std::string MakeRule(std::span<const std::string> targets, const std::set<std::s
 /// Escapes a name for use in a rule.
 std::string EscapeForMake(std::string_view name);
 
+/// Returns a name as a word of a command line for a shell, in quotation marks if it needs them.
+std::string ShellWord(const std::string& word);
+
 }  // namespace mjforge::output
