@@ -4,17 +4,27 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
-#include <map>
 #include <memory>
 #include <set>
 
 #include "commands.h"
+#include "completion.h"
+#include "gallery.h"
 #include "json_output.h"
 #include "mjforge/forge/forge.h"
+#include "options.h"
 #include "text_table.h"
 
 namespace mjforge::app {
 namespace {
+
+// A spec of the catalogue.
+struct Item {
+  std::string name;
+  std::string description;
+  std::string words;    // names and meanings of the parameters
+  std::string problem;  // the reason why it cannot be loaded; empty: none
+};
 
 std::string LowerCase(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -22,70 +32,122 @@ std::string LowerCase(std::string text) {
 }
 
 // Returns true if the name, the description or the parameters of a spec contain each word.
-bool HasWords(const std::string& name, const spec::ObjectSpec& spec,
-              const std::vector<std::string>& words) {
-  std::string text = name + '\n' + spec.description;
-  for (const spec::Parameter& parameter : spec.parameters)
-    text += '\n' + parameter.name + ' ' + parameter.doc;
-  text = LowerCase(std::move(text));
+bool HasWords(const Item& item, const std::vector<std::string>& words) {
+  const std::string text =
+      LowerCase(fmt::format("{}\n{}\n{}", item.name, item.description, item.words));
   return std::ranges::all_of(words, [&](const std::string& word) {
     return text.find(LowerCase(word)) != std::string::npos;
   });
 }
 
-// Returns the descriptions of the specs in the search path that have these words, by name.
-std::map<std::string, std::string> ListItems(const std::vector<std::string>& words,
-                                             Console& console) {
+Item LoadItem(const std::string& name, const spec::LoadOptions& load, Console& console) {
+  Item item{name, {}, {}, {}};
+  diag::Findings findings;
+  if (const auto spec = spec::LoadSpec(name, load, console.sources, findings)) {
+    item.description = spec->description;
+    for (const spec::Parameter& parameter : spec->parameters)
+      item.words += fmt::format("{} {} ", parameter.name, parameter.doc);
+  } else {
+    const diag::Finding& first = findings[0];
+    item.problem =
+        first.mark ? fmt::format("line {}: {}", first.mark.line, first.message) : first.message;
+  }
+  console.findings.Append(std::move(findings));
+  return item;
+}
+
+// Returns the specs in the search path that have these words, by name. Specs that cannot be loaded
+// are findings; without words, they are among the results.
+std::vector<Item> ListItems(const std::vector<std::string>& words, Console& console) {
   spec::LoadOptions load;
   load.search_path = forge::SearchPath();
   std::set<std::string> seen;  // the first folder of the search path has priority
-  std::map<std::string, std::string> items;
+  std::vector<Item> items;
   for (const std::filesystem::path& folder : load.search_path) {
     for (const std::string& name : spec::ListSpecs(folder)) {
       if (!seen.insert(name).second) continue;
-      const auto spec = spec::LoadSpec(name, load, console.sources, console.findings);
-      if (spec != nullptr && HasWords(name, *spec, words)) items[name] = spec->description;
+      Item item = LoadItem(name, load, console);
+      if (HasWords(item, words)) items.push_back(std::move(item));
     }
   }
+  std::ranges::sort(items, {}, &Item::name);
   return items;
 }
 
-std::string Text(const std::map<std::string, std::string>& items) {
+std::string Text(const std::vector<Item>& items) {
   TextTable table({"spec", "description"});
-  for (const auto& [name, description] : items) table.Add({name, description});
+  for (const Item& item : items) {
+    if (item.problem.empty()) table.Add({item.name, item.description});
+  }
   return table.Render();
 }
 
-std::string JsonText(const std::map<std::string, std::string>& items) {
+std::string JsonText(const std::vector<Item>& items) {
   JsonOutput json;
   json.StartArray();
-  for (const auto& [name, description] : items) {
+  for (const Item& item : items) {
+    if (!item.problem.empty()) continue;
     json.StartObject();
-    json.Member("name", name);
-    json.Member("description", description);
+    json.Member("name", item.name);
+    json.Member("description", item.description);
     json.EndObject();
   }
   json.EndArray();
   return json.Take() + "\n";
 }
 
+ExitStatus MakeGallery(const GalleryOptions& options, std::vector<Item> items, Console& console) {
+  std::ranges::stable_sort(items, report::IsBeforeInGallery, &Item::name);
+  std::vector<report::GalleryCard> cards;
+  for (Item& item : items) {
+    report::GalleryCard card;
+    card.name = std::move(item.name);
+    card.description = std::move(item.description);
+    card.words = std::move(item.words);
+    card.problem = std::move(item.problem);
+    cards.push_back(std::move(card));
+  }
+  return WriteGallery(options, std::move(cards), console);
+}
+
+struct CatalogueOptions {
+  std::vector<std::string> words;
+  bool json = false;
+  GalleryOptions gallery;
+};
+
 }  // namespace
 
 Action AddCatalogue(CLI::App& command) {
-  auto words = std::make_shared<std::vector<std::string>>();
-  command.add_option("WORD", *words, "Specs with this in name, text or parameters")
+  auto options = std::make_shared<CatalogueOptions>();
+  command.add_option("WORD", options->words, "Specs with this in name, text or parameters")
       ->option_text(" ");
-  auto json = std::make_shared<bool>(false);
-  command.add_flag("--json", *json, "One JSON array");
-  return [words, json](Console& console) {
-    const auto items = ListItems(*words, console);
-    if (items.empty() && !words->empty()) {
+  CLI::Option* json = command.add_flag("--json", options->json, "One JSON array");
+  CLI::Option* html = command
+                          .add_option_function<std::string>(
+                              "--html",
+                              [options](const std::string& folder) {
+                                options->gallery.folder = folder.empty() ? "." : folder;
+                              },
+                              "Write a gallery: pages with pictures of the specs")
+                          ->option_text("DIR")
+                          ->check(Offers("."))
+                          ->excludes(json);
+  AddJobs(command, options->gallery.jobs, "--html: processes that draw");
+  AddTimeLimit(command, options->gallery.time_limit, "--html: CPU time per spec, s");
+  command.add_flag("--force", options->gallery.force, "--html: overwrite any file")->needs(html);
+  return [options](Console& console) {
+    std::vector<Item> items = ListItems(options->words, console);
+    if (items.empty() && !options->words.empty()) {
       console.findings.Add(diag::Code::kSpecNotFound, {},
-                           fmt::format("no spec has '{}'", fmt::join(*words, "' and '")),
+                           fmt::format("no spec has '{}'", fmt::join(options->words, "' and '")),
                            "`mjforge catalogue` lists all specs");
     }
+    if (!options->gallery.folder.empty() && !items.empty())
+      return MakeGallery(options->gallery, std::move(items), console);
     const ExitStatus status = console.Report();
-    return Worse(status, *json ? PrintBytes(JsonText(items)) : Print(Text(items)));
+    if (!options->gallery.folder.empty()) return status;
+    return Worse(status, options->json ? PrintBytes(JsonText(items)) : Print(Text(items)));
   };
 }
 

@@ -68,6 +68,7 @@ constexpr Command kCommands[] = {
     {"catalogue", "List the specs that can be used by name", AddCatalogue,
      "  mjforge catalogue\n"
      "  mjforge catalogue lid hinge\n"
+     "  mjforge catalogue --html gallery/\n"
      "  MJFORGE_PATH=~/my-specs mjforge catalogue --json"},
     {"schema", "Print a JSON Schema", AddSchema,
      "  mjforge schema > object.schema.json\n"

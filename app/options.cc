@@ -130,6 +130,13 @@ void AddTimeLimit(CLI::App& command, Seconds& limit, const std::string& doc) {
       ->option_text(fmt::format("S [{:g}]", limit.count()));
 }
 
+void AddJobs(CLI::App& command, std::uint64_t& jobs, const std::string& doc) {
+  const auto set_jobs = [&jobs](std::uint64_t number) { jobs = number; };
+  AddBounded<std::uint64_t>(command, "-j,--jobs", ParseWhole, set_jobs, 1, kMaxJobs,
+                            fmt::format("a number of processes from 1 to {}", kMaxJobs), doc)
+      ->option_text("N [cores]");
+}
+
 void AddBatchOptions(CLI::App& command, BatchOptions& options) {
   batch::Request& request = options.request;
   command.add_option("SPEC", options.specs, "A file, a name in the catalogue, or - (stdin)")
@@ -138,11 +145,7 @@ void AddBatchOptions(CLI::App& command, BatchOptions& options) {
       ->check(Offers(kSpecs));
   AddWholeNumber(command, "-n,--count", request.count, "Variants to make", 1);
   AddSpecOptions(command, options.spec);
-  const auto set_jobs = [&request](std::uint64_t jobs) { request.jobs = jobs; };
-  AddBounded<std::uint64_t>(command, "-j,--jobs", ParseWhole, set_jobs, 1, kMaxJobs,
-                            fmt::format("a number of processes from 1 to {}", kMaxJobs),
-                            "Processes that make variants")
-      ->option_text("N [cores]");
+  AddJobs(command, request.jobs, "Processes that make variants");
   AddTimeLimit(command, request.time_limit, "CPU time per variant, s; wall time 10 S + 5");
 }
 

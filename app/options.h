@@ -67,6 +67,9 @@ batch::Request RequestOf(const BatchOptions& options);
 /// Returns the exit status of a finished or stopped batch.
 ExitStatus StatusOf(const batch::Summary& summary);
 
+/// Adds --jobs, which sets `jobs` to a number of processes.
+void AddJobs(CLI::App& command, std::uint64_t& jobs, const std::string& doc);
+
 /// Adds --set NAME=VALUE.
 void AddSettings(CLI::App& command, std::vector<std::string>& settings, const std::string& doc);
 std::vector<spec::Setting> MakeSettings(const std::vector<std::string>& texts);

@@ -11,7 +11,7 @@ namespace mjforge::app {
 
 namespace {
 
-constexpr std::chrono::milliseconds kInterval(50);
+constexpr std::chrono::milliseconds kPollInterval(50);
 
 }  // namespace
 
@@ -48,7 +48,7 @@ bool WatchedFiles::HasChanged() {
 void WatchedFiles::Wait() {
   Stamps last = Now();
   for (bool is_steady = false; last == stamps_ || !is_steady;) {
-    std::this_thread::sleep_for(kInterval);
+    std::this_thread::sleep_for(kPollInterval);
     Stamps now = Now();
     is_steady = now == last;
     last = std::move(now);

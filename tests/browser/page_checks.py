@@ -127,8 +127,8 @@ def _ids_are_unique(browser):
       return ids.filter((id, i) => ids.indexOf(id) !== i);"""), "twice")
 
 
-def run_all(browser, pages, name):
-    page = pages.page(name)
+def run_basics(browser, pages, page, name):
+    """Checks that hold of every page."""
     check(f"{name}: valid HTML", _is_valid, page)
     for scheme in ("light", "dark"):
         for width in (DESKTOP, PHONE):
@@ -139,11 +139,15 @@ def run_all(browser, pages, name):
             check(f"{at}: contrast of texts", lambda: _empty(browser.run(CONTRAST), "too low"))
             check(f"{at}: contrast of graphics", lambda: _empty(browser.run(GRAPHICS), "too low"))
             browser.take_picture(pages.folder / f"{name}-{scheme}-{width}.png", full=True)
-    check(f"{name}: shows what it should", _shows, browser, name)
     check(f"{name}: pictures load", _pictures_load, browser)
     check(f"{name}: pictures and charts have names",
           lambda: _empty(browser.run(NAMELESS), "nameless"))
     check(f"{name}: no id twice", _ids_are_unique, browser)
+
+
+def run_all(browser, pages, name):
+    run_basics(browser, pages, pages.page(name), name)
+    check(f"{name}: shows what it should", _shows, browser, name)
 
 
 def _sorts(browser):

@@ -31,9 +31,9 @@ class Pages:
         self.program = program
         self.folder = folder
 
-    def run(self, *arguments, status=0):
-        done = subprocess.run([self.program, *arguments], cwd=self.folder, capture_output=True,
-                              text=True, env={**os.environ, "NO_COLOR": "1"}, check=False)
+    def run(self, *arguments, status=0, environment=None):
+        done = subprocess.run([self.program, *arguments], cwd=self.folder, capture_output=True, text=True,
+                              env={**os.environ, "NO_COLOR": "1", **(environment or {})}, check=False)
         if done.returncode != status:
             raise AssertionError(f"{' '.join(map(str, arguments))}: status {done.returncode}: "
                                  f"{done.stderr}")

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The pages of `mjforge report` and `mjforge customize`, in a real Chromium without a window: what is
+"""The pages of `mjforge report`, `mjforge catalogue --html` and `mjforge customize`, in a real Chromium without a window: what is
 there, in light and dark, on a phone, with the keyboard and without a script. Says a line about each
 check, and counts them.
 
@@ -16,6 +16,7 @@ import sys
 sys.path.insert(1, str(pathlib.Path(__file__).resolve().parent.parent / "slurm"))
 
 import customize_checks  # noqa: E402
+import gallery_checks  # noqa: E402
 import page_checks  # noqa: E402
 from browser import Browser  # noqa: E402
 from pages import Pages  # noqa: E402
@@ -30,10 +31,12 @@ def run_all(program, folder):
             scenario(name, page_checks.run_all, browser, pages, name)
         scenario("sorting and filtering", page_checks.run_controls, browser, pages)
         scenario("hostile texts", page_checks.run_hostile, browser, pages)
+        scenario("gallery", gallery_checks.run_all, browser, pages)
         scenario("customize", customize_checks.run_all, browser, program, folder)
         scenario("tasks with customize", customize_checks.run_tasks, browser, program, folder)
     with Browser(folder / "profile-without-script", script=False) as browser:
         scenario("without a script", page_checks.run_without_script, browser, pages)
+        scenario("gallery without a script", gallery_checks.run_without_script, browser, pages)
 
 
 def main():

@@ -32,6 +32,7 @@ TEST_CASE_METHOD(ReportTest, "a report is a page beside the manifest, the same e
   CHECK(page.starts_with("<!doctype html>\n"));
   CHECK(Has(page, "<code>0.1 .. 0.2</code>"));
   CHECK(Has(page, "Half the height."));
+  CHECK(Has(page, ">mjforge: 1\nname: crate\n"));
   CHECK(Has(page, "class=\"asked\""));
   CHECK(Has(page, "<code>mjforge replay out/manifest.jsonl:11</code>"));
   CHECK(Has(page, "src=\"data:image/webp;base64,"));

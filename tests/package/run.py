@@ -85,6 +85,9 @@ def works(empty):
     expect("same bytes" in said, said)
     expect(": ok, 1 body" in run("mjforge", "validate", "out/hammer_000000.xml", folder=empty),
            "not valid")
+    said = run("mjforge", "catalogue", "knurled", "--html", "gallery", folder=empty)
+    expect("1 spec in gallery/index.html" in said, said)
+    expect((empty / "gallery/specs/tools/adjustable_wrench.html").exists(), "no page in the gallery")
 
 
 def has_man_pages(empty):

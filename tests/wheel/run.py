@@ -133,6 +133,9 @@ def proves(place):
 def draws(place):
     place.run("mjforge", "preview", "mug", "-o", "mug.png")
     expect((place.empty / "mug.png").read_bytes()[:4] == b"\x89PNG", "not a picture")
+    place.run("mjforge", "catalogue", "knurled", "--html", "gallery")
+    page = (place.empty / "gallery/specs/tools/adjustable_wrench.html").read_text(encoding="utf-8")
+    expect('<img src="data:image/webp;base64,' in page, "no picture in the gallery")
 
 
 def has_the_module(place):

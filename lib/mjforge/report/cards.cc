@@ -10,6 +10,7 @@
 #include <set>
 
 #include "mjforge/expr/expr.h"
+#include "mjforge/output/output.h"
 #include "mjforge/report/axis.h"
 #include "mjforge/report/colors.h"
 
@@ -50,15 +51,6 @@ void SetMeasure(Dictionary& card, const char* text, const char* number, std::opt
                 std::string_view unit) {
   Set(card, text, value ? fmt::format("{} {}", ShortNumber(*value), unit) : "none");
   Set(card, number, value ? expr::NumberText(*value) : "");
-}
-
-std::string QuotedForShell(const std::string& word) {
-  constexpr std::string_view kPlain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:+,@%=-";
-  if (word.find_first_not_of(kPlain) == word.npos) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
 }
 
 class CardMaker {
@@ -158,10 +150,8 @@ class CardMaker {
                          ValueText(params[i].second), UnitOf(params[i].first));
     }
     Dictionary& picture = Section(card, "PICTURE");
-    Set(picture, "DATA", "data:image/webp;base64," + Base64(thumbnail->webp));
+    SetPicture(picture, *thumbnail);
     Set(picture, "ALT", alt);
-    Set(picture, "WIDTH", fmt::format("{}", thumbnail->width));
-    Set(picture, "HEIGHT", fmt::format("{}", thumbnail->height));
     return true;
   }
 
@@ -193,8 +183,8 @@ std::vector<std::size_t> OrderOfMaking(const std::vector<ShownVariant>& chosen) 
 
 std::string ReplayCommand(const Request& request, std::uint64_t index) {
   const std::string what = fmt::format("{}:{}", request.manifest.generic_string(), index);
-  const std::string spec = request.spec.empty() ? "" : " --spec " + QuotedForShell(request.spec);
-  return fmt::format("mjforge replay {}{}", QuotedForShell(what), spec);
+  const std::string spec = request.spec.empty() ? "" : " --spec " + output::ShellWord(request.spec);
+  return fmt::format("mjforge replay {}{}", output::ShellWord(what), spec);
 }
 
 Cards MakeCards(const std::vector<ShownVariant>& chosen, const Batch& batch, const Request& request,

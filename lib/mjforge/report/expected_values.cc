@@ -17,28 +17,31 @@ constexpr std::uint64_t kOtherSeed = 0x9e3779b97f4a7c15;
 
 }  // namespace
 
-ParameterTallies DrawExpected(const forge::Recipe& recipe, const ManifestSummary& summary) {
-  const spec::ObjectSpec& spec = *recipe.spec;
-  ParameterTallies expected;
-  if (!summary.first) return expected;
+ParameterTallies DrawParameters(const spec::ObjectSpec& spec, const DrawRange& range) {
+  ParameterTallies drawn;
   std::vector<std::pair<std::string, sample::ParameterValue>> params(spec.parameters.size());
   std::uint64_t attempts = 0;
-  const std::uint64_t span =
-      std::max(summary.last_index, summary.first->index) - summary.first->index;
-  const double stride = (static_cast<double>(span) + 1) / static_cast<double>(kSamples);
+  const double stride = (static_cast<double>(range.span) + 1) / static_cast<double>(kSamples);
   for (std::uint64_t i = 0; i < kSamples && attempts < kAttempts; ++i) {
     const auto offset = static_cast<std::uint64_t>(static_cast<double>(i) * stride);
-    const sample::DrawKey key{(summary.first->seed ^ kOtherSeed) + i,
-                              summary.first->index + std::min(offset, span), 0};
+    const sample::DrawKey key{range.seed + i, range.first + std::min(offset, range.span), 0};
     diag::Findings ignored;
     const auto values = sample::Sample(spec, key, sample::kRootStream, {}, ignored);
     attempts += values ? values->key().attempt + 1 : sample::kMaxAttempts;
     if (!values) continue;
     for (std::size_t p = 0; p < params.size(); ++p)
       params[p] = {spec.parameters[p].name, values->Parameter(p)};
-    expected.Add(params, false);
+    drawn.Add(params, false);
   }
-  return expected;
+  return drawn;
+}
+
+ParameterTallies DrawExpected(const forge::Recipe& recipe, const ManifestSummary& summary) {
+  if (!summary.first) return {};
+  const std::uint64_t first = summary.first->index;
+  return DrawParameters(*recipe.spec, {.seed = summary.first->seed ^ kOtherSeed,
+                                       .first = first,
+                                       .span = std::max(summary.last_index, first) - first});
 }
 
 }  // namespace mjforge::report

@@ -23,21 +23,6 @@ constexpr std::size_t kHeadBytes = 4096;
 // Room for sentences that depend on the shown variants.
 constexpr std::size_t kSpareBytes = 20'000;
 
-// Specs longer than this are not shown in the report.
-constexpr std::size_t kMaxSpecBytes = 100'000;
-
-// Cleans each line, so that line ends are kept.
-std::string CleanText(std::string_view text) {
-  std::string clean;
-  while (!text.empty()) {
-    std::string_view line = text.substr(0, text.find('\n'));
-    text.remove_prefix(std::min(line.size() + 1, text.size()));
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    clean += Clean(line, 2000) + '\n';
-  }
-  return clean;
-}
-
 // Loads the recorded spec. If that fails, adds its first finding as a warning and as a notice,
 // because the page can still show the drawn values.
 void LoadSpec(const Request& request, Batch& batch, diag::Sources& sources,
@@ -57,8 +42,7 @@ void LoadSpec(const Request& request, Batch& batch, diag::Sources& sources,
     return;
   }
   batch.expected = DrawExpected(*batch.recipe, batch.summary);
-  if (sources.size() >= first_source && sources.Text(first_source).size() <= kMaxSpecBytes)
-    batch.spec_text = CleanText(sources.Text(first_source));
+  if (sources.size() >= first_source) batch.spec_text = CleanSpec(sources.Text(first_source));
 }
 
 void AddNotices(const Request& request, std::uint64_t bad_lines, Batch& batch,

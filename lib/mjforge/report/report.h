@@ -1,7 +1,7 @@
-// HTML report about a batch, made from its manifest.
+// HTML report about a batch, made from its manifest, and pages about specs (gallery.h).
 //
-// The page shows the expected and the drawn values of the parameters, the findings, and pictures of
-// some of the objects. The page needs no network, no other file and no script. Equal input gives
+// A report shows the expected and the drawn values of the parameters, the findings, and pictures of
+// some of the objects. A report needs no network, no other file and no script. Equal input gives
 // equal bytes.
 
 #pragma once
@@ -15,7 +15,9 @@
 
 #include "mjforge/diag/diag.h"
 #include "mjforge/manifest/manifest.h"
+#include "mjforge/report/gallery.h"
 #include "mjforge/report/manifest_summary.h"
+#include "mjforge/report/thumbnail.h"
 
 namespace mjforge::report {
 
@@ -29,11 +31,6 @@ struct Request {
 /// Maximum size of a page.
 inline constexpr std::size_t kMaxBytes = 10'000'000;
 
-struct Thumbnail {
-  std::string webp;
-  int width = 0;  // pixels
-  int height = 0;
-};
 /// Draws a small picture of a record's object; nothing if there is none. Called once for each
 /// variant that is shown.
 using Thumbnailer = std::function<std::optional<Thumbnail>(const manifest::Record&)>;

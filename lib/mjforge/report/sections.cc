@@ -211,6 +211,16 @@ void AddFindings(Dictionary& body, const ManifestSummary& summary) {
   for (const auto& [name, tally] : codes) AddCode(list, name, *tally, summary.variants);
 }
 
+void AddParameterPanels(Dictionary& parent, const Batch& batch,
+                        const std::function<bool(const ParameterTally&)>& is_shown) {
+  const std::vector<ParameterTally>& drawn = batch.summary.params.list();
+  Dictionary& list = Include(parent, "PANELS", TemplateName::kPanels);
+  std::map<std::string, std::vector<std::string>> colors = DrawnColors(batch);
+  for (std::size_t i = 0; i < std::min(drawn.size(), kMaxParameters); ++i) {
+    if (is_shown(drawn[i])) ParameterPanels(list, batch, drawn[i], i)(colors[drawn[i].name]);
+  }
+}
+
 void AddParameters(Dictionary& body, const Batch& batch) {
   const std::vector<ParameterTally>& drawn = batch.summary.params.list();
   if (drawn.empty()) return;
@@ -223,9 +233,7 @@ void AddParameters(Dictionary& body, const Batch& batch) {
         section, "MORE",
         fmt::format("The first {} of {}.", kMaxParameters, CountText(drawn.size(), "parameter")));
   }
-  std::map<std::string, std::vector<std::string>> colors = DrawnColors(batch);
-  for (std::size_t i = 0; i < std::min(drawn.size(), kMaxParameters); ++i)
-    ParameterPanels(section, batch, drawn[i], i)(colors[drawn[i].name]);
+  AddParameterPanels(section, batch, [](const ParameterTally&) { return true; });
   if (batch.spec_text.empty()) return;
   Dictionary& text = Section(section, "SPEC_TEXT");
   Set(text, "FILE", Clean(batch.summary.first->spec));

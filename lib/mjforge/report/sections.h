@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +24,15 @@ struct Batch {
   std::vector<std::string> notices;
 };
 
+/// Seeds and indices of draws: seeds from `seed` on, indices spread from `first` to `first + span`.
+struct DrawRange {
+  std::uint64_t seed = 0;
+  std::uint64_t first = 0;
+  std::uint64_t span = 0;
+};
+/// Draws the parameters of a spec many times. Draws that fail are not counted.
+ParameterTallies DrawParameters(const spec::ObjectSpec& spec, const DrawRange& range);
+
 /// Draws the parameters again, which estimates their expected distributions even if ranges depend
 /// on other parameters or requirements reject draws. The indices are spread evenly over the batch;
 /// the seeds are different. Draws that fail are not counted.
@@ -33,6 +44,9 @@ void AddOverview(Dictionary& page, const Request& request, const Batch& batch);
 // Sections of the body.
 void AddFindings(Dictionary& body, const ManifestSummary& summary);
 void AddParameters(Dictionary& body, const Batch& batch);
+/// Adds a panel with a chart for each parameter that `is_shown` accepts, at the marker PANELS.
+void AddParameterPanels(Dictionary& parent, const Batch& batch,
+                        const std::function<bool(const ParameterTally&)>& is_shown);
 void AddMassAndSize(Dictionary& body, const ManifestSummary& summary);
 void AddPhysics(Dictionary& body, const ManifestSummary& summary);
 

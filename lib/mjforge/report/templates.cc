@@ -19,10 +19,14 @@ extern const std::string_view kCardHtml;
 extern const std::string_view kHistogramHtml;
 extern const std::string_view kBarsHtml;
 extern const std::string_view kScatterHtml;
+extern const std::string_view kPanelsHtml;
+extern const std::string_view kGalleryHtml;
+extern const std::string_view kSpecHtml;
 
 namespace {
 
-constexpr std::array kNames = {"page", "card", "histogram", "bars", "scatter"};
+constexpr std::array kNames = {"page",    "card",   "histogram", "bars",
+                               "scatter", "panels", "gallery",   "spec"};
 
 const char* NameOf(TemplateName name) { return kNames[static_cast<std::size_t>(name)]; }
 
@@ -32,7 +36,8 @@ ctemplate::TemplateString View(std::string_view text) {
 
 // Registers the templates. Call it once per process.
 bool LoadTemplates() {
-  const std::array texts = {kPageHtml, kCardHtml, kHistogramHtml, kBarsHtml, kScatterHtml};
+  const std::array texts = {kPageHtml,    kCardHtml,   kHistogramHtml, kBarsHtml,
+                            kScatterHtml, kPanelsHtml, kGalleryHtml,   kSpecHtml};
   bool loaded = true;
   for (std::size_t i = 0; i < texts.size(); ++i) {
     loaded =
@@ -82,12 +87,31 @@ std::string Clean(std::string_view text, std::size_t limit) {
   return clean.substr(0, end) + "...";
 }
 
+std::string CleanSpec(std::string_view text) {
+  constexpr std::size_t kMaxBytes = 100'000;
+  std::string clean;
+  if (text.size() > kMaxBytes) return clean;
+  while (!text.empty()) {
+    std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    clean += Clean(line, 2000) + '\n';
+  }
+  return clean;
+}
+
 std::string Base64(std::string_view bytes) {
   namespace iterators = boost::archive::iterators;
   using Digits = iterators::base64_from_binary<iterators::transform_width<const char*, 6, 8>>;
   std::string text(Digits(bytes.data()), Digits(bytes.data() + bytes.size()));
   text.append((3 - bytes.size() % 3) % 3, '=');
   return text;
+}
+
+void SetPicture(Dictionary& picture, const Thumbnail& image) {
+  Set(picture, "DATA", "data:image/webp;base64," + Base64(image.webp));
+  Set(picture, "WIDTH", fmt::format("{}", image.width));
+  Set(picture, "HEIGHT", fmt::format("{}", image.height));
 }
 
 std::string CountText(std::uint64_t number) {

@@ -12,11 +12,13 @@
 
 #include <ctemplate/template_dictionary.h>
 
+#include "mjforge/report/thumbnail.h"
+
 namespace mjforge::report {
 
 using Dictionary = ctemplate::TemplateDictionary;
 
-enum class TemplateName { kPage, kCard, kHistogram, kBars, kScatter };
+enum class TemplateName { kPage, kCard, kHistogram, kBars, kScatter, kPanels, kGallery, kSpec };
 
 /// Fills a template with the values of a dictionary.
 std::string Expand(TemplateName name, const Dictionary& dictionary);
@@ -37,8 +39,15 @@ void ShowText(Dictionary& parent, const char* section, std::string_view text);
 /// at most `limit` bytes and three dots.
 std::string Clean(std::string_view text, std::size_t limit = 300);
 
+/// Makes the lines of a spec safe to show; returns an empty text if the spec is too long for a
+/// page.
+std::string CleanSpec(std::string_view text);
+
 /// Base64 of RFC 4648: "aGk=".
 std::string Base64(std::string_view bytes);
+
+/// Fills in DATA, WIDTH and HEIGHT of a picture that is part of the page.
+void SetPicture(Dictionary& picture, const Thumbnail& image);
 
 /// "1,234,567".
 std::string CountText(std::uint64_t number);

@@ -37,8 +37,9 @@ TEST_CASE("a text in a template is escaped, between tags and in an attribute") {
 TEST_CASE("a text in a chart is escaped") {
   ctemplate::TemplateDictionary page("page");
   BarChart chart{"id", kHostile, {{kHostile, {1, 0}}, {"b", {2, 1}}}, {}};
-  Dictionary& body = Section(Section(page, "BODY"), "PARAMETERS");
-  AddBars(Section(body, "PARAMETER"), chart);
+  Dictionary& parameters = Section(Section(page, "BODY"), "PARAMETERS");
+  Dictionary& list = Include(parameters, "PANELS", TemplateName::kPanels);
+  AddBars(Section(list, "PARAMETER"), chart);
   const std::string html = Expand(TemplateName::kPage, page);
   CHECK(html.find(std::string("<title id=\"id-title\">") + kEscaped) != html.npos);
   CHECK(html.find("<img src=x") == html.npos);

@@ -1,0 +1,236 @@
+// Pages of specs for `mjforge catalogue --html`: variants, pictures, films of joints.
+#include "gallery_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "gallery_features.h"
+#include "mjforge/forge/forge.h"
+#include "mjforge/output/output.h"
+
+namespace mjforge::app {
+namespace {
+
+constexpr std::uint64_t kSeed = 7;
+constexpr std::uint64_t kTiles = 8;
+constexpr std::uint64_t kMeasured = 24;  // variants for ranges of mass and size
+constexpr std::size_t kFilms = 4;
+constexpr int kFrames = 9;
+
+constexpr std::pair kLarge = {640, 480};
+constexpr std::pair kTile = {320, 240};
+constexpr std::pair kCard = {256, 256};
+constexpr int kQuality = 80;
+
+report::Thumbnail Encode(const picture::Image& image) {
+  return {picture::EncodeWebp(image, kQuality), image.width, image.height};
+}
+
+report::GalleryPicture PictureOf(const report::Thumbnail& image, std::string alt,
+                                 std::string caption) {
+  report::GalleryPicture picture;
+  picture.image = image;
+  picture.alt = std::move(alt);
+  picture.caption = std::move(caption);
+  return picture;
+}
+
+std::optional<report::Thumbnail> Draw(picture::Renderer& renderer, picture::Subject& subject,
+                                      std::pair<int, int> size) {
+  diag::Findings ignored;  // the page has one picture less
+  const auto [width, height] = size;
+  const auto image = renderer.Draw(subject, {.width = width, .height = height}, ignored);
+  return image ? std::optional(Encode(*image)) : std::nullopt;
+}
+
+// Returns a joint's name without the number at its end, so that equal joints have one film.
+std::string_view WithoutNumber(std::string_view name) {
+  while (!name.empty() && std::string_view("0123456789_").find(name.back()) != name.npos)
+    name.remove_suffix(1);
+  return name;
+}
+
+// Returns the first error, or the first finding if there is no error.
+const diag::Finding& FirstError(const diag::Findings& findings) {
+  const auto error = std::ranges::find(findings, diag::Severity::kError, &diag::Finding::severity);
+  return error == findings.end() ? findings[0] : *error;
+}
+
+// Makes the page of one spec.
+class PageMaker {
+ public:
+  PageMaker(std::string name, forge::Recipe recipe, diag::Sources& sources)
+      : name_(std::move(name)), recipe_(std::move(recipe)), sources_(sources) {
+    options_.seed = kSeed;
+    options_.validation = forge::Validation::kNone;
+  }
+
+  /// Makes variants; returns false if there is none. `findings` are those of the failed ones.
+  bool MakeVariants(diag::Findings& findings) {
+    // Scenes take long.
+    const std::uint64_t count = recipe_.spec->has_place ? kTiles : kMeasured;
+    forge::Generator generator(recipe_, sources_, options_);
+    forge::Variant variant;
+    std::uint64_t failed = 0;
+    for (std::uint64_t i = 0; i < count; ++i) {
+      generator.Make(i, variant);
+      findings.Append(variant.findings);
+      const bool is_good =
+          variant.ok() && ((i >= kTiles && !subjects_.empty()) || Load(variant, findings));
+      if (is_good) {
+        page_.variants.push_back(variant.record);
+      } else {
+        ++failed;
+      }
+    }
+    if (subjects_.empty()) return false;
+    if (failed > 0) {
+      page_.notices.push_back(fmt::format("{} of {} variants could not be made: {}", failed, count,
+                                          FirstError(findings).message));
+    }
+    return true;
+  }
+
+  void DrawPictures(picture::Renderer& renderer, report::GalleryCard& card) {
+    if (subjects_.empty()) return;
+    const auto& [first, subject] = subjects_.front();
+    if (auto large = Draw(renderer, *subject, kLarge)) {
+      page_.large = PictureOf(*large, fmt::format("Variant {} of {}", first, name_),
+                              fmt::format("Variant {} of seed {}", first, kSeed));
+    }
+    card.picture = Draw(renderer, *subject, kCard);
+    for (const auto& [index, tile] : subjects_) {
+      if (auto drawn = Draw(renderer, *tile, kTile)) {
+        page_.tiles.push_back(PictureOf(*drawn, fmt::format("Variant {} of {}", index, name_),
+                                        fmt::format("Variant {}", index)));
+      }
+    }
+    DrawFilms(renderer, *subject);
+  }
+
+  std::string Finish(report::GalleryCard& card) {
+    card.facts = ShortFacts(page_.variants, *typical_.object);
+    card.has_page = true;
+    page_.facts = FactsOf(page_.variants, typical_);
+    page_.features = FeaturesOf(*typical_.object);
+    page_.features.push_back(TargetsOf(recipe_, sources_, options_, typical_.record.index));
+    page_.name = name_;
+    page_.text = sources_.Text(1);
+    page_.recipe = std::move(recipe_);
+    return report::MakeSpecPage(std::move(page_));
+  }
+
+ private:
+  bool Load(const forge::Variant& variant, diag::Findings& findings) {
+    std::string why_not;
+    auto subject = loader_.LoadText(variant.document.text, variant.document.assets, why_not);
+    if (!subject) {
+      findings.Add(diag::Code::kMujocoError, {}, fmt::format("MuJoCo refused it: {}", why_not));
+      return false;
+    }
+    if (subjects_.empty()) typical_ = variant;
+    subjects_.emplace_back(variant.record.index, std::move(subject));
+    return true;
+  }
+
+  void DrawFilms(picture::Renderer& renderer, picture::Subject& subject) {
+    std::set<std::string_view> drawn;
+    const std::vector<picture::Joint> joints = subject.joints();
+    for (std::size_t i = 0; i < joints.size() && page_.films.size() < kFilms; ++i) {
+      const picture::Joint& joint = joints[i];
+      const bool can_move =
+          joint.type == picture::Joint::Type::kHinge || joint.type == picture::Joint::Type::kSlide;
+      if (can_move && joint.limited && drawn.insert(WithoutNumber(joint.name)).second)
+        DrawFilm(renderer, subject, static_cast<int>(i), joint);
+    }
+  }
+
+  void DrawFilm(picture::Renderer& renderer, picture::Subject& subject, int number,
+                const picture::Joint& joint) {
+    std::vector<picture::JointPositions> poses;
+    for (int i = 0; i < kFrames; ++i) {
+      const double share = static_cast<double>(i) / (kFrames - 1);
+      poses.push_back({{number, joint.range[0] + share * (joint.range[1] - joint.range[0])}});
+    }
+    diag::Findings ignored;  // the page has one film less
+    const auto frames = renderer.DrawMotion(
+        subject, poses, {.width = kTile.first, .height = kTile.second}, ignored);
+    if (!frames) return;
+    const std::string name = ShortName(*typical_.object, joint.name);
+    report::Film film{name, {}};
+    for (std::size_t i = 0; i < frames->size(); ++i) {
+      const double value = poses[i].front().second;
+      const std::string text =
+          joint.type == picture::Joint::Type::kSlide ? LengthText(value) : AngleText(value);
+      film.frames.push_back(PictureOf(Encode((*frames)[i]),
+                                      fmt::format("{} with {} at {}", name_, name, text), text));
+    }
+    page_.films.push_back(std::move(film));
+  }
+
+  std::string name_;
+  forge::Recipe recipe_;
+  diag::Sources& sources_;
+  forge::Options options_;
+  picture::Loader loader_;
+  forge::Variant typical_;  // the variant in the large picture
+  std::vector<std::pair<std::uint64_t, std::unique_ptr<picture::Subject>>> subjects_;
+  report::SpecPage page_;
+};
+
+// Returns the first error, without its place, as a finding about the spec.
+diag::Finding Problem(const std::string& name, const diag::Findings& findings) {
+  const diag::Finding& first = FirstError(findings);
+  return {.code = first.code,
+          .mark = {},
+          .message = fmt::format("'{}': {}", name, first.message),
+          .hint = first.hint,
+          .notes = {},
+          .seed = {},
+          .index = {}};
+}
+
+}  // namespace
+
+GalleryResult GalleryPages::Make(const std::string& name) {
+  GalleryResult result;
+  diag::Sources sources;
+  diag::Findings findings;
+  spec::LoadOptions load;
+  load.search_path = forge::SearchPath();
+  auto recipe = forge::LoadRecipe(name, load, sources, findings);
+  std::optional<PageMaker> maker;
+  if (recipe) maker.emplace(name, *std::move(recipe), sources);
+  if (!maker || !maker->MakeVariants(findings)) {
+    result.finding = Problem(name, findings);
+    result.card.problem = result.finding->message;
+    return result;
+  }
+  diag::Findings drawing;
+  if (picture::Renderer* renderer = OpenRenderer(drawing)) {
+    maker->DrawPictures(*renderer, result.card);
+  } else if (!drawing.empty()) {
+    result.finding = drawing[0];
+  }
+  const std::filesystem::path file = report::GalleryPageFile(name);
+  output::MadeFolders folders;
+  diag::Findings written;
+  if (!folders.MakeBelow(folder_, file.parent_path(), written) ||
+      !output::WriteFile(folder_ / file, maker->Finish(result.card), false, written)) {
+    result.card.has_page = false;
+    result.finding = Problem(name, written);
+    result.card.problem = result.finding->message;
+  }
+  return result;
+}
+
+// Opens the renderer once; later calls return the same one.
+picture::Renderer* GalleryPages::OpenRenderer(diag::Findings& findings) {
+  if (!std::exchange(is_opened_, true)) renderer_ = picture::Renderer::Open(findings);
+  return renderer_.get();
+}
+
+}  // namespace mjforge::app

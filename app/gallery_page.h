@@ -1,0 +1,42 @@
+// Pages of specs for `mjforge catalogue --html`.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/picture/picture.h"
+#include "mjforge/report/report.h"
+
+namespace mjforge::app {
+
+/// Result for one spec of a gallery.
+struct GalleryResult {
+  report::GalleryCard card;
+  std::optional<diag::Finding> finding;  // without a place; an error if there is no page
+
+  /// Returns the result as bytes, for another process.
+  std::string Pack() const;
+  static GalleryResult Unpack(std::string_view bytes);
+};
+
+/// Makes variants of specs, draws them, and writes a page for each spec.
+class GalleryPages {
+ public:
+  /// Pages are written to this folder.
+  explicit GalleryPages(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  /// Makes the page of a spec in the search path. The card has no description.
+  GalleryResult Make(const std::string& name);
+
+ private:
+  picture::Renderer* OpenRenderer(diag::Findings& findings);
+
+  std::filesystem::path folder_;
+  bool is_opened_ = false;
+  std::unique_ptr<picture::Renderer> renderer_;  // opened for the first picture; null: none
+};
+
+}  // namespace mjforge::app

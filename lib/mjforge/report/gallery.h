@@ -1,0 +1,76 @@
+// Pages of a gallery of specs: an index with a card for each spec, and a page for each spec.
+//
+// A page contains its pictures, style and script, and needs no network. Equal input gives equal
+// bytes.
+
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mjforge/forge/forge.h"
+#include "mjforge/manifest/manifest.h"
+#include "mjforge/report/thumbnail.h"
+
+namespace mjforge::report {
+
+struct GalleryPicture {
+  Thumbnail image;
+  std::string alt;      // text for readers who do not see the picture
+  std::string caption;  // shown below the picture
+};
+
+/// Pictures of a joint at positions from one end of its range to the other.
+struct Film {
+  std::string joint;
+  std::vector<GalleryPicture> frames;
+};
+
+/// A property of an object: name and value.
+using Fact = std::pair<std::string, std::string>;
+
+/// A table of what an object can do, such as its joints.
+struct FeatureTable {
+  std::string title;
+  std::vector<Fact> rows;
+};
+
+/// Content of the page of a spec.
+struct SpecPage {
+  std::string name;  // in the search path: "tools/hammer"
+  forge::Recipe recipe;
+  std::string text;  // content of the spec's file; empty: not shown
+  std::vector<manifest::Record> variants;
+  std::optional<GalleryPicture> large;
+  std::vector<GalleryPicture> tiles;
+  std::vector<Film> films;
+  std::vector<Fact> facts;
+  std::vector<FeatureTable> features;
+  std::vector<std::string> notices;  // texts about missing variants and pictures
+};
+std::string MakeSpecPage(SpecPage page);
+
+/// Entry of the index.
+struct GalleryCard {
+  std::string name;  // in the search path: "tools/hammer"
+  std::string description;
+  std::string words;    // texts in which the index searches, in addition to name and description
+  std::string facts;    // "1.2 to 3.4 kg, 2 joints"
+  std::string problem;  // the reason why there is no object; empty: none
+  bool has_page = false;
+  std::optional<Thumbnail> picture;
+};
+/// Makes the index. Cards of one kind must be adjacent; the kind is the folder in the name.
+std::string MakeGalleryIndex(std::span<const GalleryCard> cards);
+
+/// File of the page of a spec, relative to the folder of the index: "specs/tools/hammer.html".
+std::string GalleryPageFile(const std::string& name);
+
+/// Returns true if the spec `a` is listed before `b` in galleries: kinds in alphabetical order,
+/// then those with reference objects, shapes and, last, primitives.
+bool IsBeforeInGallery(const std::string& a, const std::string& b);
+
+}  // namespace mjforge::report

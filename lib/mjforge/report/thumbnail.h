@@ -1,0 +1,15 @@
+// A small picture in a page.
+
+#pragma once
+
+#include <string>
+
+namespace mjforge::report {
+
+struct Thumbnail {
+  std::string webp;
+  int width = 0;  // pixels
+  int height = 0;
+};
+
+}  // namespace mjforge::report
