@@ -3,23 +3,32 @@
 
     docs/pictures/make.py MJFORGE
 
-writes, beside itself, NAME.png for every bundled spec, materials.png, hero.png for the README, and
-catalogue.json, which says which specs they show; and ../catalogue.md. A test compares the hashes in catalogue.json
-with the specs. `./dev pictures` builds the program and runs this.
+writes, beside itself, for every bundled spec the sheet NAME.webp, wall/NAME.webp, large/NAME.webp and
+moved/NAME_*.webp; materials.webp; NAME.png for the cookbook; hero.png for the README; and catalogue.json, which
+says which specs they show. Also ../catalogue.md and the wall in the README. A test compares the hashes in
+catalogue.json with the specs. `./dev pictures` builds the program and runs this.
 """
 
+import concurrent.futures
 import json
+import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
 
+import catalogue
+import gallery
+
 HERE = pathlib.Path(__file__).resolve().parent
 PAGE = HERE.parent / "catalogue.md"
+README = HERE.parent.parent / "README.md"
 SEED = 7
 VARIANTS = 8
 TILE = "184x184"
+QUALITY = "80"
 
 # Joint positions that show what moves, within the range of every variant.
 JOINTS = {
@@ -49,24 +58,6 @@ BLOCK_TILE = "144x96"
 # Recipes, whose specs stand on the page.
 COOKBOOK = HERE.parent / "cookbook.md"
 
-MATERIALS = """
-## Materials
-
-`import: materials` gives a spec [these materials](../specs/materials.yaml), each with its density, friction and look.
-
-![{count} equal blocks, each of a different material of the library: woods, metals, plastics, glass, stone and more](pictures/materials.png)
-"""
-
-INTRODUCTION = """# The bundled specs
-
-<!-- Made by `./dev pictures`: edits are lost. -->
-
-Each is drawn with seed {seed}, indices 0 to {last}; the joints named below a picture are open. Any parameter can be set: `mjforge
-generate NAME --set parameter=value`, or `params:` where your own spec includes one with `spec:`. Values that are
-computed from others are at the end of each table.
-
-"""
-
 
 def run(program, *arguments):
     return subprocess.run(
@@ -75,15 +66,14 @@ def run(program, *arguments):
 
 
 def draw(program, what, picture, joints, *options):
+    """Draws to a PNG or, through a PNG, to a WebP."""
     for name, value in joints.items():
         options += ("--joint", f"{name}={value}")
-    run(program, "preview", str(what), "-o", str(picture), "-s", str(SEED), "-q", *options)
-
-
-def picture_name(spec):
-    """Scenes have the names of objects, so their pictures have the folder's name, too."""
-    folder, name = spec.split("/")
-    return f"{folder}_{name}.png" if folder == "scenes" else f"{name}.png"
+    drawn = picture.with_suffix(".png")
+    run(program, "preview", str(what), "-o", str(drawn), "-s", str(SEED), "-q", *options)
+    if picture.suffix == ".webp":
+        run("cwebp", "-quiet", "-q", QUALITY, str(drawn), "-o", str(picture))
+        drawn.unlink()
 
 
 def requirements(spec):
@@ -93,33 +83,12 @@ def requirements(spec):
     return re.sub("^  ", "", block.group(1), flags=re.MULTILINE) if block else ""
 
 
-def cell(text):
-    return text.replace("|", "\\|").replace("\n", " ")
-
-
-def chapter(spec, inspected):
-    joints = JOINTS.get(spec, {})
-    lines = [
-        f"## {spec}",
-        "",
-        inspected["description"],
-        "",
-        f"![{VARIANTS} variants of {spec}: {inspected['description']}](pictures/{picture_name(spec)})",
-        "",
-    ]
-    if joints:
-        stand = ", ".join(f"`{name}` at {value}" for name, value in joints.items())
-        lines += [f"Drawn with the joint {stand}.", ""]
-    lines += ["| parameter | value | unit | meaning |", "| --- | --- | --- | --- |"]
-    for parameter in inspected["parameters"]:
-        lines.append(
-            f"| `{parameter['name']}` | `{cell(parameter['spec'])}` | {cell(parameter['unit'])} "
-            f"| {cell(parameter['doc'])} |"
-        )
-    if required := requirements(spec):
-        lines += ["", "Parameters that do not meet these are drawn again (`require:`):", "",
-                  "```yaml", required.rstrip(), "```"]
-    return "\n".join(lines) + "\n"
+def write_all(folder, pictures):
+    """Replaces the WebP pictures of a folder."""
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir()
+    for name, data in pictures.items():
+        (folder / f"{name}.webp").write_bytes(data)
 
 
 def draw_materials(program, picture):
@@ -146,31 +115,65 @@ def draw_cookbook(program):
     return hashes
 
 
+def draw_sheets(program, specs):
+    """Draws the sheet of each spec, and returns what `inspect` says about the specs."""
+    def work(spec):
+        inspected = json.loads(run(program, "inspect", spec, "--json"))
+        picture = HERE / f"{catalogue.picture_name(spec)}.webp"
+        draw(program, spec, picture, JOINTS.get(spec, {}), "-n", str(VARIANTS), "--size", TILE)
+        print(f"{picture.name}: {picture.stat().st_size // 1000} kB", flush=True)
+        return inspected
+
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        return dict(zip(specs, pool.map(work, specs)))
+
+
+def draw_specs(program, specs):
+    """Draws all pictures of the specs, and returns `inspect`'s results and the gallery's pages."""
+    inspected = draw_sheets(program, specs)
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        gallery.make(program, folder)
+        thumbnails = gallery.thumbnails(folder)
+        pages = {spec: gallery.SpecPage(folder, spec) for spec in specs}
+    names = {spec: catalogue.picture_name(spec) for spec in specs}
+    write_all(HERE / "wall", {names[spec]: thumbnails[spec] for spec in specs})
+    write_all(HERE / "large", {names[spec]: pages[spec].large for spec in specs})
+    write_all(HERE / "moved", {f"{names[spec]}_{i}": data for spec in specs
+                               for i, (data, _) in enumerate(pages[spec].moved)})
+    return inspected, pages
+
+
+def write_page(specs, inspected, pages, materials):
+    descriptions = {spec: inspected[spec]["description"] for spec in specs}
+    chapters = (catalogue.chapter(spec, inspected[spec], pages[spec], JOINTS.get(spec, {}), requirements(spec))
+                for spec in specs)
+    PAGE.write_text(catalogue.INTRODUCTION + catalogue.wall(descriptions)
+                    + catalogue.CHAPTERS.format(seed=SEED, last=VARIANTS - 1) + "\n" + "\n".join(chapters)
+                    + catalogue.MATERIALS.format(count=materials), encoding="utf-8")
+    readme = README.read_text(encoding="utf-8")
+    README.write_text(catalogue.put_between(readme, "wall", catalogue.readme_wall(specs)), encoding="utf-8")
+
+
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
     program = str(pathlib.Path(sys.argv[1]).resolve())
-    specs = [item["name"] for item in json.loads(run(program, "catalogue", "--json"))]
-    hashes = {}
-    chapters = []
-    for spec in specs:
-        inspected = json.loads(run(program, "inspect", spec, "--json"))
-        picture = HERE / picture_name(spec)
-        draw(program, spec, picture, JOINTS.get(spec, {}), "-n", str(VARIANTS), "--size", TILE)
-        hashes[picture.name] = {"spec": spec, "sha256": inspected["spec_sha256"]}
-        chapters.append(chapter(spec, inspected))
-        print(f"{picture.name}: {picture.stat().st_size // 1000} kB", flush=True)
-    materials = draw_materials(program, HERE / "materials.png")
-    hashes["materials.png"] = {"spec": BLOCK, "sha256": hashes[picture_name(BLOCK)]["sha256"]}
+    listed = json.loads(run(program, "catalogue", "--json"))
+    specs = sorted((item["name"] for item in listed), key=catalogue.order)
+    inspected, pages = draw_specs(program, specs)
+    hashes = {f"{catalogue.picture_name(spec)}.webp": {"spec": spec, "sha256": inspected[spec]["spec_sha256"]}
+              for spec in specs}
+    materials = draw_materials(program, HERE / "materials.webp")
+    hashes["materials.webp"] = {"spec": BLOCK, "sha256": inspected[BLOCK]["spec_sha256"]}
     hashes |= draw_cookbook(program)
     draw(program, HERO, HERE / "hero.png", {}, "--first", HERO_INDEX, "--size", HERO_SIZE)
-    hashes["hero.png"] = hashes[picture_name(HERO)]
+    hashes["hero.png"] = {"spec": HERO, "sha256": inspected[HERO]["spec_sha256"]}
     known = HERE / "catalogue.json"
     before = json.loads(known.read_text(encoding="utf-8")) if known.exists() else {}
     for name in before.keys() - hashes.keys():
         (HERE / name).unlink(missing_ok=True)
-    page = INTRODUCTION.format(seed=SEED, last=VARIANTS - 1) + "\n".join(chapters)
-    PAGE.write_text(page + MATERIALS.format(count=materials), encoding="utf-8")
+    write_page(specs, inspected, pages, materials)
     text = json.dumps(hashes, indent=1, sort_keys=True) + "\n"
     known.write_text(text, encoding="utf-8")
 

@@ -114,11 +114,13 @@ void ReplaceOutputs(const std::filesystem::path& page, const std::map<int, std::
 }
 
 std::vector<std::string> ReadLinks(const std::filesystem::path& page) {
-  static const std::regex kLink("\\]\\(([^)\\s]+)\\)");
+  static const std::regex kLink("\\]\\(([^)\\s]+)\\)|<a href=\"([^\"]+)\"|<img src=\"([^\"]+)\"");
   const std::string text = harness::ReadFile(page);
   std::vector<std::string> links;
   for (std::sregex_iterator link(text.begin(), text.end(), kLink), end; link != end; ++link) {
-    links.push_back((*link)[1]);
+    for (std::size_t group = 1; group < link->size(); ++group) {
+      if ((*link)[group].matched) links.push_back((*link)[group]);
+    }
   }
   return links;
 }

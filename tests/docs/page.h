@@ -28,7 +28,8 @@ std::vector<Step> ReadSteps(const std::filesystem::path& page);
 /// Puts other outputs below the commands at these lines, and leaves the rest.
 void ReplaceOutputs(const std::filesystem::path& page, const std::map<int, std::string>& outputs);
 
-/// Targets of the page's links, `[text](target)`.
+/// Targets of the page's links and pictures, `[text](target)`, `<a href="target"`, `<img
+/// src="target"`.
 std::vector<std::string> ReadLinks(const std::filesystem::path& page);
 
 /// Headings as the anchors that links name: "Exit status" is "exit-status".
