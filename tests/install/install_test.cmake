@@ -47,12 +47,12 @@ foreach(file man/man1/mjforge.1 man/man1/mjforge-generate.1 bash-completion/comp
   expect_file(${work_folder}/prefix/share/${file})
 endforeach()
 
-# Uses only the files of the project shown in README.md.
-file(READ ${source_folder}/README.md page)
+# Uses only the files of the project shown in docs/install.md.
+file(READ ${source_folder}/docs/install.md page)
 foreach(file CMakeLists.txt main.cc)
   string(REGEX MATCH "\n```[a-z]+\n[#/]+ file: (${file}\n.*)" rest "${page}")
   if(NOT rest)
-    message(FATAL_ERROR "README.md shows no ${file}")
+    message(FATAL_ERROR "install.md shows no ${file}")
   endif()
   string(REGEX REPLACE "^${file}\n" "" code "${CMAKE_MATCH_1}")
   string(FIND "${code}" "\n```" end)
