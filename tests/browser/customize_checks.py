@@ -169,7 +169,7 @@ def _films(page):
         until(lambda w=words: is_shown() and page.text("#film-text").startswith(w), lambda: page.text("#film-text"))
         width, height = page.run("const film = document.getElementById('film-picture');"
                                  "return [film.naturalWidth, film.naturalHeight]")
-        expect((width, height) == (400, 300), f"{width} x {height}")
+        expect((width, height) == (360, 270), f"{width} x {height}")
     page.click("#film-close")
     expect(not is_shown(), "not closed")
     page.click("#drop")

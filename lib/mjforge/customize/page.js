@@ -396,7 +396,7 @@
 
   // Shows the simulated drop or, if there is a name, the simulated drive of that joint.
   async function film(name) {
-    const reply = await askSlowly("film", { name, width: 400, height: 300 }, "simulating ...");
+    const reply = await askSlowly("film", { name, width: 360, height: 270 }, "simulating ...");
     if (!reply) return;
     filmed = now();
     showPicture(byId("film-picture"), reply.picture);

@@ -22,7 +22,7 @@ namespace {
 constexpr int kQuality = 85;
 constexpr int kQuickQuality = 70;
 // Numbers of a film: frames, and the least time of each, ms.
-constexpr std::size_t kMostFrames = 32;
+constexpr std::size_t kMostFrames = 24;
 constexpr int kShortestFrame = 40;
 
 // Writes the settings of a recipe as a list of objects with `name` and `text`.

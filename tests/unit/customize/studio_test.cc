@@ -227,7 +227,7 @@ TEST_CASE_METHOD(StudioTest, "films show the simulated drop, and the drive of a 
   const Json drive =
       Ask({{"action", "film"}, {"name", "lamp_hinge"}, {"width", 64}, {"height", 48}});
   CHECK(drive["text"].get<std::string>().starts_with("Drive of lamp_hinge, "));
-  CHECK(FramesOf(last_.picture) == 32);
+  CHECK(FramesOf(last_.picture) == 24);
   CHECK(last_.picture != first);
   CHECK(Ask({{"action", "film"}, {"name", "none"}})["error"] ==
         "joint 'none' has no range through which it can be driven");
