@@ -224,6 +224,18 @@ TEST_CASE_METHOD(CrateTest, "a spec with an error is served, and its page shows 
   CHECK(Contains(json, "'bx' is not one of"));
 }
 
+TEST_CASE_METHOD(CrateTest, "the page hears of an import that was missing") {
+  folder().Write("ball.yaml",
+                 "mjforge: 1\nname: ball\nimport: [size.yaml]\n"
+                 "parts: [{name: ball, type: sphere, size: a}]\n");
+  const ServedPage page(folder().path(), {"ball.yaml"});
+  CHECK(PictureOf(page.Post("ask", kDraw)).empty());
+  folder().Write("size.yaml", "mjforge: 1\nparams: {a: 5cm}\n");
+  CHECK(page.Get("events?revision=0").body == "{\"revision\":1}");
+  CHECK(PictureOf(page.Post("ask", R"({"action": "draw", "quick": true, "revision": "1"})"))
+            .starts_with("RIFF"));
+}
+
 TEST_CASE_METHOD(CrateTest, "customize takes the settings and the seed of the command line") {
   const ServedPage page(folder().path(), {"crate.yaml", "--set", "height=15cm", "--seed", "7"});
   const std::string json = JsonOf(page.Post("ask", R"({"action": "open"})"));
