@@ -14,6 +14,7 @@
 #include "mjforge/forge/forge.h"
 #include "options.h"
 #include "text_table.h"
+#include "usage.h"
 
 namespace mjforge::app {
 namespace {
@@ -113,8 +114,25 @@ ExitStatus MakeGallery(const GalleryOptions& options, std::vector<Item> items, C
 struct CatalogueOptions {
   std::vector<std::string> words;
   bool json = false;
+  bool has_gallery = false;
   GalleryOptions gallery;
 };
+
+ExitStatus RunCatalogue(const CatalogueOptions& options, Console& console) {
+  if (options.has_gallery && options.gallery.folder.empty())
+    return WrongUsage("--html: the name of the folder is empty", "catalogue");
+  std::vector<Item> items = ListItems(options.words, console);
+  const bool found = !items.empty() || options.words.empty();
+  if (!found) {
+    console.findings.Add(diag::Code::kSpecNotFound, {},
+                         fmt::format("no spec has '{}'", fmt::join(options.words, "' and '")),
+                         "`mjforge catalogue` lists all specs");
+  }
+  if (options.has_gallery)
+    return found ? MakeGallery(options.gallery, std::move(items), console) : console.Report();
+  const ExitStatus status = console.Report();
+  return Worse(status, options.json ? PrintBytes(JsonText(items)) : Print(Text(items)));
+}
 
 }  // namespace
 
@@ -127,28 +145,17 @@ Action AddCatalogue(CLI::App& command) {
                           .add_option_function<std::string>(
                               "--html",
                               [options](const std::string& folder) {
-                                options->gallery.folder = folder.empty() ? "." : folder;
+                                options->gallery.folder = folder;
+                                options->has_gallery = true;
                               },
                               "Write a gallery: pages with pictures of the specs")
                           ->option_text("DIR")
                           ->check(Offers("."))
                           ->excludes(json);
-  AddJobs(command, options->gallery.jobs, "--html: processes that draw");
-  AddTimeLimit(command, options->gallery.time_limit, "--html: CPU time per spec, s");
+  AddJobs(command, options->gallery.jobs, "--html: processes that draw")->needs(html);
+  AddTimeLimit(command, options->gallery.time_limit, "--html: CPU time per spec, s")->needs(html);
   command.add_flag("--force", options->gallery.force, "--html: overwrite any file")->needs(html);
-  return [options](Console& console) {
-    std::vector<Item> items = ListItems(options->words, console);
-    if (items.empty() && !options->words.empty()) {
-      console.findings.Add(diag::Code::kSpecNotFound, {},
-                           fmt::format("no spec has '{}'", fmt::join(options->words, "' and '")),
-                           "`mjforge catalogue` lists all specs");
-    }
-    if (!options->gallery.folder.empty() && !items.empty())
-      return MakeGallery(options->gallery, std::move(items), console);
-    const ExitStatus status = console.Report();
-    if (!options->gallery.folder.empty()) return status;
-    return Worse(status, options->json ? PrintBytes(JsonText(items)) : Print(Text(items)));
-  };
+  return [options](Console& console) { return RunCatalogue(*options, console); };
 }
 
 }  // namespace mjforge::app

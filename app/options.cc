@@ -124,16 +124,16 @@ void AddObjectOptions(CLI::App& command, ObjectOptions& options, const std::stri
   AddSpecOptions(command, options.spec);
 }
 
-void AddTimeLimit(CLI::App& command, Seconds& limit, const std::string& doc) {
+CLI::Option* AddTimeLimit(CLI::App& command, Seconds& limit, const std::string& doc) {
   const auto set_limit = [&limit](double s) { limit = Seconds(s); };
-  AddNumber(command, "--time-limit", set_limit, 1e-9, 1e9, "a time in seconds above 0", doc)
+  return AddNumber(command, "--time-limit", set_limit, 1e-9, 1e9, "a time in seconds above 0", doc)
       ->option_text(fmt::format("S [{:g}]", limit.count()));
 }
 
-void AddJobs(CLI::App& command, std::uint64_t& jobs, const std::string& doc) {
+CLI::Option* AddJobs(CLI::App& command, std::uint64_t& jobs, const std::string& doc) {
   const auto set_jobs = [&jobs](std::uint64_t number) { jobs = number; };
-  AddBounded<std::uint64_t>(command, "-j,--jobs", ParseWhole, set_jobs, 1, kMaxJobs,
-                            fmt::format("a number of processes from 1 to {}", kMaxJobs), doc)
+  return AddBounded<std::uint64_t>(command, "-j,--jobs", ParseWhole, set_jobs, 1, kMaxJobs,
+                                   fmt::format("a number of processes from 1 to {}", kMaxJobs), doc)
       ->option_text("N [cores]");
 }
 

@@ -68,7 +68,7 @@ batch::Request RequestOf(const BatchOptions& options);
 ExitStatus StatusOf(const batch::Summary& summary);
 
 /// Adds --jobs, which sets `jobs` to a number of processes.
-void AddJobs(CLI::App& command, std::uint64_t& jobs, const std::string& doc);
+CLI::Option* AddJobs(CLI::App& command, std::uint64_t& jobs, const std::string& doc);
 
 /// Adds --set NAME=VALUE.
 void AddSettings(CLI::App& command, std::vector<std::string>& settings, const std::string& doc);
@@ -79,8 +79,8 @@ void AddProfile(CLI::App& command, std::vector<std::string>& settings,
                 const std::function<void()>& simulate);
 
 /// Adds --time-limit.
-void AddTimeLimit(CLI::App& command, Seconds& limit,
-                  const std::string& doc = "CPU time for each, s; wall time 10 S + 5");
+CLI::Option* AddTimeLimit(CLI::App& command, Seconds& limit,
+                          const std::string& doc = "CPU time for each, s; wall time 10 S + 5");
 
 /// Adds --quiet, --findings and --color.
 void AddMessageOptions(CLI::App& command, MessageOptions& options);

@@ -133,6 +133,13 @@ TEST_CASE_METHOD(GalleryTest, "a foreign file in a gallery stays, unless it is f
   CHECK(Make("file").status == 3);
   CHECK(Make("g", {"--json"}).status == 2);
   CHECK(Make("g", {"-j", "0"}).status == 2);
+  CHECK(Make("").status == 2);
+  for (const char* option : {"--force", "--jobs=2", "--time-limit=3"})
+    CHECK(Run({"catalogue", option}).status == 2);
+  const auto nothing = Run({"catalogue", "xyzzy", "--html", "none"});
+  CHECK(nothing.status == 1);
+  CHECK(Has(nothing.err, "no spec has 'xyzzy'"));
+  CHECK_FALSE(std::filesystem::exists(folder() / "none"));
 }
 
 TEST_CASE_METHOD(GalleryTest, "without a renderer the pages have no pictures, with one warning") {
