@@ -36,6 +36,8 @@ class ExtrusionMesher {
       AddBand({middle, edge}, {end, top}, std::sqrt(0.5));
     }
     AddBand({middle, -edge}, {middle, edge}, 0);
+    // Viewers draw translucent meshes in the order of their faces, so those in holes come first.
+    mesh_.triangles.insert(mesh_.triangles.begin(), in_holes_.begin(), in_holes_.end());
     return std::move(mesh_);
   }
 
@@ -71,8 +73,14 @@ class ExtrusionMesher {
 
   /// Adds the sides between two sections. `up` is the z component of the normals.
   void AddBand(const Section& below, const Section& above, double up) {
-    for (std::size_t loop = 0; loop < below.area.ends.size(); ++loop)
+    for (std::size_t loop = 0; loop < below.area.ends.size(); ++loop) {
+      const auto before = static_cast<std::ptrdiff_t>(mesh_.triangles.size());
       AddLoop(below, above, up, loop);
+      if (loop == 0) continue;  // the outside
+      const auto begin = mesh_.triangles.begin() + before;
+      in_holes_.insert(in_holes_.end(), begin, mesh_.triangles.end());
+      mesh_.triangles.erase(begin, mesh_.triangles.end());
+    }
   }
 
   void AddLoop(const Section& below, const Section& above, double up, std::size_t loop) {
@@ -122,6 +130,7 @@ class ExtrusionMesher {
   Point2 cap_scale_;
   Point2 side_scale_;
   TriangleMesh mesh_;
+  std::vector<std::array<int, 3>> in_holes_;
 };
 
 }  // namespace

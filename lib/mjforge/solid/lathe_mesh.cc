@@ -247,7 +247,7 @@ class LatheMesher {
   TriangleMesh mesh_;
   std::vector<Ring> rings_;
   std::vector<Band> bands_;
-  std::size_t last_corner_ = 0;             // corner at the end of the last band
+  std::size_t last_corner_ = 0;  // corner at the end of the last band
 };
 
 }  // namespace

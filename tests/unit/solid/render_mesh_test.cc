@@ -66,6 +66,40 @@ double Lean(const TriangleMesh& mesh) {
   return most * 180 / kPi;
 }
 
+/// Returns the numbers of the first and the last triangle of a wall about the z axis, with normals
+/// that point outwards or inwards.
+std::pair<std::size_t, std::size_t> PlacesOf(const TriangleMesh& mesh, double direction) {
+  std::pair<std::size_t, std::size_t> places(mesh.triangles.size(), 0);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto at = [&](int k) -> const Vector3d& {
+      return mesh.vertices[std::size_t(mesh.triangles[i][std::size_t(k)])];
+    };
+    const Vector3d normal = (at(1) - at(0)).cross(at(2) - at(0)).normalized();
+    const Vector2d middle = ((at(0) + at(1) + at(2)) / 3).head<2>().normalized();
+    if (direction * normal.head<2>().dot(middle) < 0.5) continue;
+    places = {std::min(places.first, i), i};
+  }
+  return places;
+}
+
+TEST_CASE("the inside of a cup comes before its outside, and walls of holes before other faces") {
+  const TriangleMesh cup = MeshOf(
+      Lathe{.profile = {{0, 0}, {0.03, 0}, {0.04, 0.1}, {0.037, 0.1}, {0.027, 0.003}, {0, 0.003}},
+            .texture = kNone});
+  REQUIRE(PlacesOf(cup, 1).second > 0);
+  CHECK(PlacesOf(cup, -1).second < PlacesOf(cup, 1).first);
+  const auto circle = [](double radius) {
+    std::vector<Vector2d> points;
+    for (int i = 0; i < 24; ++i)
+      points.emplace_back(radius * std::cos(kPi * i / 12), radius * std::sin(kPi * i / 12));
+    return points;
+  };
+  const TriangleMesh ring = MeshOf(
+      Prism{.polygon = circle(0.03), .holes = {circle(0.02)}, .height = 0.01, .texture = kNone});
+  CHECK(PlacesOf(ring, -1).first == 0);
+  CHECK(PlacesOf(ring, -1).second == 47);
+}
+
 TEST_CASE("chords are near the true circle, and no more than that takes") {
   for (const double radius : {0.003, 0.01, 0.03, 0.045, 0.1, 0.5}) {
     for (const double height : {0.001, 0.05, 0.2}) {
