@@ -83,8 +83,8 @@ struct Pixels {
 };
 /// Keywords and texts of the tEXt chunks of a PNG file.
 using PngTexts = std::vector<std::pair<std::string, std::string>>;
-/// kSmall tries all filters of PNG in each row, kFast uses one: that takes half of the time, and the
-/// file is 5 % larger.
+/// kSmall tries all filters of PNG in each row, kFast uses one: that takes half of the time, and
+/// the file is 5 % larger.
 enum class PngEffort { kSmall, kFast };
 /// Returns the bytes of a PNG file.
 std::string EncodePng(const Pixels& pixels, const PngTexts& texts = {},

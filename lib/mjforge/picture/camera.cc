@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <vector>
 
 namespace mjforge::picture {
 namespace {
@@ -16,6 +18,8 @@ const Eigen::Vector3d kToEye(1, -1.55, 1.05);
 constexpr double kHalfAngle = 12.5 * std::numbers::pi / 180;
 // Margin at each side, as a share of half the picture.
 constexpr double kMargin = 0.10;
+// Margin of the shadow, which is less important.
+constexpr double kShadowMargin = 0.04;
 
 // Minimum radius of the shapes' bounding sphere, so that a single point can be framed.
 constexpr double kSmallest = 1e-9;  // m
@@ -35,6 +39,50 @@ double CenterEye(const PlacedShapes& shapes, const Eigen::Vector3d& across,
   }
   return (shapes.Support(across - most * forward) - shapes.Support(-across - most * forward)) / 2;
 }
+
+// Supports of shapes on both sides of the viewing direction, along planes of this slope to it.
+struct Sides {
+  double tangent = 0;
+  double right = 0;
+  double left = 0;
+};
+
+// Places of the eye along an axis of the picture from which all sides are in the picture.
+class EyeRange {
+ public:
+  EyeRange(const PlacedShapes& shapes, const std::optional<Shadow>& shadow,
+           const Eigen::Vector3d& across, const Eigen::Vector3d& forward, double tangent) {
+    const auto add = [&](double share, const auto& support) {
+      const double t = tangent * (1 - share);
+      sides_.push_back({t, support(across - t * forward), support(-across - t * forward)});
+    };
+    add(kMargin, [&](const Eigen::Vector3d& side) { return shapes.Support(side); });
+    if (!shadow) return;
+    add(kShadowMargin, [&](const Eigen::Vector3d& side) {
+      return shapes.ShadowSupport(side, shadow->light, shadow->level);
+    });
+  }
+
+  // Returns the largest depth along the viewing direction at which there is such a place.
+  double LargestDepth() const {
+    double largest = std::numeric_limits<double>::infinity();
+    for (const Sides& a : sides_) {
+      for (const Sides& b : sides_)
+        largest = std::min(largest, -(a.right + b.left) / (a.tangent + b.tangent));
+    }
+    return largest;
+  }
+
+  // Returns the place that is nearest to `wanted`.
+  double Nearest(double wanted, double depth) const {
+    for (const Sides& side : sides_) wanted = std::max(wanted, side.right + side.tangent * depth);
+    for (const Sides& side : sides_) wanted = std::min(wanted, -side.left - side.tangent * depth);
+    return wanted;
+  }
+
+ private:
+  std::vector<Sides> sides_;
+};
 
 // Sets the camera's axes. The azimuth determines `right` even if the camera looks straight down.
 void SetAxes(const View& view, Camera& camera) {
@@ -57,7 +105,8 @@ void SetAxes(const View& view, Camera& camera) {
 
 // Shapes are inside a frustum if and only if their support function in the direction of each of its
 // four side normals is. Each pair of opposite sides gives an upper bound of the eye's depth.
-Camera FrameShapes(const PlacedShapes& shapes, double width, double height, const View& view) {
+Camera FrameShapes(const PlacedShapes& shapes, double width, double height, const View& view,
+                   const std::optional<Shadow>& shadow) {
   Camera camera;
   SetAxes(view, camera);
   const double shorter = std::min(width, height);
@@ -69,17 +118,17 @@ Camera FrameShapes(const PlacedShapes& shapes, double width, double height, cons
   camera.center = (min + max) / 2;
   camera.radius = std::max((max - min).norm() / 2, kSmallest);
 
-  const double tx = camera.tan_x * (1 - kMargin);
-  const double ty = camera.tan_y * (1 - kMargin);
-  const double x_right = shapes.Support(camera.right - tx * camera.forward);
-  const double x_left = shapes.Support(-camera.right - tx * camera.forward);
-  const double y_up = shapes.Support(camera.up - ty * camera.forward);
-  const double y_down = shapes.Support(-camera.up - ty * camera.forward);
+  const std::optional<Shadow> seen = camera.forward.z() < 0 ? shadow : std::nullopt;
+  const EyeRange x(shapes, seen, camera.right, camera.forward, camera.tan_x);
+  const EyeRange y(shapes, seen, camera.up, camera.forward, camera.tan_y);
   const double nearest = -shapes.Support(-camera.forward);
-  const double depth = std::min(
-      {-(x_right + x_left) / (2 * tx), -(y_up + y_down) / (2 * ty), nearest - 0.5 * camera.radius});
-  camera.eye = CenterEye(shapes, camera.right, camera.forward, depth, tx) * camera.right +
-               CenterEye(shapes, camera.up, camera.forward, depth, ty) * camera.up +
+  const double depth =
+      std::min({x.LargestDepth(), y.LargestDepth(), nearest - 0.5 * camera.radius});
+  const auto center = [&](const Eigen::Vector3d& across, double tangent) {
+    return CenterEye(shapes, across, camera.forward, depth, tangent * (1 - kMargin));
+  };
+  camera.eye = x.Nearest(center(camera.right, camera.tan_x), depth) * camera.right +
+               y.Nearest(center(camera.up, camera.tan_y), depth) * camera.up +
                depth * camera.forward;
   camera.near = 0.5 * (nearest - depth);
   if (view.distance || view.zoom != 1) {
@@ -107,8 +156,8 @@ LevelDepth DepthOfLevel(const Camera& camera, double level, int width, int heigh
   const double to_depth = -scale * camera.near / (level - camera.eye.z());
   const double across = 2 * camera.tan_x / width * camera.right.z();
   const double down = -2 * camera.tan_y / height * camera.up.z();
-  const double corner = camera.forward.z() - camera.tan_x * camera.right.z() +
-                        camera.tan_y * camera.up.z();
+  const double corner =
+      camera.forward.z() - camera.tan_x * camera.right.z() + camera.tan_y * camera.up.z();
   return {scale + to_depth * corner, to_depth * across, to_depth * down};
 }
 

@@ -5,6 +5,7 @@
 #include <mujoco/mujoco.h>
 
 #include <Eigen/Dense>
+#include <optional>
 
 #include "mjforge/picture/picture.h"
 #include "mjforge/picture/support.h"
@@ -28,9 +29,16 @@ struct Camera {
   Eigen::Vector2d Project(const Eigen::Vector3d& point, int width, int height) const;
 };
 
+/// What casts the shadow of the shapes, and where to.
+struct Shadow {
+  Eigen::Vector3d light;  // W, direction of the light, downwards
+  double level = 0;       // z of the floor, m
+};
+
 /// Returns a camera for a picture with this ratio of width to height. All shapes are in the
-/// picture unless `view` sets the distance.
-Camera FrameShapes(const PlacedShapes& shapes, double width, double height, const View& view = {});
+/// picture, and so is their shadow if the camera looks down, unless `view` sets the distance.
+Camera FrameShapes(const PlacedShapes& shapes, double width, double height, const View& view = {},
+                   const std::optional<Shadow>& shadow = {});
 
 /// Depth of a level plane in a picture, as OpenGL stores it: 0 at the camera's near plane, 1 at its
 /// far plane. The depth is linear in the place, because one over the distance is.

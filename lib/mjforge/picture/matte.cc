@@ -14,7 +14,7 @@ constexpr float kDarkest = 0.62F;
 // Half the width of a shadow's soft edge, as a share of the picture's shorter side.
 constexpr double kSoftness = 0.011;
 // Shadows fade out towards the picture's border, over this share of its shorter side.
-constexpr float kEdge = 0.10F;
+constexpr float kEdge = 0.05F;
 // Brightness and alpha up to this level (of 255) are rounding errors and count as zero.
 constexpr int kNothing = 2;
 
@@ -76,77 +76,66 @@ Matte::Matte(int width, int height, int samples)
   shade_.resize(pixels);
 }
 
-void Matte::Add(const RenderedBand& drawn, int top, int bottom) {
-  const int columns = width_ * samples_;
-  const int rows = (bottom - top) * samples_;
-  const float weight = 1.0F / static_cast<float>(samples_ * samples_);
-  for (int row = 0; row < rows; ++row) {
-    const std::size_t start =
-        static_cast<std::size_t>(rows - 1 - row) * static_cast<std::size_t>(columns) * 3;
-    const std::uint8_t* light = drawn.on_light.data() + start;
-    const std::uint8_t* black = drawn.on_black.data() + start;
-    const std::size_t first =
-        static_cast<std::size_t>(top + row / samples_) * static_cast<std::size_t>(width_);
-    for (int column = 0; column < columns; ++column, light += 3, black += 3) {
-      const std::size_t pixel = first + static_cast<std::size_t>(column / samples_);
-      const int seen = std::clamp(light[1] - black[1], 0, drawn.light);
-      const int hidden = drawn.light - seen <= kNothing ? 0 : drawn.light - seen;
-      const float alpha = static_cast<float>(hidden) / static_cast<float>(drawn.light);
-      if (seen > kNothing && black[0] + black[1] + black[2] == 0) {
-        floor_[pixel] += weight;
-        shade_[pixel] += weight * alpha;
-        continue;
+// Adds the samples of the rows [top, bottom). `add_sample` is called with the sample's index, its
+// place in the picture (in samples) and the sums of its pixel.
+template <typename AddSample>
+void Matte::AddSamples(int top, int bottom, int light, const AddSample& add_sample) {
+  const auto columns = static_cast<std::size_t>(width_ * samples_);
+  for (int y = top; y < bottom; ++y) {
+    for (int x = 0; x < width_; ++x) {
+      PixelSums sums;
+      for (int row = y * samples_; row < (y + 1) * samples_; ++row) {
+        // Rows start with the lowest.
+        const std::size_t first = static_cast<std::size_t>(bottom * samples_ - 1 - row) * columns;
+        for (int column = x * samples_; column < (x + 1) * samples_; ++column)
+          add_sample(first + static_cast<std::size_t>(column), column, row, sums);
       }
-      alpha_[pixel] += weight * alpha;
-      for (std::size_t c = 0; c < 3; ++c)
-        color_[3 * pixel + c] += weight * static_cast<float>(black[c]) / 255;
+      AddPixel(static_cast<std::size_t>(y * width_ + x), light, sums);
     }
   }
+}
+
+void Matte::AddPixel(std::size_t pixel, int light, const PixelSums& sums) {
+  const float weight = 1.0F / static_cast<float>(samples_ * samples_);
+  const float darkness = weight / static_cast<float>(light);
+  for (std::size_t c = 0; c < 3; ++c)
+    color_[3 * pixel + c] += weight / 255 * static_cast<float>(sums.color[c]);
+  alpha_[pixel] += darkness * static_cast<float>(sums.hidden);
+  floor_[pixel] += weight * static_cast<float>(sums.floor);
+  shade_[pixel] += darkness * static_cast<float>(sums.shade);
+}
+
+void Matte::Add(const RenderedBand& drawn, int top, int bottom) {
+  AddSamples(top, bottom, drawn.light, [&](std::size_t i, int, int, PixelSums& sums) {
+    const std::uint8_t* light = drawn.on_light.data() + 3 * i;
+    const std::uint8_t* black = drawn.on_black.data() + 3 * i;
+    const int seen = std::clamp(light[1] - black[1], 0, drawn.light);
+    const int hidden = drawn.light - seen <= kNothing ? 0 : drawn.light - seen;
+    if (seen > kNothing && black[0] + black[1] + black[2] == 0) {
+      ++sums.floor;
+      sums.shade += hidden;
+      return;
+    }
+    sums.hidden += hidden;
+    for (std::size_t c = 0; c < 3; ++c) sums.color[c] += black[c];
+  });
 }
 
 void Matte::Add(const OpaqueBand& drawn, int top, int bottom) {
-  const auto columns = static_cast<std::size_t>(width_ * samples_);
-  for (int y = top; y < bottom; ++y) {
-    // Rows start with the lowest.
-    std::size_t first = static_cast<std::size_t>((bottom - y) * samples_ - 1) * columns;
-    std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_);
-    for (int x = 0; x < width_; ++x) {
-      AddPixel(pixel++, drawn, x, y, first);
-      first += static_cast<std::size_t>(samples_);
+  const double per_column = drawn.floor.per_x / samples_;
+  const double per_row = drawn.floor.per_y / samples_;
+  const double at_corner = drawn.floor.at_corner + (per_column + per_row) / 2;
+  AddSamples(top, bottom, drawn.light, [&](std::size_t i, int column, int row, PixelSums& sums) {
+    const auto depth = static_cast<double>(drawn.depths[i]);
+    if (depth < std::min(at_corner + per_column * column + per_row * row, 1.0)) {
+      sums.hidden += drawn.light;
+      for (std::size_t c = 0; c < 3; ++c) sums.color[c] += drawn.colors[3 * i + c];
+      return;
     }
-  }
-}
-
-// Adds the samples of a pixel; `first` is the index of the upper left one.
-void Matte::AddPixel(std::size_t pixel, const OpaqueBand& drawn, int x, int y, std::size_t first) {
-  const double step = 1.0 / samples_;
-  std::array<int, 3> color = {};
-  int shown = 0;
-  int hidden = 0;
-  double row_limit = drawn.floor.at_corner + drawn.floor.per_x * (x + step / 2) +
-                     drawn.floor.per_y * (y + step / 2);
-  for (int row = 0; row < samples_; ++row) {
-    double limit = row_limit;
-    for (std::size_t i = first; i < first + static_cast<std::size_t>(samples_); ++i) {
-      const double depth = static_cast<double>(drawn.depths[i]);
-      if (depth < std::min(limit, 1.0)) {
-        ++shown;
-        for (std::size_t c = 0; c < 3; ++c) color[c] += drawn.colors[3 * i + c];
-      } else if (depth < 1) {
-        const int dark = drawn.light - drawn.colors[3 * i + 1];
-        if (dark > kNothing) hidden += dark;
-      }
-      limit += step * drawn.floor.per_x;
-    }
-    row_limit += step * drawn.floor.per_y;
-    first -= static_cast<std::size_t>(width_ * samples_);
-  }
-  const float weight = 1.0F / static_cast<float>(samples_ * samples_);
-  for (std::size_t c = 0; c < 3; ++c)
-    color_[3 * pixel + c] += weight * static_cast<float>(color[c]) / 255;
-  alpha_[pixel] += weight * static_cast<float>(shown);
-  floor_[pixel] += weight * static_cast<float>(samples_ * samples_ - shown);
-  shade_[pixel] += weight * static_cast<float>(hidden) / static_cast<float>(drawn.light);
+    ++sums.floor;
+    const int dark = depth < 1 ? drawn.light - drawn.colors[3 * i + 1] : 0;
+    if (dark > kNothing) sums.shade += dark;
+  });
 }
 
 // Replaces the shadow on each floor pixel by the mean over the floor pixels around it. Pixels of
@@ -179,7 +168,8 @@ Image Matte::Finish() {
   Image image{width_, height_, {}};
   image.rgba.resize(4 * alpha_.size());
   for (std::size_t i = 0; i < alpha_.size(); ++i) {
-    const float alpha = std::min(alpha_[i] + kDarkest * EdgeFade(i) * shade_[i], 1.0F);
+    const float shadow = shade_[i] > 0 ? kDarkest * EdgeFade(i) * shade_[i] : 0;
+    const float alpha = std::min(alpha_[i] + shadow, 1.0F);
     if (alpha <= 0) continue;
     for (std::size_t c = 0; c < 3; ++c) image.rgba[4 * i + c] = ToByte(color_[3 * i + c] / alpha);
     image.rgba[4 * i + 3] = ToByte(alpha);

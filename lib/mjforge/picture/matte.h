@@ -1,13 +1,15 @@
 // Matting: two renderings on different floors give a picture with alpha and a soft shadow.
 //
-// An object with translucent parts is rendered twice, on a light and on a black floor. The difference
-// is the visible share of the floor, lit or in shadow, and so gives the alpha of the object in front
-// of it (A. R. Smith, J. F. Blinn: Blue Screen Matting, SIGGRAPH 1996, section 3, with two backing
-// colors). An opaque object is rendered once, because the depth of a sample tells whether it belongs
-// to the object. The floor itself becomes a shadow: black, with an alpha that is blurred.
+// An object with translucent parts is rendered twice, on a light and on a black floor. The
+// difference is the visible share of the floor, lit or in shadow, and so gives the alpha of the
+// object in front of it (A. R. Smith, J. F. Blinn: Blue Screen Matting, SIGGRAPH 1996, section 3,
+// with two backing colors). An opaque object is rendered once, because the depth of a sample tells
+// whether it belongs to the object. The floor itself becomes a shadow: black, with an alpha that is
+// blurred.
 
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -16,9 +18,6 @@
 #include "mjforge/picture/picture.h"
 
 namespace mjforge::picture {
-
-/// Samples along each side of a pixel, unless the picture is drawn quickly.
-inline constexpr int kSamples = 2;
 
 /// MuJoCo's two renderings of some rows: 3 bytes per sample, starting with the lowest row.
 struct RenderedBand {
@@ -38,7 +37,8 @@ struct OpaqueBand {
 /// Accumulates renderings, and computes the picture from them.
 class Matte {
  public:
-  Matte(int width, int height, int samples = kSamples);
+  /// A picture of this size, with this number of samples along each side of a pixel.
+  Matte(int width, int height, int samples);
   /// Adds the renderings of rows [top, bottom) of the picture.
   void Add(const RenderedBand& drawn, int top, int bottom);
   void Add(const OpaqueBand& drawn, int top, int bottom);
@@ -46,7 +46,17 @@ class Matte {
   Image Finish();
 
  private:
-  void AddPixel(std::size_t pixel, const OpaqueBand& drawn, int x, int y, std::size_t first);
+  // Sums over the samples of a pixel. Shares of the light are in units of 1 / light.
+  struct PixelSums {
+    std::array<int, 3> color = {};
+    int hidden = 0;  // the light that the object hides
+    int floor = 0;   // samples that show the floor
+    int shade = 0;   // the light that these lack
+  };
+
+  template <typename AddSample>
+  void AddSamples(int top, int bottom, int light, const AddSample& add_sample);
+  void AddPixel(std::size_t pixel, int light, const PixelSums& sums);
   void Soften();
   float EdgeFade(std::size_t pixel) const;
 

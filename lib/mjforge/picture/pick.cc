@@ -12,7 +12,7 @@ std::string GeomAt(Subject& subject, const Options& options, double x, double y)
   Scene scene(model);
   diag::Findings ignored;
   if (!scene.Fill(subject, Layer::kVisual, ignored)) return {};
-  const Camera camera = FrameShapes(scene.shapes(), options.width, options.height, options.view);
+  const Camera camera = scene.Frame(scene.shapes(), scene.floor_height(), options);
   const Eigen::Vector3d ray = camera.forward + (2 * x - 1) * camera.tan_x * camera.right +
                               (1 - 2 * y) * camera.tan_y * camera.up;
   constexpr std::array<mjtByte, mjNGROUP> kVisible = {1, 1, 1};

@@ -183,7 +183,8 @@ struct Tile {
   Image image;
   std::vector<std::string> caption;
 };
-/// Arranges tiles of equal size in rows, in a sheet that is as square as their number allows.
+/// Arranges tiles of equal size in rows, in a sheet that is as square as their number allows. A row
+/// is as high as its tiles need: empty rows of pixels above and below all of them are left out.
 Image ContactSheet(Renderer& renderer, std::span<const Tile> tiles, const Background& background);
 
 }  // namespace mjforge::picture

@@ -2,6 +2,8 @@
 
 #include "mjforge/picture/picture.h"
 
+#include <algorithm>
+
 #include "mjforge/bytes/bytes.h"
 
 namespace mjforge::picture {
@@ -18,11 +20,10 @@ bool IsOpaque(const Image& image) {
 }
 
 std::vector<std::uint8_t> WithoutAlpha(const Image& image) {
-  std::vector<std::uint8_t> rgb;
-  rgb.reserve(image.rgba.size() / kChannels * kAlpha);
-  for (std::size_t i = 0; i < image.rgba.size(); ++i) {
-    if (i % kChannels != kAlpha) rgb.push_back(image.rgba[i]);
-  }
+  std::vector<std::uint8_t> rgb(image.rgba.size() / kChannels * kAlpha);
+  std::uint8_t* to = rgb.data();
+  for (std::size_t i = 0; i < image.rgba.size(); i += kChannels)
+    to = std::copy_n(image.rgba.data() + i, kAlpha, to);
   return rgb;
 }
 
@@ -35,7 +36,8 @@ std::string EncodePng(const Image& image, const Texts& texts) {
         texts, bytes::PngEffort::kFast);
   }
   const std::vector<std::uint8_t> rgb = WithoutAlpha(image);
-  return bytes::EncodePng({.width = image.width, .height = image.height, .colors = rgb}, texts, bytes::PngEffort::kFast);
+  return bytes::EncodePng({.width = image.width, .height = image.height, .colors = rgb}, texts,
+                          bytes::PngEffort::kFast);
 }
 
 }  // namespace mjforge::picture

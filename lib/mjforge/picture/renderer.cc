@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <exception>
 #include <limits>
@@ -23,20 +22,24 @@ namespace {
 
 using diag::Code;
 
-// Returns the width of the shadow map: at least two texels per pixel of the picture, within limits.
-int ShadowSize(int width, int height) {
-  const auto samples = std::bit_ceil(2 * static_cast<unsigned>(std::max(width, height)));
-  return std::clamp(static_cast<int>(samples), 512, 4096);
-}
+// Returns the width of the shadow map: two texels per pixel of the picture, within limits.
+int ShadowSize(int width, int height) { return std::clamp(2 * std::max(width, height), 512, 4096); }
 
 // Pictures with more samples are drawn in horizontal bands, to limit the size of the framebuffer.
 constexpr int kMostSamples = 1 << 22;
+// Samples along each side of a pixel, unless the picture is drawn quickly.
+constexpr int kFewestSamples = 2;
 
-// Returns the number of samples along each side of a pixel.
-int SamplesOf(const Options& options) { return options.quick ? 1 : kSamples; }
+// Returns the number of samples along each side of a pixel: as many as a picture in one band can
+// have, but at most four, which a small picture needs for smooth edges. A scene that is rendered
+// twice has three.
+int SamplesOf(const Options& options, bool is_opaque) {
+  if (options.quick) return 1;
+  const double most = std::sqrt(kMostSamples / (double{1} * options.width * options.height));
+  return std::clamp(static_cast<int>(most), kFewestSamples, is_opaque ? 4 : 3);
+}
 
-int RowsOfBand(const Options& options) {
-  const int samples = SamplesOf(options);
+int RowsOfBand(const Options& options, int samples) {
   return std::clamp(kMostSamples / (samples * samples * options.width), 1, options.height);
 }
 
@@ -61,6 +64,7 @@ struct Renderer::State {
   std::vector<std::uint8_t> on_light;
   std::vector<std::uint8_t> on_black;
   std::vector<float> depths;
+  int samples = kFewestSamples;  // along each side of a pixel of the current picture
 
   const Buffers& BuffersFor(const Options& options);
   Image DrawScene(ModelContext& context, Scene& scene, const Camera& camera,
@@ -106,9 +110,8 @@ Image Renderer::DrawText(std::string_view text, const Background::Color& color) 
 
 // Returns buffers of the size that the picture needs: those of the last picture if they have it.
 const Buffers& Renderer::State::BuffersFor(const Options& options) {
-  const int samples = SamplesOf(options);
   const int width = options.width * samples;
-  const int height = RowsOfBand(options) * samples;
+  const int height = RowsOfBand(options, samples) * samples;
   const int shadow_size = options.quick ? 0 : ShadowSize(options.width, options.height);
   if (!buffers || !buffers->HasSize(width, height, shadow_size)) {
     buffers.reset();
@@ -119,8 +122,7 @@ const Buffers& Renderer::State::BuffersFor(const Options& options) {
 
 Image Renderer::State::DrawScene(ModelContext& context, Scene& scene, const Camera& camera,
                                  const Options& options) {
-  const int band = RowsOfBand(options);
-  const int samples = SamplesOf(options);
+  const int band = RowsOfBand(options, samples);
   (*context).shadowClip = static_cast<float>(1.05 * camera.radius);
   LevelDepth floor;
   if (const auto level = scene.LevelAboveFloor())
@@ -246,7 +248,8 @@ std::optional<std::vector<Image>> Renderer::State::DrawPoses(Subject& subject,
   const std::vector<PlacedText> legend = DrawLegend(scene, options);
   Options above = options;
   if (!legend.empty()) above.height -= legend.back().y + legend.back().text.height;
-  const Camera camera = FrameShapes(all, above.width, above.height, above.view);
+  const Camera camera = scene.Frame(all, lowest, above);
+  samples = SamplesOf(above, scene.HasOpaqueGeoms());
   ModelContext context(model, BuffersFor(above));
   std::vector<Image> images;
   for (const Positions& pose : poses) {

@@ -18,16 +18,21 @@ using diag::Code;
 constexpr int kExtraGeoms = 64;
 constexpr int kExtraPerJoint = 64;
 
-// The key light comes from high above, behind the camera and to its left. A fill light from the
-// camera and ambient light brighten the shadows.
+// The key light comes from above, behind the camera and to its left. A fill light from the camera
+// and ambient light brighten the shadows. A rim light from the right brightens the faces that the
+// key light does not reach, and gives metals a second highlight. What faces all lights is not
+// brighter than its own color.
 const Eigen::Vector3d kKeyDirection = Eigen::Vector3d(0.22, 0.55, -1.3).normalized();
-constexpr float kKey = 0.60F;
-constexpr float kKeySpecular = 0.45F;
-constexpr float kFill = 0.40F;
-constexpr float kAmbient = 0.30F;
-constexpr float kFaded = 0.35F;   // factor of alpha
-constexpr double kBelow = 0.003;  // depth of the floor, as a share of the object's radius
-constexpr float kFloor = 0.85F;   // gray level of the light floor
+const Eigen::Vector3d kRimDirection = Eigen::Vector3d(-0.89, -0.14, -0.43).normalized();
+constexpr float kKey = 0.52F;
+constexpr float kKeySpecular = 0.60F;
+constexpr float kFill = 0.33F;
+constexpr float kAmbient = 0.27F;
+constexpr float kRim = 0.20F;
+constexpr float kRimSpecular = 0.60F;
+constexpr float kFaded = 0.35F;    // factor of alpha
+constexpr double kBelow = 0.003;   // depth of the floor, as a share of the object's radius
+constexpr float kFloor = 0.85F;    // gray level of the light floor
 constexpr float kOpaque = 0.995F;  // alpha from which MuJoCo draws a geom as opaque
 
 void SetColor(float* rgba, const std::array<float, 4>& color) {
@@ -256,6 +261,17 @@ mjvGeom* Scene::Add(int type, const Eigen::Vector3d& size, const Eigen::Vector3d
   return geom;
 }
 
+Camera Scene::Frame(const PlacedShapes& shapes, double floor_height, const Options& options) const {
+  std::optional<Shadow> shadow;
+  if (!has_ground_) shadow = {kKeyDirection, floor_height};
+  return FrameShapes(shapes, options.width, options.height, options.view, shadow);
+}
+
+bool Scene::HasOpaqueGeoms() const {
+  return std::all_of(scene_.geoms, scene_.geoms + scene_.ngeom,
+                     [](const mjvGeom& geom) { return geom.rgba[3] >= kOpaque; });
+}
+
 void Scene::Light(const Camera& camera, double floor_height, bool has_shadows) {
   scene_.lights[0] = MakeLight(kKeyDirection, kKey, kKeySpecular, 0);
   scene_.lights[0].castshadow = 1;
@@ -263,10 +279,11 @@ void Scene::Light(const Camera& camera, double floor_height, bool has_shadows) {
   const Eigen::Vector3d eye = camera.center - (camera.near + 1.5 * camera.radius) * kKeyDirection;
   Eigen::Map<Eigen::Vector3f>(scene_.lights[0].pos) = eye.cast<float>();
   scene_.lights[1] = MakeLight(camera.forward, kFill, 0.1F, kAmbient);
-  scene_.nlight = 2;
-  is_opaque_ = std::ranges::none_of(Geoms(), [&](const mjvGeom& geom) {
-    return geom.rgba[3] < kOpaque || (geom.type == mjGEOM_PLANE && IsBehind(camera.eye, geom));
-  });
+  scene_.lights[2] = MakeLight(kRimDirection, kRim, kRimSpecular, 0);
+  scene_.nlight = 3;
+  is_opaque_ = HasOpaqueGeoms() && std::ranges::none_of(Geoms(), [&](const mjvGeom& geom) {
+                 return geom.type == mjGEOM_PLANE && IsBehind(camera.eye, geom);
+               });
   // Slightly below the object's lowest faces, because coincident faces would flicker.
   const double below = kBelow * camera.radius;
   level_above_floor_ = floor_height - below / 2;
@@ -278,7 +295,8 @@ void Scene::Light(const Camera& camera, double floor_height, bool has_shadows) {
 
 mjvGeom* Scene::AddPlane(const Eigen::Vector2d& half_sides, const Eigen::Vector3d& place,
                          const Eigen::Matrix3d& axes) {
-  mjvGeom* plane = Add(mjGEOM_PLANE, {half_sides.x(), half_sides.y(), 1}, place, axes, {1, 1, 1, 1});
+  mjvGeom* plane =
+      Add(mjGEOM_PLANE, {half_sides.x(), half_sides.y(), 1}, place, axes, {1, 1, 1, 1});
   if (plane == nullptr) return nullptr;
   plane->category = mjCAT_STATIC;
   plane->specular = 0;
@@ -298,11 +316,8 @@ void Scene::AddFloor(const Camera& camera, double height) {
     axes.col(1) = Eigen::Vector3d::UnitZ().cross(axes.col(0));
     place = {0, 0, height};
     for (int i = 0; i < 2; ++i) {
-      // Along the light, a point moves by its height above the floor times this slope.
-      const double slope = axes.col(i).dot(kKeyDirection) / -kKeyDirection.z();
-      const Eigen::Vector3d direction = axes.col(i) + slope * Eigen::Vector3d::UnitZ();
-      const double most = shapes_.Support(direction) - slope * height;
-      const double least = -shapes_.Support(-direction) - slope * height;
+      const double most = shapes_.ShadowSupport(axes.col(i), kKeyDirection, height);
+      const double least = -shapes_.ShadowSupport(-axes.col(i), kKeyDirection, height);
       half_sides[i] = 0.51 * (most - least) + kBelow * camera.radius;
       place += (most + least) / 2 * axes.col(i);
     }
@@ -334,7 +349,8 @@ int Scene::SetFloor(bool light) {
   const float color = light ? kFloor : 0;
   SetColor(scene_.geoms[floor_].rgba, {color, color, color, 1});
   const double fill = -scene_.lights[1].dir[2];
-  const double lit = kFloor * (kAmbient + kFill * fill + kKey * -kKeyDirection.z());
+  const double lit =
+      kFloor * (kAmbient + kFill * fill - kKey * kKeyDirection.z() - kRim * kRimDirection.z());
   return static_cast<int>(std::lround(255 * std::min(lit, 1.0)));
 }
 

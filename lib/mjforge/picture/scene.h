@@ -46,10 +46,16 @@ class Scene {
   };
   const std::vector<Line>& legend() const { return legend_; }
 
+  /// Returns a camera that frames shapes that stand on a floor at this height, and their shadow
+  /// unless the model has a ground.
+  Camera Frame(const PlacedShapes& shapes, double floor_height, const Options& options) const;
+
   /// Adds light and, if there are shadows, a floor at the given height, unless the model has a
   /// ground or the camera is below the floor. A scene that is not opaque also gets a backdrop.
   void Light(const Camera& camera, double floor_height, bool has_shadows);
-  /// Returns true if nothing that is shown lets light through.
+  /// Returns true if no geom is translucent.
+  bool HasOpaqueGeoms() const;
+  /// Returns true if nothing that is lit, as the camera sees it, lets light through.
   bool IsOpaque() const { return is_opaque_; }
   /// Makes the floor and the backdrop light or black, and returns the brightness of the light floor
   /// outside of shadows, 0..255.

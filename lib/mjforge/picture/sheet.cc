@@ -8,7 +8,8 @@
 namespace mjforge::picture {
 namespace {
 
-constexpr int kGap = 12;  // pixels between tiles and around them
+constexpr int kGap = 12;          // pixels between tiles and around them
+constexpr int kBelowCaption = 8;  // more between a caption and the tile below it
 
 // Puts a pixel over another.
 void PutPixel(const std::uint8_t* top, std::uint8_t* below) {
@@ -44,6 +45,35 @@ int ColumnsFor(int count) {
   }
   return best;
 }
+
+// Returns true if a row of pixels shows anything.
+bool IsShown(const Image& image, int y) {
+  const std::uint8_t* alpha = image.rgba.data() + 4 * std::ptrdiff_t{y * image.width} + 3;
+  for (int x = 0; x < image.width; ++x, alpha += 4) {
+    if (*alpha != 0) return true;
+  }
+  return false;
+}
+
+// A row of tiles in a sheet, which is only as high as its tiles need: rows of pixels in which no
+// tile shows anything are left out at its top and bottom.
+struct SheetRow {
+  SheetRow(std::span<const Tile> tiles, int sheet_top) : top(sheet_top) {
+    last = tiles.front().image.height;
+    const auto shows = [&](int y) {
+      return std::ranges::any_of(tiles, [&](const Tile& tile) { return IsShown(tile.image, y); });
+    };
+    while (first < last && !shows(first)) ++first;
+    while (last > first && !shows(last - 1)) --last;
+    for (const Tile& tile : tiles) lines = std::max(lines, tile.caption.size());
+  }
+  int height() const { return last - first; }
+
+  int top;                // in the sheet
+  int first = 0;          // first row of pixels that is shown
+  int last = 0;           // end of these rows
+  std::size_t lines = 0;  // of the longest caption
+};
 
 Background::Color InkColor(const Background& background) {
   const int light = background.bottom[0] + background.bottom[1] + background.bottom[2];
@@ -94,22 +124,25 @@ void PutLabels(std::vector<PlacedText> labels, Image& image) {
 
 Image ContactSheet(Renderer& renderer, std::span<const Tile> tiles, const Background& background) {
   if (tiles.empty()) return {};
-  const int columns = ColumnsFor(static_cast<int>(tiles.size()));
-  const int rows = (static_cast<int>(tiles.size()) + columns - 1) / columns;
+  const auto columns = static_cast<std::size_t>(ColumnsFor(static_cast<int>(tiles.size())));
   const Background::Color ink = InkColor(background);
-  std::size_t lines = 0;
-  for (const Tile& tile : tiles) lines = std::max(lines, tile.caption.size());
   const int line_height = renderer.DrawText("x", ink).height;
   const int width = tiles.front().image.width;
-  const int height = tiles.front().image.height;
-  const int caption = static_cast<int>(lines) * line_height;
-  Image sheet = MakeImage(columns * (width + kGap) + kGap, rows * (height + caption + kGap) + kGap);
+  std::vector<SheetRow> rows;
+  int height = kGap;
+  for (std::size_t first = 0; first < tiles.size(); first += columns) {
+    const SheetRow& row =
+        rows.emplace_back(tiles.subspan(first, std::min(columns, tiles.size() - first)), height);
+    height += row.height() + static_cast<int>(row.lines) * line_height + kGap;
+    if (row.lines > 0) height += kBelowCaption;
+  }
+  Image sheet = MakeImage(static_cast<int>(columns) * (width + kGap) + kGap, height);
   PutOn(background, sheet);
   for (std::size_t i = 0; i < tiles.size(); ++i) {
-    const int left = kGap + static_cast<int>(i) % columns * (width + kGap);
-    int top = kGap + static_cast<int>(i) / columns * (height + caption + kGap);
-    PutOver(tiles[i].image, left, top, sheet);
-    top += height;
+    const SheetRow& row = rows[i / columns];
+    const int left = kGap + static_cast<int>(i % columns) * (width + kGap);
+    PutOver(tiles[i].image, left, row.top - row.first, sheet);
+    int top = row.top + row.height();
     for (const std::string& line : tiles[i].caption) {
       const Image text = renderer.DrawText(line, ink);
       PutOver(text, left + std::max(0, (width - text.width) / 2), top, sheet);

@@ -57,6 +57,13 @@ double PlacedShapes::Support(const Eigen::Vector3d& direction) const {
   return most;
 }
 
+// Along the light, a point moves by its height above the plane times the slope.
+double PlacedShapes::ShadowSupport(const Eigen::Vector3d& direction, const Eigen::Vector3d& light,
+                                   double level) const {
+  const double slope = direction.dot(light) / -light.z();
+  return Support(direction + slope * Eigen::Vector3d::UnitZ()) - slope * level;
+}
+
 Eigen::Vector3d PlacedShapes::Min() const {
   return {-Support(-Eigen::Vector3d::UnitX()), -Support(-Eigen::Vector3d::UnitY()),
           -Support(-Eigen::Vector3d::UnitZ())};

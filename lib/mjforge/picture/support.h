@@ -32,6 +32,10 @@ class PlacedShapes {
   bool empty() const { return shapes_.empty(); }
 
   double Support(const Eigen::Vector3d& direction) const;
+  /// Returns the support of the shadow that light in this direction, downwards, casts on a level
+  /// plane.
+  double ShadowSupport(const Eigen::Vector3d& direction, const Eigen::Vector3d& light,
+                       double level) const;
   Eigen::Vector3d Min() const;
   Eigen::Vector3d Max() const;
   /// Returns the largest distance from the vertical line through `axis`, with a relative error of

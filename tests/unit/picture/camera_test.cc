@@ -44,6 +44,29 @@ TEST_CASE("the depth of a level plane is that of its points, and above 1 beyond 
   CHECK(above.at_corner > 1);
 }
 
+TEST_CASE("the shadow is in the picture, too") {
+  const PlacedShape box = Box({0.1, 0.1, 0.4}, {0, 0, 0.4});
+  PlacedShapes shapes;
+  shapes.Add(box);
+  const Eigen::Vector3d light(1, 0.5, -1);
+  const auto most = [&](const Camera& camera) {
+    double right = 0;
+    for (const double y : {-0.1, 0.1}) {
+      const Eigen::Vector3d corner = Eigen::Vector3d(0.1, y, 0.8) + 0.8 * light;  // on the floor
+      right = std::max(right, camera.Project(corner, 200, 200).x());
+    }
+    return right;
+  };
+  CHECK(most(FrameShapes(shapes, 200, 200)) > 210);
+  const Camera camera = FrameShapes(shapes, 200, 200, {}, Shadow{light, 0});
+  CHECK(most(camera) == Approx(196));  // 0.04 of half the width
+  CHECK(Extremes(camera, box, 200, 200)[0] > 9.99);
+  View from_below;
+  from_below.elevation = 20;
+  CHECK(FrameShapes(shapes, 200, 200, from_below, Shadow{light, 0}).eye ==
+        FrameShapes(shapes, 200, 200, from_below).eye);
+}
+
 TEST_CASE("a box fills the picture up to the margin, and is in the middle") {
   const PlacedShape box = Box({0.1, 0.2, 0.4}, {1, 2, 3});
   PlacedShapes shapes;

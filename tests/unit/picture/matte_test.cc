@@ -7,6 +7,8 @@
 namespace mjforge::picture {
 namespace {
 
+constexpr int kSamples = 2;  // along each side of a pixel
+
 using Bytes = std::vector<std::uint8_t>;
 
 // A picture of one color on each floor, in samples.
@@ -14,7 +16,7 @@ Image Finish(int side, std::uint8_t on_light, std::uint8_t on_black) {
   const auto samples = static_cast<std::size_t>(side * side * kSamples * kSamples * 3);
   const Bytes light(samples, on_light);
   const Bytes black(samples, on_black);
-  Matte matte(side, side);
+  Matte matte(side, side, kSamples);
   matte.Add(RenderedBand{light, black, 200}, 0, side);
   return matte.Finish();
 }
@@ -58,7 +60,7 @@ TEST_CASE("the samples of an opaque object are those in front of the floor") {
     if (column > 2) depths[i] = 0.9F;
     if (column > 3) depths[i] = 1;
   }
-  Matte matte(kWidth, 1);
+  Matte matte(kWidth, 1, kSamples);
   // A floor that is nearer at the left: 0.8 to 0.6.
   matte.Add(OpaqueBand{colors, depths, {0.6, 0.2 / 3, 0}, 120}, 0, 1);
   const Bytes drawn = matte.Finish().rgba;
@@ -82,9 +84,9 @@ TEST_CASE("an opaque object and its shadow are the same with depths and on two f
       }
     }
   }
-  Matte once(kSide, kSide);
+  Matte once(kSide, kSide, kSamples);
   once.Add(OpaqueBand{light, depths, {0.5, 0, 0}, 200}, 0, kSide);
-  Matte twice(kSide, kSide);
+  Matte twice(kSide, kSide, kSamples);
   twice.Add(RenderedBand{light, black, 200}, 0, kSide);
   const Bytes expected = twice.Finish().rgba;
   const Bytes drawn = once.Finish().rgba;
@@ -95,7 +97,7 @@ TEST_CASE("an opaque object and its shadow are the same with depths and on two f
 }
 
 TEST_CASE("rows come from the bottom, bands from the top") {
-  Matte matte(1, 2);
+  Matte matte(1, 2, kSamples);
   const Bytes dark(12, 10);
   const Bytes bright(12, 250);
   matte.Add(RenderedBand{dark, dark, 200}, 0, 1);
@@ -103,7 +105,7 @@ TEST_CASE("rows come from the bottom, bands from the top") {
   Bytes mixed = matte.Finish().rgba;
   CHECK(mixed == Bytes{10, 10, 10, 255, 250, 250, 250, 255});
 
-  Matte whole(1, 2);
+  Matte whole(1, 2, kSamples);
   Bytes both = bright;
   both.insert(both.end(), dark.begin(), dark.end());
   whole.Add(RenderedBand{both, both, 200}, 0, 2);

@@ -47,6 +47,25 @@ TEST_CASE("a sheet is as square as the number of its tiles allows") {
   CHECK(size(20) == std::pair(5, 4));
 }
 
+TEST_CASE("a row of a sheet is as high as its tiles need") {
+  const auto renderer = OpenRenderer();
+  std::vector<Tile> tiles(4, {Flat(40, 30, {0, 0, 0, 0}), {}});
+  const auto show = [&](std::size_t tile, std::size_t y) {
+    tiles[tile].image.rgba[4 * (40 * y + 20) + 3] = 255;
+  };
+  show(0, 10);
+  show(1, 14);
+  show(2, 29);
+  const Image sheet = ContactSheet(*renderer, tiles, {.transparent = true});
+  CHECK(sheet.height == 12 + 5 + 12 + 1 + 12);
+  const auto alpha = [&](int x, int y) {
+    return sheet.rgba[4 * static_cast<std::size_t>(sheet.width * y + x) + 3];
+  };
+  CHECK(alpha(12 + 20, 12) == 255);
+  CHECK(alpha(12 + 52 + 20, 12 + 4) == 255);
+  CHECK(alpha(12 + 20, 12 + 5 + 12) == 255);
+}
+
 TEST_CASE("captions stand below their tiles") {
   const auto renderer = OpenRenderer();
   const std::vector<Tile> tiles(1, {Flat(100, 20, {200, 0, 0, 255}), {"one", "two"}});
