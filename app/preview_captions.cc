@@ -24,9 +24,9 @@ constexpr std::size_t kMaxParameters = 4;
 constexpr std::size_t kMaxLetters = 36;  // in a line, as many as fit below a tile of 320 pixels
 
 // Last words of parameters' names that their values make superfluous: "steel" for "material steel".
-constexpr std::array<std::string_view, 13> kEmptyWords = {
-    "color", "colour", "finish", "kind", "look",  "make", "material",
-    "model", "name",   "shape",  "size", "style", "type"};
+constexpr std::array<std::string_view, 15> kEmptyWords = {
+    "color", "colour", "finish", "kind", "look",  "make", "material", "metal",
+    "model", "name",   "shape",  "size", "style", "type", "wood"};
 // Quantities without unit that no picture shows.
 constexpr std::array<std::string_view, 9> kUnseen = {"armature", "clearance", "damping",
                                                      "density",  "friction",  "margin",
@@ -103,7 +103,8 @@ std::string TextOf(const std::string& name, const ParameterValue& value, std::st
                    bool is_count) {
   const std::string noun = NounOf(name);
   if (const auto* boolean = std::get_if<bool>(&value)) {
-    const char* no = name.starts_with("is_") ? "not " : "no ";
+    const bool is_adjective = name.starts_with("is_") || name.ends_with("ed");
+    const char* no = is_adjective ? "not " : "no ";
     return *boolean ? noun : no + noun;
   }
   const auto* number = std::get_if<double>(&value);

@@ -47,9 +47,12 @@ TEST_CASE("a caption reads as a sentence would: choices and counts before their 
   family.Add("tall", "1 .. 2", "m", 1.0, 2.0);
   family.Add("spokes", "{integer: [3, 7]}", "1", 3.0, 7.0);
   family.Add("has_lid", "{chance: 0.5}", "", true, false);
+  family.Add("metal", "{choice: [cast_iron, brass]}", "", std::string("cast_iron"),
+             std::string("brass"));
   family.Add("handle_look", "{choice: [a]}", "", std::string("second_glaze"), std::string("none"));
-  CHECK(family.Captions() == std::vector<Lines>{{"#0", "lid, second glaze handle, 3 spokes", "tall 1 m"},
-                                                {"#1", "no lid, no handle, 7 spokes, tall 2 m"}});
+  CHECK(family.Captions() ==
+        std::vector<Lines>{{"#0", "lid, cast iron, second glaze handle", "3 spokes"},
+                           {"#1", "no lid, brass, no handle, 7 spokes"}});
 }
 
 TEST_CASE("a row of a table is known by its name alone") {
@@ -65,9 +68,8 @@ TEST_CASE("a unit that a spec does not name is seen in its values") {
   family.Add("gap", "0.5mm .. 2mm", "", 0.001, 0.002);
   family.Add("turn", "30deg .. 45deg", "", 0.5235987755982988, 0.7853981633974483);
   family.Add("ratio", "0.5 .. 1", "", 0.5, 0.75);
-  CHECK(family.Captions() ==
-        std::vector<Lines>{{"#0", "gap 1 mm, turn 30 deg, ratio 0.5"},
-                           {"#1", "gap 2 mm, turn 45 deg, ratio 0.75"}});
+  CHECK(family.Captions() == std::vector<Lines>{{"#0", "gap 1 mm, turn 30 deg, ratio 0.5"},
+                                                {"#1", "gap 2 mm, turn 45 deg, ratio 0.75"}});
 }
 
 TEST_CASE("captions leave out what is the same, and lists") {
