@@ -15,6 +15,7 @@
 #include "mjforge/forge/forge.h"
 #include "preview_captions.h"
 #include "preview_options.h"
+#include "spec_view.h"
 #include "usage.h"
 #include "watched_files.h"
 
@@ -48,7 +49,10 @@ std::string StemOf(const std::string& file) { return std::filesystem::path(file)
 class Preview {
  public:
   Preview(const PreviewOptions& options, Console& console)
-      : options_(options), console_(console), findings_(console.findings) {}
+      : options_(options),
+        picture_(options.picture),
+        console_(console),
+        findings_(console.findings) {}
 
   /// Makes the picture, and writes the names of the files that it depends on to `files`, unless
   /// that is null.
@@ -113,6 +117,7 @@ class Preview {
     recipe_ = LoadRecipe(options_.what, options_.spec, console_);
     if (!recipe_) return objects;
     ChoosePlace(recipe_->spec->name);
+    picture_.view = ViewOf(*recipe_->spec, picture_.view);
     forge::Options options;
     options.seed = options_.spec.seed;
     options.place_seed = options_.spec.place_seed;
@@ -150,6 +155,7 @@ class Preview {
 
   bool Pose(std::vector<PreviewObject>& objects) {
     for (PreviewObject& object : objects) {
+      if (recipe_ && !SetPoseOf(*recipe_->spec, *object.subject, findings_)) return false;
       for (const auto& [name, value] : options_.poses) {
         const std::optional<int> joint = object.subject->FindJoint(name, findings_);
         if (joint) object.subject->SetJoint(*joint, value, findings_);
@@ -160,7 +166,7 @@ class Preview {
   }
 
   std::optional<std::string> DrawOne(picture::Renderer& renderer, PreviewObject& object) {
-    const auto image = renderer.Draw(*object.subject, options_.picture, findings_);
+    const auto image = renderer.Draw(*object.subject, picture_, findings_);
     if (!image) return std::nullopt;
     return picture::EncodePng(*image, TextsOf(object.record, ""));
   }
@@ -174,14 +180,14 @@ class Preview {
     }
     const std::vector<picture::JointPositions> poses = object.subject->Sweep(joint, findings_);
     if (poses.empty()) return std::nullopt;
-    const auto frames = renderer.DrawMotion(*object.subject, poses, options_.picture, findings_);
+    const auto frames = renderer.DrawMotion(*object.subject, poses, picture_, findings_);
     if (!frames) return std::nullopt;
     return picture::EncodeGif(*frames, kDelay, TextsOf(object.record, ""));
   }
 
   std::optional<std::string> DrawSheet(picture::Renderer& renderer,
                                        std::vector<PreviewObject>& objects) {
-    picture::Options tile = options_.picture;
+    picture::Options tile = picture_;
     tile.background.transparent = true;
     std::vector<manifest::Record> records;
     std::vector<picture::Tile> tiles;
@@ -204,8 +210,7 @@ class Preview {
     } else {
       for (std::size_t i = 0; i < tiles.size(); ++i) tiles[i].caption = {records[i].name};
     }
-    const picture::Image sheet =
-        picture::ContactSheet(renderer, tiles, options_.picture.background);
+    const picture::Image sheet = picture::ContactSheet(renderer, tiles, picture_.background);
     return picture::EncodePng(sheet, TextsOf(records.front(), fmt::format("+{}", options_.count)));
   }
 
@@ -221,6 +226,7 @@ class Preview {
   }
 
   const PreviewOptions& options_;
+  picture::Options picture_;  // of the command line, completed by the spec's view
   Console& console_;
   diag::Findings& findings_;  // findings of the console
   std::optional<forge::Recipe> recipe_;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mjforge/output/output.h"
+#include "spec_view.h"
 
 namespace mjforge::app {
 namespace {
@@ -24,8 +25,12 @@ std::optional<report::Thumbnail> Thumbnails::Draw(const manifest::Record& record
   const std::unique_ptr<picture::Subject> subject = Load(record);
   if (subject == nullptr) return std::nullopt;
   diag::Findings ignored;  // the page has one picture less
-  const std::optional<picture::Image> image =
-      renderer_->Draw(*subject, {.width = kWidth, .height = kHeight}, ignored);
+  picture::Options options = {.width = kWidth, .height = kHeight};
+  if (const forge::Recipe* recipe = RecipeOf(record)) {
+    options.view = ViewOf(*recipe->spec);
+    SetPoseOf(*recipe->spec, *subject, ignored);
+  }
+  const std::optional<picture::Image> image = renderer_->Draw(*subject, options, ignored);
   if (!image) return std::nullopt;
   return report::Thumbnail{picture::EncodeWebp(*image, kQuality), kWidth, kHeight};
 }

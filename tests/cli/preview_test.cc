@@ -65,15 +65,16 @@ TEST_CASE_METHOD(UnluckyCrateTest, "a finding that many variants of a preview ha
 TEST_CASE_METHOD(PreviewTest, "a contact sheet has a picture and a caption for each variant") {
   const harness::Png four = DecodePng(Draw({"crate.yaml", "-n", "4", "--size", "100"}));
   CHECK(four.width == 2 * 112 + 12);
-  CHECK(four.height > 2 * 112 + 12);
+  CHECK(four.height > 2 * 60 + 12);
   const harness::Png six = DecodePng(Draw({"crate.yaml", "-n", "6", "--size", "100x60"}));
   CHECK(six.width == 3 * 112 + 12);
   // Each of the four tiles has an object, and so edges.
   for (int tile = 0; tile < 4; ++tile) {
     int dark = 0;
     const int left = 12 + tile % 2 * 112;
-    const int top = 12 + tile / 2 * ((four.height - 12) / 2);
-    for (int y = top; y < top + 100; ++y) {
+    const int half = (four.height - 12) / 2;
+    const int top = 12 + tile / 2 * half;
+    for (int y = top; y < top + half; ++y) {
       for (int x = left; x < left + 100; ++x) dark += four.At(x, y)[0] < 160 ? 1 : 0;
     }
     CHECK(dark > 1000);
@@ -99,6 +100,35 @@ TEST_CASE_METHOD(PreviewTest, "a picture of a sheet is the variant's own picture
   CHECK(third != Draw({"crate.yaml", "--first", "2", "--size", "100", "--seed", "1"}));
   const std::vector<std::string> sheet = {"crate.yaml", "-n", "3", "--size", "64"};
   CHECK(Draw(sheet) == Draw(sheet));
+}
+
+TEST_CASE_METHOD(PreviewTest, "a spec's view is the picture's, unless an option says otherwise") {
+  const std::string door =
+      "mjforge: 1\nname: cup\nparts: [{name: s, type: box, size: [0.1, 0.2, 0.1]}]\n"
+      "bodies:\n  - name: lid\n    parts: [{name: l, type: box, size: [0.1, 0.2, 0.01]}]\n"
+      "    pos: [0, 0, 0.2]\n    joints: [{name: turn, axis: [0, 0, 1], range: [0, 90deg]}]\n";
+  folder().Write("plain.yaml", door);
+  folder().Write("view.yaml",
+                 door + "view: {azimuth: 30deg, elevation: -60deg, pose: {turn: 45deg}}\n");
+  const auto pixels = [&](const std::vector<std::string>& arguments) {
+    return DecodePng(Draw(arguments)).rgba;
+  };
+  const auto viewed = pixels({"view.yaml", "--size", "64"});
+  const std::vector<std::string> same = {"plain.yaml",  "--size", "64",      "--azimuth", "30",
+                                         "--elevation", "-60",    "--joint", "turn=45deg"};
+  CHECK(viewed == pixels(same));
+  CHECK(viewed != pixels({"plain.yaml", "--size", "64"}));
+  CHECK(pixels({"view.yaml", "--size", "64", "--azimuth", "123", "--elevation", "-20", "--joint",
+                "turn=0"}) ==
+        pixels({"plain.yaml", "--size", "64", "--azimuth", "123", "--elevation", "-20"}));
+  folder().Write("wrong.yaml", door + "view: {pose: {trun: 45deg}}\n");
+  const auto wrong = Run({"preview", "wrong.yaml", "-o", "wrong.png"});
+  CHECK(wrong.status != 0);
+  CHECK(wrong.err ==
+        "wrong.yaml:9:7: error: the view's pose: there is no joint 'trun' [picture/unknown-joint]\n"
+        "view: {pose: {trun: 45deg}}\n"
+        "      ^\n"
+        "  hint: did you mean 'turn'?\n");
 }
 
 TEST_CASE_METHOD(PreviewTest, "size, background and layer are as they are asked for") {

@@ -122,6 +122,8 @@ std::optional<bool> IsFreeWord(const YamlNode& joints, Context& context);
 std::vector<JointPosition> ReadPositions(const YamlNode& positions, Context& context);
 /// Reads `pose:` of an object, a mapping or a list.
 std::vector<Entry> ReadStarts(const YamlNode& pose, Context& context);
+/// Reads `view:` of an object.
+void ReadView(const YamlNode& view, Context& context);
 /// Reads `expect:` of an object.
 void ReadExpectations(const YamlNode& list, Context& context);
 

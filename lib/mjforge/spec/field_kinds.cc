@@ -79,6 +79,7 @@ constexpr std::array kFieldKinds = {
         R"("type": "array", "items": {"anyOf": [{"@is condition"}, {"@is expectation"}]})"},
     FieldKindInfo{FieldKind::kSections, "section: elements"},
     FieldKindInfo{FieldKind::kChecks, "checks", R"("@is checks")"},
+    FieldKindInfo{FieldKind::kView, "view", R"("@is view")"},
     FieldKindInfo{FieldKind::kHolding, "balls", R"("@is holds")"},
     FieldKindInfo{FieldKind::kSettling, "limits", R"("@is settled")"},
     FieldKindInfo{FieldKind::kJointChecks, "list of drives", R"("@list drive")"},

@@ -160,6 +160,10 @@ constexpr FieldInfo kObjectFields[] = {
         "What must be true of every variant: conditions, and how bodies and parts lie."),
     Row("checks", FieldKind::kChecks,
         "Thresholds of the physical checks, and the findings to ignore."),
+    Row("view", FieldKind::kView,
+        "How pictures show the object: from where, and in which pose. The MJCF file does not "
+        "depend "
+        "on it."),
 };
 
 constexpr FieldInfo kParameterFields[] = {
@@ -747,6 +751,15 @@ constexpr FieldInfo kHoldingFields[] = {
         "Whether they must come out as the object is turned over about its x axis."),
 };
 
+constexpr FieldInfo kViewFields[] = {
+    Number("azimuth", "rad", Between(-2 * std::numbers::pi, 2 * std::numbers::pi), "123deg",
+           "Viewing direction about z: 0 is along x, 90deg along y."),
+    Number("elevation", "rad", Between(-std::numbers::pi / 2, std::numbers::pi / 2), "-30deg",
+           "Tilt of the viewing direction: -90deg is straight down."),
+    Row("pose", FieldKind::kPositions,
+        "Positions of joints (m or rad) that are not at their start in pictures."),
+};
+
 constexpr FieldInfo kSettlingFields[] = {
     Number("time", "s", Above(0), "2", "How long the object is simulated."),
     Number("moved", "m", AtLeast(0), "2mm",
@@ -945,6 +958,11 @@ const ElementInfo kDefaultsElement = {
     "Values for keys that entries leave out; an entry's own and its material's values win.",
     kDefaultsFields};
 
+const ElementInfo kViewElement = {"view",
+                                  "How `preview`, `report` and other pictures show the object, "
+                                  "unless a command says otherwise. All "
+                                  "values are fixed numbers.",
+                                  kViewFields};
 const ElementInfo kHoldingElement = {
     "holds",
     "Balls dropped into the object, which is held meanwhile, with its joints where they start.",
@@ -986,7 +1004,7 @@ std::span<const ElementInfo* const> AllElements() {
       &kPlaceElement,      &kBesideElement,      &kPileElement,     &kContactElement,
       &kExcludeElement,    &kExpectationElement, &kDefaultsElement, &kHoldingElement,
       &kSettlingElement,   &kFittingElement,     &kGraspingElement, &kPartCheckElement,
-      &kJointCheckElement, &kChecksElement};
+      &kJointCheckElement, &kChecksElement,      &kViewElement};
   return kElements;
 }
 

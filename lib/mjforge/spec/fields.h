@@ -62,6 +62,7 @@ enum class FieldKind {
   kExpectations,
   kSections,
   kChecks,
+  kView,
   kHolding,
   kSettling,
   kJointChecks,
@@ -138,6 +139,7 @@ extern const ElementInfo kContactElement;
 extern const ElementInfo kExcludeElement;  // an entry of contact: exclude:
 extern const ElementInfo kExpectationElement;
 extern const ElementInfo kDefaultsElement;
+extern const ElementInfo kViewElement;  // the mapping under `view:`
 extern const ElementInfo kChecksElement;
 extern const ElementInfo kHoldingElement;
 extern const ElementInfo kSettlingElement;

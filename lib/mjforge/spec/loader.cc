@@ -103,6 +103,7 @@ class SpecLoader : public NestedLoader {
     if (const YamlNode* contact = root.Find("contact")) ReadContact(*contact, context);
     if (const YamlNode* mjcf = root.Find("mjcf")) ReadSections(*mjcf, context);
     ReadChecks(root.Find("checks"), settings, context);
+    if (const YamlNode* view = root.Find("view")) ReadView(*view, context);
     ReadWhole(root, settings, context);
     DropUnusedProperties(context);
     // Do not check nested specs, because another spec may use only some of their materials.

@@ -66,6 +66,14 @@ struct Defaults {
   std::vector<Field> joint;
 };
 
+/// How pictures show the object: `view:`.
+struct PictureView {
+  diag::SourceMark mark;
+  std::optional<double> azimuth;                     // deg, viewing direction about z; 0: along x
+  std::optional<double> elevation;                   // deg, viewing direction; -90: down
+  std::vector<std::pair<std::string, double>> pose;  // joints and their positions, rad or m
+};
+
 struct ObjectSpec {
   std::string name;
   std::string description;
@@ -108,6 +116,7 @@ struct ObjectSpec {
   int mass_slot = -1;
   int bounds_slot = -1;
   Checks checks;
+  PictureView view;
 
   /// Finds a parameter by its name, or the key of a record by the record's name.
   const Parameter* FindParameter(std::string_view parameter) const;

@@ -1,0 +1,16 @@
+// The view of a spec in pictures.
+#pragma once
+
+#include "mjforge/picture/picture.h"
+#include "mjforge/spec/spec.h"
+
+namespace mjforge::app {
+
+/// Returns the chosen view, with the directions of the spec's `view:` where none was chosen.
+picture::View ViewOf(const spec::ObjectSpec& spec, picture::View chosen = {});
+
+/// Moves joints into the pose of the spec's `view:`. Returns false, and adds findings, if there is
+/// no such joint or if the joint does not reach the position.
+bool SetPoseOf(const spec::ObjectSpec& spec, picture::Subject& subject, diag::Findings& findings);
+
+}  // namespace mjforge::app

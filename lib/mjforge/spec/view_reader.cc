@@ -1,0 +1,49 @@
+// Reader of `view:`: how pictures show the object.
+
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "mjforge/spec/context.h"
+
+namespace mjforge::spec {
+namespace {
+
+using diag::Code;
+
+// Returns the number of a fixed value. Returns nothing, and adds a finding unless there is one, for
+// other values, because pictures of all variants are taken in the same way.
+std::optional<double> FixedNumber(std::string_view name, diag::SourceMark mark, const Value& value,
+                                  Context& context) {
+  const std::optional<double> number = ConstantOf(value);
+  if (!number && value.components != 0) {
+    context.findings.Add(Code::kSpecBadValue, mark,
+                         fmt::format("'{}' of a view is not a fixed number", name),
+                         "write a number with its unit: 30deg, 5cm");
+  }
+  return number;
+}
+
+}  // namespace
+
+void ReadView(const YamlNode& view, Context& context) {
+  if (!IsMap(view, "azimuth, elevation and pose", context)) return;
+  CheckKeys(kViewElement, view, context);
+  PictureView& shown = context.spec.view;
+  shown.mark = view.mark;
+  for (const Field& field : ReadFields(kViewElement, view, context)) {
+    const auto number = FixedNumber(field.info->key, field.mark, field.value, context);
+    if (!number) continue;
+    (field.info->key == "azimuth" ? shown.azimuth : shown.elevation) =
+        *number * 180 / std::numbers::pi;
+  }
+  const YamlNode* pose = view.Find("pose");
+  if (pose == nullptr) return;
+  for (const JointPosition& position : ReadPositions(*pose, context)) {
+    const std::string_view joint = LiteralText(position.joint).value_or("");
+    const auto number = FixedNumber(joint, position.mark, position.value, context);
+    if (number) shown.pose.emplace_back(joint, *number);
+  }
+}
+
+}  // namespace mjforge::spec
