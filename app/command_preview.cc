@@ -226,7 +226,7 @@ class Preview {
   }
 
   const PreviewOptions& options_;
-  picture::Options picture_;  // of the command line, completed by the spec's view
+  picture::Options picture_;  // options of the command line, completed by the spec's view
   Console& console_;
   diag::Findings& findings_;  // findings of the console
   std::optional<forge::Recipe> recipe_;

@@ -21,7 +21,7 @@ using manifest::Record;
 using sample::ParameterValue;
 
 constexpr std::size_t kMaxParameters = 4;
-constexpr std::size_t kMaxLetters = 36;  // in a line, as many as fit below a tile of 320 pixels
+constexpr std::size_t kMaxLetters = 36;  // letters of a line that fits below a tile of 320 pixels
 
 // Last words of parameters' names that their values make superfluous: "steel" for "material steel".
 constexpr std::array<std::string_view, 15> kEmptyWords = {
@@ -31,7 +31,7 @@ constexpr std::array<std::string_view, 15> kEmptyWords = {
 constexpr std::array<std::string_view, 9> kUnseen = {"armature", "clearance", "damping",
                                                      "density",  "friction",  "margin",
                                                      "mass",     "play",      "stiffness"};
-// What a name adds to a noun if the parameter is a count or a yes-no question.
+// Prefixes of the names of counts and yes-no questions.
 constexpr std::array<std::string_view, 6> kPrefixes = {"number of ", "count of ", "n ",
                                                        "has ",       "with ",     "is "};
 

@@ -29,7 +29,7 @@ struct Camera {
   Eigen::Vector2d Project(const Eigen::Vector3d& point, int width, int height) const;
 };
 
-/// What casts the shadow of the shapes, and where to.
+/// The light that casts the shadow of the shapes, and the floor that receives it.
 struct Shadow {
   Eigen::Vector3d light;  // W, direction of the light, downwards
   double level = 0;       // z of the floor, m

@@ -31,7 +31,7 @@ struct OpaqueBand {
   std::span<const std::uint8_t> colors;  // on the light floor; 3 bytes per sample
   std::span<const float> depths;         // 1: nothing was drawn
   LevelDepth floor;  // samples at this depth or deeper do not belong to the object
-  int light = 255;   // as in RenderedBand
+  int light = 255;   // see RenderedBand
 };
 
 /// Accumulates renderings, and computes the picture from them.

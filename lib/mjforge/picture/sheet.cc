@@ -9,7 +9,7 @@ namespace mjforge::picture {
 namespace {
 
 constexpr int kGap = 12;          // pixels between tiles and around them
-constexpr int kBelowCaption = 8;  // more between a caption and the tile below it
+constexpr int kBelowCaption = 8;  // additional pixels between a caption and the tile below it
 
 // Puts a pixel over another.
 void PutPixel(const std::uint8_t* top, std::uint8_t* below) {
@@ -72,7 +72,7 @@ struct SheetRow {
   int top;                // in the sheet
   int first = 0;          // first row of pixels that is shown
   int last = 0;           // end of these rows
-  std::size_t lines = 0;  // of the longest caption
+  std::size_t lines = 0;  // lines of the longest caption
 };
 
 Background::Color InkColor(const Background& background) {
