@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "console.h"
@@ -49,7 +50,8 @@ struct Range {
 
 template <typename Measure>
 Range RangeOf(const std::vector<manifest::Record>& variants, const Measure& measure) {
-  Range range{INFINITY, -INFINITY};
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Range range{kInfinity, -kInfinity};
   for (const manifest::Record& record : variants) {
     const double value = measure(record);
     range = {std::min(range.min, value), std::max(range.max, value)};
