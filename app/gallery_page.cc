@@ -10,6 +10,7 @@
 #include "gallery_features.h"
 #include "mjforge/forge/forge.h"
 #include "mjforge/output/output.h"
+#include "spec_view.h"
 
 namespace mjforge::app {
 namespace {
@@ -39,10 +40,11 @@ report::GalleryPicture PictureOf(const report::Thumbnail& image, std::string alt
 }
 
 std::optional<report::Thumbnail> Draw(picture::Renderer& renderer, picture::Subject& subject,
-                                      std::pair<int, int> size) {
+                                      const picture::View& view, std::pair<int, int> size) {
   diag::Findings ignored;  // the page has one picture less
   const auto [width, height] = size;
-  const auto image = renderer.Draw(subject, {.width = width, .height = height}, ignored);
+  const picture::Options options = {.width = width, .height = height, .view = view};
+  const auto image = renderer.Draw(subject, options, ignored);
   return image ? std::optional(Encode(*image)) : std::nullopt;
 }
 
@@ -66,6 +68,7 @@ class PageMaker {
       : name_(std::move(name)), recipe_(std::move(recipe)), sources_(sources) {
     options_.seed = kSeed;
     options_.validation = forge::Validation::kNone;
+    view_ = ViewOf(*recipe_.spec);
   }
 
   /// Makes variants; returns false if there is none. `findings` are those of the failed ones.
@@ -97,13 +100,13 @@ class PageMaker {
   void DrawPictures(picture::Renderer& renderer, report::GalleryCard& card) {
     if (subjects_.empty()) return;
     const auto& [first, subject] = subjects_.front();
-    if (auto large = Draw(renderer, *subject, kLarge)) {
+    if (auto large = Draw(renderer, *subject, view_, kLarge)) {
       page_.large = PictureOf(*large, fmt::format("Variant {} of {}", first, name_),
                               fmt::format("Variant {} of seed {}", first, kSeed));
     }
-    card.picture = Draw(renderer, *subject, kCard);
+    card.picture = Draw(renderer, *subject, view_, kCard);
     for (const auto& [index, tile] : subjects_) {
-      if (auto drawn = Draw(renderer, *tile, kTile)) {
+      if (auto drawn = Draw(renderer, *tile, view_, kTile)) {
         page_.tiles.push_back(PictureOf(*drawn, fmt::format("Variant {} of {}", index, name_),
                                         fmt::format("Variant {}", index)));
       }
@@ -131,6 +134,8 @@ class PageMaker {
       findings.Add(diag::Code::kMujocoError, {}, fmt::format("MuJoCo refused it: {}", why_not));
       return false;
     }
+    diag::Findings ignored;  // `preview` reports what is wrong with a view
+    SetPoseOf(*recipe_.spec, *subject, ignored);
     if (subjects_.empty()) typical_ = variant;
     subjects_.emplace_back(variant.record.index, std::move(subject));
     return true;
@@ -157,7 +162,7 @@ class PageMaker {
     }
     diag::Findings ignored;  // the page has one film less
     const auto frames = renderer.DrawMotion(
-        subject, poses, {.width = kTile.first, .height = kTile.second}, ignored);
+        subject, poses, {.width = kTile.first, .height = kTile.second, .view = view_}, ignored);
     if (!frames) return;
     const std::string name = ShortName(*typical_.object, joint.name);
     report::Film film{name, {}};
@@ -173,6 +178,7 @@ class PageMaker {
 
   std::string name_;
   forge::Recipe recipe_;
+  picture::View view_;
   diag::Sources& sources_;
   forge::Options options_;
   picture::Loader loader_;
