@@ -31,7 +31,7 @@ MATERIALS = """
 
 `import: materials` gives a spec [these materials](../specs/materials.yaml), each with its density, friction and look.
 
-![{count} equal blocks, each of a different material of the library: woods, metals, plastics, glass, stone and more](pictures/materials.webp)
+![A ball, a box and a cup of each of {count} materials of the library: woods, metals, plastics, glass, stone and more](pictures/materials.webp)
 """
 
 

@@ -48,12 +48,11 @@ HERO = "scenes/set_table"
 HERO_INDEX = "1"
 HERO_SIZE = "1120x528"
 
-# A block of every material of the library.
+# Samples of every material of the library.
 SPECS = HERE.parent.parent / "specs"
 LIBRARY = SPECS / "materials.yaml"
-BLOCK = "primitives/box"
-BLOCK_SETTINGS = ("--set", "size=[4cm, 3cm, 3cm]", "--set", "rgba=[1, 1, 1, 1]")
-BLOCK_TILE = "144x96"
+SAMPLES = HERE / "samples.yaml"
+SAMPLES_TILE = "200x120"
 
 # Recipes, whose specs stand on the page.
 COOKBOOK = HERE.parent / "cookbook.md"
@@ -94,8 +93,7 @@ def write_all(folder, pictures):
 def draw_materials(program, picture):
     names = re.findall(r"^  (\w+): {", LIBRARY.read_text(encoding="utf-8"), re.MULTILINE)
     cycle = f"material={{cycle: [{', '.join(names)}]}}"
-    draw(program, BLOCK, picture, {}, "-n", str(len(names)), "--size", BLOCK_TILE, "--set", cycle,
-         *BLOCK_SETTINGS)
+    draw(program, SAMPLES, picture, {}, "-n", str(len(names)), "--size", SAMPLES_TILE, "--set", cycle)
     return len(names)
 
 
@@ -165,7 +163,8 @@ def main():
     hashes = {f"{catalogue.picture_name(spec)}.webp": {"spec": spec, "sha256": inspected[spec]["spec_sha256"]}
               for spec in specs}
     materials = draw_materials(program, HERE / "materials.webp")
-    hashes["materials.webp"] = {"spec": BLOCK, "sha256": inspected[BLOCK]["spec_sha256"]}
+    hashes["materials.webp"] = {"spec": SAMPLES.name,
+                                "sha256": json.loads(run(program, "inspect", str(SAMPLES), "--json"))["spec_sha256"]}
     hashes |= draw_cookbook(program)
     draw(program, HERO, HERE / "hero.png", {}, "--first", HERO_INDEX, "--size", HERO_SIZE)
     hashes["hero.png"] = {"spec": HERO, "sha256": inspected[HERO]["spec_sha256"]}

@@ -101,8 +101,7 @@ std::vector<std::string> InPageOrder(std::vector<std::string> specs) {
 // The pictures that there should be.
 Sources Wanted() {
   Sources wanted = {{"hero.png", {kHero, HashOf(kHero)}},
-                    // A box of any material imports the library.
-                    {"materials.webp", {"primitives/box", HashOf("primitives/box")}}};
+                    {"materials.webp", {"samples.yaml", HashOf((kPictures / "samples.yaml").string())}}};
   for (const std::string& spec : BundledSpecs()) {
     wanted[PictureOf(spec)] = {spec, HashOf(spec)};
   }
