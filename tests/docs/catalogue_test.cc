@@ -100,8 +100,9 @@ std::vector<std::string> InPageOrder(std::vector<std::string> specs) {
 
 // The pictures that there should be.
 Sources Wanted() {
-  Sources wanted = {{"hero.png", {kHero, HashOf(kHero)}},
-                    {"materials.webp", {"samples.yaml", HashOf((kPictures / "samples.yaml").string())}}};
+  Sources wanted = {
+      {"hero.png", {kHero, HashOf(kHero)}},
+      {"materials.webp", {"samples.yaml", HashOf((kPictures / "samples.yaml").string())}}};
   for (const std::string& spec : BundledSpecs()) {
     wanted[PictureOf(spec)] = {spec, HashOf(spec)};
   }

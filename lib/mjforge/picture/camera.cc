@@ -149,8 +149,8 @@ Eigen::Vector2d Camera::Project(const Eigen::Vector3d& point, int width, int hei
           (1 - p.dot(up) / (depth * tan_y)) * height / 2};
 }
 
-// One over the distance of the plane along `forward` is dz / (level - z) for a viewing ray of slope
-// dz, which is linear in the place in the picture.
+// For a viewing ray of slope dz, the inverse of the plane's distance along `forward` is
+// dz / (level - z), which is linear in the place in the picture.
 LevelDepth DepthOfLevel(const Camera& camera, double level, int width, int height) {
   const double scale = camera.far / (camera.far - camera.near);
   const double to_depth = -scale * camera.near / (level - camera.eye.z());

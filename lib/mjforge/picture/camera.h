@@ -47,8 +47,8 @@ struct LevelDepth {
   double per_x = 0;      // per pixel to the right
   double per_y = 0;      // per pixel downwards
 };
-/// Returns the depths of the plane z = `level` in a picture of this size in pixels. Where the plane
-/// is not in front of the camera, they are above 1.
+/// Returns the depths of the plane z = `level` in a picture of this size in pixels. The depths
+/// are above 1 where the plane is not in front of the camera.
 LevelDepth DepthOfLevel(const Camera& camera, double level, int width, int height);
 
 /// Returns MuJoCo's camera for rows [top, bottom) of a picture that is `height` rows high.

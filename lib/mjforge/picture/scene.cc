@@ -20,8 +20,8 @@ constexpr int kExtraPerJoint = 64;
 
 // The key light comes from above, behind the camera and to its left. A fill light from the camera
 // and ambient light brighten the shadows. A rim light from the right brightens the faces that the
-// key light does not reach, and gives metals a second highlight. What faces all lights is not
-// brighter than its own color.
+// key light does not reach, and gives metals a second highlight. A surface that faces all lights is
+// not brighter than its own color.
 const Eigen::Vector3d kKeyDirection = Eigen::Vector3d(0.22, 0.55, -1.3).normalized();
 const Eigen::Vector3d kRimDirection = Eigen::Vector3d(-0.89, -0.14, -0.43).normalized();
 constexpr float kKey = 0.52F;

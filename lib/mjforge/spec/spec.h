@@ -66,7 +66,7 @@ struct Defaults {
   std::vector<Field> joint;
 };
 
-/// How pictures show the object: `view:`.
+/// The view of the object in pictures: `view:`.
 struct PictureView {
   diag::SourceMark mark;
   std::optional<double> azimuth;                     // deg, viewing direction about z; 0: along x

@@ -94,7 +94,9 @@ TEST_CASE("a translucent part elsewhere does not change an opaque one and its sh
         "<mujoco><worldbody><body><freejoint/><geom type='box' size='1 1 1' rgba='1 0 0 1'/>"
         "<geom size='0.1' rgba='1 0 0 " +
         alpha + "'/></body></worldbody></mujoco>");
-    return Draw(*renderer, *subject).rgba;
+    Options options = kSmall;
+    options.width = options.height = 700;  // so large that both have the same samples
+    return Draw(*renderer, *subject, options).rgba;
   };
   const auto once = draw("1");
   const auto twice = draw("0.5");  // inside the box
