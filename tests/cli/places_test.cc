@@ -69,7 +69,7 @@ TEST_CASE_METHOD(PlacesTest, "another place seed moves the same objects, and rep
   CHECK(Object("moved") == Object("again"));
   const std::string body = "<body name=\"scene_mug_1\"";
   CHECK(LineWith(Object("out"), body) != LineWith(Object("moved"), body));
-  const std::string mesh = "<mesh name=\"scene_mug_1_wall\"";
+  const std::string mesh = "<mesh name=\"scene_mug_1_look\"";
   CHECK_FALSE(LineWith(Object("out"), mesh).empty());
   CHECK(LineWith(Object("out"), mesh) == LineWith(Object("moved"), mesh));
   CHECK(Run({"replay", "moved/manifest.jsonl:2"}).err ==

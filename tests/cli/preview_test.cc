@@ -158,8 +158,8 @@ TEST_CASE_METHOD(PreviewTest, "the camera stands where --azimuth, --elevation, -
   CHECK(seen({"--azimuth", "90"}).Seen() != seen({"--azimuth", "180"}).Seen());
   // Seen from above, the box is a rectangle twice as long as wide.
   const harness::Png above = seen({"--azimuth", "90", "--elevation", "-90"});
-  CHECK(above.At(32, 4)[3] > 200);
-  CHECK(above.At(4, 32)[3] < 100);
+  CHECK(above.At(32, 8)[3] > 200);
+  CHECK(above.At(8, 32)[3] < 100);
   CHECK(seen({"--distance", "4"}).Seen() < seen({"--distance", "2"}).Seen());
   for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--elevation", "91"},
                                                 {"--distance", "0"},

@@ -1,6 +1,7 @@
 // Tests that every bundled spec is documented and makes objects that load and differ from each
 // other.
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -52,76 +53,12 @@ std::set<std::string> Texts(const std::string& name, std::uint64_t count,
 
 }  // namespace
 
-TEST_CASE("the catalogue has the specs it is said to have") {
-  CHECK(spec::ListSpecs(kSpecs) == std::vector<std::string>{"appliances/dishwasher",
-                                                            "appliances/fridge",
-                                                            "appliances/microwave",
-                                                            "appliances/oven",
-                                                            "articulated/door_with_lever",
-                                                            "articulated/drawer_cabinet",
-                                                            "articulated/faucet",
-                                                            "articulated/hinged_box",
-                                                            "articulated/jar_with_lid",
-                                                            "articulated/ratcheting_wrench",
-                                                            "articulated/scissors",
-                                                            "containers/bin",
-                                                            "containers/bottle",
-                                                            "containers/bowl",
-                                                            "containers/bucket",
-                                                            "containers/cardboard_box",
-                                                            "containers/crate",
-                                                            "containers/lid",
-                                                            "containers/mug",
-                                                            "containers/pedal_bin",
-                                                            "containers/plate",
-                                                            "containers/pot_with_handles",
-                                                            "containers/watering_can",
-                                                            "containers/wine_glass",
-                                                            "electronics/keyboard",
-                                                            "electronics/laptop",
-                                                            "electronics/light_switch",
-                                                            "electronics/plug_and_socket",
-                                                            "fasteners/hex_bolt",
-                                                            "fasteners/hex_nut",
-                                                            "fixtures/hook_frame",
-                                                            "fixtures/peg_board",
-                                                            "fixtures/stand_with_mount",
-                                                            "fixtures/tool_board",
-                                                            "fixtures/valve_wheel",
-                                                            "furniture/bookshelf",
-                                                            "furniture/chair",
-                                                            "furniture/cupboard",
-                                                            "furniture/desk",
-                                                            "furniture/kitchen_shelf",
-                                                            "furniture/office_chair",
-                                                            "furniture/round_table",
-                                                            "furniture/trolley",
-                                                            "kitchen/dish_rack",
-                                                            "kitchen/frying_pan",
-                                                            "kitchen/kettle",
-                                                            "kitchen/spoon",
-                                                            "kitchen/tray",
-                                                            "primitives/ball",
-                                                            "primitives/box",
-                                                            "primitives/capsule",
-                                                            "primitives/cylinder",
-                                                            "primitives/ellipsoid",
-                                                            "scenes/bin_pile",
-                                                            "scenes/crate",
-                                                            "scenes/cupboard",
-                                                            "scenes/desk",
-                                                            "scenes/dish_rack",
-                                                            "scenes/fridge",
-                                                            "scenes/kitchen_shelf",
-                                                            "scenes/set_table",
-                                                            "scenes/tool_board",
-                                                            "shapes/cone",
-                                                            "shapes/hollow_cylinder",
-                                                            "tools/adjustable_wrench",
-                                                            "tools/gear_pair",
-                                                            "tools/hammer",
-                                                            "tools/pliers",
-                                                            "tools/screwdriver"});
+TEST_CASE("the catalogue has more than ninety families, beside scenes") {
+  const std::vector<std::string> specs = spec::ListSpecs(kSpecs);
+  const auto scenes = std::ranges::count_if(
+      specs, [](const std::string& name) { return name.starts_with("scenes/"); });
+  CHECK(scenes >= 9);
+  CHECK(std::ssize(specs) - scenes > 90);
 }
 
 TEST_CASE("every bundled spec is documented and makes different, valid objects") {
