@@ -88,7 +88,7 @@ std::string NumberText(double number, std::string_view unit) {
 }
 
 std::string WordText(const std::string& noun, const std::string& value) {
-  const std::string words = WithSpaces(value);
+  std::string words = WithSpaces(value);
   if (noun.empty() || words == noun) return words;
   return (words == "none" ? "no" : words) + " " + noun;
 }

@@ -269,8 +269,9 @@ bool ReadSolid(FieldReader& reader, const spec::Entry& entry, std::string_view t
   const solid::SolidShape shape =
       ReadSolidShape(read, type, texture, half_length, has_holes, placed.X_FG);
   std::optional<std::vector<model::Part>> pieces = read.Make(shape, assets, part);
-  if (pieces) placed.pieces = *std::move(pieces);
-  return pieces.has_value();
+  if (!pieces) return false;
+  placed.pieces = *std::move(pieces);
+  return true;
 }
 
 }  // namespace mjforge::assemble

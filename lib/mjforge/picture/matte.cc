@@ -61,8 +61,10 @@ void BlurAll(std::vector<float>& values, int width, int height, int radius) {
   Transpose(other, height, values);
 }
 
+// Rounds by the cast, because std::lround takes several times as long.
 std::uint8_t ToByte(float value) {
-  return static_cast<std::uint8_t>(std::clamp(value, 0.0F, 1.0F) * 255 + 0.5F);
+  constexpr float kHalf = 0.5F;
+  return static_cast<std::uint8_t>(std::clamp(value, 0.0F, 1.0F) * 255 + kHalf);
 }
 
 }  // namespace
@@ -80,7 +82,8 @@ Matte::Matte(int width, int height, int samples)
 // place in the picture (in samples) and the sums of its pixel.
 template <typename AddSample>
 void Matte::AddSamples(int top, int bottom, int light, const AddSample& add_sample) {
-  const auto columns = static_cast<std::size_t>(width_ * samples_);
+  const auto columns = static_cast<std::size_t>(width_) * static_cast<std::size_t>(samples_);
+  std::size_t pixel = static_cast<std::size_t>(top) * static_cast<std::size_t>(width_);
   for (int y = top; y < bottom; ++y) {
     for (int x = 0; x < width_; ++x) {
       PixelSums sums;
@@ -90,7 +93,7 @@ void Matte::AddSamples(int top, int bottom, int light, const AddSample& add_samp
         for (int column = x * samples_; column < (x + 1) * samples_; ++column)
           add_sample(first + static_cast<std::size_t>(column), column, row, sums);
       }
-      AddPixel(static_cast<std::size_t>(y * width_ + x), light, sums);
+      AddPixel(pixel++, light, sums);
     }
   }
 }

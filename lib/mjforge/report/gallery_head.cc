@@ -9,7 +9,6 @@
 
 namespace mjforge::report {
 
-extern const std::string_view kPageCss;
 extern const std::string_view kGalleryCss;
 extern const std::string_view kGalleryJs;
 

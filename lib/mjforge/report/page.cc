@@ -11,7 +11,6 @@
 
 namespace mjforge::report {
 
-extern const std::string_view kPageCss;
 extern const std::string_view kPageJs;
 
 namespace {

@@ -20,6 +20,8 @@ using Dictionary = ctemplate::TemplateDictionary;
 
 enum class TemplateName { kPage, kCard, kHistogram, kBars, kScatter, kPanels, kGallery, kSpec };
 
+extern const std::string_view kPageCss;  // style of all pages
+
 /// Fills a template with the values of a dictionary.
 std::string Expand(TemplateName name, const Dictionary& dictionary);
 
