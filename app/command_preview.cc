@@ -154,14 +154,17 @@ class Preview {
   }
 
   bool Pose(std::vector<PreviewObject>& objects) {
+    diag::Findings of_views;
+    diag::Findings again;  // those of the other variants
     for (PreviewObject& object : objects) {
-      if (recipe_ && !SetPoseOf(*recipe_->spec, *object.subject, findings_)) return false;
+      if (recipe_) SetPoseOf(*recipe_->spec, *object.subject, of_views.empty() ? of_views : again);
       for (const auto& [name, value] : options_.poses) {
         const std::optional<int> joint = object.subject->FindJoint(name, findings_);
         if (joint) object.subject->SetJoint(*joint, value, findings_);
       }
       if (findings_.HasErrors() && !options_.poses.empty()) return false;
     }
+    findings_.Append(std::move(of_views));
     return true;
   }
 

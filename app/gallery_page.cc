@@ -134,8 +134,9 @@ class PageMaker {
       findings.Add(diag::Code::kMujocoError, {}, fmt::format("MuJoCo refused it: {}", why_not));
       return false;
     }
-    diag::Findings ignored;  // `preview` reports what is wrong with a view
-    SetPoseOf(*recipe_.spec, *subject, ignored);
+    diag::Findings of_view;
+    SetPoseOf(*recipe_.spec, *subject, of_view);
+    if (!of_view.empty() && page_.notices.empty()) page_.notices.push_back(of_view[0].message);
     if (subjects_.empty()) typical_ = variant;
     subjects_.emplace_back(variant.record.index, std::move(subject));
     return true;
@@ -155,12 +156,14 @@ class PageMaker {
 
   void DrawFilm(picture::Renderer& renderer, picture::Subject& subject, int number,
                 const picture::Joint& joint) {
+    diag::Findings ignored;                // the page has one film less
+    subject.Reset(picture::Pose::kStart);  // after the film of another joint
+    SetPoseOf(*recipe_.spec, subject, ignored);
     std::vector<picture::JointPositions> poses;
     for (int i = 0; i < kFrames; ++i) {
       const double share = static_cast<double>(i) / (kFrames - 1);
       poses.push_back({{number, joint.range[0] + share * (joint.range[1] - joint.range[0])}});
     }
-    diag::Findings ignored;  // the page has one film less
     const auto frames = renderer.DrawMotion(
         subject, poses, {.width = kTile.first, .height = kTile.second, .view = view_}, ignored);
     if (!frames) return;

@@ -200,9 +200,9 @@ PageServer::Response PageServer::AnswerOf(const RequestQueue::Outcome& outcome) 
 }
 
 void PageServer::Watch(const std::vector<std::filesystem::path>& files) {
-  if (files == files_) return;
-  files_ = files;
-  watched_.emplace(files);
+  if (!watched_) watched_.emplace(files);
+  // Files that are watched already keep their times, so that no change is missed.
+  for (const std::filesystem::path& file : files) watched_->Add(file);
 }
 
 // Looks for changes of files, and answers the pages that wait for them.

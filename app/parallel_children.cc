@@ -85,14 +85,16 @@ void TakeResults(const ParallelSteps& steps, int socket) {
   }
 }
 
-// Returns the exit status of a child; passes on a signal that ended it.
+// Returns the exit status of a child; passes on the signal by which a user ended it.
 ExitStatus WaitForEnd(::pid_t child) {
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
   if (WIFEXITED(status)) return static_cast<ExitStatus>(WEXITSTATUS(status));
   const int signal = WTERMSIG(status);
-  std::signal(signal, SIG_DFL);
-  std::raise(signal);
+  if (signal == SIGINT || signal == SIGTERM || signal == SIGHUP) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
   return ExitStatus::kBug;
 }
 

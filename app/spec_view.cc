@@ -9,15 +9,15 @@ picture::View ViewOf(const spec::ObjectSpec& spec, picture::View chosen) {
   return chosen;
 }
 
-bool SetPoseOf(const spec::ObjectSpec& spec, picture::Subject& subject, diag::Findings& findings) {
+void SetPoseOf(const spec::ObjectSpec& spec, picture::Subject& subject, diag::Findings& findings) {
   diag::Findings found;
   for (const auto& [name, position] : spec.view.pose) {
     if (const auto joint = subject.FindJoint(name, found))
       subject.SetJoint(*joint, position, found);
   }
   for (const diag::Finding& finding : found)
-    findings.Add(finding.code, spec.view.mark, "the view's pose: " + finding.message, finding.hint);
-  return found.empty();
+    findings.Warn(finding.code, spec.view.mark, "the view's pose: " + finding.message,
+                  finding.hint);
 }
 
 }  // namespace mjforge::app

@@ -63,7 +63,7 @@ class _Tables:
              "damping": ("damping", power), "stiffness": ("stiffness", power),
              "solimpfriction": ("solimp_friction", _SOLIMP), "solimplimit": ("solimp_limit", _SOLIMP),
              "solreffriction": ("solref_friction", None), "solreflimit": ("solref_limit", None)})
-        self.material = _Table("name rgba specular shininess reflectance texrepeat",
+        self.material = _Table("name rgba emission specular shininess reflectance texrepeat",
                                {"texuniform": ("texuniform", _boolean)})
         self.texture = _Table("name rgb1 rgb2 random markrgb width height",
                               {"type": ("type", words("mjtTexture", "mjTEXTURE_")),

@@ -71,6 +71,27 @@ TEST_CASE_METHOD(GalleryTest, "a gallery is an index and a page per spec") {
   CHECK(Has(folder().Read("g/specs/galleried_ball.html"), "<h1>galleried_ball</h1>"));
 }
 
+TEST_CASE_METHOD(GalleryTest, "the film of a joint begins with all others at their start") {
+  folder().Write("p/galleried_pair.yaml",
+                 "mjforge: 1\nname: pair\nparts: [{name: b, type: box, size: [0.1, 0.1, 0.01]}]\n"
+                 "bodies:\n"
+                 "  - {name: left, parts: [{name: l, type: box, size: [0.02, 0.02, 0.02]}],\n"
+                 "     pos: [0, 0, 0.05], joints: [{name: a, type: slide, axis: [0, 0, 1], "
+                 "range: [0, 0.1]}]}\n"
+                 "  - {name: right, parts: [{name: r, type: box, size: [0.02, 0.02, 0.02]}],\n"
+                 "     pos: [0, 0, 0.05], joints: [{name: b, type: slide, axis: [0, 0, 1], "
+                 "range: [0, 0.1]}]}\n");
+  REQUIRE(Make("g").status == 0);
+  const std::string page = folder().Read("g/specs/galleried_pair.html");
+  const auto first_frame = [&](const std::string& joint) {
+    const std::size_t film = page.find("<section class=\"film\" aria-label=\"" + joint + "\"");
+    REQUIRE(film != page.npos);
+    const std::size_t begin = page.find("src=\"", film);
+    return page.substr(begin, page.find("\" alt", begin) - begin);
+  };
+  CHECK(first_frame("a") == first_frame("b"));
+}
+
 TEST_CASE_METHOD(GalleryTest, "a gallery has the same bytes each time, with any number of jobs") {
   CHECK(Make("a", {"-q", "-j", "1"}).status == 0);
   CHECK(Make("b", {"-q", "-j", "3"}).status == 0);

@@ -14,7 +14,8 @@
   let view = { ...kFirstView };
   let joints = {}; // positions of joints that were moved, rad or m
   let zero = false; // all other joints are at zero, not at the start pose
-  let filmed = ""; // state that the film shows
+  let filmed = ""; // version that the film shows
+  let checked = {}; // version with the reply of its physical checks, once it is there
   let controls = new Map();
 
   // Creates an element with properties and children.
@@ -58,7 +59,7 @@
     wanted = { quick: Boolean(quick) };
     byId("view").classList.add("outdated");
     byId("state").textContent = quick ? "" : "drawing ...";
-    if (filmed !== now()) byId("film").hidden = true;
+    if (filmed !== version()) byId("film").hidden = true;
     if (isDrawing) return;
     isDrawing = true;
     while (wanted) {
@@ -94,19 +95,24 @@
 
   // Asks for what takes longer than a picture. Returns null after an error, or if the state changed.
   async function askSlowly(action, more, doing) {
-    const state = now();
+    const state = version();
     byId("state").textContent = doing;
-    const reply = await ask(request(action, more), "slow?client=" + action + "-" + client);
-    if (!reply || state !== now()) return null;
-    byId("state").textContent = "";
-    if (reply.error) showError(reply.error);
+    const reply = await ask(request(action, more), "slow?client=" + action + "-" + client)
+      .catch(() => ({ error: "no answer" }));
+    if (!reply || state !== version()) return null;
+    byId("state").textContent = reply.error || "";
     return reply.error ? null : reply;
   }
 
-  // Shows the findings with those of the physical checks.
+  // Shows the findings with those of the physical checks, which are made once for each variant.
   async function check() {
-    const reply = await askSlowly("check", {}, "checking ...");
-    if (reply) showFindings(reply.findings, "No findings; the physical checks passed.");
+    if (checked.version !== version()) {
+      const mine = checked = { version: version() };
+      mine.reply = await askSlowly("check", {}, "checking ...");
+      if (checked === mine && !mine.reply) checked = {};
+    }
+    if (checked.reply && byId("simulate").checked)
+      showFindings(checked.reply.findings, "No findings; the physical checks passed.");
   }
 
   function showError(message) {
@@ -169,6 +175,7 @@
   const states = [];
   let current = 0;
   const now = () => JSON.stringify({ pins, seed, index });
+  const version = () => revision + now(); // also of the files
 
   function commit() {
     if (now() === states[current]) return;
@@ -398,7 +405,7 @@
   async function film(name) {
     const reply = await askSlowly("film", { name, width: 360, height: 270 }, "simulating ...");
     if (!reply) return;
-    filmed = now();
+    filmed = version();
     showPicture(byId("film-picture"), reply.picture);
     byId("film-text").textContent = reply.text;
     byId("film").hidden = false;
@@ -449,10 +456,7 @@
     });
   }
 
-  function showFirstView() {
-    view = { ...kFirstView };
-    draw(false);
-  }
+  const showFirstView = () => { view = { ...kFirstView }; draw(false); };
 
   // Returns the place of a pointer in the picture, from 0 to 1.
   function placeOf(event) {
@@ -524,8 +528,7 @@
     const reply = await ask(request("open", { settings: [] }));
     if (reply.error) return showError(reply.error);
     if (!states.length) {
-      seed = reply.seed;
-      index = reply.index;
+      ({ seed, index } = reply);
       for (const { name, text } of reply.settings) pins[name] = { yaml: text };
       byId("layer").replaceChildren(...reply.layers.map((layer) => make("option", {}, layer)));
     }
@@ -535,8 +538,7 @@
     const hasControls = reply.controls !== null;
     if (hasControls) {
       const names = new Set(reply.controls.map((control) => control.name));
-      for (const name of Object.keys(pins))
-        if (controls.has(name) && !names.has(name)) delete pins[name];
+      for (const name of Object.keys(pins)) if (controls.has(name) && !names.has(name)) delete pins[name];
       showControls(reply.controls);
     }
     states[current] = now();
@@ -584,10 +586,7 @@
     on("preset", "change", loadPreset);
     on("undo", "click", () => restore(current - 1));
     on("redo", "click", () => restore(current + 1));
-    on("reset", "click", () => change(() => {
-      ({ pins, seed, index } = JSON.parse(states[0]));
-      pose(false);
-    }));
+    on("reset", "click", () => change(() => { ({ pins, seed, index } = JSON.parse(states[0])); pose(false); }));
     on("dice", "click", () => setNumber("seed", String(Math.floor(Math.random() * 2 ** 32))));
     for (const id of ["seed", "index"])
       on(id, "change", () => /^\d{1,19}$/.test(byId(id).value) ? setNumber(id, byId(id).value) : showHistory());

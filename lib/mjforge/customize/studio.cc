@@ -324,6 +324,8 @@ Reply Studio::State::Export(const Request& request) {
   Reply reply;
   std::string text;
   diag::Findings findings;
+  if (request.name == "command" && request.count > 1 && !shown.recipe)
+    return Failure("the spec or a value has errors");
   if (request.name == "command") {
     text = CommandText(start.reference, request.settings, request.seed, request.index,
                        request.count, shown.recipe ? shown.recipe->spec->name : "");

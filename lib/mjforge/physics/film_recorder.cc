@@ -22,13 +22,14 @@ void FilmRecorder::Note(const mjModel& m, const mjData& d) {
 }
 
 void FilmRecorder::Keep() {
+  kept_time_ += time_;
   kept_.insert(kept_.end(), run_.begin(), run_.end());
   Begin();
 }
 
 Film FilmRecorder::Finish(std::size_t frames) const {
   Film film;
-  film.time = kInterval * static_cast<double>(kept_.size());
+  film.time = kept_time_;
   const std::size_t count = std::min(frames, kept_.size());
   for (std::size_t i = 0; i < count; ++i)
     film.positions.push_back(kept_[count == 1 ? 0 : i * (kept_.size() - 1) / (count - 1)]);

@@ -25,7 +25,8 @@ class FilmRecorder {
  private:
   std::vector<std::vector<double>> kept_;
   std::vector<std::vector<double>> run_;
-  double time_ = 0;  // s, since the run began
+  double time_ = 0;       // s, since the run began
+  double kept_time_ = 0;  // s, of the kept runs
 };
 
 }  // namespace mjforge::physics

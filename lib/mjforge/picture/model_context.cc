@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "mjforge/engine/engine.h"
+#include "mjforge/picture/gl_context.h"
 #include "mjforge/picture/picture.h"
 
 namespace mjforge::picture {
@@ -17,6 +18,7 @@ Buffers::Buffers(int width, int height, int shadow_size) : size_{width, height, 
   model->vis.quality.offsamples = 0;
   model->vis.quality.shadowsize = shadow_size;
   mjr_defaultContext(&context_);
+  const LeakCheckPause pause;
   mjr_makeContext(model.get(), &context_, mjFONTSCALE_50);
 }
 
@@ -30,6 +32,7 @@ ModelContext::ModelContext(mjModel& model, const Buffers& buffers) {
   model.vis.quality.numslices = 48;
   model.vis.quality.numstacks = 24;
   mjr_defaultContext(&own_);
+  const LeakCheckPause pause;
   mjr_makeContext(&model, &own_, mjFONTSCALE_50);
   context_ = own_;
   context_.offFBO = (*buffers).offFBO;

@@ -959,9 +959,9 @@ const ElementInfo kDefaultsElement = {
     kDefaultsFields};
 
 const ElementInfo kViewElement = {"view",
-                                  "How `preview`, `report` and other pictures show the object, "
-                                  "unless a command says otherwise. All "
-                                  "values are fixed numbers.",
+                                  "How pictures of `preview`, `report` and the gallery show the "
+                                  "object, unless an option says otherwise. All values are fixed "
+                                  "numbers.",
                                   kViewFields};
 const ElementInfo kHoldingElement = {
     "holds",

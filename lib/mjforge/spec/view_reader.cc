@@ -40,9 +40,15 @@ void ReadView(const YamlNode& view, Context& context) {
   const YamlNode* pose = view.Find("pose");
   if (pose == nullptr) return;
   for (const JointPosition& position : ReadPositions(*pose, context)) {
-    const std::string_view joint = LiteralText(position.joint).value_or("");
-    const auto number = FixedNumber(joint, position.mark, position.value, context);
-    if (number) shown.pose.emplace_back(joint, *number);
+    const std::optional<std::string_view> joint = LiteralText(position.joint);
+    if (!joint) {
+      context.findings.Add(Code::kSpecBadValue, position.mark,
+                           "the name of a joint in a view is not a fixed text",
+                           "write the name itself");
+      continue;
+    }
+    const auto number = FixedNumber(*joint, position.mark, position.value, context);
+    if (number) shown.pose.emplace_back(*joint, *number);
   }
 }
 

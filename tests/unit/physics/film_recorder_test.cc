@@ -13,8 +13,10 @@ namespace {
 constexpr const char* kFloor = R"(<geom name="floor" type="plane" size="0 0 1"/>)";
 
 // Returns at most `frames` positions of a film of the drop of these bodies.
-Film FilmOfDrop(const std::string& bodies, const model::Checks& checks, std::size_t frames) {
-  const engine::Model m = Load("<worldbody>" + std::string(kFloor) + bodies + "</worldbody>");
+Film FilmOfDrop(const std::string& bodies, const model::Checks& checks, std::size_t frames,
+                const std::string& option = "") {
+  const engine::Model m =
+      Load(option + "<worldbody>" + std::string(kFloor) + bodies + "</worldbody>");
   const model::Object object = compiled::ObjectOf(*m, {}, compiled::Nameless::kNumbered);
   Workspace workspace;
   diag::Findings findings;
@@ -40,6 +42,12 @@ TEST_CASE("a film has all positions if there are few, and none of an object that
   model::Checks checks;
   checks.settle_time = 1e9;
   CHECK(FilmOfDrop(Free(0.3, kCube), checks, 20).positions.empty());
+}
+
+TEST_CASE("a film is as long as the simulation, whatever the timestep") {
+  const double time = FilmOfDrop(Free(0.3, kCube), {}, 20).time;
+  const Film coarse = FilmOfDrop(Free(0.3, kCube), {}, 20, R"(<option timestep="0.01"/>)");
+  CHECK(coarse.time == Approx(time).epsilon(0.3));
 }
 
 TEST_CASE("a film of a drop shows the nudge that topples the object") {
