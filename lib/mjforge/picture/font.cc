@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "mjforge/picture/gl_context.h"
+
 namespace mjforge::picture {
 namespace {
 
@@ -32,6 +34,7 @@ Font::Font() : model_(engine::Engine().LoadText("<mujoco/>").model) {
   model_->vis.quality.offsamples = 0;
   model_->vis.quality.shadowsize = 0;
   mjr_defaultContext(&context_);
+  const LeakCheckPause pause;
   mjr_makeContext(model_.get(), &context_, mjFONTSCALE_300);
 }
 
