@@ -155,7 +155,7 @@ class Preview {
 
   bool Pose(std::vector<PreviewObject>& objects) {
     diag::Findings of_views;
-    diag::Findings again;  // those of the other variants
+    diag::Findings again;  // findings of the other variants
     for (PreviewObject& object : objects) {
       if (recipe_) SetPoseOf(*recipe_->spec, *object.subject, of_views.empty() ? of_views : again);
       for (const auto& [name, value] : options_.poses) {

@@ -28,7 +28,8 @@ SPEED = 0.05  # m/s and, over the radius, rad/s
 
 # Round underneath: robosuite's table has nothing that stops a roll, and at
 # solver precision something always starts one. They must stay on the table.
-ROLLING = {"primitives/ball", "primitives/ellipsoid", "primitives/capsule"}
+ROLLING = {"primitives/ball", "primitives/ellipsoid", "primitives/capsule", "articulated/bicycle_wheel",
+           "household/umbrella"}
 
 
 def is_fixed(folder, name, variant):
