@@ -105,7 +105,8 @@ def check_rest(variant, name, thing, fixed, model, data):
         return
     body = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_BODY, thing.root_body)
     height = data.xpos[body][2] - TABLE_TOP[2]
-    expect(-0.01 < height < 2 * reach + 0.01, f"{variant}: is {height} m above the table")
+    # The origin of an umbrella, which is wider than the table, is outside of it. The floor is at -0.8.
+    expect(-0.05 < height < 2 * reach + 0.01, f"{variant}: is {height} m above the table")
     if name in ROLLING:
         return
     joint = free_joint(model, thing)
