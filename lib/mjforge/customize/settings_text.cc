@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 
+#include "mjforge/output/output.h"
+
 namespace mjforge::customize {
 namespace {
 
@@ -24,15 +26,10 @@ bool IsYamlWord(std::string_view text) {
   return std::ranges::find(kWords, diag::LowerCase(text)) != kWords.end();
 }
 
-// Encloses a text in single quotes; `quote` replaces each single quote in it.
-std::string Enclose(std::string_view text, std::string_view quote) {
+// Encloses a text in single quotes, which are doubled in it.
+std::string Enclose(std::string_view text) {
   std::string out = "'";
-  for (const char c : text) {
-    if (c == '\'')
-      out += quote;
-    else
-      out += c;
-  }
+  for (const char c : text) out.append(c == '\'' ? 2 : 1, c);
   return out + "'";
 }
 
@@ -41,23 +38,18 @@ std::string Enclose(std::string_view text, std::string_view quote) {
 std::string QuoteForYaml(std::string_view text) {
   const bool is_word = ConsistsOf(text, fmt::format("{}{}", kLetters, kDigits)) &&
                        kLetters.find(text.front()) != kLetters.npos && !IsYamlWord(text);
-  return is_word ? std::string(text) : Enclose(text, "''");
-}
-
-std::string QuoteForShell(std::string_view text) {
-  const bool is_safe = ConsistsOf(text, fmt::format("{}{}=./,:+-@%", kLetters, kDigits));
-  return is_safe ? std::string(text) : Enclose(text, "'\\''");
+  return is_word ? std::string(text) : Enclose(text);
 }
 
 std::string CommandText(std::string_view spec, std::span<const spec::Setting> settings,
                         std::uint64_t seed, std::uint64_t index, std::uint64_t count,
                         std::string_view name) {
-  std::string command = "mjforge generate " + QuoteForShell(spec);
+  std::string command = "mjforge generate " + output::ShellWord(spec);
   if (seed != 0) command += fmt::format(" --seed {}", seed);
   if (index != 0) command += fmt::format(" --first {}", index);
   for (const spec::Setting& setting : settings)
-    command += " --set " + QuoteForShell(setting.name + "=" + setting.text);
-  if (count > 1) command += fmt::format(" -n {} -o {}/", count, QuoteForShell(name));
+    command += " --set " + output::ShellWord(setting.name + "=" + setting.text);
+  if (count > 1) command += fmt::format(" -n {} -o {}/", count, output::ShellWord(name));
   return command;
 }
 

@@ -13,8 +13,6 @@ namespace mjforge::customize {
 
 /// Returns a text as YAML that is read as that text, with quotes only if they are needed.
 std::string QuoteForYaml(std::string_view text);
-/// Returns a text as one word of a POSIX shell.
-std::string QuoteForShell(std::string_view text);
 
 /// Returns the command that makes variants with these settings, from an index on. If there are
 /// several, they are written to the folder `name`.

@@ -148,6 +148,6 @@ std::string MakeRule(std::span<const std::string> targets, const std::set<std::s
 std::string EscapeForMake(std::string_view name);
 
 /// Returns a name as a word of a command line for a shell, in quotation marks if it needs them.
-std::string ShellWord(const std::string& word);
+std::string ShellWord(std::string_view word);
 
 }  // namespace mjforge::output

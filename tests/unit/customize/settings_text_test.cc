@@ -15,13 +15,6 @@ TEST_CASE("a text is quoted for YAML only if it would be read as something else"
   CHECK(QuoteForYaml("it's: [a]") == "'it''s: [a]'");
 }
 
-TEST_CASE("a word is quoted for a shell if a shell would change it") {
-  CHECK(QuoteForShell("handle_length=0.25") == "handle_length=0.25");
-  CHECK(QuoteForShell("x=10cm .. 12cm") == "'x=10cm .. 12cm'");
-  CHECK(QuoteForShell("") == "''");
-  CHECK(QuoteForShell("a'b $(rm)") == "'a'\\''b $(rm)'");
-}
-
 TEST_CASE("the command names what is not the default") {
   const std::vector<spec::Setting> settings = {{"length", "0.25"}, {"size", "[1, 2]"}};
   CHECK(CommandText("hammer", {}, 0, 0) == "mjforge generate hammer");
