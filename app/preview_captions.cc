@@ -163,9 +163,7 @@ Difference DifferenceOf(std::span<const Record> records, std::size_t parameter,
 bool IsDrawn(const spec::ObjectSpec& spec, const std::string& name) {
   const spec::Parameter* parameter = spec.FindParameter(name);
   if (parameter == nullptr) return false;
-  if (const auto* shared = std::get_if<spec::SharedParameter>(&parameter->value.form))
-    parameter = &spec.shared[shared->file]->parameters[shared->position];
-  const auto* draw = std::get_if<spec::Draw>(&parameter->value.form);
+  const auto* draw = std::get_if<spec::Draw>(&spec.ValueOf(*parameter).form);
   return draw != nullptr && draw->rows == nullptr;
 }
 

@@ -15,14 +15,6 @@ namespace {
 using spec::Distribution;
 using spec::Value;
 
-// Returns the value of a parameter, also if an imported file declares it.
-const Value& ValueOf(const spec::ObjectSpec& spec, const spec::Parameter& parameter) {
-  const auto* shared = std::get_if<spec::SharedParameter>(&parameter.value.form);
-  return shared == nullptr ? parameter.value
-                           : ValueOf(*spec.shared[shared->file],
-                                     spec.shared[shared->file]->parameters[shared->position]);
-}
-
 // Returns true for four numbers from 0 to 1: red, green, blue and opacity.
 bool IsRgba(const Value& value) {
   const std::vector<spec::Bounds> bounds = spec::BoundsOfComponents(value);
@@ -114,7 +106,7 @@ void WriteControls(diag::Json& json, const spec::ObjectSpec& spec) {
   const std::map<std::string, int> prefixes = CountPrefixes(spec);
   json.StartArray();
   for (const spec::Parameter& parameter : spec.parameters) {
-    const Value& value = ValueOf(spec, parameter);
+    const Value& value = spec.ValueOf(parameter);
     const std::vector<spec::Bounds> bounds = AllBounds(value);
     const std::optional<std::string> choices = spec::ConstantChoices(value);
     json.StartObject();

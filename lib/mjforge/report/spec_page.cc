@@ -74,10 +74,9 @@ void AddCommands(Dictionary& body, const std::string& name) {
 bool IsDrawn(const spec::ObjectSpec& spec, const std::string& name) {
   const spec::Parameter* parameter = spec.FindParameter(name);
   if (parameter == nullptr) return false;
-  if (const auto* shared = std::get_if<spec::SharedParameter>(&parameter->value.form))
-    parameter = &spec.shared[shared->file]->parameters[shared->position];
-  const auto* draw = std::get_if<spec::Draw>(&parameter->value.form);
-  return spec::HasDraw(parameter->value) && (draw == nullptr || draw->rows == nullptr);
+  const spec::Value& value = spec.ValueOf(*parameter);
+  const auto* draw = std::get_if<spec::Draw>(&value.form);
+  return spec::HasDraw(value) && (draw == nullptr || draw->rows == nullptr);
 }
 
 void AddParameterSections(Dictionary& body, const Batch& batch) {

@@ -85,6 +85,13 @@ const Field* PlaceEntry::Find(Key id) const { return FindField(fields, id); }
 const Field* PlaceEntry::FindBeside(Key id) const { return FindField(beside, id); }
 const Field* Material::Find(Key id) const { return FindField(fields, id); }
 
+const Value& ObjectSpec::ValueOf(const Parameter& parameter) const {
+  const auto* in_file = std::get_if<SharedParameter>(&parameter.value.form);
+  if (in_file == nullptr) return parameter.value;
+  const ObjectSpec& file = *shared[in_file->file];
+  return file.ValueOf(file.parameters[in_file->position]);
+}
+
 const Parameter* ObjectSpec::FindParameter(std::string_view parameter) const {
   const auto found = std::ranges::find_if(parameters, [&](const Parameter& one) {
     return one.name == parameter || (!one.record.empty() && one.record == parameter);

@@ -120,6 +120,8 @@ struct ObjectSpec {
 
   /// Finds a parameter by its name, or the key of a record by the record's name.
   const Parameter* FindParameter(std::string_view parameter) const;
+  /// Returns the value of a parameter of this spec, also if an imported file declares it.
+  const Value& ValueOf(const Parameter& parameter) const;
 };
 
 /// A value from the caller for a parameter or a threshold (`checks.tilt`).
