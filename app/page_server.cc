@@ -200,14 +200,12 @@ PageServer::Response PageServer::AnswerOf(const RequestQueue::Outcome& outcome) 
 }
 
 void PageServer::Watch(const std::vector<std::filesystem::path>& files) {
-  if (!watched_) watched_.emplace(files);
-  // Files that are watched already keep their times, so that no change is missed.
-  for (const std::filesystem::path& file : files) watched_->Add(file);
+  for (const std::filesystem::path& file : files) watched_.Add(file);
 }
 
 // Looks for changes of files, and answers the pages that wait for them.
 void PageServer::Tick() {
-  if (watched_ && watched_->HasChanged()) ++revision_;
+  if (watched_.HasChanged()) ++revision_;
   const auto now = std::chrono::steady_clock::now();
   const auto is_done = [&](const Waiting& page) {
     return page.revision != revision_ || page.end <= now;

@@ -68,7 +68,7 @@ class PageServer {
   RequestQueue slow_queue_;  // films and physical checks, which do not delay pictures
   std::string token_;
   std::uint64_t revision_ = 0;
-  std::optional<WatchedFiles> watched_;
+  WatchedFiles watched_;
   std::vector<Waiting> waiting_;
   // Connections without a request that had the token, by number.
   std::map<std::uint64_t, CloseConnection> strangers_;

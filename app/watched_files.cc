@@ -16,8 +16,7 @@ constexpr std::chrono::milliseconds kPollInterval(50);
 }  // namespace
 
 WatchedFiles::WatchedFiles(const std::vector<std::filesystem::path>& files) {
-  for (const std::filesystem::path& file : files) stamps_[file];
-  stamps_ = Now();
+  for (const std::filesystem::path& file : files) Add(file);
 }
 
 void WatchedFiles::Add(const std::filesystem::path& file) {

@@ -13,13 +13,13 @@ namespace mjforge::app {
 /// file systems report no changes.
 class WatchedFiles {
  public:
-  explicit WatchedFiles(const std::vector<std::filesystem::path>& files);
+  explicit WatchedFiles(const std::vector<std::filesystem::path>& files = {});
 
   /// Waits until a file was changed, made or removed since the constructor ran, and then all stay
   /// the same for a moment, because an editor may write a file in several steps.
   void Wait();
 
-  /// Watches another file from now on.
+  /// Watches another file from now on, unless it is watched already.
   void Add(const std::filesystem::path& file);
 
   /// Returns true if a file was changed, made or removed since the constructor ran or this function
