@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <set>
 #include <utility>
 
@@ -61,17 +62,24 @@ const diag::Finding& FirstError(const diag::Findings& findings) {
   return error == findings.end() ? findings[0] : *error;
 }
 
-// Makes the page of one spec.
+// Makes the page of one spec. Each variant is drawn before the next one is loaded, because
+// MuJoCo 2.2 may need most of the memory for a scene.
 class PageMaker {
  public:
-  PageMaker(std::string name, forge::Recipe recipe, diag::Sources& sources)
-      : name_(std::move(name)), recipe_(std::move(recipe)), sources_(sources) {
+  /// `open` opens the renderer, or returns null.
+  PageMaker(std::string name, forge::Recipe recipe, diag::Sources& sources,
+            std::function<picture::Renderer*()> open)
+      : name_(std::move(name)),
+        recipe_(std::move(recipe)),
+        sources_(sources),
+        open_(std::move(open)) {
     options_.seed = kSeed;
     options_.validation = forge::Validation::kNone;
     view_ = ViewOf(*recipe_.spec);
   }
 
-  /// Makes variants; returns false if there is none. `findings` are those of the failed ones.
+  /// Makes and draws variants; returns false if there is none. `findings` are those of the failed
+  /// ones.
   bool MakeVariants(diag::Findings& findings) {
     // Scenes take long.
     const std::uint64_t count = recipe_.spec->has_place ? kTiles : kMeasured;
@@ -82,14 +90,14 @@ class PageMaker {
       generator.Make(i, variant);
       findings.Append(variant.findings);
       const bool is_good =
-          variant.ok() && ((i >= kTiles && !subjects_.empty()) || Load(variant, findings));
+          variant.ok() && ((i >= kTiles && typical_subject_ != nullptr) || Load(variant, findings));
       if (is_good) {
         page_.variants.push_back(variant.record);
       } else {
         ++failed;
       }
     }
-    if (subjects_.empty()) return false;
+    if (typical_subject_ == nullptr) return false;
     if (failed > 0) {
       page_.notices.push_back(fmt::format("{} of {} variants could not be made: {}", failed, count,
                                           FirstError(findings).message));
@@ -97,21 +105,16 @@ class PageMaker {
     return true;
   }
 
-  void DrawPictures(picture::Renderer& renderer, report::GalleryCard& card) {
-    if (subjects_.empty()) return;
-    const auto& [first, subject] = subjects_.front();
-    if (auto large = Draw(renderer, *subject, view_, kLarge)) {
-      page_.large = PictureOf(*large, fmt::format("Variant {} of {}", first, name_),
-                              fmt::format("Variant {} of seed {}", first, kSeed));
+  /// Draws the variant of the large picture, and its joints.
+  void DrawTypical(report::GalleryCard& card) {
+    if (renderer_ == nullptr) return;
+    const std::uint64_t index = typical_.record.index;
+    if (auto large = Draw(*renderer_, *typical_subject_, view_, kLarge)) {
+      page_.large = PictureOf(*large, fmt::format("Variant {} of {}", index, name_),
+                              fmt::format("Variant {} of seed {}", index, kSeed));
     }
-    card.picture = Draw(renderer, *subject, view_, kCard);
-    for (const auto& [index, tile] : subjects_) {
-      if (auto drawn = Draw(renderer, *tile, view_, kTile)) {
-        page_.tiles.push_back(PictureOf(*drawn, fmt::format("Variant {} of {}", index, name_),
-                                        fmt::format("Variant {}", index)));
-      }
-    }
-    DrawFilms(renderer, *subject);
+    card.picture = Draw(*renderer_, *typical_subject_, view_, kCard);
+    DrawFilms(*renderer_, *typical_subject_);
   }
 
   std::string Finish(report::GalleryCard& card) {
@@ -137,9 +140,20 @@ class PageMaker {
     diag::Findings of_view;
     SetPoseOf(*recipe_.spec, *subject, of_view);
     if (!of_view.empty() && page_.notices.empty()) page_.notices.push_back(of_view[0].message);
-    if (subjects_.empty()) typical_ = variant;
-    subjects_.emplace_back(variant.record.index, std::move(subject));
+    if (typical_subject_ == nullptr) renderer_ = open_();
+    if (renderer_ != nullptr) DrawTile(variant.record.index, *subject);
+    if (typical_subject_ == nullptr) {
+      typical_ = variant;
+      typical_subject_ = std::move(subject);
+    }
     return true;
+  }
+
+  void DrawTile(std::uint64_t index, picture::Subject& subject) {
+    if (auto drawn = Draw(*renderer_, subject, view_, kTile)) {
+      page_.tiles.push_back(PictureOf(*drawn, fmt::format("Variant {} of {}", index, name_),
+                                      fmt::format("Variant {}", index)));
+    }
   }
 
   void DrawFilms(picture::Renderer& renderer, picture::Subject& subject) {
@@ -185,8 +199,10 @@ class PageMaker {
   diag::Sources& sources_;
   forge::Options options_;
   picture::Loader loader_;
+  std::function<picture::Renderer*()> open_;
+  picture::Renderer* renderer_ = nullptr;
   forge::Variant typical_;  // the variant in the large picture
-  std::vector<std::pair<std::uint64_t, std::unique_ptr<picture::Subject>>> subjects_;
+  std::unique_ptr<picture::Subject> typical_subject_;
   report::SpecPage page_;
 };
 
@@ -211,19 +227,19 @@ GalleryResult GalleryPages::Make(const std::string& name) {
   spec::LoadOptions load;
   load.search_path = forge::SearchPath();
   auto recipe = forge::LoadRecipe(name, load, sources, findings);
+  diag::Findings drawing;
+  picture::Renderer* renderer = nullptr;
   std::optional<PageMaker> maker;
-  if (recipe) maker.emplace(name, *std::move(recipe), sources);
+  if (recipe)
+    maker.emplace(name, *std::move(recipe), sources,
+                  [&] { return renderer = OpenRenderer(drawing); });
   if (!maker || !maker->MakeVariants(findings)) {
     result.finding = Problem(name, findings);
     result.card.problem = result.finding->message;
     return result;
   }
-  diag::Findings drawing;
-  if (picture::Renderer* renderer = OpenRenderer(drawing)) {
-    maker->DrawPictures(*renderer, result.card);
-  } else if (!drawing.empty()) {
-    result.finding = drawing[0];
-  }
+  maker->DrawTypical(result.card);
+  if (renderer == nullptr && !drawing.empty()) result.finding = drawing[0];
   const std::filesystem::path file = report::GalleryPageFile(name);
   output::MadeFolders folders;
   diag::Findings written;
