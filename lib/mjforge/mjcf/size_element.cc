@@ -182,14 +182,15 @@ void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer) 
     contacts = std::min(contacts, most / 4);
   }
   const double njmax = std::min(4 * contacts + static_cast<double>(rows) + (scene ? 0 : 500), most);
+  // MuJoCo's default grows with the square of the rows: 6 GB for a cupboard full of dishes.
+  const double standard = 5 * (njmax + dofs) * (njmax + dofs);
   double nstack = 0;  // 0: MuJoCo's default
-  if (bodies > kBodiesThatFit) {
-    // MuJoCo's default, plus the pairs of bodies.
-    const double size = njmax + dofs;
-    nstack = std::min(5 * size * size, kMostStack) + static_cast<double>(bodies * bodies);
-  } else if (bodies == 1) {
+  if (bodies == 1) {
     // The unit is numbers; linear in the contacts, because one body has six degrees of freedom.
     nstack = 400 * contacts + 1e6;
+  } else if (bodies > kBodiesThatFit || standard > kMostStack) {
+    // Adds the pairs of bodies.
+    nstack = std::min(standard, kMostStack) + static_cast<double>(bodies * bodies);
   }
   WriteSize(njmax, contacts, nstack, writer);
 }

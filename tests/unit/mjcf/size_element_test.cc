@@ -104,5 +104,18 @@ TEST_CASE("a size is one that MuJoCo 2.2 can address") {
   CHECK(4 * size.attribute("nconmax").as_double() <= rows);
 }
 
+TEST_CASE("a stack has at most 1 GB, which is less than the square of many rows") {
+  const auto stack_of = [](int balls) {
+    model::Object object = Balls(balls);
+    object.bodies.push_back(object.bodies[0]);
+    object.bodies[1].name = "other";
+    object.bodies[1].joints.emplace_back();
+    pugi::xml_document parsed;
+    return SizeOf(object, Target::kMujoco, parsed).attribute("nstack").as_int();
+  };
+  CHECK(stack_of(500) == 0);
+  CHECK(stack_of(3000) == 120'000'000 + 2 * 2);
+}
+
 }  // namespace
 }  // namespace mjforge::mjcf
