@@ -78,7 +78,7 @@ TEST_CASE("every bundled spec is documented and makes different, valid objects")
         CHECK(parameter.doc != "");
         CHECK((parameter.unit != "") == (parameter.value.type == expr::Type::kNumber));
       }
-      const int whole = name.starts_with("scenes/") ? 2 : 20;  // takes as long as ten objects
+      const int whole = name.starts_with("scenes/") ? 2 : 10;  // takes as long as five objects
       const auto count = static_cast<std::uint64_t>(harness::Effort(whole, 2));
       std::vector<spec::Setting> settings;
       for (const auto& [parameter, value] : harness::QuickSettings(name))

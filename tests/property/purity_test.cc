@@ -37,7 +37,7 @@ std::vector<std::filesystem::path> SpecsBelow(const std::string& folder) {
 TEST_CASE("every bundled spec is pure for every target") {
   for (const auto& spec : BundledSpecs()) {
     Loaded loaded(spec);
-    const int count = CasesOf(spec, 8);
+    const int count = CasesOf(spec, 4);
     CHECK(CompareForTargets(loaded, 3, count) >= count);
   }
 }
@@ -49,7 +49,7 @@ TEST_CASE("every sampler is pure") {
       Options options = Seeded(11);
       options.sampler = *sample::FindMethod(name);
       options.batch = 16;
-      ComparePure(loaded, options, 24, CasesOf(spec, 6));
+      ComparePure(loaded, options, 24, CasesOf(spec, 4));
     }
   }
 }
@@ -59,7 +59,7 @@ TEST_CASE("MuJoCo's verdict is pure") {
     Loaded loaded(spec);
     Options options = Seeded(4);
     options.validation = Validation::kLoad;
-    ComparePure(loaded, options, 0, CasesOf(spec, 5));
+    ComparePure(loaded, options, 0, CasesOf(spec, 3));
   }
 }
 
