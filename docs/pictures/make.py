@@ -4,8 +4,8 @@
     docs/pictures/make.py MJFORGE
 
 writes, beside itself, for every bundled spec the sheet NAME.webp, wall/NAME.webp, large/NAME.webp and
-moved/NAME_*.webp; materials.webp; NAME.png for the cookbook; hero.png for the README; and catalogue.json, which
-says which specs they show. Also ../catalogue.md and the wall in the README. A test compares the hashes in
+moved/NAME_*.webp; materials.webp; NAME.png for the cookbook; hero.webp and ten.webp for the README; and
+catalogue.json, which says which specs they show. Also ../catalogue.md and the wall in the README. A test compares the hashes in
 catalogue.json with the specs. `./dev pictures` builds the program and runs this.
 """
 
@@ -43,10 +43,12 @@ JOINTS = {
     "electronics/keyboard": {"press_56": "-2.5mm"},
 }
 
-# The picture at the top of the README.
-HERO = "scenes/set_table"
-HERO_INDEX = "1"
-HERO_SIZE = "1120x528"
+# The pictures at the top of the README: a variant of a scene, and an animation of ten.
+HERO = "scenes/worktop"
+HERO_INDEX = "4"
+HERO_SIZE = "1280x560"
+TEN_SIZE = "640x280"
+TEN_MILLISECONDS = "600"  # for each
 
 # Samples of every material of the library.
 SPECS = HERE.parent.parent / "specs"
@@ -113,6 +115,16 @@ def draw_cookbook(program):
     return hashes
 
 
+def draw_hero(program):
+    draw(program, HERO, HERE / "hero.webp", {}, "--first", HERO_INDEX, "--size", HERO_SIZE)
+    with tempfile.TemporaryDirectory() as folder:
+        frames = [pathlib.Path(folder, f"{index}.png") for index in range(10)]
+        for index, frame in enumerate(frames):
+            draw(program, HERO, frame, {}, "--first", str(index), "--size", TEN_SIZE)
+        run("img2webp", "-loop", "0", "-lossy", "-q", QUALITY, "-d", TEN_MILLISECONDS, *map(str, frames),
+            "-o", str(HERE / "ten.webp"))
+
+
 def draw_sheets(program, specs):
     """Draws the sheet of each spec, and returns what `inspect` says about the specs."""
     def work(spec):
@@ -166,8 +178,8 @@ def main():
     hashes["materials.webp"] = {"spec": SAMPLES.name,
                                 "sha256": json.loads(run(program, "inspect", str(SAMPLES), "--json"))["spec_sha256"]}
     hashes |= draw_cookbook(program)
-    draw(program, HERO, HERE / "hero.png", {}, "--first", HERO_INDEX, "--size", HERO_SIZE)
-    hashes["hero.png"] = {"spec": HERO, "sha256": inspected[HERO]["spec_sha256"]}
+    draw_hero(program)
+    hashes |= {name: {"spec": HERO, "sha256": inspected[HERO]["spec_sha256"]} for name in ("hero.webp", "ten.webp")}
     known = HERE / "catalogue.json"
     before = json.loads(known.read_text(encoding="utf-8")) if known.exists() else {}
     for name in before.keys() - hashes.keys():
