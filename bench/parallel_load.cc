@@ -68,7 +68,7 @@ int main(int argc, char** argv) {
   const int runs = NumberOr(argv, argc, 3, 5);
   fmt::print("MuJoCo {}, {} workers, models per second\n", mj_versionString(), workers);
   fmt::print("{:<28}{:>10}{:>10}{:>12}\n", "", "threads", "processes", "ratio");
-  for (const char* spec : {"hammer", "mug", "drawer_cabinet"}) {
+  for (const char* spec : {"robosuite/hammer", "mug", "drawer_cabinet"}) {
     const Texts texts = mjforge::bench::Texts(mjforge::bench::Named(spec, {}).recipe, "", 64);
     std::vector<double> threads, processes, ratios;
     for (int run = 0; run < runs; ++run) {

@@ -19,7 +19,7 @@ namespace {
 }  // namespace
 
 LoadedRecipe& Hammer() {
-  static auto* const kHammer = new LoadedRecipe(Named("tools/hammer", {}));
+  static auto* const kHammer = new LoadedRecipe(Named("robosuite/hammer", {}));
   return *kHammer;
 }
 

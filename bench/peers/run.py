@@ -22,11 +22,11 @@ from report import report
 
 # Name: the bundled spec, and what is held so that all variants have the same parts.
 OBJECTS = {
-    "hammer": ("tools/hammer", ["handle_shape=box"]),
-    "pot": ("containers/pot_with_handles", ["solid_handle=false"]),
-    "hinged box": ("articulated/hinged_box", []),
-    "wrench": ("articulated/ratcheting_wrench", ["ngeoms=8", "grip=true"]),
-    "ring of 50": ("shapes/hollow_cylinder", ["ngeoms=50"]),
+    "hammer": ("robosuite/hammer", ["handle_shape=box"]),
+    "pot": ("robosuite/pot_with_handles", ["solid_handle=false"]),
+    "hinged box": ("robosuite/hinged_box", []),
+    "wrench": ("robosuite/ratcheting_wrench", ["ngeoms=8", "grip=true"]),
+    "ring of 50": ("robosuite/hollow_cylinder", ["ngeoms=50"]),
 }
 PEERS = ["robosuite", "pymjcf", "mjspec"]
 

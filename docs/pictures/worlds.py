@@ -64,7 +64,7 @@ def scene_of(variants, poses):
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
-    variants = mjforge.Spec("hammer").variants(seed=7, set={"handle_shape": "box"})
+    variants = mjforge.Spec("robosuite/hammer").variants(seed=7, set={"handle_shape": "box"})
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder, "hammers.npz")
         variants.write(file, SIDE * SIDE)

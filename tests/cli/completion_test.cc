@@ -92,7 +92,7 @@ TEST_CASE_METHOD(CompletionTest, "every word that is offered is accepted") {
 
 TEST_CASE_METHOD(CompletionTest, "specs are completed by whole names and by their last words") {
   CHECK(Ask({"generate", "ham"}) ==
-        "hammer\tClaw hammer with a wooden handle, box or cylinder, and a metal head.\n"
+        "hammer\tClaw hammer with a handle of wood, fibreglass or steel tube and a forged head.\n"
         ":.yaml .yml\n");
   CHECK(Words({"generate", "primitives/b"}) == "primitives/ball\nprimitives/box\n");
   CHECK(Words({"replay", "x.xml", "--spec", "hamm"}) == "hammer\n");
@@ -123,8 +123,8 @@ TEST_CASE_METHOD(CompletionTest, "settings are completed for the spec that is on
         "height=\tHalf the height.\n:\n");
   CHECK(Words({"generate", "crate.yaml", "--set=hei"}) == "--set=height=\n");
   CHECK(Words({"inspect", "hammer", "--set", "handle_shape="}) ==
-        "handle_shape=box\nhandle_shape=cylinder\n");
-  CHECK(Words({"inspect", "hammer", "--set", "use_texture=t"}) == "use_texture=true\n");
+        "handle_shape=wooden\nhandle_shape=fibreglass\nhandle_shape=tubular\n");
+  CHECK(Words({"inspect", "robosuite/hammer", "--set", "use_texture=t"}) == "use_texture=true\n");
   CHECK(Words({"inspect", "hammer", "--set", "handle_length="}).empty());
   // A record can be set as a whole or value by value.
   CHECK(Words({"inspect", "fridge", "--set", "kind"}) == "kind=\nkind.height=\nkind.split=\n");

@@ -43,7 +43,8 @@ TEST_CASE_METHOD(CrateTest, "catalogue finds words in names, descriptions and pa
   };
   CHECK(names({"A BOX."}) == std::vector<std::string>{"crate"});
   CHECK(names({"tools/hammer"}) == std::vector<std::string>{"tools/hammer"});
-  CHECK(names({"handle_length", "hammer"}) == std::vector<std::string>{"tools/hammer"});
+  CHECK(names({"handle_length", "hammer"}) ==
+        std::vector<std::string>{"robosuite/hammer", "tools/hammer"});
   CHECK(names({"Gas spring"}) ==
         std::vector<std::string>{"electronics/monitor_arm", "furniture/office_chair"});
   const auto none = Run({"catalogue", "--json", "xyz", "lid"}, {}, path);

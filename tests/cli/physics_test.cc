@@ -130,7 +130,7 @@ TEST_CASE_METHOD(PhysicsTest, "thresholds are set from outside, and recorded") {
 TEST_CASE_METHOD(PhysicsTest, "every target is tried as its host has it") {
   for (const std::string target : {"mujoco", "scene", "robosuite", "robocasa", "mjx"}) {
     CAPTURE(target);
-    REQUIRE(Run({"generate", "containers/lid", "--target", target, "--validate", "physics", "-o",
+    REQUIRE(Run({"generate", "robosuite/lid", "--target", target, "--validate", "physics", "-o",
                  target})
                 .status == 0);
     const json physics = Records(target)[0]["physics"];
@@ -191,7 +191,7 @@ TEST_CASE_METHOD(PhysicsTest, "every bundled object behaves") {
     if (name.starts_with("scenes/")) continue;  // takes seconds: `./dev physics`
     const auto result = Run({"check", name, "-n", "2", "--physics", "-q"});
     // The friction of the hammer's handle is robosuite's.
-    if (name == "tools/hammer")
+    if (name == "robosuite/hammer")
       CHECK(result.err.find("[physics/friction]") != std::string::npos);
     else
       CHECK(result.err.empty());

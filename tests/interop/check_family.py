@@ -181,7 +181,7 @@ def check_pose_in_another_frame(folder):
 def check_table(folder):
     """Numbers and parameters are those of the variants."""
     family = mjforge.load_family(pathlib.Path(folder, "family/hammer.npz"))
-    variants = mjforge.Spec("hammer").variants(seed=7, set={"handle_shape": "box"})[:64]
+    variants = mjforge.Spec("robosuite/hammer").variants(seed=7, set={"handle_shape": "box"})[:64]
     mine, own = family.table(frame=False), variants.table(frame=False)
     expect(set(mine) == set(own), f"{set(mine) ^ set(own)}")
     for name, column in own.items():

@@ -98,7 +98,7 @@ def check_seal(folder):
         mjforge.load_family(file)
         shutil.copy(pathlib.Path(folder, "family/pot.npz"), file)
         raises(ValueError, "is not the file that was written", mjforge.load_family, file)
-        variants = mjforge.Spec("hammer").variants(seed=7)
+        variants = mjforge.Spec("robosuite/hammer").variants(seed=7)
         expect(variants.write(pathlib.Path(place, "all_%s.npz"), 8, layout="split").ok, "not written")
         box, *others = sorted(pathlib.Path(place).glob("all_*.npz"))
         mjforge.load_family(box)

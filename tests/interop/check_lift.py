@@ -18,7 +18,7 @@ from generated import specs
 from report import check, expect, finish
 
 # One body each, as the cube: the environment sets its first joint, which is free.
-OBJECTS = {"tools/hammer", "containers/mug", "kitchen/spoon", "primitives/box"}
+OBJECTS = {"robosuite/hammer", "containers/mug", "kitchen/spoon", "primitives/box"}
 TABLE_TOP = 0.8  # m
 
 

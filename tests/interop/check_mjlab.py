@@ -20,7 +20,7 @@ from generated import specs
 from report import check, expect, finish, still_refused
 
 VERSION = importlib.metadata.version("mjlab")
-STEPPED = {"tools/hammer", "articulated/drawer_cabinet", "primitives/ball"}
+STEPPED = {"robosuite/hammer", "articulated/drawer_cabinet", "primitives/ball"}
 STEPS = 10
 WORLDS = 2
 

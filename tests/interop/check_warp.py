@@ -18,7 +18,7 @@ from generated import specs
 from report import check, expect, finish
 
 VERSION = importlib.metadata.version("mujoco-warp")
-STEPPED = {"tools/hammer", "containers/mug", "primitives/ball"}
+STEPPED = {"robosuite/hammer", "containers/mug", "primitives/ball"}
 
 
 def check_variant(variant, steps):

@@ -25,22 +25,22 @@ import venv
 
 HERE = pathlib.Path(__file__).resolve().parent
 
-# The sets of files: how many variants of each spec, and options of `generate`. MuJoCo gets ten
+# The sets of files: how many variants of each spec, and options of `generate`. MuJoCo gets 20
 # times as many with --all.
 SETS = {
-    "mujoco": (2, ["--target", "mujoco"]),
-    "robosuite": (2, ["--target", "robosuite"]),
-    "robocasa": (2, ["--target", "robocasa"]),
-    "mjx": (2, ["--target", "mjx"]),
+    "mujoco": (1, ["--target", "mujoco"]),
+    "robosuite": (1, ["--target", "robosuite"]),
+    "robocasa": (1, ["--target", "robocasa"]),
+    "mjx": (1, ["--target", "mjx"]),
     "files": (1, ["--assets", "files"]),
 }
 # Families (`-o NAME.npz`), and what makes all their variants one structure.
 FAMILIES = {
-    "hammer": ["hammer", "--set", "handle_shape=box"],
-    "any_hammer": ["hammer"],
+    "hammer": ["robosuite/hammer", "--set", "handle_shape=box"],
+    "any_hammer": ["robosuite/hammer"],
     "mug": ["mug"],
-    "pot": ["containers/pot_with_handles", "--set", "solid_handle=false"],
-    "hinged_box": ["articulated/hinged_box"],
+    "pot": ["robosuite/pot_with_handles", "--set", "solid_handle=false"],
+    "hinged_box": ["robosuite/hinged_box"],
     "cabinet": ["articulated/drawer_cabinet", "--set", "drawers=3", "--set", "handle=bar"],
     "scissors": ["articulated/scissors"],
 }
@@ -135,7 +135,7 @@ def run(command):
 
 
 def count_of(target, is_all):
-    return SETS[target][0] * (10 if is_all and target == "mujoco" else 1)
+    return SETS[target][0] * (20 if is_all and target == "mujoco" else 1)
 
 
 def generate(program, folder, is_all):
@@ -172,7 +172,7 @@ def generate(program, folder, is_all):
     for target in ("robosuite", "robocasa"):
         run([program, "generate", str(HERE / "scene.yaml"), "--each", "--target", target,
              "-o", f"{folder / 'each' / target}/", "--quiet"])
-    run([program, "generate", "hammer", "-n", "200", "-o", f"{folder / 'series'}/h_%02d.tar.zst",
+    run([program, "generate", "robosuite/hammer", "-n", "200", "-o", f"{folder / 'series'}/h_%02d.tar.zst",
          "--per-archive", "80", "--quiet"])
     return len(names)
 

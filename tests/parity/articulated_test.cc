@@ -88,7 +88,7 @@ TEST_CASE("the rings of a ratcheting wrench take the ends of its handle into the
   const double a = 0.03;
   const double c = std::cos(kPi / 8);
   const auto hole = std::to_string(a) + " * cos(pi / 8)";
-  const OurObject wrench = MakeObject("articulated/ratcheting_wrench", "wrench",
+  const OurObject wrench = MakeObject("robosuite/ratcheting_wrench", "wrench",
                                       {{.name = "handle_size", .text = "[0.08, 0.01, 0.005]"},
                                        {.name = "outer_radius_1", .text = "0.0425"},
                                        {.name = "outer_radius_2", .text = "0.0425"},
@@ -122,7 +122,7 @@ TEST_CASE("the rings of a ratcheting wrench take the ends of its handle into the
 }
 
 TEST_CASE("the lid of a hinged box may be wider than the box") {
-  const OurObject box = MakeObject("articulated/hinged_box", "hinged_box",
+  const OurObject box = MakeObject("robosuite/hinged_box", "hinged_box",
                                    {{.name = "box1_size", .text = "[0.03, 0.03, 0.02]"},
                                     {.name = "box2_size", .text = "[0.05, 0.04, 0.01]"},
                                     {.name = "gap", .text = "0.3mm"}});

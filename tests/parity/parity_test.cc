@@ -132,7 +132,7 @@ TEST_CASE("every renamed element is in a reference of its class, no added one is
 
 // With these numbers robosuite's ring is 0.1 m tall and has a hole of 0.02772 m.
 TEST_CASE("a ring has the height and the clear hole it was asked for") {
-  const OurObject ring = MakeObject("shapes/hollow_cylinder", "ring",
+  const OurObject ring = MakeObject("robosuite/hollow_cylinder", "ring",
                                     {{.name = "outer_radius", .text = "0.0425"},
                                      {.name = "inner_radius", .text = "0.03"},
                                      {.name = "height", .text = "0.05"},
@@ -152,7 +152,7 @@ TEST_CASE("a ring has the height and the clear hole it was asked for") {
 // The reference has no cone, so the expected values follow robosuite's formula: an odd number n of
 // discs of height h / n, with radii from the outer to the inner radius in equal steps.
 TEST_CASE("a cone is a stack of an odd number of discs, widest at the bottom") {
-  const OurObject cone = MakeObject("shapes/cone", "cone",
+  const OurObject cone = MakeObject("robosuite/cone", "cone",
                                     {{.name = "outer_radius", .text = "0.0425"},
                                      {.name = "inner_radius", .text = "0.03"},
                                      {.name = "height", .text = "0.05"},
@@ -173,7 +173,7 @@ TEST_CASE("a cone is a stack of an odd number of discs, widest at the bottom") {
 
 TEST_CASE("a cone of a material of the library has that one's density and friction") {
   const OurObject cone =
-      MakeObject("shapes/cone", "cone",
+      MakeObject("robosuite/cone", "cone",
                  {{.name = "use_box", .text = "true"}, {.name = "material", .text = "oak"}});
   REQUIRE(cone.findings == "");
   CHECK(cone.described.at("geom/c_0").numbers.at("density") == Numbers{755});
@@ -181,7 +181,7 @@ TEST_CASE("a cone of a material of the library has that one's density and fricti
 }
 
 TEST_CASE("a solid handle of a pot is as wide as handle_width and may be as wide as the pot") {
-  const OurObject pot = MakeObject("containers/pot_with_handles", "pot",
+  const OurObject pot = MakeObject("robosuite/pot_with_handles", "pot",
                                    {{.name = "body_half_size", .text = "[0.05, 0.05, 0.05]"},
                                     {.name = "handle_width", .text = "0.1"},
                                     {.name = "solid_handle", .text = "true"}});

@@ -174,7 +174,7 @@ TEST_CASE("every bundled spec compiles to the same with its meshes and textures 
 }
 
 TEST_CASE("convex meshes that MJX gets are files, too") {
-  Loaded loaded(harness::SourceFolder() / "specs/tools/hammer.yaml");
+  Loaded loaded(harness::SourceFolder() / "specs/robosuite/hammer.yaml");
   Options options = Seeded(5);
   options.validation = Validation::kLoad;
   options.target = mjcf::Target::kMjx;

@@ -82,8 +82,8 @@ void Drop(const mjModel& m, mjData& d, int bottom, std::uint64_t index) {
 }  // namespace
 
 TEST_CASE("a small ball that falls into a bundled container stays in it") {
-  const auto container = GENERATE(values<Container>({{"containers/pot_with_handles", "base"},
-                                                     {"containers/bin", "base"},
+  const auto container = GENERATE(values<Container>({{"robosuite/pot_with_handles", "base"},
+                                                     {"robosuite/bin", "base"},
                                                      {"articulated/drawer_cabinet", "bottom_0"}}));
   const auto spec = SpecOf(container.spec);
   engine::Engine engine;

@@ -168,8 +168,8 @@ class Parameters(unittest.TestCase):
         kinds = mjforge.Spec(KINDS).variants(set={"size": (0.01, (0.02, 0.03), 0.04), "fixed": 7})[0].params
         self.assertEqual((kinds["size"][0], kinds["size"][2], kinds["fixed"]), (0.01, 0.04, 7))
         self.assertTrue(0.02 <= kinds["size"][1] <= 0.03)
-        twice = spec.variants(set={"handle_length": 0.2}).spec.variants(set={"handle_shape": "box"})[0]
-        self.assertEqual((twice.params["handle_length"], twice.params["handle_shape"]), (0.2, "box"))
+        twice = spec.variants(set={"handle_length": 0.2}).spec.variants(set={"handle_shape": "tubular"})[0]
+        self.assertEqual((twice.params["handle_length"], twice.params["handle_shape"]), (0.2, "tubular"))
 
     def test_catalogue_describes_its_specs(self):
         entries = mjforge.catalogue()

@@ -14,7 +14,7 @@ import sys
 import mjforge
 import mujoco
 
-SPECS = ("hammer", "mug", "hinged_box", "laptop", "cardboard_box")
+SPECS = ("robosuite/hammer", "mug", "robosuite/hinged_box", "laptop", "cardboard_box")
 SCENE = mujoco.MjSpec.from_string("""<mujoco><worldbody><geom type="plane" size="2 2 .1"/>
   <body name="table" pos="0 0 .4"><geom type="box" size=".4 .4 .02"/></body></worldbody></mujoco>""")
 WARM = 1000  # resets after which allocators and caches have their size

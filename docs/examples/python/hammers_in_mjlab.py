@@ -16,7 +16,7 @@ ENVIRONMENTS = 16
 
 with tempfile.TemporaryDirectory() as folder:
     file = pathlib.Path(folder, "hammers.npz")
-    mjforge.Spec("hammer").variants(seed=7, set={"handle_shape": "box"}).write(file, 256)
+    mjforge.Spec("robosuite/hammer").variants(seed=7, set={"handle_shape": "box"}).write(file, 256)
     hammers = mjforge.load_family(file)
 
 hammer, variants = hammers.to_mjlab("hammer", mode="reset")

@@ -16,7 +16,7 @@ STEPS = 150
 
 with tempfile.TemporaryDirectory() as folder:
     file = pathlib.Path(folder, "hammers.npz")
-    mjforge.Spec("hammer").variants(seed=7, set={"handle_shape": "box"}, target="mjx").write(file, 256)
+    mjforge.Spec("robosuite/hammer").variants(seed=7, set={"handle_shape": "box"}, target="mjx").write(file, 256)
     hammers = mjforge.load_family(file)
 
 scene = mujoco.MjSpec.from_string("<mujoco><worldbody><geom type='plane' size='1 1 1'/></worldbody></mujoco>")

@@ -11,7 +11,7 @@ WORLDS = 64
 
 with tempfile.TemporaryDirectory() as folder:
     file = pathlib.Path(folder, "hammers.npz")
-    mjforge.Spec("hammer").variants(seed=7, set={"handle_shape": "box"}).write(file, WORLDS)
+    mjforge.Spec("robosuite/hammer").variants(seed=7, set={"handle_shape": "box"}).write(file, WORLDS)
     hammers = mjforge.load_family(file)
 
 scene = mujoco.MjSpec.from_string("<mujoco><worldbody><geom type='plane' size='1 1 1'/></worldbody></mujoco>")

@@ -47,6 +47,21 @@ std::vector<fs::path> YamlFilesBelow(const fs::path& folder) {
   return files;
 }
 
+// Folders whose specs share their names with others: robosuite's ten objects, and scenes of a crate
+// or a desk. A name without a folder means one of these only if no other spec has the name.
+constexpr std::array<std::string_view, 2> kSearchedLast = {"robosuite", "scenes"};
+
+std::optional<fs::path> Named(const std::string& name, const fs::path& shelf) {
+  std::vector<fs::path> files = YamlFilesBelow(shelf);
+  std::erase_if(files, [&](const fs::path& file) { return file.stem() != name; });
+  if (files.empty()) return std::nullopt;
+  const auto first = std::ranges::find_if(files, [&](const fs::path& file) {
+    const std::string folder = file.lexically_relative(shelf).begin()->string();
+    return std::ranges::find(kSearchedLast, folder) == kSearchedLast.end();
+  });
+  return first == files.end() ? files.front() : *first;
+}
+
 }  // namespace
 
 std::optional<fs::path> Locate(const std::string& reference, const fs::path& folder,
@@ -58,9 +73,7 @@ std::optional<fs::path> Locate(const std::string& reference, const fs::path& fol
   }
   if (reference.find('/') != std::string::npos) return std::nullopt;
   for (const fs::path& shelf : search_path) {
-    for (const fs::path& file : YamlFilesBelow(shelf)) {
-      if (file.stem() == reference) return file;
-    }
+    if (auto found = Named(reference, shelf)) return found;
   }
   return std::nullopt;
 }

@@ -34,6 +34,19 @@ TEST_CASE("a spec is found by path, by catalogue name and by last name", "[loade
   CHECK(mjforge::spec::ListSpecs(folder.path()) == Strings{"toys/ball"});
 }
 
+TEST_CASE("a name without a folder means a scene or robosuite's object last", "[loader]") {
+  const Folder folder;
+  for (const char* name : {"robosuite/hammer", "scenes/desk", "tools/hammer", "zoo/desk"})
+    folder.Write(std::string(name) + ".yaml", kBall);
+  const auto found = [&](const std::string& name) {
+    return LoadFile(name, {folder.path()}).spec->folder.filename().string();
+  };
+  CHECK(found("hammer") == "tools");
+  CHECK(found("desk") == "zoo");
+  fs::remove(folder / "tools/hammer.yaml");
+  CHECK(found("hammer") == "robosuite");
+}
+
 TEST_CASE("what cannot be read is reported", "[loader]") {
   const Folder folder;
   CHECK(LoadFile(folder.path().string()).Report() ==
