@@ -168,7 +168,7 @@ class Errors(unittest.TestCase):
     def test_check_reports_them(self):
         self.assertEqual(mjforge.check("hammer", 3).findings, ())
         self.assertEqual(mjforge.check(mjforge.Spec("mug"), 3, physics=True).findings, ())
-        report = mjforge.check("hammer", 3, physics=True)
+        report = mjforge.check("robosuite/hammer", 3, physics=True)
         self.assertEqual(({f.code for f in report.findings}, report.ok), ({"physics/friction"}, True))
 
     def test_wrong_words_say_what_is_known(self):

@@ -164,7 +164,7 @@ class Parameters(unittest.TestCase):
                 for variant in variants[:10]:
                     self.assertTrue(0.2 <= variant.params["handle_length"] <= 0.21)
                 self.assertEqual(variants.spec.parameters["handle_length"].range, (0.2, 0.21))
-        self.assertEqual((spec.settings, spec.parameters["handle_length"].range), ({}, (0.1, 0.25)))
+        self.assertEqual((spec.settings, spec.parameters["handle_length"].range), ({}, (0.26, 0.31)))
         kinds = mjforge.Spec(KINDS).variants(set={"size": (0.01, (0.02, 0.03), 0.04), "fixed": 7})[0].params
         self.assertEqual((kinds["size"][0], kinds["size"][2], kinds["fixed"]), (0.01, 0.04, 7))
         self.assertTrue(0.02 <= kinds["size"][1] <= 0.03)
