@@ -28,9 +28,11 @@ std::string Sizes(const Eigen::Vector2d& lengths) {
 }
 
 std::string SizeOf(const model::Region& region) {
-  if (region.type == model::RegionType::kDisc)
-    return fmt::format("{} cm across", Cm(2 * region.half_size[0]));
-  return Sizes(2 * region.half_size);
+  std::string text = region.type == model::RegionType::kDisc
+                         ? fmt::format("{} cm across", Cm(2 * region.half_size[0]))
+                         : Sizes(2 * region.half_size);
+  if (region.margin > 0) text += fmt::format(" with a margin of {} cm", Cm(region.margin));
+  return text;
 }
 
 // Returns "'plate_0' was in the way of 400, 'mug_1' of 120": the bodies that were in the way of
@@ -51,13 +53,19 @@ std::string BlockersText(const Misses& misses) {
 }
 
 void ReportCrowded(const NoRoom& what, const Misses& misses, diag::Finding& finding) {
-  finding.message = fmt::format("no room for body {} at {}", Quoted(what.body), Quoted(what.at));
+  const std::string place = what.has_uv            ? "at its `uv` in "
+                            : what.beside.empty() ? "at "
+                                                  : "beside " + Quoted(what.beside) + " at ";
+  finding.message =
+      fmt::format("no room for body {} {}{}", Quoted(what.body), place, Quoted(what.at));
   if (what.region != nullptr) {
     finding.message +=
         fmt::format(", {}: it needs {}", SizeOf(*what.region), Sizes(misses.footprint));
     if (what.clear > 0) finding.message += fmt::format(" and {} cm around it", Cm(what.clear));
-    finding.message += fmt::format("; the widest gap is {} cm across",
-                                   Cm(std::floor(1000 * what.widest_gap) / 1000));
+    if (what.widest_gap) {
+      finding.message += fmt::format("; the widest gap is {} cm across",
+                                     Cm(std::floor(1000 * *what.widest_gap) / 1000));
+    }
     if (what.instances > 1) {
       finding.message +=
           fmt::format("; {} of {} have found a place", what.standing, what.instances);

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "mjforge/assemble/field_reader.h"
@@ -29,8 +30,9 @@ struct NoRoom {
   std::string at;
   const model::Region* region = nullptr;  // null: a site
   std::string beside;                     // empty: beside none
+  bool has_uv = false;                    // `uv` says where in the region
   double clear = 0;                       // m
-  double widest_gap = 0;                  // see Placer::WidestGap
+  std::optional<double> widest_gap;       // see Placer::WidestGap; nothing if it may not stand there
   std::size_t standing = 0;               // instances of the same entry that stand
   std::size_t instances = 0;              // all instances of the entry; 0: not known
   diag::SourceMark mark;                  // place of the name in `at`

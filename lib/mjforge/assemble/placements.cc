@@ -140,9 +140,10 @@ void Placements::GiveUp(const Request& request, const Trial& trial, const Misses
   what.instances = instances_;
   what.mark = request.entry.place->Find(Key::kAt)->value.mark;
   what.target = trial.target.mark();
-  if (what.region != nullptr)
-    what.widest_gap = context_.placer.WidestGap(request.body, trial.where);
+  what.has_uv = request.entry.place->Find(Key::kUv) != nullptr;
   if (trial.where.beside) what.beside = names_.NameOf(trial.where.beside->body);
+  if (what.region != nullptr && !what.has_uv && what.beside.empty())
+    what.widest_gap = context_.placer.WidestGap(request.body, trial.where);
   ReportNoRoom(what, misses, context_.findings);
 }
 
