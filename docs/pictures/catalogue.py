@@ -1,5 +1,6 @@
 """Writes the page of the bundled specs, and their wall in the README."""
 
+import math
 import re
 
 COLUMNS = 4
@@ -22,8 +23,15 @@ start with `mjforge new my.yaml --like NAME`.
 CHAPTERS = """
 ## About the chapters
 
-Each large picture shows variant 0 of seed {seed}, and each sheet variants 0 to {last}. Masses and sizes are those of
-24 variants (of scenes, 8). Values that are computed from others are at the end of each table.
+Each large picture shows variant 0 of seed {seed}, and each sheet variants 0 to {last}. Masses and sides are those of
+the first {count} variants of seed 0 (of scenes, 8 of seed {seed}) as they start: sides of the box around them, the
+longest first. Beside them is a real product or a standard; [the table of them](pictures/products.csv) leaves out what
+is not known for sure. Joints that differ only in a number share a row, which has the least and the greatest end of
+all. Values that are computed from others are at the end of each table of parameters.
+
+How many variants pass the [physical checks](physics.md), and how many pass `--profile simready`
+([the benchmark](physics.md#the-simready-benchmark)) as well, was [counted](pictures/shares.csv) by `./dev shares` on
+the day that is named.
 """
 
 MATERIALS = """
@@ -122,7 +130,96 @@ def _moved(spec, alts):
     return [f"<p>{pictures}</p>", "", f"Above: {words}.", ""]
 
 
-def chapter(spec, inspected, page, joints, required):
+def number(value):
+    """Three digits, or all before the point."""
+    if value == 0:
+        return "0"
+    digits = max(0, 2 - math.floor(math.log10(abs(value))))
+    text = f"{value:.{digits}f}"
+    return text.rstrip("0").rstrip(".") if "." in text else text
+
+
+def span(low, high, between=" to "):
+    low, high = number(low), number(high)
+    return low if low == high else low + between + high
+
+
+def _masses(seen):
+    unit, scale = ("kg", 1) if seen.high >= 1 else ("g", 1000)
+    return f"{span(scale * seen.low, scale * seen.high)} {unit}"
+
+
+def _product_mass(mass):
+    if mass is None:
+        return ""
+    return f"{mass:g} kg" if mass >= 1 else f"{1000 * mass:g} g"
+
+
+def _product_sides(product):
+    if not product.sides:
+        return ""
+    part = f"{product.part}: " if product.part else ""
+    return part + " x ".join(f"{side:g}" for side in product.sides) + " mm"
+
+
+def _share(passed, row):
+    share = 100 * passed / row["variants"]
+    # Never rounded up to all of them.
+    text = f"{math.floor(10 * share) / 10:g}"
+    return f"{text} % of {row['variants']} ({row['date']})"
+
+
+def measures(family, product, row):
+    """A table of masses and sides beside those of a product, and of the shares that pass."""
+    sides = " x ".join(span(1000 * side.low, 1000 * side.high) for side in family.sides) + " mm"
+    rows = [["", f"{family.count} variants"], ["mass", _masses(family.mass)], ["sides", sides]]
+    if product:
+        rows[0].append(_table_cell(f"{product.name} ({product.source})"))
+        rows[1].append(_product_mass(product.mass))
+        rows[2].append(_table_cell(_product_sides(product)))
+    if row:
+        rows += [["pass the physical checks", _share(row["physics"], row)],
+                 ["pass `--profile simready`, too", _share(row["simready"], row)]]
+    columns = len(rows[0])
+    lines = ["| " + " | ".join(cells + [""] * (columns - len(cells))) + " |" for cells in rows]
+    return [lines[0], "| --- " * columns + "|", *lines[1:], ""]
+
+
+def _names(names):
+    """One or two names, or the first and the last of names that differ in numbers."""
+    def key(name):
+        return [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", name)]
+
+    names = sorted(names, key=key)
+    return ", ".join(f"`{name}`" for name in names) if len(names) < 3 else f"`{names[0]}` to `{names[-1]}`"
+
+
+def _joint(joint, count):
+    scale, unit = (1000, "mm") if joint.kind == "slide" else (180 / math.pi, "deg")
+    if joint.kind == "free" or not joint.is_limited:
+        ends = ["", "", ""]
+    else:
+        ends = [span(scale * end.low, scale * end.high, " .. ") for end in (joint.low, joint.high)] + [unit]
+    variants = "all" if len(joint.variants) == count else f"{len(joint.variants)} of {count}"
+    return "| " + " | ".join([_names(joint.names), joint.kind, *ends, variants]) + " |"
+
+
+def joints_and_grasps(family):
+    """A line, or a folded table of the joints."""
+    grasps = ", ".join(map(_names, family.grasps.values()))
+    sites = sum(map(len, family.grasps.values()))
+    grasps = f"grasp site{'s' if sites > 1 else ''} {grasps}" if grasps else "no grasp site"
+    if not family.joints:
+        return [f"No joints; {grasps}.", ""]
+    names = {name for joint in family.joints.values() for name in joint.names}
+    count = f"{len(names)} joint{'s' if len(names) > 1 else ''}"
+    return ["<details>", f"<summary>{count}; {_text(grasps.replace('`', ''))}</summary>", "",
+            "| joint | type | from | to | unit | variants |", "| --- | --- | --- | --- | --- | --- |",
+            *(_joint(joint, family.count) for joint in family.joints.values()), "", "</details>", ""]
+
+
+def chapter(spec, inspected, page, facts, joints, required):
+    """The chapter of a spec; `facts` are its family, product and row of shares, or None for what is not known."""
     description = inspected["description"]
     name = picture_name(spec)
     geoms = page.facts["Its elements"]
@@ -131,9 +228,13 @@ def chapter(spec, inspected, page, joints, required):
         f'<p><img src="pictures/large/{name}.webp" width="40%" align="top" alt="A variant of {spec}: {_text(description)}"> '
         f'<img src="pictures/{name}.webp" width="58%" align="top" alt="Eight variants of {spec}, side by side"></p>', "",
         *_moved(spec, [alt for _, alt in page.moved]),
-        f"Mass {page.facts['Mass']}; longest side {page.facts['Longest side']}. The variant in the large picture: "
-        f"{page.facts['Variant in the large picture']}; {geoms}; {page.facts['Its file']}.", "",
+        f"The variant in the large picture: {page.facts['Variant in the large picture']}; {geoms}; "
+        f"{page.facts['Its file']}.", "",
     ]
+    if facts[0]:
+        lines += [*measures(*facts), *joints_and_grasps(facts[0])]
+    else:
+        lines += [f"Mass {page.facts['Mass']}; longest side {page.facts['Longest side']}.", ""]
     if joints:
         positions = ", ".join(f"`{joint}` at {value}" for joint, value in joints.items())
         lines += [f"The sheet is drawn with the joint {positions}.", ""]

@@ -20,7 +20,10 @@ import sys
 import tempfile
 
 import catalogue
+import families
 import gallery
+import products
+import shares
 
 HERE = pathlib.Path(__file__).resolve().parent
 PAGE = HERE.parent / "catalogue.md"
@@ -28,6 +31,10 @@ README = HERE.parent.parent / "README.md"
 SEED = 7
 VARIANTS = 8
 TILE = "184x184"
+
+# Variants whose masses, sides, joints and grasp sites the page has.
+DRAWN = 100
+
 QUALITY = "80"
 
 # Joint positions that show what moves, within the range of every variant.
@@ -154,12 +161,32 @@ def draw_specs(program, specs):
     return inspected, pages
 
 
-def write_page(specs, inspected, pages, materials):
+def draw_families(program, specs):
+    """Draws the variants whose measures the page has, by spec; none of scenes, which take seconds."""
+    def work(spec):
+        return None if spec.startswith("scenes/") else families.draw(program, spec, DRAWN)
+
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        return dict(zip(specs, pool.map(work, specs)))
+
+
+def gather_facts(program, specs):
+    """Each spec's family, product and shares; says which products lie outside of their family."""
+    known, counted = products.read(), shares.read()
+    facts = {spec: (family, known.get(spec), counted.get(spec))
+             for spec, family in draw_families(program, specs).items()}
+    for spec, (family, product, _) in facts.items():
+        for difference in products.outside(product, family) if product else []:
+            print(f"{spec}: {difference}", flush=True)
+    return facts
+
+
+def write_page(specs, inspected, pages, facts, materials):
     descriptions = {spec: inspected[spec]["description"] for spec in specs}
-    chapters = (catalogue.chapter(spec, inspected[spec], pages[spec], JOINTS.get(spec, {}), requirements(spec))
-                for spec in specs)
-    PAGE.write_text(catalogue.INTRODUCTION + catalogue.wall(descriptions)
-                    + catalogue.CHAPTERS.format(seed=SEED, last=VARIANTS - 1) + "\n" + "\n".join(chapters)
+    chapters = (catalogue.chapter(spec, inspected[spec], pages[spec], facts[spec], JOINTS.get(spec, {}),
+                                  requirements(spec)) for spec in specs)
+    introduction = catalogue.CHAPTERS.format(seed=SEED, last=VARIANTS - 1, count=DRAWN)
+    PAGE.write_text(catalogue.INTRODUCTION + catalogue.wall(descriptions) + introduction + "\n" + "\n".join(chapters)
                     + catalogue.MATERIALS.format(count=materials), encoding="utf-8")
     readme = README.read_text(encoding="utf-8")
     README.write_text(catalogue.put_between(readme, "wall", catalogue.readme_wall(specs)), encoding="utf-8")
@@ -184,7 +211,7 @@ def main():
     before = json.loads(known.read_text(encoding="utf-8")) if known.exists() else {}
     for name in before.keys() - hashes.keys():
         (HERE / name).unlink(missing_ok=True)
-    write_page(specs, inspected, pages, materials)
+    write_page(specs, inspected, pages, gather_facts(program, specs), materials)
     text = json.dumps(hashes, indent=1, sort_keys=True) + "\n"
     known.write_text(text, encoding="utf-8")
 
