@@ -49,6 +49,10 @@ def ask(program, *arguments):
     return json.loads(output)
 
 
+def hash_of(program, spec):
+    return ask(program, "inspect", spec)["spec_sha256"][:12]
+
+
 def records(program, spec, count, *options):
     """The manifest of a batch; none where no variant passes, because then nothing is written."""
     with tempfile.TemporaryDirectory() as folder:
@@ -82,19 +86,19 @@ def main(arguments, file=FILE):
     program, *rest = arguments
     count = int(rest.pop(0)) if rest and rest[0].isdigit() else VARIANTS
     rows = read(file)
-    names = [item["name"] for item in ask(program, "catalogue")]
-    hashes = {spec: ask(program, "inspect", spec)["spec_sha256"][:12] for spec in rest or names}
     if not rest:
+        names = [item["name"] for item in ask(program, "catalogue")]
         rows = {spec: row for spec, row in rows.items() if spec in names}
         rest = [spec for spec in names if not spec.startswith("scenes/")
                 and (spec not in rows or rows[spec]["variants"] < count)]
         for spec in sorted(rows.keys() - rest):
-            if rows[spec]["sha256"] != hashes[spec]:
+            if rows[spec]["sha256"] != hash_of(program, spec):
                 print(f"{spec} has changed since it was counted: `./dev shares {count} {spec}` counts it again")
     for spec in rest:
+        sha256 = hash_of(program, spec)
         physics, ready = count_passed(program, spec, count)
         rows[spec] = {"spec": spec, "variants": count, "physics": physics, "simready": ready,
-                      "date": datetime.date.today().isoformat(), "sha256": hashes[spec]}
+                      "date": datetime.date.today().isoformat(), "sha256": sha256}
         write(rows, file)
         print(f"{spec}: of {count} variants {physics} pass the physical checks, {ready} --profile simready", flush=True)
 
