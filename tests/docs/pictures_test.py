@@ -2,7 +2,7 @@
 
 import contextlib
 import io
-import json
+import os
 import pathlib
 import sys
 import tempfile
@@ -129,6 +129,19 @@ class Products(unittest.TestCase):
                 products.read(file)
 
 
+# A block with a lid that is lifted by turning.
+CHEST = """mjforge: 1
+name: chest
+params: {length: 20cm .. 30cm}
+parts: [{name: block, type: box, size: [length / 2, 5cm, 4cm], pos: [0, 0, 4cm], density: 500}]
+sites: [{name: grasp, pos: [0, 0, 4cm]}]
+bodies:
+  - name: lid
+    pos: [0, 5cm, 8.2cm]
+    joints: [{name: lid, axis: [-1, 0, 0], range: [0, 1], damping: 0.01, armature: 1e-3}]
+    parts: [{name: lid, type: box, size: [length / 2, 5cm, 5mm], pos: [0, -5cm, 5mm], density: 500}]
+"""
+
 # Stands in for mjforge: of three variants one is good, one fails the benchmark, and one a physical check.
 PROGRAM = """#!/usr/bin/env python3
 import json, pathlib, sys
@@ -182,6 +195,30 @@ class Shares(unittest.TestCase):
         text = self.file.read_text(encoding="utf-8").replace("0123456789ab", "ba9876543210")
         self.file.write_text(text, encoding="utf-8")
         self.assertIn("a/one has changed since it was counted: `./dev shares 3 a/one` counts it again", self.count("3"))
+
+
+class Program(unittest.TestCase):
+    """With mjforge itself."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.spec = pathlib.Path(folder.name) / "chest.yaml"
+        self.spec.write_text(CHEST, encoding="utf-8")
+        self.program = os.environ["MJFORGE_PROGRAM"]
+
+    def test_a_family_is_what_its_variants_have(self):
+        family = families.draw(self.program, str(self.spec), 5)
+        self.assertEqual(family.count, 5)
+        self.assertTrue(0.2 < family.sides[0].low < family.sides[0].high < 0.3)
+        self.assertAlmostEqual(family.mass.high / family.mass.low, family.sides[0].high / family.sides[0].low, places=3)
+        lid = family.joints["lid", "hinge"]
+        self.assertEqual((len(family.joints), lid.names, len(lid.variants), lid.low.low), (1, {"lid"}, 5, 0))
+        self.assertAlmostEqual(lid.high.high, 1)
+        self.assertEqual(family.grasps, {"grasp": {"grasp"}})
+
+    def test_variants_are_simulated(self):
+        self.assertEqual(shares.count_passed(self.program, str(self.spec), 2), (2, 2))
 
 
 if __name__ == "__main__":
