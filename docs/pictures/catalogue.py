@@ -196,8 +196,10 @@ def _names(names):
 
 def _joint(joint, count):
     scale, unit = (1000, "mm") if joint.kind == "slide" else (180 / math.pi, "deg")
-    if joint.kind == "free" or not joint.is_limited:
+    if joint.kind == "free":
         ends = ["", "", ""]
+    elif not joint.is_limited:
+        ends = ["no limit", "no limit", unit]
     else:
         ends = [span(scale * end.low, scale * end.high, " .. ") for end in (joint.low, joint.high)] + [unit]
     variants = "all" if len(joint.variants) == count else f"{len(joint.variants)} of {count}"

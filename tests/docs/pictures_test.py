@@ -81,14 +81,14 @@ class Page(unittest.TestCase):
         lines = catalogue.joints_and_grasps(box_family())
         self.assertIn("<summary>3 joints; grasp sites grasp_1, grasp_2</summary>", lines)
         self.assertIn("| `slide_2`, `slide_10` | slide | -10 .. 0 | 50 .. 70 | mm | all |", lines)
-        self.assertIn("| `turn` | hinge |  |  |  | 1 of 2 |", lines)
+        self.assertIn("| `turn` | hinge | no limit | no limit | deg | 1 of 2 |", lines)
         self.assertEqual(catalogue.joints_and_grasps(families.Family([record(1, [1, 1, 1])], [model()])),
                          ["No joints; no grasp site.", ""])
 
     def test_of_three_names_the_first_and_the_last_are_told(self):
         hinges = "".join(f'<joint name="box_key_{i}"/>' for i in (10, 9, 1))
         lines = catalogue.joints_and_grasps(families.Family([record(1, [1, 1, 1])], [model(hinges)]))
-        self.assertIn("| `key_1` to `key_10` | hinge |  |  |  | all |", lines)
+        self.assertIn("| `key_1` to `key_10` | hinge | no limit | no limit | deg | all |", lines)
 
     def test_numbers_have_three_digits(self):
         self.assertEqual([catalogue.number(value) for value in (0, 0.0012345, 1.5, 23.456, 1234.5, -0.5)],
