@@ -158,14 +158,27 @@ class Preview {
     diag::Findings again;  // findings of the other variants
     for (PreviewObject& object : objects) {
       if (recipe_) SetPoseOf(*recipe_->spec, *object.subject, of_views.empty() ? of_views : again);
-      for (const auto& [name, value] : options_.poses) {
-        const std::optional<int> joint = object.subject->FindJoint(name, findings_);
-        if (joint) object.subject->SetJoint(*joint, value, findings_);
-      }
-      if (findings_.HasErrors() && !options_.poses.empty()) return false;
     }
     findings_.Append(std::move(of_views));
-    return true;
+    bool is_moved = true;
+    for (const auto& [name, value] : options_.poses) is_moved &= MoveJoint(name, value, objects);
+    return is_moved;
+  }
+
+  // Moves the joints of this name. Adds an error if no object can be moved, and otherwise a warning
+  // if one cannot, because variants differ in their joints. Returns false after an error.
+  bool MoveJoint(const std::string& name, double value, std::vector<PreviewObject>& objects) {
+    diag::Findings found;
+    bool is_moved = false;
+    for (PreviewObject& object : objects) {
+      const std::optional<int> joint = object.subject->FindJoint(name, found);
+      is_moved |= joint && object.subject->SetJoint(*joint, value, found);
+    }
+    if (found.empty()) return true;
+    diag::Finding finding = found[0];
+    if (is_moved) finding.severity = diag::Severity::kWarning;
+    findings_.Add(std::move(finding));
+    return is_moved;
   }
 
   std::optional<std::string> DrawOne(picture::Renderer& renderer, PreviewObject& object) {

@@ -10,14 +10,15 @@ picture::View ViewOf(const spec::ObjectSpec& spec, picture::View chosen) {
 }
 
 void SetPoseOf(const spec::ObjectSpec& spec, picture::Subject& subject, diag::Findings& findings) {
-  diag::Findings found;
-  for (const auto& [name, position] : spec.view.pose) {
-    if (const auto joint = subject.FindJoint(name, found))
-      subject.SetJoint(*joint, position, found);
+  for (const spec::PictureView::Position& position : spec.view.pose) {
+    diag::Findings unknown;
+    diag::Findings found;
+    if (const auto joint = subject.FindJoint(position.joint, unknown))
+      subject.SetJoint(*joint, position.value, found);
+    for (const diag::Finding& finding : found)
+      findings.Warn(finding.code, position.mark, "the view's pose: " + finding.message,
+                    finding.hint);
   }
-  for (const diag::Finding& finding : found)
-    findings.Warn(finding.code, spec.view.mark, "the view's pose: " + finding.message,
-                  finding.hint);
 }
 
 }  // namespace mjforge::app

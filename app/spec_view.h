@@ -9,8 +9,8 @@ namespace mjforge::app {
 /// Returns the chosen view, with the directions of the spec's `view:` where none was chosen.
 picture::View ViewOf(const spec::ObjectSpec& spec, picture::View chosen = {});
 
-/// Moves joints into the pose of the spec's `view:`. Adds a warning for a joint that is not there
-/// or does not reach its position, because variants differ in their joints.
+/// Moves joints into the pose of the spec's `view:`. Adds a warning for a joint that does not reach
+/// its position. Ignores joints that the variant does not have, which `assemble` reports.
 void SetPoseOf(const spec::ObjectSpec& spec, picture::Subject& subject, diag::Findings& findings);
 
 }  // namespace mjforge::app

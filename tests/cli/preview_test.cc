@@ -93,6 +93,18 @@ TEST_CASE_METHOD(PreviewTest, "several files make a contact sheet, each with its
   CHECK(Run({"preview", "chest.xml", "box.xml", "-n", "3"}).status == 2);
 }
 
+TEST_CASE_METHOD(PreviewTest, "a sheet moves the joints that its objects have") {
+  folder().Write("plain.xml",
+                 "<mujoco><worldbody><body><geom size='1'/></body></worldbody></mujoco>");
+  const auto mixed = Run({"preview", "plain.xml", "chest.xml", "--joint", "hinge=0.5", "-o", "-"});
+  CHECK(mixed.status == 0);
+  CHECK(mixed.err ==
+        "mjforge: warning: there is no joint 'hinge' [picture/unknown-joint]\n"
+        "  hint: the object has no hinge or slide\n");
+  CHECK(mixed.out != Run({"preview", "plain.xml", "chest.xml", "-o", "-"}).out);
+  CHECK(Run({"preview", "plain.xml", "chest.xml", "--joint", "hinge=3", "-o", "-"}).status == 1);
+}
+
 TEST_CASE_METHOD(PreviewTest, "a picture of a sheet is the variant's own picture") {
   const std::string third = Draw({"crate.yaml", "--first", "2", "--size", "100"});
   CHECK(third == Draw({"crate.yaml", "--first", "2", "--size", "100"}));
@@ -124,12 +136,16 @@ TEST_CASE_METHOD(PreviewTest, "a spec's view is the picture's, unless an option 
   folder().Write("wrong.yaml", door + "view: {pose: {trun: 45deg}}\n");
   const auto wrong = Run({"preview", "wrong.yaml", "-o", "wrong.png"});
   CHECK(wrong.status == 0);
-  CHECK(
-      wrong.err ==
-      "wrong.yaml:9:7: warning: the view's pose: there is no joint 'trun' [picture/unknown-joint]\n"
-      "view: {pose: {trun: 45deg}}\n"
-      "      ^\n"
-      "  hint: did you mean 'turn'?\n");
+  CHECK(wrong.err ==
+        "wrong.yaml:9:15: warning: view: the object has no joint 'trun' (seed 0, index 0) "
+        "[model/unknown-reference]\n"
+        "view: {pose: {trun: 45deg}}\n"
+        "              ^\n"
+        "  hint: did you mean 'turn'?\n");
+  folder().Write("far.yaml", door + "view: {pose: {turn: 2}}\n");
+  CHECK(Run({"preview", "far.yaml", "-o", "far.png"})
+            .err.starts_with("far.yaml:9:15: warning: the view's pose: joint 'cup_turn' does not "
+                             "reach 2 rad: its range is 0 to 1.5708 [picture/bad-joint-value]\n"));
 }
 
 TEST_CASE_METHOD(PreviewTest, "size, background and layer are as they are asked for") {

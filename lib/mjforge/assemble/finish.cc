@@ -9,6 +9,7 @@
 #include "mjforge/assemble/free_bodies.h"
 #include "mjforge/assemble/names.h"
 #include "mjforge/assemble/setpoints.h"
+#include "mjforge/assemble/shown_pose.h"
 #include "mjforge/assemble/views.h"
 #include "mjforge/model/model.h"
 #include "mjforge/start/start.h"
@@ -58,6 +59,7 @@ void Assembly::Finish(Scope& scope) {
   references_.Check();
   couplings_.CheckLeaders(object_, findings_);
   CheckViews(object_, findings_);
+  CheckShownPose(spec, object_, findings_);
   ReportLostStarts();
   assets_.SumMass(object_.bodies.front());
   object_.mass_properties = model::SubtreeMass(object_.bodies, 0);
@@ -68,8 +70,7 @@ void Assembly::Finish(Scope& scope) {
   ReleaseFreeBodies(object_.bodies, findings_);
   object_.bounds.swept = model::SweptBounds(object_);
   AddExpectations(scope);
-  std::ranges::sort(object_.sections, {},
-                    [](const model::Section& section) { return section.info; });
+  std::ranges::sort(object_.sections, {}, &model::Section::info);
   for (model::Section& section : object_.sections) {
     // MuJoCo 2.2 requires actuators with a state to come last.
     if (section.info->name == "actuator")

@@ -959,9 +959,8 @@ const ElementInfo kDefaultsElement = {
     kDefaultsFields};
 
 const ElementInfo kViewElement = {"view",
-                                  "How pictures of `preview`, `report` and the gallery show the "
-                                  "object, unless an option says otherwise. All values are fixed "
-                                  "numbers.",
+                                  "How pictures show the object, unless an option says otherwise. "
+                                  "All values are fixed numbers.",
                                   kViewFields};
 const ElementInfo kHoldingElement = {
     "holds",

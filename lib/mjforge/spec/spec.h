@@ -21,6 +21,7 @@
 #include "mjforge/spec/shapes.h"
 #include "mjforge/spec/snapshot.h"
 #include "mjforge/spec/values.h"
+#include "mjforge/spec/view_json.h"
 
 namespace mjforge::spec {
 
@@ -68,10 +69,14 @@ struct Defaults {
 
 /// The view of the object in pictures: `view:`.
 struct PictureView {
-  diag::SourceMark mark;
-  std::optional<double> azimuth;                     // deg, viewing direction about z; 0: along x
-  std::optional<double> elevation;                   // deg, viewing direction; -90: down
-  std::vector<std::pair<std::string, double>> pose;  // joints and their positions, rad or m
+  struct Position {
+    std::string joint;
+    double value = 0;  // rad or m
+    diag::SourceMark mark;
+  };
+  std::optional<double> azimuth;    // deg, viewing direction about z; 0: along x
+  std::optional<double> elevation;  // deg, viewing direction; -90: down
+  std::vector<Position> pose;
 };
 
 struct ObjectSpec {

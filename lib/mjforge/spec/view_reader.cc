@@ -30,7 +30,6 @@ void ReadView(const YamlNode& view, Context& context) {
   if (!IsMap(view, "azimuth, elevation and pose", context)) return;
   CheckKeys(kViewElement, view, context);
   PictureView& shown = context.spec.view;
-  shown.mark = view.mark;
   for (const Field& field : ReadFields(kViewElement, view, context)) {
     const auto number = FixedNumber(field.info->key, field.mark, field.value, context);
     if (!number) continue;
@@ -48,7 +47,7 @@ void ReadView(const YamlNode& view, Context& context) {
       continue;
     }
     const auto number = FixedNumber(*joint, position.mark, position.value, context);
-    if (number) shown.pose.emplace_back(*joint, *number);
+    if (number) shown.pose.push_back({std::string(*joint), *number, position.mark});
   }
 }
 

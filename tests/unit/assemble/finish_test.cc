@@ -97,5 +97,30 @@ TEST_CASE(
   CHECK(bodies[3].mass_properties.mass == 1.5);
 }
 
+const std::string kDoor =
+    "params: {is_open: {choice: [true, false]}}\n"
+    "parts: [{name: p, type: sphere, size: 1}]\n"
+    "bodies:\n"
+    "- {name: left, pos: [3, 0, 0], parts: [{name: q, type: sphere, size: 1}],\n"
+    "   joints: [{name: left_door}]}\n"
+    "- {name: right, pos: [6, 0, 0], parts: [{name: r, type: sphere, size: 1}],\n"
+    "   joints: [{name: right_door}, {name: latch, type: slide, if: is_open}]}\n";
+
+TEST_CASE("a pose in pictures names joints of the object") {
+  const auto findings = [](const std::string& pose, std::uint64_t index = 0) {
+    const Assembling thing(kDoor + "view: {pose: {" + pose + "}}\n", 1, index);
+    CHECK_FALSE(thing.failed());  // a warning
+    return thing.findings();
+  };
+  using Lines = std::vector<std::string>;
+  CHECK(findings("left_door: 1, thing_right_door: 1") == Lines{});
+  CHECK(findings("rigth_door: 1") ==
+        Lines{"10:15 view: the object has no joint 'rigth_door' (did you mean 'right_door'?)"});
+  CHECK(findings("left_door: 1, door: 1") ==
+        Lines{"10:29 view: 'door' could be joint 'thing_left_door' or 'thing_right_door' "
+              "(give its full name)"});
+  for (std::uint64_t index = 0; index < 8; ++index) CHECK(findings("latch: 0", index) == Lines{});
+}
+
 }  // namespace
 }  // namespace mjforge::assemble

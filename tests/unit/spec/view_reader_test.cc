@@ -11,9 +11,11 @@ TEST_CASE("a view has directions in degrees, and positions of joints", "[view]")
   CHECK(view.azimuth == Approx(90));
   CHECK(view.elevation == Approx(-45));
   REQUIRE(view.pose.size() == 2);
-  CHECK(view.pose[0].first == "door");
-  CHECK(view.pose[0].second == Approx(0.5235987756));
-  CHECK(view.pose[1] == std::pair<std::string, double>("drawer", 0.02));
+  CHECK(view.pose[0].joint == "door");
+  CHECK(view.pose[0].value == Approx(0.5235987756));
+  CHECK(view.pose[1].joint == "drawer");
+  CHECK(view.pose[1].value == 0.02);
+  CHECK(view.pose[1].mark.line == 4);
 }
 
 TEST_CASE("a view without a direction leaves the camera's", "[view]") {
