@@ -1,8 +1,6 @@
 """What must hold of the page of `mjforge customize`."""
 
 import json
-import shlex
-import subprocess
 
 from page_checks import CONTRAST, DESKTOP, NAMELESS, OVERFLOW, PHONE
 from pages import HOSTILE
@@ -159,6 +157,70 @@ def _poses(page):
     expect(page.picture() == start, "not the picture of the start")
 
 
+def _begins_with_view(page, served):
+    """The view of the spec is the first one; the file's new view replaces it unless the page was turned."""
+    def save(view):
+        served.spec.write_text(SPEC + view, encoding="utf-8")
+        until(lambda: page.picture() not in seen, f"{view or 'no view'}: the picture stays")
+        page.wait()
+        seen.append(page.picture())
+    seen = [page.picture()]
+    expect(not page.run("return document.getElementById('view-pose').checkVisibility()"), "a pose without a view")
+    save("view: {azimuth: 30deg, elevation: -70deg, pose: {tilt: -20deg}}\n")
+    for button, position in ((None, -0.34907), ("#start-pose", 0.17453), ("#view-pose", -0.34907)):
+        if button:
+            page.click(button)
+            page.wait()
+        expect(abs(float(page.value("#j0")) - position) < 1e-4, f"{button}: {page.value('#j0')}")
+    expect(page.picture() == seen[1], "not the pose of the view")
+    page.browser.driver.find_element(By.ID, "view").send_keys(Keys.ARROW_LEFT)
+    page.wait()
+    seen.append(page.picture())
+    expect(seen[2] != seen[1], "not turned")
+    page.click("#front")
+    page.wait()
+    expect(page.picture() == seen[1], "not the first view")
+    save("view: {azimuth: 30deg, elevation: -10deg}\n")
+    served.spec.write_text(SPEC, encoding="utf-8")
+    until(lambda: page.picture() == seen[0], "the view stays without `view:`")
+
+
+def _reaches_all(page):
+    """Joints and findings are in reach beside many parameters, with the picture in sight."""
+    def is_inside(element):
+        return page.run("""const [left, box] = [document.querySelector(".left"), document.querySelector(arguments[0])];
+          left.scrollTop = left.scrollHeight;
+          const { top, bottom } = box.getBoundingClientRect();
+          return scrollY === 0 && top >= 0 && bottom <= innerHeight;""", element)
+    for element in ("#joint-rows .control:last-child", "#findings", "#picture"):
+        expect(is_inside(element), f"{element} is out of sight")
+
+
+def _closes_film(page):
+    """Escape closes a film, and it does not hide nine variants."""
+    def is_shown():
+        return page.run("return document.getElementById('film').checkVisibility()")
+    for close in (lambda: page.browser.driver.switch_to.active_element.send_keys(Keys.ESCAPE),
+                  lambda: page.enter("#nine", True)):
+        page.click("#drop")
+        until(is_shown, "no film")
+        close()
+        until(lambda: not is_shown(), "the film stays")
+    page.enter("#nine", False)
+    page.wait()
+
+
+def _outdated_film(page):
+    """A film that is made of an older state of the page does not appear."""
+    made = "return performance.getEntriesByType('resource').filter((entry) => entry.name.includes('client=film')).length"
+    before = page.run(made)
+    page.click("#drop")
+    page.enter(control("stem_height", "input[type=range]"), "0.25")
+    until(lambda: page.run(made) > before, "no film is made")
+    page.wait()
+    expect(not page.run("return document.getElementById('film').checkVisibility()"), "the film of another variant")
+
+
 def _films(page):
     """The films of the drop and of a joint are animations, and end with another variant."""
     def is_shown():
@@ -263,73 +325,6 @@ def _is_only_words(page, served):
     expect(page.run("return document.scripts.length") == 1, "a script")
 
 
-TALL = """mjforge: 1
-name: tall
-params:
-  height: {value: 10cm .. 60cm, unit: m}
-parts:
-  - {name: foot, type: cylinder, size: [4cm, 5mm], pos: [0, 0, 5mm], density: 2000}
-  - {name: stem, type: cylinder, size: [5mm, height / 2], pos: [0, 0, height / 2], density: 2000}
-  - {name: shade, type: cylinder, size: [6cm, 3cm], pos: [0, 0, height], density: 300}
-checks: {stable: true}
-"""
-
-
-def _tallest(page):
-    """A user finds the tallest lamp that does not tip over."""
-    slider = control("height", "input[type=range]")
-    page.enter("#simulate", True)
-    low, high = 0.1, 0.6
-    for _ in range(6):
-        middle = (low + high) / 2
-        page.enter(slider, str(middle))
-        page.wait()
-        low, high = (low, middle) if "topples" in page.text("#findings") else (middle, high)
-    expect(0.3 <= low and high <= 0.5, f"{low} to {high}")
-    return f"{low:.2f} m"
-
-
-def _ten_mugs(page, program, served):
-    """A user makes ten mugs in a colour that the spec does not have."""
-    page.enter(control("glaze", "input[type=color]"), "#00aaff")
-    page.wait()
-    page.enter("#count", "10")
-    page.click("[data-export=command]")
-    until(lambda: page.value("#copied").startswith("mjforge generate mug"), lambda: page.value("#copied"))
-    words = shlex.split(page.value("#copied"))
-    subprocess.run([program, *words[1:], "-q"], cwd=served.folder, check=True)
-    mugs = sorted((served.folder / "mug").glob("*.xml"))
-    expect(len(mugs) == 10, f"{len(mugs)} mugs")
-    for mug in mugs:
-        expect("0 0.66667 1 1" in mug.read_text(encoding="utf-8"), f"{mug.name} has another colour")
-
-
-def _culprit(page):
-    """A user finds the parameter that makes drawers collide."""
-    page.enter("#simulate", True)
-    guilty = []
-    for name, value in (("width", "0.4"), ("plinth", "0.05"), ("gap", "-0.002"), ("drawer_board", "0.01")):
-        page.enter(control(name, "input[type=number]"), value)
-        page.wait()
-        if "'cabinet' and 'cabinet_drawer_0' touch" in page.text("#findings"):
-            guilty.append(name)
-        page.click("#undo")
-        page.wait()
-    expect(guilty == ["gap"], guilty)
-
-
-def run_tasks(browser, program, folder):
-    page = Shown(browser)
-    (folder / "tasks").mkdir()
-    (folder / "tasks/tall.yaml").write_text(TALL, encoding="utf-8")
-    for spec, name, action in (("tall.yaml", "the tallest lamp that does not tip over", lambda served: _tallest(page)),
-                               ("mug", "ten mugs in a colour", lambda served: _ten_mugs(page, program, served)),
-                               ("drawer_cabinet", "what makes drawers collide", lambda served: _culprit(page))):
-        with Served(program, folder / "tasks", spec) as served:
-            page.open(served)
-            check(name, action, served)
-
-
 def run_all(browser, program, folder):
     page = Shown(browser)
     with Served(program, folder / "served") as served:
@@ -345,15 +340,22 @@ def run_all(browser, program, folder):
                 ("the view, joints and nine variants", _view, (page,)),
                 ("the start pose, and joints at zero", _poses, (page,)),
                 ("films", _films, (page,)),
+                ("a film of an older state", _outdated_film, (page,)),
+                ("closing a film", _closes_film, (page,)),
                 ("texts and presets", _takes_away, (page, served)),
                 ("a wrong value", _shows_wrong_values, (page,)),
                 ("two tabs", _two_tabs, (browser, page, served)),
                 ("a file that is saved, with an error or without", _watches, (page, served)),
+                ("the view of the spec", _begins_with_view, (page, served)),
                 ("hostile texts are only words", _is_only_words, (page, served)),
         ):
             page.open(served)
             check(name, action, *arguments)
             _is_clean(browser, served)
+    with Served(program, folder / "large", "washing_machine") as served:
+        page.open(served)
+        check("joints, findings and picture of a large spec", _reaches_all, page)
+        _is_clean(browser, served)
     with Served(program, folder / "stopped") as served:
         page.open(served)
         check("a program that stops", _stops, page, served)

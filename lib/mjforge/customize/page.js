@@ -3,18 +3,18 @@
 (function () {
   "use strict";
   const byId = (id) => document.getElementById(id);
-  const kFirstView = { azimuth: 122.8, elevation: -29.6, zoom: 1 };
+  const kView = { azimuth: 122.8, elevation: -29.6, zoom: 1 }; // unless the spec has another one
   const kFullDelay = 150; // ms without a change, after which the full picture is drawn
   const client = Math.random().toString(36).slice(2);
 
   let revision = 0;
-  let seed = "0";
-  let index = "0";
+  let [seed, index] = ["0", "0"];
   let pins = {}; // set values by parameter; all others are drawn
-  let view = { ...kFirstView };
+  let firstView = kView;
+  let view = firstView; // a new object after each change
   let joints = {}; // positions of joints that were moved, rad or m
-  let zero = false; // all other joints are at zero, not at the start pose
-  let filmed = ""; // version that the film shows
+  let basePose = "view"; // of all other joints: view, start or zero
+  let filmed = ""; // state that the film shows
   let checked = {}; // version with the reply of its physical checks, once it is there
   let controls = new Map();
 
@@ -44,22 +44,20 @@
   function request(action, more) {
     const settings = Object.entries(pins).map(([name, value]) => ({ name, value }));
     return {
-      action, revision: String(revision), settings, seed, index, joints, zero, ...view,
+      action, revision: String(revision), settings, seed, index, joints, pose: basePose, ...view,
       layer: byId("layer").value || "visual", nine: byId("nine").checked, ...more,
     };
   }
 
   // Drawing: at most one request is under way, and only the newest state waits.
-  let wanted = null;
-  let isDrawing = false;
-  let fullTimer = 0;
+  let [wanted, isDrawing, fullTimer] = [null, false, 0];
 
   async function draw(quick) {
     clearTimeout(fullTimer);
     wanted = { quick: Boolean(quick) };
     byId("view").classList.add("outdated");
     byId("state").textContent = quick ? "" : "drawing ...";
-    if (filmed !== version()) byId("film").hidden = true;
+    if (filmed !== filmable()) byId("film").hidden = true;
     if (isDrawing) return;
     isDrawing = true;
     while (wanted) {
@@ -176,6 +174,7 @@
   let current = 0;
   const now = () => JSON.stringify({ pins, seed, index });
   const version = () => revision + now(); // also of the files
+  const filmable = () => version() + byId("layer").value + byId("nine").checked;
 
   function commit() {
     if (now() === states[current]) return;
@@ -357,8 +356,7 @@
     list.forEach((control, i) => {
       const made = makeControl(control, i);
       controls.set(control.name, made);
-      if (!groups.has(control.group)) groups.set(control.group, []);
-      groups.get(control.group).push(made.box);
+      groups.set(control.group, [...(groups.get(control.group) || []), made.box]);
     });
     byId("controls").replaceChildren(...Array.from(groups, ([title, boxes]) =>
       make("fieldset", {}, make("legend", {}, title || "Parameters"), ...boxes)));
@@ -393,19 +391,18 @@
     byId("joint-rows").replaceChildren(...rows);
   }
 
-  // Moves all joints to the start pose, or to zero.
-  function pose(isZero) {
-    zero = isZero;
-    joints = {};
-    jointNames = "";
+  // Moves all joints to the pose of the spec's view, to the start pose, or to zero.
+  function pose(base) {
+    [basePose, joints, jointNames] = [base, {}, ""];
     draw(false);
   }
 
   // Shows the simulated drop or, if there is a name, the simulated drive of that joint.
   async function film(name) {
+    const state = filmable();
     const reply = await askSlowly("film", { name, width: 360, height: 270 }, "simulating ...");
-    if (!reply) return;
-    filmed = version();
+    if (!reply || state !== filmable()) return;
+    filmed = state;
     showPicture(byId("film-picture"), reply.picture);
     byId("film-text").textContent = reply.text;
     byId("film").hidden = false;
@@ -413,13 +410,13 @@
 
   // The view: pointer, wheel and keyboard.
   function turn(right, up, quick) {
-    view.azimuth = (view.azimuth + right) % 360;
-    view.elevation = Math.min(Math.max(view.elevation + up, -90), 90);
+    const elevation = Math.min(Math.max(view.elevation + up, -90), 90);
+    view = { ...view, azimuth: (view.azimuth + right) % 360, elevation };
     draw(quick);
   }
 
   function zoom(factor) {
-    view.zoom = Math.min(Math.max(view.zoom * factor, 0.1), 50);
+    view = { ...view, zoom: Math.min(Math.max(view.zoom * factor, 0.1), 50) };
     draw(true);
   }
 
@@ -456,7 +453,7 @@
     });
   }
 
-  const showFirstView = () => { view = { ...kFirstView }; draw(false); };
+  const showFirstView = () => { view = firstView; draw(false); };
 
   // Returns the place of a pointer in the picture, from 0 to 1.
   function placeOf(event) {
@@ -480,9 +477,8 @@
   }
 
   // Presets: named sets of values beside the spec.
-  function showPresets(names) {
-    byId("preset").replaceChildren(make("option", { value: "" }, "Presets"), ...names.map((name) => make("option", {}, name)));
-  }
+  const showPresets = (names) => byId("preset").replaceChildren(
+    make("option", { value: "" }, "Presets"), ...names.map((name) => make("option", {}, name)));
 
   async function savePreset() {
     const reply = await ask(request("save", { name: byId("preset-name").value }));
@@ -519,9 +515,8 @@
     if (navigator.clipboard) navigator.clipboard.writeText(text).catch(() => {});
   }
 
-  function save(name, type, content) {
+  const save = (name, type, content) =>
     make("a", { href: URL.createObjectURL(new Blob([content], { type })), download: name }).click();
-  }
 
   // Shows the spec, as it is now in its file. Set values stay set if there still is such a parameter.
   async function open() {
@@ -540,6 +535,11 @@
       const names = new Set(reply.controls.map((control) => control.name));
       for (const name of Object.keys(pins)) if (controls.has(name) && !names.has(name)) delete pins[name];
       showControls(reply.controls);
+      const isTurned = view !== firstView;
+      const { pose, ...directions } = reply.view;
+      firstView = { ...kView, ...directions };
+      if (!isTurned) view = firstView;
+      byId("view-pose").hidden = !Object.keys(pose).length;
     }
     states[current] = now();
     showHistory();
@@ -578,15 +578,15 @@
     for (const id of ["layer", "simulate", "nine"]) on(id, "change", () => draw(false));
     on("front", "click", showFirstView);
     on("drop", "click", () => film(""));
-    on("film-close", "click", () => { byId("film").hidden = true; });
-    on("start-pose", "click", () => pose(false));
-    on("zero-pose", "click", () => pose(true));
-    on("source-close", "click", () => { byId("source").hidden = true; });
+    for (const base of ["view", "start", "zero"]) on(base + "-pose", "click", () => pose(base));
+    for (const id of ["film", "source"]) {
+      on(id + "-close", "click", () => { byId(id).hidden = true; });
+      document.addEventListener("keydown", (event) => { byId(id).hidden ||= event.key === "Escape"; });
+    }
     on("preset-save", "click", savePreset);
     on("preset", "change", loadPreset);
-    on("undo", "click", () => restore(current - 1));
-    on("redo", "click", () => restore(current + 1));
-    on("reset", "click", () => change(() => { ({ pins, seed, index } = JSON.parse(states[0])); pose(false); }));
+    for (const [id, step] of [["undo", -1], ["redo", 1]]) on(id, "click", () => restore(current + step));
+    on("reset", "click", () => change(() => { ({ pins, seed, index } = JSON.parse(states[0])); pose("view"); }));
     on("dice", "click", () => setNumber("seed", String(Math.floor(Math.random() * 2 ** 32))));
     for (const id of ["seed", "index"])
       on(id, "change", () => /^\d{1,19}$/.test(byId(id).value) ? setNumber(id, byId(id).value) : showHistory());

@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 #include <rapidjson/document.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 
 #include "mjforge/customize/settings_text.h"
 #include "mjforge/expr/expr.h"
@@ -72,6 +74,16 @@ class Reader {
     const std::optional<picture::Layer> layer = picture::ParseLayer(word);
     if (!layer) return Fail("layer", "the name of a layer");
     out = *layer;
+  }
+
+  void Pose(BasePose& out) {
+    std::string word;
+    Text("pose", word);
+    if (word.empty()) return;
+    constexpr std::string_view kWords[] = {"view", "start", "zero"};
+    const auto* const found = std::ranges::find(kWords, word);
+    if (found == std::end(kWords)) return Fail("pose", "view, start or zero");
+    out = static_cast<BasePose>(found - kWords);
   }
 
   void Settings(std::vector<spec::Setting>& out, std::vector<std::size_t>& words) {
@@ -153,7 +165,7 @@ std::optional<Request> ReadRequest(std::string_view json, std::string& why_not) 
   reader.Whole("index", request.index);
   reader.Whole("count", request.count);
   reader.Flag("nine", request.nine);
-  reader.Flag("zero", request.zero);
+  reader.Pose(request.pose);
   reader.Settings(request.settings, request.words);
   reader.Joints(request.joints);
   picture::Options& picture = request.picture;

@@ -17,6 +17,13 @@ namespace mjforge::customize {
 /// Origin of the settings of the page, which findings show in place of a file.
 inline constexpr std::string_view kSettingOrigin = "control";
 
+/// Pose of the joints that the page did not move.
+enum class BasePose {
+  kView,   // the start, with the pose of the spec's `view:`
+  kStart,  // the start
+  kZero    // all joints at zero
+};
+
 struct Request {
   std::string action;
   std::string name;            // name of a parameter, a preset, a file or a form of export
@@ -25,9 +32,9 @@ struct Request {
   std::vector<std::size_t> words = {};  // settings that are texts and have no quotes
   std::uint64_t seed = 0;
   std::uint64_t index = 0;
-  std::uint64_t count = 1;                             // variants that an exported command makes
-  bool nine = false;                                   // draws nine variants, from the index on
-  bool zero = false;                                   // all other joints are at zero
+  std::uint64_t count = 1;  // variants that an exported command makes
+  bool nine = false;        // draws nine variants, from the index on
+  BasePose pose = BasePose::kView;
   std::vector<std::pair<std::string, double>> joints;  // rad or m
   double x = 0.5;  // place in the picture, from 0 at the left and the top to 1
   double y = 0.5;

@@ -10,6 +10,7 @@
 #include "mjforge/customize/customize.h"
 #include "mjforge/customize/findings_json.h"
 #include "mjforge/customize/mjcf_archive.h"
+#include "mjforge/customize/moved_joints.h"
 #include "mjforge/customize/presets.h"
 #include "mjforge/customize/request.h"
 #include "mjforge/customize/variant_cache.h"
@@ -62,23 +63,6 @@ std::string FilmText(const std::string& joint, double time, double shown) {
       shown > kSlow * time ? fmt::format(", shown {:.1f} times slower", shown / time) : "";
   return fmt::format("{}, {:.2f} s{}", joint.empty() ? "Drop" : "Drive of " + diag::SafeText(joint),
                      time, slower);
-}
-
-// Moves the joints of the request, each within its range, and all others to their start or to zero.
-void MoveJoints(const Request& request, ShownVariant& shown) {
-  diag::Findings ignored;  // values are within the ranges
-  shown.subject->Reset(request.zero ? picture::Pose::kZero : picture::Pose::kStart);
-  shown.joints = shown.subject->joints();
-  for (std::size_t i = 0; i < shown.joints.size(); ++i) {
-    const picture::Joint& joint = shown.joints[i];
-    if (!IsMovable(joint)) continue;
-    const auto wanted =
-        std::ranges::find(request.joints, joint.name, &std::pair<std::string, double>::first);
-    if (wanted == request.joints.end()) continue;
-    double value = wanted->second;
-    if (joint.limited) value = std::clamp(value, joint.range[0], joint.range[1]);
-    shown.subject->SetJoint(static_cast<int>(i), value, ignored);
-  }
 }
 
 }  // namespace
@@ -163,6 +147,8 @@ Reply Studio::State::Open(const Request& request) {
     WriteControls(json, *shown.recipe->spec);
   else
     json.Value(nullptr);
+  json.Key("view");
+  json.Raw(spec::ViewJson(shown.recipe ? shown.recipe->spec->view : spec::PictureView()));
   json.Member("presets", shown.recipe ? PresetsOf(shown).List() : std::vector<std::string>());
   json.Key("findings");
   if (findings.HasErrors())

@@ -28,7 +28,7 @@ struct ShownVariant {
   std::optional<forge::Variant> variant;
   CheckLevel level = CheckLevel::kNone;
   std::unique_ptr<picture::Subject> subject;  // null: there is nothing to draw
-  std::vector<picture::Joint> joints;         // joints of the subject at the start
+  std::vector<picture::Joint> joints;         // joints of the subject in the base pose
 
   /// Returns the findings of the spec and of the variant.
   diag::Findings Findings() const;

@@ -21,12 +21,12 @@ std::string WhyNot(std::string_view json) {
 
 TEST_CASE("a request has the whole state of the page") {
   const Request request = Read(R"({"action": "draw", "seed": "18446744073709551615", "index": "7",
-    "quick": true, "zero": true, "nine": true, "azimuth": 90, "elevation": -20, "zoom": 2,
+    "quick": true, "pose": "zero", "nine": true, "azimuth": 90, "elevation": -20, "zoom": 2,
     "layer": "joints", "width": 320, "joints": {"lid": 0.5}})");
   CHECK(request.action == "draw");
   CHECK(request.seed == 18446744073709551615U);
   CHECK(request.index == 7);
-  CHECK(request.zero);
+  CHECK(request.pose == BasePose::kZero);
   CHECK(request.nine);
   CHECK(request.picture.quick);
   CHECK(request.picture.view.azimuth == 90);
@@ -57,6 +57,7 @@ TEST_CASE("a wrong request says which member is wrong") {
   CHECK(WhyNot(R"({"action": 3})") == "'action' is not a text");
   CHECK(WhyNot(R"({"seed": 3})") == "'seed' is not a text of digits");
   CHECK(WhyNot(R"({"seed": "-3"})") == "'seed' is not a whole number up to 2^64 - 1");
+  CHECK(WhyNot(R"({"pose": "open"})") == "'pose' is not view, start or zero");
   CHECK(WhyNot(R"({"width": 100000})") == "'width' is not a number from 16 to 2048");
   CHECK(WhyNot(R"({"elevation": 91})") == "'elevation' is not a number from -90 to 90");
   CHECK(WhyNot(R"({"zoom": 0})") == "'zoom' is not a number from 0.001 to 1000");

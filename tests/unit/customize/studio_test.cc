@@ -244,12 +244,31 @@ TEST_CASE_METHOD(StudioTest,
     return std::pair(answer["joints"][0]["value"].get<double>(), last_.picture);
   };
   const auto start = draw({});
-  const auto zero = draw({{"zero", true}});
+  const auto zero = draw({{"pose", "zero"}});
   CHECK(start.first == Approx(0.698132));
   CHECK(zero.first == 0);
   CHECK(zero.second != start.second);
   CHECK(draw({{"joints", {{"lamp_hinge", 0}}}}).second == zero.second);
   CHECK(draw({}).second == start.second);  // nothing of the other requests stays
+}
+
+TEST_CASE_METHOD(StudioTest, "the page begins with the view of the spec") {
+  const auto value = [&](const char* pose) {
+    return Ask({{"action", "draw"}, {"quick", true}, {"pose", pose}})["joints"][0]["value"]
+        .get<double>();
+  };
+  CHECK(Ask({{"action", "open"}})["view"].dump() == R"({"pose":{}})");
+  folder_.Write("lamp.yaml", std::string(kLamp) +
+                                 "pose: {hinge: 40deg}\n"
+                                 "view: {azimuth: 10deg, elevation: -90deg, pose: {hinge: 1}}\n");
+  const Json open = Ask({{"action", "open"}, {"revision", "1"}});
+  CHECK(open["view"]["azimuth"].get<double>() == Approx(10));
+  CHECK(open["view"]["elevation"].get<double>() == Approx(-90));
+  CHECK(open["view"]["pose"].dump() == R"({"hinge":1})");
+  CHECK(Ask({{"action", "draw"}, {"revision", "1"}})["joints"][0]["value"] == 1);
+  CHECK(value("view") == 1);
+  CHECK(value("start") == Approx(0.698132));
+  CHECK(value("zero") == 0);
 }
 
 TEST_CASE_METHOD(StudioTest, "a text that is a name of the expression language stays a text") {

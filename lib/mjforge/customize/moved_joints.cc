@@ -1,0 +1,42 @@
+// Positions of the joints in the picture of the page.
+#include "mjforge/customize/moved_joints.h"
+
+#include <algorithm>
+
+#include "mjforge/customize/variant_json.h"
+
+namespace mjforge::customize {
+namespace {
+
+// Moves all joints to the base pose of the request. A joint that does not reach its position in the
+// view stays at its start.
+void MoveToBase(const Request& request, ShownVariant& shown) {
+  picture::Subject& subject = *shown.subject;
+  subject.Reset(request.pose == BasePose::kZero ? picture::Pose::kZero : picture::Pose::kStart);
+  if (request.pose != BasePose::kView) return;
+  diag::Findings ignored;  // names are checked when the object is made
+  for (const spec::PictureView::Position& position : shown.recipe->spec->view.pose) {
+    const std::optional<int> joint = subject.FindJoint(position.joint, ignored);
+    if (joint) subject.SetJoint(*joint, position.value, ignored);
+  }
+}
+
+}  // namespace
+
+void MoveJoints(const Request& request, ShownVariant& shown) {
+  diag::Findings ignored;  // values are within the ranges
+  MoveToBase(request, shown);
+  shown.joints = shown.subject->joints();
+  for (std::size_t i = 0; i < shown.joints.size(); ++i) {
+    const picture::Joint& joint = shown.joints[i];
+    if (!IsMovable(joint)) continue;
+    const auto wanted =
+        std::ranges::find(request.joints, joint.name, &std::pair<std::string, double>::first);
+    if (wanted == request.joints.end()) continue;
+    double value = wanted->second;
+    if (joint.limited) value = std::clamp(value, joint.range[0], joint.range[1]);
+    shown.subject->SetJoint(static_cast<int>(i), value, ignored);
+  }
+}
+
+}  // namespace mjforge::customize
