@@ -262,6 +262,8 @@ MjforgeText MjforgeDescription(MjforgeMaker* maker) {
   } else {
     json.Value(spec.files.front().string());
   }
+  json.Key("view");
+  json.Raw(spec::ViewJson(spec.view));
   json.Key("parameters");
   python::WriteParameters(json, spec);
   json.EndObject();

@@ -74,7 +74,7 @@ MjforgeText MjforgeFailure(MjforgeMaker* maker);
 /// ...]. If one of them is an error, no variant can be made.
 MjforgeText MjforgeFindings(MjforgeMaker* maker);
 /// Describes a spec without errors as JSON: {"name", "description", "sha256", "path" (null for a
-/// text), "parameters" (see WriteParameters)}.
+/// text), "view" (see ViewJson), "parameters" (see WriteParameters)}.
 MjforgeText MjforgeDescription(MjforgeMaker* maker);
 /// Makes a variant and replaces `variant`. Returns 0 on success, 1 if the variant failed for the
 /// reason in its findings, 2 if the reason is MjforgeFailure.

@@ -1,12 +1,28 @@
 """Pictures are those of the command, and a wrong argument is named."""
 
 import pathlib
+import pickle
 import subprocess
 import tempfile
 import unittest
 
 import mjforge
 from mjforge._library import PROGRAM
+
+
+CUPBOARD = """
+mjforge: 1
+name: cupboard
+params: {doors: {integer: [1, 2]}}
+parts: [{name: back, type: box, size: [20cm, 1cm, 20cm]}]
+bodies:
+  - name: "door_${i}"
+    for: {i: doors}
+    pos: [20cm * i - 10cm, -2cm, 0]
+    joints: [{name: "swing_${i}", axis: [0, 0, 1], range: [0, 1.5]}]
+    parts: [{name: "leaf_${i}", type: box, size: [9cm, 5mm, 20cm]}]
+"""
+VIEW = "view: {azimuth: 30deg, elevation: -60deg, pose: {swing_0: 1, swing_1: 0.5, back: 1}}\n"
 
 
 def size_of(picture):
@@ -29,6 +45,28 @@ class Pictures(unittest.TestCase):
         self.assertNotEqual(variant.png((120, 80), "joints"), picture)
         self.assertEqual(picture._repr_png_(), bytes(picture))
         self.assertEqual(size_of(variant._repr_png_()), (320, 320))
+
+    def test_begin_with_the_view_of_the_spec(self):
+        variants = mjforge.Spec(CUPBOARD + VIEW).variants()
+        one, two = (next(variant for variant in variants[:20] if variant.params["doors"] == doors) for doors in (1, 2))
+        self.assertEqual({angle: round(degrees) for angle, degrees in two.view.items() if angle != "pose"},
+                         {"azimuth": 30, "elevation": -60})
+        self.assertEqual(two.view["pose"], {"swing_0": 1, "swing_1": 0.5, "back": 1})
+
+        def drawn(variant, *options):
+            with variant.as_file() as path:
+                command = [PROGRAM, "preview", path, "--size", "64", "--azimuth", "30", "--elevation", "-60", *options,
+                           "-o", "-"]
+                return subprocess.run(command, capture_output=True, check=True).stdout
+        self.assertEqual(one.png(64), drawn(one, "--joint", "swing_0=1"))
+        self.assertEqual(two.png(64), drawn(two, "--joint", "swing_0=1", "--joint", "swing_1=0.5"))
+        self.assertEqual(two.png(64, pose={"cupboard_swing_0": 0}),
+                         drawn(two, "--joint", "swing_0=0", "--joint", "swing_1=0.5"))
+        self.assertEqual(pickle.loads(pickle.dumps(two)).png(64), two.png(64))
+        plain = mjforge.Spec(CUPBOARD).variants()
+        self.assertEqual(plain[0].view, {"pose": {}})
+        self.assertNotEqual(variants[:8].sheet(64), plain[:8].sheet(64))
+        self.assertNotEqual(bytes(variants[0]._repr_png_()), plain[0]._repr_png_())
 
     def test_sheets_show_a_slice_with_its_options(self):
         variants = mjforge.Spec("hammer").variants(seed=7, target="mjx", sampler="latin", batch=9)

@@ -74,13 +74,15 @@ def compare(path: str, sha256: str, first: str) -> None:
 class Maker:
     """An open spec in the library; for one thread at a time."""
 
-    __slots__ = ("handle", "texts", "pointer", "_key_paths", "_inputs", "_changed")
+    __slots__ = ("handle", "texts", "pointer", "_key_paths", "_inputs", "_changed",
+                 "_description")
 
     def __init__(self, spec: "Spec", options: Mapping[str, Any]) -> None:
         self.handle = None
         self._key_paths = spec._key_paths
         self._inputs = spec._inputs
         self._changed = ""
+        self._description: Optional[dict[str, Any]] = None
         place_seed = options["place_seed"]
         settings = [word for pair in spec.settings.items() for word in pair]
         request = Request(
@@ -117,8 +119,9 @@ class Maker:
         return findings
 
     def description(self) -> dict[str, Any]:
-        description: dict[str, Any] = loads(bytes_of(library.MjforgeDescription(self.handle)))
-        return description
+        if self._description is None:
+            self._description = loads(bytes_of(library.MjforgeDescription(self.handle)))
+        return self._description
 
     def make(self, index: int) -> Variant:
         if self._changed:
@@ -141,7 +144,7 @@ class Maker:
         size = texts.contents_size
         contents = read(texts.contents, size) if size else b""
         return Variant(read(texts.xml, texts.xml_size), read(texts.record, texts.record_size),
-                       files, contents, findings)
+                       files, contents, findings, self.description()["view"])
 
     def add_rows(self, indices: range, table: "Table") -> int:
         """Adds the records of these variants up to the first that fails; returns how many."""

@@ -71,20 +71,47 @@ def _joints_of(pose: Any) -> list[str]:
     return words
 
 
+def _takes(variant: Variant, name: str, value: float) -> bool:
+    """True if the variant has one joint of this name, whose first words may be missing, and the
+    joint reaches the position.
+    """
+    fitting = ([name] if name in variant.joints else
+               [joint for joint in variant.joints if joint.endswith("_" + name)])
+    if len(fitting) != 1 or variant.joints[fitting[0]].type not in ("hinge", "slide"):
+        return False
+    low, high = variant.joints[fitting[0]].range or (-math.inf, math.inf)
+    slack = 1e-6 * (high - low) if math.isfinite(high - low) else 0.0
+    return low - slack <= value <= high + slack
+
+
+def _view_of(variants: list[Variant]) -> list[str]:
+    """Words for the camera and the joints of the spec's `view:`."""
+    view = variants[0].view
+    pose = {name: value for name, value in view["pose"].items()
+            if any(_takes(variant, name, value) for variant in variants)}
+    angles = [word for angle in ("azimuth", "elevation") if angle in view
+              for word in (f"--{angle}", repr(view[angle]))]
+    return angles + _joints_of(pose)
+
+
 def draw(variants: Iterable[Variant], size: Optional[Size], layer: Layer,
          pose: Optional[Mapping[str, float]] = None) -> Picture:
     """A picture of a variant, or a contact sheet of several."""
-    words = ["--layer", _layer_of(layer), *_joints_of({} if pose is None else pose)]
+    words = ["--layer", _layer_of(layer)]
+    explicit = _joints_of({} if pose is None else pose)
     if size is not None:
         words += ["--size", _size_of(size)]
     with tempfile.TemporaryDirectory() as folder:
         files: list[str] = []
+        drawn: list[Variant] = []
         for variant in variants:
             inner = pathlib.Path(folder, str(len(files)))
             inner.mkdir()
             files.append(str(variant.save(inner)))
+            drawn.append(variant)
         if not 0 < len(files) <= 400:
             raise ValueError(f"a sheet has 1 to 400 variants, not {len(files)}")
+        words += [*_view_of(drawn), *explicit]  # of two positions of a joint, the last one counts
         picture = pathlib.Path(folder, "picture.png")
         findings = _command.run(["preview", *words, "-o", str(picture), "--", *files], b"")
         if not picture.exists():

@@ -96,7 +96,8 @@ class Spec:
 
     def _describe(self, maker: Maker) -> None:
         self.findings = maker.check()
-        members = maker.description()
+        members = dict(maker.description())
+        del members["view"]
         parameters = [parameter_of(each) for each in members.pop("parameters")]
         self.parameters = types.MappingProxyType({each.name: each for each in parameters})
         for member, value in members.items():

@@ -55,19 +55,21 @@ class Variant:
     """An MJCF file and what is known about it. Frames: the object's own (m, kg, kg m^2)."""
 
     __slots__ = ("xml_bytes", "record_bytes", "_files_bytes", "_contents", "findings", "_record",
-                 "_members")
+                 "_members", "view")
 
     xml_bytes: bytes  # the file, as the command writes it
     record_bytes: bytes  # its line of a manifest, JSON
     findings: tuple[Finding, ...]  # warnings
+    view: Mapping[str, Any]  # `view:` of the spec: azimuth and elevation (degrees), pose (rad, m)
 
     def __init__(self, xml: bytes, record: bytes, files: bytes, contents: bytes,
-                 findings: tuple[Finding, ...]):
+                 findings: tuple[Finding, ...], view: Optional[Mapping[str, Any]] = None):
         self.xml_bytes = xml
         self.record_bytes = record
         self._files_bytes = files
         self._contents = contents
         self.findings = findings
+        self.view = view or {"pose": {}}
         self._record: dict[str, Any] = {}
         self._members: Optional[Members] = None
 
@@ -267,7 +269,8 @@ class Variant:
 
         `size`: pixels, a number or (width, height). `layer`: "visual", "collision", "bounds",
         "inertia", "joints" or "regions". `pose`: positions of hinges (rad) and slides (m) that are
-        not at their start. Raises VariantError where nothing can be drawn.
+        not at their start. Camera and other joints are those of the spec's `view:`; an object that
+        was read from a batch has none. Raises VariantError where nothing can be drawn.
         """
         from ._picture import draw
 
