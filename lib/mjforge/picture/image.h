@@ -28,8 +28,8 @@ std::string EncodeGif(std::span<const Image> frames, int delay, const Texts& tex
 std::string EncodeWebp(const Image& image, int quality);
 /// Compresses five times as fast, to a file that is a third larger.
 std::string EncodeWebpFast(const Image& image, int quality);
-/// Makes an endless animation of opaque images of one size, with losses. Each frame is shown for
-/// `delay` ms.
+/// Makes an endless animation of opaque images of one size, with losses. Each image is shown for
+/// `delay` ms; images that are equal become one frame.
 std::string EncodeWebpFilm(std::span<const Image> frames, int delay, int quality);
 
 }  // namespace mjforge::picture

@@ -153,5 +153,18 @@ TEST_CASE("a WebP film has frames of the images' size, each a picture of its own
   CHECK_THROWS_AS(EncodeWebpFilm({}, 70, 80), std::invalid_argument);
 }
 
+TEST_CASE("a frame of a WebP film has only what differs from the frame before it") {
+  std::vector<Image> frames(6, Flat(64, 64, {0, 0, 0, 255}));
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    std::uint32_t noise = 1;
+    for (std::size_t k = 0; k < 4UL * 64 * 64; k += 4) {
+      noise = 1664525 * noise + 1013904223;
+      frames[i].rgba[k] = static_cast<std::uint8_t>(noise >> 24);
+    }
+    frames[i].rgba[4 * i + 1] = 255;
+  }
+  CHECK(EncodeWebpFilm(frames, 70, 80).size() < 2 * EncodeWebpFast(frames[0], 80).size());
+}
+
 }  // namespace
 }  // namespace mjforge::picture
