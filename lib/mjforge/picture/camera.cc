@@ -161,6 +161,12 @@ LevelDepth DepthOfLevel(const Camera& camera, double level, int width, int heigh
   return {scale + to_depth * corner, to_depth * across, to_depth * down};
 }
 
+double DepthBeforeBackdrop(const Camera& camera) {
+  constexpr double kBefore = 0.99;
+  const double depth = kBefore * kBackdrop * camera.far;
+  return camera.far / (camera.far - camera.near) * (1 - camera.near / depth);
+}
+
 mjvGLCamera BandOf(const Camera& camera, int top, int bottom, int height) {
   mjvGLCamera band = {};
   Eigen::Map<Eigen::Vector3f>(band.pos) = camera.eye.cast<float>();

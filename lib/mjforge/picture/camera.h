@@ -47,6 +47,10 @@ struct LevelDepth {
   double per_x = 0;      // per pixel to the right
   double per_y = 0;      // per pixel downwards
 };
+/// Distance of a plane behind the shapes, as a share of that of the camera's far plane.
+inline constexpr double kBackdrop = 0.98;
+/// Returns a depth between the shapes and that plane.
+double DepthBeforeBackdrop(const Camera& camera);
 /// Returns the depths of the plane z = `level` in a picture of this size in pixels. The depths
 /// are above 1 where the plane is not in front of the camera.
 LevelDepth DepthOfLevel(const Camera& camera, double level, int width, int height);

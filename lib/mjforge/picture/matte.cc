@@ -1,4 +1,4 @@
-// Matting from pictures on a light and on a black floor, with a soft shadow.
+// Matting from depths and from translucent geoms on black, with a soft shadow.
 
 #include "mjforge/picture/matte.h"
 
@@ -108,36 +108,33 @@ void Matte::AddPixel(std::size_t pixel, int light, const PixelSums& sums) {
   shade_[pixel] += darkness * static_cast<float>(sums.shade);
 }
 
-void Matte::Add(const RenderedBand& drawn, int top, int bottom) {
-  AddSamples(top, bottom, drawn.light, [&](std::size_t i, int, int, PixelSums& sums) {
-    const std::uint8_t* light = drawn.on_light.data() + 3 * i;
-    const std::uint8_t* black = drawn.on_black.data() + 3 * i;
-    const int seen = std::clamp(light[1] - black[1], 0, drawn.light);
-    const int hidden = drawn.light - seen <= kNothing ? 0 : drawn.light - seen;
-    if (seen > kNothing && black[0] + black[1] + black[2] == 0) {
-      ++sums.floor;
-      sums.shade += hidden;
-      return;
-    }
-    sums.hidden += hidden;
-    for (std::size_t c = 0; c < 3; ++c) sums.color[c] += black[c];
-  });
+// Adds a sample behind which only translucent geoms may hide the floor or the backdrop.
+void Matte::AddBehind(const RenderedBand& drawn, std::size_t sample, PixelSums& sums) {
+  const std::uint8_t* color = drawn.colors.data() + 3 * sample;
+  constexpr std::array<std::uint8_t, 3> kNoColor = {};
+  const std::uint8_t* own =
+      drawn.translucent.empty() ? kNoColor.data() : drawn.translucent.data() + 3 * sample;
+  const int hidden = std::clamp(drawn.light - (color[1] - own[1]), 0, drawn.light);
+  const int counted = hidden > kNothing ? hidden : 0;
+  if (own[0] + own[1] + own[2] == 0) {
+    ++sums.floor;
+    if (drawn.depths[sample] < 1) sums.shade += counted;
+    return;
+  }
+  sums.hidden += counted;
+  for (std::size_t c = 0; c < 3; ++c) sums.color[c] += own[c];
 }
 
-void Matte::Add(const OpaqueBand& drawn, int top, int bottom) {
+void Matte::Add(const RenderedBand& drawn, int top, int bottom) {
   const double per_column = drawn.floor.per_x / samples_;
   const double per_row = drawn.floor.per_y / samples_;
   const double at_corner = drawn.floor.at_corner + (per_column + per_row) / 2;
   AddSamples(top, bottom, drawn.light, [&](std::size_t i, int column, int row, PixelSums& sums) {
-    const auto depth = static_cast<double>(drawn.depths[i]);
-    if (depth < std::min(at_corner + per_column * column + per_row * row, 1.0)) {
-      sums.hidden += drawn.light;
-      for (std::size_t c = 0; c < 3; ++c) sums.color[c] += drawn.colors[3 * i + c];
-      return;
-    }
-    ++sums.floor;
-    const int dark = depth < 1 ? drawn.light - drawn.colors[3 * i + 1] : 0;
-    if (dark > kNothing) sums.shade += dark;
+    const double floor = at_corner + per_column * column + per_row * row;
+    if (static_cast<double>(drawn.depths[i]) >= std::min(floor, drawn.backdrop))
+      return AddBehind(drawn, i, sums);
+    sums.hidden += drawn.light;
+    for (std::size_t c = 0; c < 3; ++c) sums.color[c] += drawn.colors[3 * i + c];
   });
 }
 

@@ -1,11 +1,10 @@
-// Matting: two renderings on different floors give a picture with alpha and a soft shadow.
+// Matting: renderings on a light floor give a picture with alpha and a soft shadow.
 //
-// An object with translucent parts is rendered twice, on a light and on a black floor. The
-// difference is the visible share of the floor, lit or in shadow, and so gives the alpha of the
-// object in front of it (A. R. Smith, J. F. Blinn: Blue Screen Matting, SIGGRAPH 1996, section 3,
-// with two backing colors). An opaque object is rendered once, because the depth of a sample tells
-// whether it belongs to the object. The floor itself becomes a shadow: black, with an alpha that is
-// blurred.
+// The depth of a sample tells whether it belongs to an opaque object. Translucent geoms do not
+// change it. A second rendering has the translucent geoms alone, on black: the difference is the
+// visible share of the floor, lit or in shadow, and so gives the alpha of the geoms in front of the
+// floor (A. R. Smith, J. F. Blinn: Blue Screen Matting, SIGGRAPH 1996, section 3, with two backing
+// colors). The floor itself becomes a shadow: black, with an alpha that is blurred.
 
 #pragma once
 
@@ -19,19 +18,14 @@
 
 namespace mjforge::picture {
 
-/// MuJoCo's two renderings of some rows: 3 bytes per sample, starting with the lowest row.
+/// MuJoCo's renderings of some rows, starting with the lowest row.
 struct RenderedBand {
-  std::span<const std::uint8_t> on_light;  // on the light floor
-  std::span<const std::uint8_t> on_black;
-  int light = 255;  // brightness of the light floor outside of shadows, 0..255
-};
-
-/// MuJoCo's only rendering of some rows of an opaque object, starting with the lowest row.
-struct OpaqueBand {
-  std::span<const std::uint8_t> colors;  // on the light floor; 3 bytes per sample
-  std::span<const float> depths;         // 1: nothing was drawn
-  LevelDepth floor;  // samples at this depth or deeper do not belong to the object
-  int light = 255;   // see RenderedBand
+  std::span<const std::uint8_t> colors;       // on the light floor; 3 bytes per sample
+  std::span<const float> depths;              // 1: nothing opaque was drawn
+  std::span<const std::uint8_t> translucent;  // translucent geoms alone; empty: there are none
+  LevelDepth floor;     // samples at this depth or deeper do not belong to opaque geoms
+  double backdrop = 1;  // nor do samples at this depth or deeper
+  int light = 255;      // brightness of the floor outside of shadows, 0..255
 };
 
 /// Accumulates renderings, and computes the picture from them.
@@ -41,7 +35,6 @@ class Matte {
   Matte(int width, int height, int samples);
   /// Adds the renderings of rows [top, bottom) of the picture.
   void Add(const RenderedBand& drawn, int top, int bottom);
-  void Add(const OpaqueBand& drawn, int top, int bottom);
   /// Returns the whole picture. Call it once, after all rows were added.
   Image Finish();
 
@@ -56,6 +49,7 @@ class Matte {
 
   template <typename AddSample>
   void AddSamples(int top, int bottom, int light, const AddSample& add_sample);
+  static void AddBehind(const RenderedBand& drawn, std::size_t sample, PixelSums& sums);
   void AddPixel(std::size_t pixel, int light, const PixelSums& sums);
   void Soften();
   float EdgeFade(std::size_t pixel) const;

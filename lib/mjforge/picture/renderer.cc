@@ -31,8 +31,8 @@ constexpr int kMostSamples = 1 << 22;
 constexpr int kFewestSamples = 2;
 
 // Returns the number of samples along each side of a pixel: as many as a picture in one band can
-// have, but at most four, which a small picture needs for smooth edges. A scene that is rendered
-// twice has three.
+// have, but at most four, which a small picture needs for smooth edges, or three if translucent
+// geoms are rendered twice.
 int SamplesOf(const Options& options, bool is_opaque) {
   if (options.quick) return 1;
   const double most = std::sqrt(kMostSamples / (double{1} * options.width * options.height));
@@ -44,14 +44,14 @@ int RowsOfBand(const Options& options, int samples) {
 }
 
 // Renders the scene, and reads its colors and, if wanted, its depths.
-void Render(const mjrContext& context, Scene& scene, const mjrRect& viewport,
+void Render(const mjrContext& context, mjvScene& scene, const mjrRect& viewport,
             std::vector<std::uint8_t>& colors, std::vector<float>* depths) {
   const std::size_t samples =
       static_cast<std::size_t>(viewport.width) * static_cast<std::size_t>(viewport.height);
   colors.resize(3 * samples);
   if (depths != nullptr) depths->resize(samples);
   const LeakCheckPause pause;
-  mjr_render(viewport, &scene.mujoco(), &context);
+  mjr_render(viewport, &scene, &context);
   mjr_readPixels(colors.data(), depths == nullptr ? nullptr : depths->data(), viewport, &context);
 }
 
@@ -61,8 +61,8 @@ struct Renderer::State {
   std::unique_ptr<GlContext> gl;
   std::optional<Font> font;
   std::optional<Buffers> buffers;
-  std::vector<std::uint8_t> on_light;
-  std::vector<std::uint8_t> on_black;
+  std::vector<std::uint8_t> colors;
+  std::vector<std::uint8_t> translucent;
   std::vector<float> depths;
   int samples = kFewestSamples;  // along each side of a pixel of the current picture
 
@@ -125,23 +125,21 @@ Image Renderer::State::DrawScene(ModelContext& context, Scene& scene, const Came
   const int band = RowsOfBand(options, samples);
   (*context).shadowClip = static_cast<float>(1.05 * camera.radius);
   LevelDepth floor;
-  if (const auto level = scene.LevelAboveFloor())
+  if (const auto level = scene.level_above_floor())
     floor = DepthOfLevel(camera, *level, options.width, options.height);
+  const double backdrop = scene.IsOpaque() ? 1 : DepthBeforeBackdrop(camera);
+  translucent.clear();
   Matte matte(options.width, options.height, samples);
   for (int top = 0; top < options.height; top += band) {
     const int bottom = std::min(top + band, options.height);
     const mjrRect viewport = {0, 0, options.width * samples, (bottom - top) * samples};
     scene.SetCamera(BandOf(camera, top, bottom, options.height));
-    const int light = scene.SetFloor(true);
-    if (scene.IsOpaque()) {
-      Render(*context, scene, viewport, on_light, &depths);
-      matte.Add(OpaqueBand{on_light, depths, floor, light}, top, bottom);
-      continue;
+    Render(*context, scene.mujoco(), viewport, colors, &depths);
+    if (!scene.IsOpaque()) {
+      mjvScene geoms = scene.TranslucentGeoms();
+      Render(*context, geoms, viewport, translucent, nullptr);
     }
-    Render(*context, scene, viewport, on_light, nullptr);
-    scene.SetFloor(false);
-    Render(*context, scene, viewport, on_black, nullptr);
-    matte.Add(RenderedBand{on_light, on_black, light}, top, bottom);
+    matte.Add({colors, depths, translucent, floor, backdrop, scene.Brightness()}, top, bottom);
   }
   return matte.Finish();
 }

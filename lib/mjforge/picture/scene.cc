@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "mjforge/engine/engine.h"
 #include "mjforge/picture/layers.h"
@@ -175,7 +176,7 @@ bool Scene::Fill(Subject& subject, Layer layer, diag::Findings& findings) {
   Subject::State& state = subject.state();
   labels_.clear();
   legend_.clear();
-  floor_ = backdrop_ = -1;
+  level_above_floor_.reset();
   const char* lacking = "there is nothing to show: no geom and no site";
   if (layer == Layer::kCollision) {
     CollectColliding(state);
@@ -281,16 +282,18 @@ void Scene::Light(const Camera& camera, double floor_height, bool has_shadows) {
   scene_.lights[1] = MakeLight(camera.forward, kFill, 0.1F, kAmbient);
   scene_.lights[2] = MakeLight(kRimDirection, kRim, kRimSpecular, 0);
   scene_.nlight = 3;
-  is_opaque_ = HasOpaqueGeoms() && std::ranges::none_of(Geoms(), [&](const mjvGeom& geom) {
-                 return geom.type == mjGEOM_PLANE && IsBehind(camera.eye, geom);
-               });
-  // Slightly below the object's lowest faces, because coincident faces would flicker.
+  translucent_.clear();
+  std::ranges::copy_if(Geoms(), std::back_inserter(translucent_), [&](const mjvGeom& geom) {
+    return geom.rgba[3] < kOpaque || (geom.type == mjGEOM_PLANE && IsBehind(camera.eye, geom));
+  });
+  // The floor is slightly below the object's lowest faces, because coincident faces would flicker.
   const double below = kBelow * camera.radius;
-  level_above_floor_ = floor_height - below / 2;
-  if (has_shadows && !has_ground_ && camera.eye.z() > floor_height)
+  if (has_shadows && !has_ground_ && camera.eye.z() > floor_height) {
     AddFloor(camera, floor_height - below);
+    level_above_floor_ = floor_height - below / 2;
+  }
   // The floor comes first, because it hides most of the backdrop.
-  if (!is_opaque_) AddBackdrop(camera);
+  if (!IsOpaque()) AddBackdrop(camera);
 }
 
 mjvGeom* Scene::AddPlane(const Eigen::Vector2d& half_sides, const Eigen::Vector3d& place,
@@ -311,7 +314,7 @@ void Scene::AddFloor(const Camera& camera, double height) {
   Eigen::Vector3d place(camera.center.x(), camera.center.y(), height);
   Eigen::Vector2d half_sides = Eigen::Vector2d::Constant(40 * camera.radius);
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  if (is_opaque_) {
+  if (IsOpaque()) {
     axes.col(0) = Eigen::Vector3d(kKeyDirection.x(), kKeyDirection.y(), 0).normalized();
     axes.col(1) = Eigen::Vector3d::UnitZ().cross(axes.col(0));
     place = {0, 0, height};
@@ -322,32 +325,35 @@ void Scene::AddFloor(const Camera& camera, double height) {
       place += (most + least) / 2 * axes.col(i);
     }
   }
-  if (AddPlane(half_sides, place, axes) != nullptr) floor_ = scene_.ngeom - 1;
+  mjvGeom* floor = AddPlane(half_sides, place, axes);
+  if (floor == nullptr) return;
+  SetColor(floor->rgba, {kFloor, kFloor, kFloor, 1});
+  // Marks of a layer may be below the floor, which hides them.
+  const auto is_mark = [](const mjvGeom& geom) { return geom.category == mjCAT_DECOR; };
+  if (std::ranges::none_of(translucent_, is_mark)) return;
+  SetColor(translucent_.emplace_back(*floor).rgba, {0, 0, 0, 1});
 }
 
 // Adds a plane behind the object that emits light, so that its color does not depend on the lights.
 void Scene::AddBackdrop(const Camera& camera) {
   Eigen::Matrix3d axes;
   axes << camera.right, camera.up, -camera.forward;
-  const double depth = 0.98 * camera.far;
+  const double depth = kBackdrop * camera.far;
   const double side = 2 * depth * std::max(camera.tan_x, camera.tan_y);
   mjvGeom* backdrop = AddPlane({side, side}, camera.eye + depth * camera.forward, axes);
-  if (backdrop == nullptr) return;
-  backdrop->emission = 1;
-  backdrop_ = scene_.ngeom - 1;
+  if (backdrop != nullptr) backdrop->emission = 1;
 }
 
-std::optional<double> Scene::LevelAboveFloor() const {
-  if (floor_ < 0) return std::nullopt;
-  return level_above_floor_;
+mjvScene Scene::TranslucentGeoms() {
+  mjvScene scene = scene_;
+  scene.geoms = translucent_.data();
+  scene.ngeom = static_cast<int>(translucent_.size());
+  scene.flags[mjRND_SHADOW] = 0;
+  return scene;
 }
 
-int Scene::SetFloor(bool light) {
-  const float shining = light ? 1 : 0;
-  if (backdrop_ >= 0) SetColor(scene_.geoms[backdrop_].rgba, {shining, shining, shining, 1});
-  if (floor_ < 0) return 255;
-  const float color = light ? kFloor : 0;
-  SetColor(scene_.geoms[floor_].rgba, {color, color, color, 1});
+int Scene::Brightness() const {
+  if (!level_above_floor_) return 255;
   const double fill = -scene_.lights[1].dir[2];
   const double lit =
       kFloor * (kAmbient + kFill * fill - kKey * kKeyDirection.z() - kRim * kRimDirection.z());

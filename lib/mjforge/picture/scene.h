@@ -51,17 +51,19 @@ class Scene {
   Camera Frame(const PlacedShapes& shapes, double floor_height, const Options& options) const;
 
   /// Adds light and, if there are shadows, a floor at the given height, unless the model has a
-  /// ground or the camera is below the floor. A scene that is not opaque also gets a backdrop.
+  /// ground or the camera is below the floor. A scene with translucent geoms also gets a backdrop.
   void Light(const Camera& camera, double floor_height, bool has_shadows);
   /// Returns true if no geom is translucent.
   bool HasOpaqueGeoms() const;
-  /// Returns true if nothing that is lit, as the camera sees it, lets light through.
-  bool IsOpaque() const { return is_opaque_; }
-  /// Makes the floor and the backdrop light or black, and returns the brightness of the light floor
-  /// outside of shadows, 0..255.
-  int SetFloor(bool light);
+  /// Returns true if no geom, as the camera sees it, is translucent.
+  bool IsOpaque() const { return translucent_.empty(); }
+  /// Returns the same scene with only the translucent geoms, on black, without shadows, which
+  /// MuJoCo does not draw on these geoms. The result is valid until the scene changes.
+  mjvScene TranslucentGeoms();
+  /// Returns the brightness of the floor, or else the backdrop, outside of shadows, 0..255.
+  int Brightness() const;
   /// Returns a height between the floor and the object, or nothing if there is no floor.
-  std::optional<double> LevelAboveFloor() const;
+  const std::optional<double>& level_above_floor() const { return level_above_floor_; }
   void SetCamera(const mjvGLCamera& camera) { std::ranges::fill(scene_.camera, camera); }
 
   mjvScene& mujoco() { return scene_; }
@@ -102,12 +104,10 @@ class Scene {
   PlacedShapes shapes_;
   std::vector<Label> labels_;
   std::vector<Line> legend_;
-  bool has_ground_ = false;  // the model has a floor or another geom fixed to the world
-  bool is_opaque_ = false;
+  bool has_ground_ = false;           // the model has a floor or another geom fixed to the world
+  std::vector<mjvGeom> translucent_;  // copies; a black floor if it hides some
   double floor_height_ = 0;
-  double level_above_floor_ = 0;
-  int floor_ = -1;     // index of its geom
-  int backdrop_ = -1;  // index of its geom
+  std::optional<double> level_above_floor_;  // none: there is no floor
 };
 
 }  // namespace mjforge::picture

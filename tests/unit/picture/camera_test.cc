@@ -44,6 +44,18 @@ TEST_CASE("the depth of a level plane is that of its points, and above 1 beyond 
   CHECK(above.at_corner > 1);
 }
 
+TEST_CASE("the backdrop is behind the shapes, with a depth between both") {
+  PlacedShapes shapes;
+  shapes.Add(Box({0.1, 0.2, 0.4}, {1, 2, 3}));
+  const Camera camera = FrameShapes(shapes, 300, 200);
+  const auto depth_at = [&](double z) {
+    return camera.far / (camera.far - camera.near) * (1 - camera.near / z);
+  };
+  const double middle = (camera.center - camera.eye).dot(camera.forward);
+  CHECK(DepthBeforeBackdrop(camera) > depth_at(middle + camera.radius) + 1e-3);
+  CHECK(DepthBeforeBackdrop(camera) < depth_at(kBackdrop * camera.far) - 1e-5);
+}
+
 TEST_CASE("the shadow is in the picture, too") {
   const PlacedShape box = Box({0.1, 0.1, 0.4}, {0, 0, 0.4});
   PlacedShapes shapes;

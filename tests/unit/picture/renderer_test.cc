@@ -87,6 +87,56 @@ TEST_CASE("from below there is no floor between the camera and the object") {
     CHECK(image.rgba[i] == 0);  // left border
 }
 
+TEST_CASE("translucent geoms have an alpha where nothing opaque is behind them") {
+  const auto renderer = OpenRenderer();
+  std::string why_not;
+  const auto subject = Loader().LoadText(
+      "<mujoco><worldbody><body><freejoint/>"
+      "<geom type='box' size='2 0.1 1' rgba='0 0 1 0.4'/>"
+      "<geom type='box' size='1 0.1 1' pos='1 0.5 0' rgba='0.8 0.1 0.1 1'/>"
+      "</body></worldbody></mujoco>",
+      {}, why_not);
+  REQUIRE(subject != nullptr);
+  Options options = kSmall;
+  options.view.azimuth = 90;
+  options.view.elevation = -10;
+  const Image image = Draw(*renderer, *subject, options);
+  const auto alone = At(image, 30, 48);
+  const auto before = At(image, 66, 48);
+  CHECK(alone[3] > 100);
+  CHECK(alone[3] < 230);
+  CHECK(alone[2] > 2 * alone[0]);
+  CHECK(before[3] == 255);
+  CHECK(before[0] > 30);  // red behind blue
+  CHECK(before[2] > 30);
+}
+
+TEST_CASE("the floor hides marks that are below it") {
+  const auto renderer = OpenRenderer();
+  std::string why_not;
+  // The box with the same inertia is higher than the object.
+  const auto subject = Loader().LoadText(
+      "<mujoco><worldbody><body><freejoint/><geom size='0.1' pos='0 0 1'/>"
+      "<geom size='0.1' pos='0 0 -1'/></body></worldbody></mujoco>",
+      {}, why_not);
+  REQUIRE(subject != nullptr);
+  Options options = kSmall;
+  options.layer = Layer::kInertia;
+  options.view.elevation = -30;
+  const Image image = Draw(*renderer, *subject, options);
+  std::array<int, 2> blue = {};  // pixels of the box in the upper half and in the lowest rows
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const std::array<int, 4> pixel = At(image, x, y);
+      if (pixel[2] < 100 || pixel[2] < 2 * pixel[0]) continue;
+      blue[0] += y < 48 ? 1 : 0;
+      blue[1] += y >= 82 ? 1 : 0;
+    }
+  }
+  CHECK(blue[0] > 20);
+  CHECK(blue[1] == 0);
+}
+
 TEST_CASE("a translucent part elsewhere does not change an opaque one and its shadow") {
   const auto renderer = OpenRenderer();
   const auto draw = [&](const std::string& alpha) {
