@@ -108,33 +108,29 @@ void Matte::AddPixel(std::size_t pixel, int light, const PixelSums& sums) {
   shade_[pixel] += darkness * static_cast<float>(sums.shade);
 }
 
-// Adds a sample behind which only translucent geoms may hide the floor or the backdrop.
-void Matte::AddBehind(const RenderedBand& drawn, std::size_t sample, PixelSums& sums) {
-  const std::uint8_t* color = drawn.colors.data() + 3 * sample;
-  constexpr std::array<std::uint8_t, 3> kNoColor = {};
-  const std::uint8_t* own =
-      drawn.translucent.empty() ? kNoColor.data() : drawn.translucent.data() + 3 * sample;
-  const int hidden = std::clamp(drawn.light - (color[1] - own[1]), 0, drawn.light);
-  const int counted = hidden > kNothing ? hidden : 0;
-  if (own[0] + own[1] + own[2] == 0) {
-    ++sums.floor;
-    if (drawn.depths[sample] < 1) sums.shade += counted;
-    return;
-  }
-  sums.hidden += counted;
-  for (std::size_t c = 0; c < 3; ++c) sums.color[c] += own[c];
-}
-
 void Matte::Add(const RenderedBand& drawn, int top, int bottom) {
   const double per_column = drawn.floor.per_x / samples_;
   const double per_row = drawn.floor.per_y / samples_;
   const double at_corner = drawn.floor.at_corner + (per_column + per_row) / 2;
+  const bool is_opaque = drawn.translucent.empty();
   AddSamples(top, bottom, drawn.light, [&](std::size_t i, int column, int row, PixelSums& sums) {
-    const double floor = at_corner + per_column * column + per_row * row;
-    if (static_cast<double>(drawn.depths[i]) >= std::min(floor, drawn.backdrop))
-      return AddBehind(drawn, i, sums);
-    sums.hidden += drawn.light;
-    for (std::size_t c = 0; c < 3; ++c) sums.color[c] += drawn.colors[3 * i + c];
+    const auto depth = static_cast<double>(drawn.depths[i]);
+    const std::uint8_t* color = drawn.colors.data() + 3 * i;
+    if (depth < std::min(at_corner + per_column * column + per_row * row, drawn.backdrop)) {
+      sums.hidden += drawn.light;
+      for (std::size_t c = 0; c < 3; ++c) sums.color[c] += color[c];
+      return;
+    }
+    const std::uint8_t* own = is_opaque ? nullptr : drawn.translucent.data() + 3 * i;
+    if (own != nullptr && own[0] + own[1] + own[2] > 0) {
+      const int hidden = std::min(drawn.light - (color[1] - own[1]), drawn.light);
+      if (hidden > kNothing) sums.hidden += hidden;
+      for (std::size_t c = 0; c < 3; ++c) sums.color[c] += own[c];
+      return;
+    }
+    ++sums.floor;
+    const int dark = depth < 1 ? drawn.light - color[1] : 0;
+    if (dark > kNothing) sums.shade += dark;
   });
 }
 

@@ -49,7 +49,6 @@ class Matte {
 
   template <typename AddSample>
   void AddSamples(int top, int bottom, int light, const AddSample& add_sample);
-  static void AddBehind(const RenderedBand& drawn, std::size_t sample, PixelSums& sums);
   void AddPixel(std::size_t pixel, int light, const PixelSums& sums);
   void Soften();
   float EdgeFade(std::size_t pixel) const;
