@@ -164,6 +164,9 @@ def _begins_with_view(page, served):
         until(lambda: page.picture() not in seen, f"{view or 'no view'}: the picture stays")
         page.wait()
         seen.append(page.picture())
+    served.spec.write_text(SPEC, encoding="utf-8")
+    until(lambda: page.value(control("stem_radius", "input[type=number]")) == "0.006", "not read again")
+    page.wait()
     seen = [page.picture()]
     expect(not page.run("return document.getElementById('view-pose').checkVisibility()"), "a pose without a view")
     save("view: {azimuth: 30deg, elevation: -70deg, pose: {tilt: -20deg}}\n")
