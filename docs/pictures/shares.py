@@ -19,6 +19,7 @@ import tempfile
 FILE = pathlib.Path(__file__).resolve().parent / "shares.csv"
 FIELDS = ("spec", "variants", "physics", "simready", "date", "sha256")
 VARIANTS = 200
+SOME_FAILED = 1  # exit status of `generate` if variants failed
 # A finding of the benchmark; all other errors are those of the physical checks.
 BENCHMARK = "physics/simready"
 
@@ -57,10 +58,12 @@ def records(program, spec, count, *options):
     """The manifest of a batch; none where no variant passes, because then nothing is written."""
     with tempfile.TemporaryDirectory() as folder:
         batch = pathlib.Path(folder) / "batch"
-        subprocess.run([program, "generate", spec, "-n", str(count), "-q", "--durability", "none", "-o", f"{batch}/",
-                        *options], check=False, stderr=subprocess.DEVNULL)
+        made = subprocess.run([program, "generate", spec, "-n", str(count), "-q", "--durability", "none", "-o",
+                               f"{batch}/", *options], check=False, capture_output=True, text=True)
         manifest = batch / "manifest.jsonl"
         if not manifest.exists():
+            if made.returncode != SOME_FAILED:
+                raise RuntimeError(f"{spec}: {made.stderr}")
             return []
         with manifest.open(encoding="utf-8") as lines:
             return [json.loads(line) for line in lines]

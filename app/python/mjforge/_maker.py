@@ -75,14 +75,14 @@ class Maker:
     """An open spec in the library; for one thread at a time."""
 
     __slots__ = ("handle", "texts", "pointer", "_key_paths", "_inputs", "_changed",
-                 "_description")
+                 "_view")
 
     def __init__(self, spec: "Spec", options: Mapping[str, Any]) -> None:
         self.handle = None
         self._key_paths = spec._key_paths
         self._inputs = spec._inputs
         self._changed = ""
-        self._description: Optional[dict[str, Any]] = None
+        self._view: Optional[dict[str, Any]] = None
         place_seed = options["place_seed"]
         settings = [word for pair in spec.settings.items() for word in pair]
         request = Request(
@@ -119,9 +119,13 @@ class Maker:
         return findings
 
     def description(self) -> dict[str, Any]:
-        if self._description is None:
-            self._description = loads(bytes_of(library.MjforgeDescription(self.handle)))
-        return self._description
+        return dict(loads(bytes_of(library.MjforgeDescription(self.handle))))
+
+    def view(self) -> dict[str, Any]:
+        """`view:` of the spec; a copy, which the variant may change."""
+        if self._view is None:
+            self._view = self.description()["view"]
+        return {**self._view, "pose": dict(self._view["pose"])}
 
     def make(self, index: int) -> Variant:
         if self._changed:
@@ -144,7 +148,7 @@ class Maker:
         size = texts.contents_size
         contents = read(texts.contents, size) if size else b""
         return Variant(read(texts.xml, texts.xml_size), read(texts.record, texts.record_size),
-                       files, contents, findings, self.description()["view"])
+                       files, contents, findings, self.view())
 
     def add_rows(self, indices: range, table: "Table") -> int:
         """Adds the records of these variants up to the first that fails; returns how many."""

@@ -96,7 +96,7 @@ class Spec:
 
     def _describe(self, maker: Maker) -> None:
         self.findings = maker.check()
-        members = dict(maker.description())
+        members = maker.description()
         del members["view"]
         parameters = [parameter_of(each) for each in members.pop("parameters")]
         self.parameters = types.MappingProxyType({each.name: each for each in parameters})

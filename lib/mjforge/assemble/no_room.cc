@@ -53,7 +53,7 @@ std::string BlockersText(const Misses& misses) {
 }
 
 void ReportCrowded(const NoRoom& what, const Misses& misses, diag::Finding& finding) {
-  const std::string place = what.has_uv            ? "at its `uv` in "
+  const std::string place = what.has_uv           ? "at its `uv` in "
                             : what.beside.empty() ? "at "
                                                   : "beside " + Quoted(what.beside) + " at ";
   finding.message =

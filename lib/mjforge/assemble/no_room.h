@@ -32,11 +32,11 @@ struct NoRoom {
   std::string beside;                     // empty: beside none
   bool has_uv = false;                    // `uv` says where in the region
   double clear = 0;                       // m
-  std::optional<double> widest_gap;       // see Placer::WidestGap; nothing if it may not stand there
-  std::size_t standing = 0;               // instances of the same entry that stand
-  std::size_t instances = 0;              // all instances of the entry; 0: not known
-  diag::SourceMark mark;                  // place of the name in `at`
-  diag::SourceMark target;                // place of the region or site
+  std::optional<double> widest_gap;  // see Placer::WidestGap; nothing if it may not stand there
+  std::size_t standing = 0;          // instances of the same entry that stand
+  std::size_t instances = 0;         // all instances of the entry; 0: not known
+  diag::SourceMark mark;             // place of the name in `at`
+  diag::SourceMark target;           // place of the region or site
 };
 
 /// Adds the finding that names the reason, the sizes and what is in the way.

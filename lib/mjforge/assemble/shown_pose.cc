@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 #include <span>
+#include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -15,14 +17,30 @@ namespace {
 
 using diag::Code;
 
-// Returns true if the spec lists a joint with this name, which `if` may leave out.
-bool IsListed(const spec::ObjectSpec& spec, std::string_view joint) {
-  const auto has_name = [&](const spec::Entry& entry) {
-    return spec::LiteralText(entry.name) == joint;
-  };
-  return std::ranges::any_of(spec.joints, has_name) ||
+// Returns true if one of the names ends with the other, as a whole or after "_".
+bool EndAlike(std::string_view a, std::string_view b) {
+  if (a.size() < b.size()) std::swap(a, b);
+  return a.ends_with(b) && (a.size() == b.size() || a[a.size() - b.size() - 1] == '_');
+}
+
+// Returns true if the text of a name may be this one: that of an expression may be any.
+bool MayBe(const spec::Value& name, std::string_view joint) {
+  if (const auto literal = spec::LiteralText(name)) return EndAlike(*literal, joint);
+  const auto* text = std::get_if<spec::Text>(&name.form);
+  return text != nullptr && joint.find(text->pieces.front().literal) != joint.npos &&
+         joint.ends_with(text->pieces.back().literal);
+}
+
+// Returns true if the spec, or one of its bodies, lists a joint that may have this name, in
+// variants in which `if` or `for` does not leave it out.
+bool MayHave(const spec::ObjectSpec& spec, std::string_view joint) {
+  const auto may_be = [&](const spec::Entry& entry) { return MayBe(entry.name, joint); };
+  return std::ranges::any_of(spec.joints, may_be) ||
          std::ranges::any_of(spec.bodies, [&](const spec::BodyEntry& body) {
-           return std::ranges::any_of(body.joints, has_name);
+           const bool may_be_absent = body.head.condition || !body.head.loops.empty();
+           return std::ranges::any_of(body.joints, may_be) ||
+                  (body.head.nested && MayHave(*body.head.nested, joint)) ||
+                  (may_be_absent && body.head.Find(spec::Key::kMjcf) != nullptr);
          });
 }
 
@@ -50,12 +68,15 @@ void CheckShownPose(const spec::ObjectSpec& spec, const model::Object& object,
   if (spec.view.pose.empty()) return;
   std::vector<std::string_view> joints;
   for (const model::Body& body : object.bodies) {
-    for (const model::Joint& joint : body.joints) joints.push_back(joint.name);
+    for (const model::Joint& joint : body.joints) {
+      // The position of other joints is not a number.
+      if (joint.type == "hinge" || joint.type == "slide") joints.push_back(joint.name);
+    }
   }
   for (const spec::PictureView::Position& position : spec.view.pose) {
     const std::string shown = Quoted(position.joint);
     const std::vector<std::string_view> fitting = FindJoints(joints, position.joint);
-    if (fitting.empty() && !IsListed(spec, position.joint)) {
+    if (fitting.empty() && !MayHave(spec, position.joint)) {
       std::vector<std::string_view> names;
       for (const std::string_view joint : joints) names.push_back(OwnName(object, joint));
       findings.Warn(Code::kModelUnknownReference, position.mark,

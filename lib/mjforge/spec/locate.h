@@ -13,7 +13,8 @@ namespace mjforge::spec {
 
 /// Returns the file that `reference` names, with or without `.yaml` or `.yml`: in `folder`, then in
 /// each folder of the search path, and then, for a bare name, anywhere below the search path: the
-/// first by folder and name, those in `robosuite/` and `scenes/` last. Returns nothing if there is no such file.
+/// first by folder and name, those in `robosuite/` and `scenes/` last. Returns nothing if there is
+/// no such file.
 std::optional<std::filesystem::path> Locate(const std::string& reference,
                                             const std::filesystem::path& folder,
                                             std::span<const std::filesystem::path> search_path);

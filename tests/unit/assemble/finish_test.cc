@@ -104,7 +104,9 @@ const std::string kDoor =
     "- {name: left, pos: [3, 0, 0], parts: [{name: q, type: sphere, size: 1}],\n"
     "   joints: [{name: left_door}]}\n"
     "- {name: right, pos: [6, 0, 0], parts: [{name: r, type: sphere, size: 1}],\n"
-    "   joints: [{name: right_door}, {name: latch, type: slide, if: is_open}]}\n";
+    "   joints: [{name: right_door}, {name: latch, type: slide, if: is_open}]}\n"
+    "- {name: 'leaf_${i}', for: {i: 'is_open ? 1 : 0'}, pos: [9, 0, 0],\n"
+    "   parts: [{name: 's_${i}', type: sphere, size: 1}], joints: [{name: 'swing_${i}'}]}\n";
 
 TEST_CASE("a pose in pictures names joints of the object") {
   const auto findings = [](const std::string& pose, std::uint64_t index = 0) {
@@ -115,11 +117,15 @@ TEST_CASE("a pose in pictures names joints of the object") {
   using Lines = std::vector<std::string>;
   CHECK(findings("left_door: 1, thing_right_door: 1") == Lines{});
   CHECK(findings("rigth_door: 1") ==
-        Lines{"10:15 view: the object has no joint 'rigth_door' (did you mean 'right_door'?)"});
+        Lines{"12:15 view: the object has no joint 'rigth_door' (did you mean 'right_door'?)"});
   CHECK(findings("left_door: 1, door: 1") ==
-        Lines{"10:29 view: 'door' could be joint 'thing_left_door' or 'thing_right_door' "
+        Lines{"12:29 view: 'door' could be joint 'thing_left_door' or 'thing_right_door' "
               "(give its full name)"});
-  for (std::uint64_t index = 0; index < 8; ++index) CHECK(findings("latch: 0", index) == Lines{});
+  const Assembling free_one(
+      "joints: free\nparts: [{name: p, type: sphere, size: 1}]\nview: {pose: {joint0: 1}}\n");
+  CHECK(free_one.findings() == Lines{"5:15 view: the object has no joint 'joint0'"});
+  for (std::uint64_t index = 0; index < 8; ++index)
+    CHECK(findings("latch: 0, swing_0: 0", index) == Lines{});
 }
 
 }  // namespace

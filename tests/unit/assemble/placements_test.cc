@@ -270,6 +270,11 @@ TEST_CASE("a body without room is reported with the sizes and what is in the way
         "11:27 no room for body 'b' at its `uv` in 'table.surface', 80 x 60 cm: it needs 10 x 10 "
         "cm and 2 cm around it ('a' is in the way; make room, or leave out what finds none with "
         "`fewer: true`)");
+  CHECK(Scene(Ball("name: a, place: {at: table.surface, uv: [0, 0]}") +
+              Ball("name: b, place: {at: table.surface, beside: {body: a, side: right, gap: 1cm}}"))
+            .finding() ==
+        "11:27 no room for body 'b' beside 'a' at 'table.surface', 80 x 60 cm: it needs 10 x 10 cm "
+        "('a' is in the way; make room, or leave out what finds none with `fewer: true`)");
 }
 
 }  // namespace
