@@ -17,7 +17,7 @@ struct Command {
 
 constexpr Command kCommands[] = {
     {"generate", "Make variants of objects", AddGenerate,
-     "  mjforge generate hammer -n 100 --set 'handle_length=10cm .. 12cm' -o out/"},
+     "  mjforge generate hammer -n 100 --set 'handle_length=28cm .. 30cm' -o out/"},
     {"check", "Find mistakes in specs; writes nothing", AddCheck,
      "  mjforge check mug.yaml\n"
      "  mjforge check specs/*.yaml -n 100 --findings json\n"

@@ -17,7 +17,7 @@ struct LoadedRecipe {
   forge::Recipe recipe;
 };
 
-/// Returns the bundled hammer.
+/// Returns robosuite's hammer.
 LoadedRecipe& Hammer();
 
 /// Loads the spec with this name or path, with these settings.

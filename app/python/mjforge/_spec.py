@@ -170,8 +170,8 @@ class Spec:
 
         >>> import mjforge
         >>> hammer = mjforge.Spec("hammer")
-        >>> for longest in (0.15, 0.2, 0.25):  # a curriculum
-        ...     variants = hammer.variants(seed=3, set={"handle_length": (0.1, longest)})
+        >>> for longest in (0.28, 0.3, 0.34):  # a curriculum
+        ...     variants = hammer.variants(seed=3, set={"handle_length": (0.26, longest)})
         ...     assert all(v.params["handle_length"] <= longest for v in variants[:5])
         """
         options = _options.checked({
