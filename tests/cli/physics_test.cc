@@ -33,8 +33,8 @@ class PhysicsTest : public harness::ProgramTest {
 TEST_CASE_METHOD(PhysicsTest,
                  "what is measured stands in the manifest, and is the same whatever -j") {
   for (const std::string jobs : {"1", "2"}) {
-    const auto result = Run({"generate", "hinged_box", "-n", "6", "-j", jobs, "--validate",
-                             "physics", "-o", "out" + jobs});
+    const auto result = Run({"generate", "robosuite/hinged_box", "-n", "6", "-j", jobs,
+                             "--validate", "physics", "-o", "out" + jobs});
     INFO(result.err);
     REQUIRE(result.status == 0);
   }
@@ -48,7 +48,8 @@ TEST_CASE_METHOD(PhysicsTest,
     CHECK(physics["joints"][0]["reach"] > 0.9);
   }
   // The result of a variant does not depend on the range of variants that are made.
-  REQUIRE(Run({"generate", "hinged_box", "--first", "4", "--validate", "physics", "-o", "one"})
+  REQUIRE(Run({"generate", "robosuite/hinged_box", "--first", "4", "--validate", "physics", "-o",
+               "one"})
               .status == 0);
   CHECK(Records("one")[0]["physics"] == Records("out1")[4]["physics"]);
 }
@@ -140,14 +141,14 @@ TEST_CASE_METHOD(PhysicsTest, "every target is tried as its host has it") {
 }
 
 TEST_CASE_METHOD(PhysicsTest, "what a host frees may have its mass further in") {
-  REQUIRE(
-      Run({"generate", "hinged_box", "--target", "robosuite", "--validate", "physics", "-o", "out"})
-          .status == 0);
+  REQUIRE(Run({"generate", "robosuite/hinged_box", "--target", "robosuite", "--validate", "physics",
+               "-o", "out"})
+              .status == 0);
   CHECK(Records("out")[0]["physics"]["at_rest"] == true);
 }
 
 TEST_CASE_METHOD(PhysicsTest, "validate --physics tries any file, and says what came of it") {
-  REQUIRE(Run({"generate", "hinged_box", "-o", "box.xml"}).status == 0);
+  REQUIRE(Run({"generate", "robosuite/hinged_box", "-o", "box.xml"}).status == 0);
   const auto line = Run({"validate", "box.xml", "--physics"});
   CHECK(line.status == 0);
   CHECK(line.out.find("; at rest after 0.") != std::string::npos);

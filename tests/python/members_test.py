@@ -51,7 +51,7 @@ class Members(unittest.TestCase):
         self.assertEqual(variant.sites["door_knob"].pos, (0.1, 0, 0))
 
     def test_robosuite_names_its_root_below_a_body_without_a_name(self):
-        variant = mjforge.Spec("hinged_box").variants(target="robosuite")[0]
+        variant = mjforge.Spec("robosuite/hinged_box").variants(target="robosuite")[0]
         self.assertEqual(variant.members.root, "object")
         self.assertEqual(list(variant.pose), ["box_hinge"])
 
