@@ -150,7 +150,9 @@ if command == "catalogue":
     print(json.dumps([{"name": "a/one"}, {"name": "a/two"}, {"name": "scenes/x"}]))
 elif command == "inspect":
     print(json.dumps({"spec_sha256": "0123456789abcdef"}))
-elif not (rest[0] == "a/two" and "--profile" in rest):
+elif rest[0] == "a/two" and "--profile" in rest:
+    sys.exit(1)
+else:
     folder = pathlib.Path(rest[rest.index("-o") + 1])
     folder.mkdir()
     error = lambda code: [{"severity": "error", "code": code}]
@@ -180,6 +182,11 @@ class Shares(unittest.TestCase):
     def rows(self):
         return {spec: (row["variants"], row["physics"], row["simready"])
                 for spec, row in shares.read(self.file).items()}
+
+    def test_what_does_not_run_is_not_counted_as_failed(self):
+        self.program.write_text(PROGRAM.replace("sys.exit(1)", "sys.exit(3)"), encoding="utf-8")
+        with self.assertRaisesRegex(RuntimeError, "a/two"):
+            self.count("3", "a/two")
 
     def test_errors_of_the_benchmark_are_none_of_the_physical_checks(self):
         printed = self.count("3")
