@@ -60,8 +60,8 @@ WorkerMaker MakeWorkerOf(const CustomizeOptions& options) {
   };
 }
 
-// Writes a file that leads a browser to the address. Other users can read the arguments of a
-// program, but not this file, so that the token stays secret.
+// Writes an HTML file that redirects a browser to the address, which contains a secret token.
+// Other users can read the arguments of a program, but not this file.
 bool WriteRedirect(const std::filesystem::path& file, const std::string& address,
                    diag::Findings& findings) {
   return output::WriteFile(file,

@@ -57,7 +57,8 @@ class Console {
   /// Returns the text that Show prints.
   std::string TextOf(diag::Findings found, const diag::Sources& places,
                      std::uint64_t more = 0) const;
-  /// Prints a line, unless --quiet was given. The line may contain text of unknown origin.
+  /// Prints a line, unless --quiet was given. Control characters are escaped, because the line may
+  /// contain text of other people's files.
   void PrintLine(std::string_view line) const;
   bool quiet() const { return quiet_; }
 

@@ -41,7 +41,7 @@ constexpr MjcfFeature kElements[] = {
 };
 
 constexpr MjcfFeature kAttributes[] = {
-    // Settings.
+    // Attributes of elements that set options of the whole model.
     {"compiler", "assetdir", 230},
     {"compiler", "alignfree", 323, Effect::kMeaning, "false"},
     {"compiler", "saveinertial", 331, Effect::kSpeed},

@@ -20,8 +20,8 @@ class Replacements {
 
   /// Makes all replacements.
   void Run();
-  /// Returns "" if an attribute (empty: the element) was replaced, the reason if the attribute
-  /// changes nothing in this file, and nothing otherwise.
+  /// Returns an empty text if the attribute was replaced (or the element, if `attribute` is empty),
+  /// the reason if the attribute has no effect in this file, and nullopt otherwise.
   std::optional<std::string_view> Find(const xml::XmlElement* element,
                                        std::string_view attribute) const;
 

@@ -12,8 +12,8 @@
 
 namespace mjforge::model {
 
-/// Returns the position of a joint at which its body has the pose of the spec, as in qpos (`ref` of
-/// a hinge or slide, the identity of a ball joint); empty for a free joint.
+/// Returns the value of a joint in qpos0, with which its body has the pose that the spec states:
+/// `ref` of a hinge or slide, the identity of a ball joint; empty for a free joint.
 sample::Numbers ZeroPosition(const Joint& joint);
 
 /// Returns the count of numbers that a joint has in qvel.

@@ -32,8 +32,9 @@ constexpr double kLift = 0.3;    // s
 constexpr double kShake = 0.2;   // s along each axis
 constexpr double kHold = 2;      // s
 constexpr double kOpen = 0.3;    // s
-// While the jaws close, free bodies are damped as if on a table: the force of the jaws moves them
-// at kGiving, and turns them at kGiving / kArm if its lever is kArm.
+// While the jaws close, free bodies are damped as if they stood on a table: the force of the jaws
+// pushes a body at the speed kGiving and, at a distance of kArm from its centre, turns it at
+// kGiving / kArm.
 constexpr double kGiving = 0.02;    // m/s
 constexpr double kArm = 0.05;       // m
 constexpr double kLifting = 1.5;    // multiple of gravity

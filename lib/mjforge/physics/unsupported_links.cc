@@ -90,7 +90,8 @@ class UnsupportedLinks {
     const bool is_too_long = path.range() > LongestSlide(object_, reporter_.checks());
     // A range that is too long is a finding by itself (physics/joint-range).
     if (is_slide && (is_too_long || DistanceAfter(joint, moved, 0) + way <= kFarOff)) return;
-    // A door turns away from its frame by as much as it is thick and its axis is off its edge.
+    // The axis of a hinge lies beside the door's edge: an open door is away from its frame by up
+    // to that distance and the door's thickness.
     const double most =
         is_slide ? kFarOff : std::max(kFarOff, kFarOffOfSize * MovedBox(moved).diagonal().norm());
     for (const double end : {path.low, path.high}) {

@@ -260,7 +260,8 @@ class SpecLoader : public NestedLoader {
     return known = spec;
   }
 
-  // Reads materials and defaults of an imported file, which cannot use parameters of the importer.
+  // Reads the materials and defaults of an imported file. Their expressions cannot use parameters
+  // of the file that imports it.
   void ReadImported(const ImportedFile& from, Context& context) {
     expr::SymbolTable names;
     DeclareIndex(names);
