@@ -78,6 +78,7 @@ void CheckShownPose(const spec::ObjectSpec& spec, const model::Object& object,
     const std::vector<std::string_view> fitting = FindJoints(joints, position.joint);
     if (fitting.empty() && !MayHave(spec, position.joint)) {
       std::vector<std::string_view> names;
+      names.reserve(joints.size());
       for (const std::string_view joint : joints) names.push_back(OwnName(object, joint));
       findings.Warn(Code::kModelUnknownReference, position.mark,
                     fmt::format("view: the object has no joint {}", shown),
