@@ -21,7 +21,7 @@
 namespace mjforge::output {
 namespace {
 
-// A tar archive ends with two blocks of zeros (POSIX).
+// Size of the end of a tar archive: two blocks of zeros (POSIX).
 constexpr std::size_t kEndBytes = 1024;
 
 template <auto release>
@@ -41,7 +41,8 @@ void Require(int status, archive* writer) {
   }
 }
 
-// Returns a new structure of libarchive; throws if there is no memory for it.
+// Returns the structure that libarchive allocated; throws if it is null because memory is
+// exhausted.
 template <typename T>
 T* NotNull(T* made) {
   if (made == nullptr) throw std::bad_alloc();
@@ -89,7 +90,7 @@ std::string Compress(std::string_view bytes) {
 
 struct Segment::TarWriter {
   ArchiveFormat format;
-  std::string members;  // declared before the writer, which still appends here when destroyed
+  std::string members;  // declared before the writer, whose destructor still appends to this text
   std::string compressed;
   Writer writer{NotNull(archive_write_new())};
   Entry entry{NotNull(archive_entry_new())};
@@ -162,8 +163,8 @@ std::optional<std::string> ArchiveReader::Next(std::string& why_not) {
   while (why_not.empty()) {
     const int status = archive_read_next_header(tar_->reader.get(), &tar_->entry);
     if (status == ARCHIVE_EOF) break;
-    // A warning concerns a member that mjforge did not write: a name that cannot be converted,
-    // which is null then, or unusual attributes.
+    // Accepts warnings, which concern members that mjforge did not write: they have unusual
+    // attributes, or a name that cannot be converted and is null.
     if (status != ARCHIVE_OK && status != ARCHIVE_WARN) {
       why_not = tar_->Error();
     } else if (const char* name = archive_entry_pathname(tar_->entry)) {
@@ -187,7 +188,7 @@ std::optional<std::string> ArchiveReader::Content(std::string& why_not) {
 
 std::string ArchiveReader::Start(std::size_t count) {
   std::string bytes(count, '\0');
-  // The result is an error if the archive ends within the member, after its beginning is read.
+  // Ignores the error of an archive that ends within the member, because the bytes before are read.
   archive_read_data(tar_->reader.get(), bytes.data(), bytes.size());
   bytes.resize(std::min(bytes.find('\0'), bytes.size()));
   return bytes;

@@ -18,8 +18,8 @@ namespace mjforge::output {
 enum class ArchiveFormat { kTar, kTarZstd };
 
 /// Consecutive members of an archive. An archive is the concatenation of its segments and
-/// ArchiveEnd(). In a compressed archive, each of these is a separate frame, so that several
-/// processes can make segments of one archive.
+/// ArchiveEnd(). In a compressed archive, each segment and the end are separate Zstandard frames,
+/// so that several processes can make segments of one archive.
 class Segment {
  public:
   explicit Segment(ArchiveFormat format);
@@ -47,20 +47,20 @@ std::string ArchiveEnd(ArchiveFormat format);
 /// Reads the members of an archive of either format one after the other.
 class ArchiveReader {
  public:
-  /// Opens an archive. If that fails, so does the first call of Next.
+  /// Opens an archive. If opening fails, the first call of Next fails with the reason.
   explicit ArchiveReader(const std::filesystem::path& file);
   ~ArchiveReader();
   ArchiveReader(const ArchiveReader&) = delete;
   ArchiveReader& operator=(const ArchiveReader&) = delete;
 
-  /// Returns the name of the next member; nothing at the end of the archive and if reading fails.
+  /// Returns the name of the next member; nullopt at the end of the archive and if reading fails.
   /// `why_not` is set only if reading fails.
   std::optional<std::string> Next(std::string& why_not);
-  /// Returns the bytes of that member; nothing, and sets `why_not`, if reading fails. To be called
-  /// at most once per member.
+  /// Returns the bytes of the member that Next named; nullopt, and sets `why_not`, if reading
+  /// fails. To be called at most once per member.
   std::optional<std::string> Content(std::string& why_not);
-  /// Returns at most `count` bytes from the start of a text, in place of Content: fewer if the
-  /// member is shorter or the archive is damaged.
+  /// Returns the first `count` bytes of the text that Next named; fewer if the text is shorter or
+  /// the archive is damaged. To be called in place of Content.
   std::string Start(std::size_t count);
 
  private:
@@ -72,7 +72,7 @@ class ArchiveReader {
 /// has no members, as after a power cut.
 bool IsObjectArchive(const std::filesystem::path& file);
 
-/// Returns the bytes of the member `name` of an archive of either format; nothing, after adding a
+/// Returns the bytes of the member `name` of an archive of either format; nullopt, after adding a
 /// finding, if the archive does not contain that member or cannot be read.
 std::optional<std::string> ReadMember(const std::filesystem::path& file, const std::string& name,
                                       diag::Findings& findings);

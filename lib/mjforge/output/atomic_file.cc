@@ -18,8 +18,8 @@
 namespace mjforge::output {
 namespace {
 
-// Limit of names to try: a killed process with the same id may have left a file behind, and a
-// process that removes such files may have locked a new one.
+// Limit of temporary names to try. A name may be in use because a killed process with the same id
+// left a file behind, or because a process that removes such files has locked a new one.
 constexpr int kTriedNames = 100;
 
 // Locks an open file without waiting. Returns false if another process has the lock or has removed
@@ -46,8 +46,8 @@ int OpenTemporary(const std::filesystem::path& file, std::string& temporary) {
 }
 
 // Closes a duplicate of an open file, because on a network disk or at a quota only close() reports
-// that writing failed; the file itself remains open and locked. Returns false, with errno, if that
-// fails.
+// that writing failed; the file itself remains open and locked. Returns false, with errno, if
+// close() fails.
 bool Flush(int descriptor) {
   const int duplicate = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
   return duplicate >= 0 && ::close(duplicate) == 0;

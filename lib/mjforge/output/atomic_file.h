@@ -13,7 +13,7 @@
 namespace mjforge::output {
 
 /// Returns the final name that belongs to a temporary one of WriteFile: "x.xml" for
-/// ".x.xml.tmp123-0"; nothing for all other names.
+/// ".x.xml.tmp123-0"; nullopt for all other names.
 std::optional<std::string> FinalNameOf(std::string_view temporary);
 
 /// Limit of the comment at the start of an object's file, which includes all settings.

@@ -14,7 +14,7 @@ constexpr std::string_view kTar = ".tar";
 constexpr std::string_view kTarZstd = ".tar.zst";
 constexpr std::string_view kZstd = ".zst";
 constexpr std::string_view kNpz = ".npz";
-constexpr std::string_view kStructure = "%s";  // placeholder
+constexpr std::string_view kStructure = "%s";  // placeholder of the structure's key
 
 // Position and width of "%05d" in a pattern.
 struct NumberPlaceholder {
@@ -52,7 +52,8 @@ std::string StemOf(const Destination& destination) {
   return stem;
 }
 
-// Returns what the names of a shard's files have before the extension.
+// Returns the part of a shard's file names before the extension: "-00003-of-00008"; empty for a
+// whole batch.
 std::string PartOf(const Shard& shard) {
   return shard.IsWhole() ? std::string() : fmt::format("-{:05}-of-{:05}", shard.index, shard.count);
 }

@@ -25,7 +25,8 @@ struct Destination {
   enum class Kind { kNowhere, kFolder, kFile, kStandardOutput, kArchive, kArchives, kFamily };
 
   Kind kind = Kind::kNowhere;
-  /// kArchives: with %05d as the placeholder of the number; kFamily: with %s, that of the structure
+  /// Path as given; kArchives: with %05d in place of the archive's number; kFamily: may have %s in
+  /// place of the structure's key.
   std::filesystem::path path;
   ArchiveFormat format = ArchiveFormat::kTar;
   std::uint64_t per_archive = 0;  // kArchives: number of variants in each archive
@@ -37,12 +38,12 @@ struct Destination {
   /// Returns the path of archive `number`, counted from 0, of a series; for a single archive, its
   /// path.
   std::filesystem::path Archive(std::uint64_t number) const;
-  /// Returns true if each structure has a family of its own: NAME_%s.npz.
+  /// Returns true if the variants of each structure form a family of their own: NAME_%s.npz.
   bool IsSplit() const;
-  /// Returns the path of the family with a structure; for a single family, its path.
+  /// Returns the path of the family of the structure with this key; for a single family, its path.
   std::filesystem::path Family(std::string_view key) const;
-  /// Returns the path of the variants of a shard of a family, from which merging makes the family,
-  /// or of a whole family while it is made: NAME-00003-of-00008.rows, NAME.rows.
+  /// Returns the path of the rows of a family, one row per variant: NAME-00003-of-00008.rows for a
+  /// shard, which `merge` joins with the others, or NAME.rows while a whole family is made.
   std::filesystem::path Rows(const Shard& shard) const;
   /// Returns the path of the manifest: DIR/manifest.jsonl for a folder, STEM.manifest.jsonl beside
   /// archives, STEM.manifest.jsonl.zst beside compressed ones; with "-00003-of-00008" before the
@@ -57,14 +58,14 @@ bool IsManifestName(std::string_view name);
 
 /// Parses the argument of -o: "-", FILE.xml, FILE.npz, FILE.tar or FILE.tar.zst (a series if the
 /// name has one %d or %05d; a family per structure if it has one %s); any other text is a folder.
-/// Returns nothing, and the reason in `why_not`, if the text is not valid.
+/// Returns nullopt, and the reason in `why_not`, if the text is not valid.
 std::optional<Destination> ParseDestination(std::string_view text, std::uint64_t per_archive,
                                             std::string& why_not);
 
 /// Returns the name of variant `index`, "hammer_000042": its file's name without the extension.
 std::string VariantStem(std::string_view name, std::uint64_t index);
 
-/// Parses a text of decimal digits, "000042"; returns nothing if it is not a number.
+/// Parses a text of decimal digits, "000042"; returns nullopt if it is not a number.
 std::optional<std::uint64_t> ReadIndex(std::string_view digits);
 
 /// Number of files in a folder; files with larger indices go to subfolders, so that the path of a

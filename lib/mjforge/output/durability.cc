@@ -14,7 +14,7 @@ namespace mjforge::output {
 bool SyncFolder(const std::filesystem::path& folder, bool contents, diag::Findings& findings) {
   const std::filesystem::path name = folder.empty() ? "." : folder;
   const int descriptor = ::open(name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  // Some file systems cannot synchronize a folder: EINVAL.
+  // Ignores EINVAL, the error of a file system that cannot synchronize folders.
   const bool synced =
       descriptor >= 0 &&
       ((contents ? ::syncfs(descriptor) : ::fsync(descriptor)) == 0 || errno == EINVAL);

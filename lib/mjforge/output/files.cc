@@ -13,7 +13,7 @@
 namespace mjforge::output {
 namespace {
 
-// Beginnings of the files of variants.
+// First bytes of the files that mjforge writes for variants.
 constexpr std::string_view kObjectMark = "<!-- mjforge ";
 constexpr std::string_view kPlacementMark = R"({"mjforge":)";
 
@@ -34,7 +34,8 @@ bool MayReplace(const std::filesystem::path& file, bool force, std::size_t bytes
                 const std::function<bool(std::string_view)>& is_ours, diag::Findings& findings) {
   std::error_code ignored;
   if (!std::filesystem::exists(std::filesystem::symlink_status(file, ignored))) return true;
-  // Opening a pipe would block until somebody writes to it; a device must not be replaced.
+  // Rejects pipes, because opening one blocks until somebody writes to it, and devices, which must
+  // not be replaced.
   if (std::filesystem::is_other(file, ignored)) {
     findings.Add(diag::Code::kOutputCannotWrite, {},
                  fmt::format("'{}' is a pipe or a device, not a file", file.string()),
@@ -63,7 +64,8 @@ bool MayReplace(const std::filesystem::path& file, std::string_view text, bool f
   return MayReplace(
       file, force, kCommentBytes,
       [text](std::string_view opening) {
-        // After a power cut, a file may end at any byte or contain zeros from there on.
+        // Accepts the remains of a power cut: such a file ends at any byte or has zeros from there
+        // on.
         const std::string_view mark = text.starts_with('{') ? kPlacementMark : kObjectMark;
         const std::string_view left = opening.substr(0, opening.find('\0'));
         const bool is_cut = left.find("-->") == left.npos &&

@@ -9,7 +9,7 @@ std::string EscapeForMake(std::string_view name) {
   std::size_t backslashes = 0;  // number of backslashes at the end of `text`
   for (const char c : name) {
     if (c == ' ' || c == '\t') {
-      // Make halves the backslashes before an escaped blank, so double them.
+      // Doubles the backslashes before an escaped blank, because Make halves them.
       text.append(backslashes + 1, '\\');
     } else if (c == '#') {
       text += '\\';

@@ -62,7 +62,7 @@ std::string HeaderOf(ArrayType type, std::span<const std::uint64_t> shape,
   std::string words = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}{}), }}",
                                   TypeWord(type, code_points), fmt::join(shape, ", "),
                                   shape.size() == 1 ? "," : "");
-  const std::size_t start = 10;  // magic, version, length
+  const std::size_t start = 10;  // bytes of magic, version and length
   const std::size_t used = start + words.size() + 1;
   words.append((kAlignment - used % kAlignment) % kAlignment, ' ');
   words += '\n';
@@ -106,10 +106,10 @@ struct NpzWriter::Zip {
   diag::Findings& findings;
   bool failed = false;
   std::vector<Member> members;
-  std::uint64_t left = 0;  // bytes of the current member that are still to come
+  std::uint64_t left = 0;  // bytes of the current member that are not written yet
 
   std::uint64_t end = 0;  // offset of the next byte
-  std::string buffer;     // bytes that are not in the part yet
+  std::string buffer;     // bytes that are not yet written to the part file
 
   void Append(std::string_view bytes) {
     constexpr std::size_t kBuffer = 1 << 20;
@@ -130,7 +130,7 @@ namespace {
 
 constexpr std::uint64_t kMax32 = 0xFFFFFFFF;
 
-// Bytes of a header.
+// Builds the bytes of a zip header from numbers and texts.
 class Header {
  public:
   template <typename T>
@@ -152,7 +152,7 @@ class Header {
   std::string bytes_;
 };
 
-// Version, flags, method and time: no compression, the first moment that a zip file can say.
+// Adds version, flags, method (no compression) and time (the earliest that a zip file can have).
 Header& AddCommon(Header& header, bool is_large) {
   constexpr unsigned kVersion = 20;
   constexpr unsigned kLargeVersion = 45;  // sizes of 64 bits
@@ -166,7 +166,7 @@ Header& AddCommon(Header& header, bool is_large) {
       .Short(kFirstDay);
 }
 
-// An extra field with 64-bit numbers; empty if there are none.
+// Returns an extra field with 64-bit numbers; empty if there are no numbers.
 std::string LargeNumbers(const std::vector<std::uint64_t>& numbers) {
   if (numbers.empty()) return {};
   Header field;
@@ -217,7 +217,7 @@ void NpzWriter::Zip::AppendDirectory() {
     if (member.offset >= kMax32) numbers.push_back(member.offset);
     const std::string extra = LargeNumbers(numbers);
     Header header;
-    constexpr unsigned kMadeBy = 45 | 3U << 8;  // on Unix
+    constexpr unsigned kMadeBy = 45 | 3U << 8;  // version 4.5 of the format, on Unix
     constexpr std::uint64_t kMode = std::uint64_t{0100644} << 16;
     AddCommon(header.Word(0x02014b50).Short(kMadeBy), !numbers.empty())
         .Add(member.crc)
@@ -256,7 +256,7 @@ NpzWriter::~NpzWriter() = default;
 
 void NpzWriter::Begin(const std::string& name, ArrayType type, std::span<const std::uint64_t> shape,
                       std::size_t code_points) {
-  // NumPy has no texts of length 0.
+  // Stores empty texts with one zero code point, because NumPy has no texts of length 0.
   if (type == ArrayType::kText && code_points == 0) code_points = 1;
   const std::string header = HeaderOf(type, shape, code_points);
   std::uint64_t size = SizeOf(type, code_points);

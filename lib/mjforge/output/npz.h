@@ -27,7 +27,7 @@ std::size_t CodePoints(std::string_view text);
 /// The bytes depend only on names and content.
 class NpzWriter {
  public:
-  /// The part must be empty and outlive the writer.
+  /// Writes to `part`, which must be empty and outlive the writer.
   NpzWriter(PartFile& part, diag::Findings& findings);
   ~NpzWriter();
   NpzWriter(const NpzWriter&) = delete;
@@ -47,7 +47,7 @@ class NpzWriter {
   std::unique_ptr<Zip> zip_;
 };
 
-/// Returns true if the file is empty or the first member of an .npz file has this name.
+/// Returns true if the file is empty or an .npz file whose first member has this name.
 bool IsNpzWith(const std::filesystem::path& file, std::string_view first_member);
 
 }  // namespace mjforge::output

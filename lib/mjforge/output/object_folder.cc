@@ -16,11 +16,12 @@
 namespace mjforge::output {
 namespace {
 
-// Limit of assets remembered as done, because each variant may have generated assets of its own.
+// Limit of the assets remembered as written, because each variant may have generated assets of its
+// own.
 constexpr std::size_t kMaxRememberedAssets = 10'000;
 
-// Removes a temporary file unless a running process has locked it. The lock is held meanwhile, so
-// that a process that has just made the file notices the removal.
+// Removes a temporary file unless a running process has locked it. Holds the lock during the
+// removal, so that a process that has just made the file notices the removal.
 void RemoveIfAbandoned(const std::filesystem::path& file) {
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
   if (descriptor < 0) return;
@@ -44,7 +45,8 @@ bool IsStructureFolder(std::string_view name) {
   return name.size() == kDigits && name.find_first_not_of("0123456789abcdef") == name.npos;
 }
 
-// Removes the abandoned files in a folder whose final names `is_ours` accepts.
+// Removes the temporary files in a folder that killed processes left; `is_ours` selects them by
+// their final names.
 void RemoveAbandonedIn(const std::filesystem::path& folder,
                        const std::function<bool(const std::string&)>& is_ours) {
   std::error_code error;
@@ -67,7 +69,8 @@ std::optional<std::uint64_t> IndexOfFile(std::string_view file) {
 
 namespace {
 
-// Removes the abandoned files in the folders of variants (--each) whose files `is_object` accepts.
+// Removes all abandoned temporary files in the folders of variants (--each); `is_object` selects
+// these folders, by their names with the ending of an object's file.
 void RemoveAbandonedParts(const std::filesystem::path& folder,
                           const std::function<bool(const std::string&)>& is_object) {
   const auto is_any = [](const std::string&) { return true; };
@@ -127,7 +130,7 @@ void RemoveAbandoned(const std::filesystem::path& folder, std::uint64_t first,
 }
 
 MadeFolders::~MadeFolders() {
-  // rmdir fails for a folder that is not empty.
+  // Keeps folders that are not empty, because rmdir fails for them.
   for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) ::rmdir(folder->c_str());
 }
 
@@ -145,7 +148,7 @@ bool MadeFolders::MakeOne(const std::filesystem::path& path, bool follow,
       return true;
     }
     error = errno;
-    found = error == EEXIST && exists();  // another process may have made it meanwhile
+    found = error == EEXIST && exists();  // another process may have made the folder meanwhile
   }
   if (found && S_ISDIR(status.st_mode)) return true;
   findings.Add(diag::Code::kOutputCannotWrite, {},
@@ -190,7 +193,8 @@ void AddAssetChanged(const std::string& name, diag::Findings& findings) {
 // Returns true if an existing asset may be replaced by one with these bytes.
 bool ObjectFolder::IsOwn(const bytes::Asset& asset, std::string_view present,
                          std::string_view bytes, const std::string& sha256) const {
-  // The name of a generated asset contains a hash of its content, except for an object of a scene.
+  // Accepts copies made by mjforge: only the objects of a scene have names without a hash of their
+  // content.
   if (asset.made) {
     return IsDamagedCopy(present, bytes) ||
            mjcf::ReadProvenance(present.substr(0, kCommentBytes)).has_value();
@@ -200,7 +204,7 @@ bool ObjectFolder::IsOwn(const bytes::Asset& asset, std::string_view present,
   return overwrite_.assets.contains(sha256) || overwrite_.assets.contains(bytes::Sha256Of(present));
 }
 
-// An existing copy with the same bytes stays untouched.
+// Writes an asset to `target`, unless that file already has the same bytes.
 bool ObjectFolder::CopyAsset(const bytes::Asset& asset, const std::filesystem::path& target,
                              const std::string& sha256, diag::Findings& findings) const {
   std::optional<std::string> read;
@@ -253,7 +257,7 @@ bool ObjectFolder::Write(const std::string& file, const mjcf::MjcfDocument& docu
       return false;
     last_folder_ = folder;
   }
-  // Assets first, so that an object's file never exists without its assets.
+  // Writes assets first, so that an object's file never exists without its assets.
   return MayReplace(path, document.text, overwrite_.force, findings) &&
          CopyAssets(document, folder, hashes, findings) &&
          WriteFile(path, document.text, overwrite_.if_changed, findings);

@@ -29,20 +29,21 @@ struct OverwritePolicy {
   bool if_changed = false;  // leave a file with the same bytes untouched, including its time
   // Durability of copied assets, which a resumed batch does not write again.
   Durability durability = Durability::kNone;
-  // SHA-256 of assets that earlier runs of the same batch wrote, and that may be replaced; a
-  // damaged file is replaced by one of them.
+  // SHA-256 of assets that earlier runs of the same batch wrote. An existing file may be replaced
+  // if its old or its new content has one of these hashes.
   std::set<std::string> assets = {};
-  // Names and SHA-256 of assets that earlier objects refer to: these may only be restored.
+  // Names and SHA-256 of assets that earlier objects refer to. Existing files with these names may
+  // only be replaced by content with that hash.
   std::map<std::string, std::string> kept_assets = {};
 };
 
-/// Writes a temporary file beside `file` and renames it. If that fails, removes the temporary file,
+/// Writes a temporary file beside `file` and renames it. On failure, removes the temporary file,
 /// adds a finding and returns false. The folder must exist. With `if_changed`, a file that already
 /// has these bytes stays untouched.
 bool WriteFile(const std::filesystem::path& file, std::string_view bytes, bool if_changed,
                diag::Findings& findings, Durability durability = Durability::kNone);
 
-/// Returns the content of a file; nothing, after adding a finding, if it cannot be read or has more
+/// Returns the content of a file; nullopt, after adding a finding, if it cannot be read or has more
 /// than `limit` bytes.
 std::optional<std::string> ReadFile(const std::filesystem::path& file, std::uint64_t limit,
                                     diag::Findings& findings);
@@ -53,8 +54,9 @@ std::optional<std::string> ReadFile(const std::filesystem::path& file, std::uint
 bool MayReplace(const std::filesystem::path& file, bool force, std::size_t bytes,
                 const std::function<bool(std::string_view)>& is_ours, diag::Findings& findings);
 
-/// Performs this check for the file of an object with this text: accepts an object that mjforge
-/// wrote, the remains of one after a power cut, and a damaged copy of `text`.
+/// Returns true if `file` may be replaced by an object with this text: accepts an object that
+/// mjforge wrote, the remains of one after a power cut, and a damaged copy of `text`. Otherwise
+/// adds a finding.
 bool MayReplace(const std::filesystem::path& file, std::string_view text, bool force,
                 diag::Findings& findings);
 
@@ -65,7 +67,7 @@ bool IsDamagedCopy(std::string_view present, std::string_view bytes);
 /// Adds the finding "'FILE' exists and was not made by mjforge".
 void AddForeignFile(const std::filesystem::path& file, diag::Findings& findings);
 
-/// Folders made for a batch; the destructor removes those still empty.
+/// Folders made for a batch; the destructor removes those folders that are still empty.
 class MadeFolders {
  public:
   MadeFolders() = default;
@@ -88,11 +90,11 @@ class MadeFolders {
 /// Adds the finding "'NAME' was changed while the batch was made".
 void AddAssetChanged(const std::string& name, diag::Findings& findings);
 
-/// Names of assets in a document, and the SHA-256 of each asset.
+/// Pairs of an asset's name in a document and the SHA-256 of the asset.
 using AssetHashes = std::vector<std::pair<std::string, std::string>>;
 
-/// Returns the content of an asset's file; nothing, after adding a finding, if it cannot be read or
-/// if `sha256` is not empty and differs from its hash.
+/// Returns the content of an asset's file; nullopt, after adding a finding, if the file cannot be
+/// read or its hash differs from `sha256` (unless that is empty).
 std::optional<std::string> ReadAsset(const std::filesystem::path& file, const std::string& sha256,
                                      diag::Findings& findings);
 
@@ -103,10 +105,10 @@ class ObjectFolder {
   ObjectFolder(std::filesystem::path folder, const OverwritePolicy& overwrite)
       : folder_(std::move(folder)), overwrite_(overwrite) {}
 
-  /// Writes an object's file, whose name may contain folders, and first its assets beside it, each
-  /// asset once. Files that mjforge did not make are replaced only if the overwrite policy allows
-  /// it. `hashes` are manifest::Record::assets; an asset with another hash was changed in the
-  /// meantime, which is a finding.
+  /// Writes an object's file, whose name may contain folders, after the assets beside it. Each
+  /// asset is written once. Files that mjforge did not make are replaced only if the overwrite
+  /// policy allows it. `hashes` are manifest::Record::assets; a finding is added if an asset's hash
+  /// differs, because the asset was changed meanwhile.
   bool Write(const std::string& file, const mjcf::MjcfDocument& document, diag::Findings& findings,
              const AssetHashes& hashes = {});
 
@@ -122,11 +124,11 @@ class ObjectFolder {
   OverwritePolicy overwrite_;
   MadeFolders folders_;
   std::filesystem::path last_folder_;       // folder of the last file
-  std::set<std::filesystem::path> assets_;  // assets that are done
+  std::set<std::filesystem::path> assets_;  // assets that are written
 };
 
-/// Removes the temporary files that killed processes left when writing `files`: those that no
-/// running process has locked.
+/// Removes the temporary files that killed processes left when writing `files`. Keeps temporary
+/// files that a running process has locked.
 void RemoveAbandoned(const std::set<std::filesystem::path>& files);
 /// Removes the abandoned temporary files of `count` objects from index `first` on, and of the
 /// assets beside them, from a folder of objects and its numbered subfolders.
@@ -136,7 +138,7 @@ void RemoveAbandoned(const std::filesystem::path& folder, std::uint64_t first, s
 bool WriteSingleFile(const std::filesystem::path& file, std::string_view bytes,
                      diag::Findings& findings);
 
-/// Returns the index in an object's file name: 42 for "hammer_000042.xml"; nothing for other names.
+/// Returns the index in an object's file name: 42 for "hammer_000042.xml"; nullopt for other names.
 std::optional<std::uint64_t> IndexOfFile(std::string_view file);
 
 /// Returns the rule "TARGETS: FILES" for Make in the format of compilers' -MF: one file per line,
@@ -144,7 +146,7 @@ std::optional<std::uint64_t> IndexOfFile(std::string_view file);
 /// target without a rule, so that Make continues if a file is deleted.
 std::string MakeRule(std::span<const std::string> targets, const std::set<std::string>& files,
                      bool phony);
-/// Escapes a name for use in a rule.
+/// Escapes a name for use in a Make rule.
 std::string EscapeForMake(std::string_view name);
 
 /// Returns a name as a word of a command line for a shell, in quotation marks if it needs them.

@@ -21,18 +21,19 @@
 namespace mjforge::output {
 namespace {
 
-// Writeback is requested for each such block while the next bytes are made, so that the final
-// synchronization has little left to do.
+// Size of the blocks of early writeback: the system writes a block to the disk while the next bytes
+// are made, so that the final synchronization has little left to do.
 constexpr std::uint64_t kWritebackBytes = std::uint64_t{8} << 20;
 
-// Blocks reserved in advance save a third of the system's work for each write. None are reserved if
-// less than kEnoughRoom is available, because the manifest beside an archive needs room as well.
+// Disk space reserved in advance, which saves a third of the system's work for each write. None is
+// reserved if less than kEnoughRoom is free, because the manifest beside an archive needs space,
+// too.
 constexpr std::uint64_t kReserve = std::uint64_t{8} << 20;
 constexpr std::uint64_t kEnoughRoom = std::uint64_t{1} << 30;
 
 constexpr std::uint64_t kCopyBytes = std::uint64_t{1} << 20;
 
-// A killed process and its workers may need some time to end and release the lock.
+// Attempts to lock a part: a killed process and its workers may need some time to release the lock.
 constexpr int kLockTries = 20;
 constexpr auto kLockPause = std::chrono::milliseconds(50);
 
@@ -106,7 +107,7 @@ std::unique_ptr<PartFile> PartFile::Open(const std::filesystem::path& file,
   }
 }
 
-// Errors are ignored, because not every file system can reserve blocks.
+// Reserves disk space up to `end`. Ignores errors, because not every file system can reserve space.
 void PartFile::Reserve(std::uint64_t end) {
   if (end < kReserve || end <= reserved_) return;
   reserved_ = end + kReserve;
@@ -127,7 +128,7 @@ bool PartFile::Append(std::string_view bytes, diag::Findings& findings) {
   size_ += bytes.size();
   checksum_.Add(bytes);
   if (size_ - writeback_end_ >= kWritebackBytes) {
-    // Errors do not matter here, because this call is only a hint.
+    // Ignores errors, because this call is only a hint.
     ::sync_file_range(descriptor_, static_cast<::off64_t>(writeback_end_),
                       static_cast<::off64_t>(size_ - writeback_end_), SYNC_FILE_RANGE_WRITE);
     writeback_end_ = size_;

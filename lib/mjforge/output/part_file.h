@@ -18,14 +18,14 @@ namespace mjforge::output {
 /// time can open it.
 class PartFile {
  public:
-  /// Opens the part that an earlier process left, or a new one. Returns nothing, after adding a
+  /// Opens the part that an earlier process left, or a new one. Returns null, after adding a
   /// finding, if that fails, if another process has opened the part, or if its name belongs to a
   /// link, a pipe or a device.
   static std::unique_ptr<PartFile> Open(const std::filesystem::path& file,
                                         diag::Findings& findings);
-  /// Returns the name of `file` while it is under construction.
+  /// Returns the temporary name that `file` has while it is under construction.
   static std::filesystem::path TemporaryNameOf(const std::filesystem::path& file);
-  /// Returns true if `file` is under construction.
+  /// Returns true if a part of `file` exists, which means that `file` is under construction.
   static bool Exists(const std::filesystem::path& file);
 
   PartFile(const PartFile&) = delete;
@@ -33,22 +33,23 @@ class PartFile {
   ~PartFile();
 
   std::uint64_t size() const { return size_; }
-  /// Checksum of all bytes; of a part that already had bytes, only valid after Truncate.
+  /// Returns the checksum of all bytes. If the part had bytes when it was opened, call Truncate
+  /// first.
   std::string checksum() const { return checksum_.Text(); }
   const std::filesystem::path& final_path() const { return file_; }
   const std::filesystem::path& temporary() const { return temporary_; }
   bool Append(std::string_view bytes, diag::Findings& findings);
   /// Appends the first `count` bytes of another file.
   bool AppendFrom(const std::filesystem::path& file, std::uint64_t count, diag::Findings& findings);
-  /// Appends the seek table of a part that consists of Zstandard's frames.
+  /// Appends the seek table of a part that consists of Zstandard frames.
   bool AppendSeekTable(diag::Findings& findings);
-  /// Keeps the first `size` bytes; the file must have at least that many.
+  /// Keeps the first `size` bytes; the part must have at least `size` bytes.
   bool Truncate(std::uint64_t size, diag::Findings& findings);
   /// Waits until all bytes are on the disk.
   bool Sync(diag::Findings& findings);
-  /// Renames the part to its final name; with kBatch, waits before that until the bytes are on the
-  /// disk, and afterwards until the name is. With `if_changed`, an existing file with the same
-  /// bytes stays untouched, and the part is removed.
+  /// Renames the part to its final name. With kBatch, waits before the renaming until the bytes are
+  /// on the disk, and afterwards until the name is. With `if_changed`, an existing file with the
+  /// same bytes stays untouched, and the part is removed.
   bool Commit(bool if_changed, Durability durability, diag::Findings& findings);
   /// Removes the part.
   void Drop();
