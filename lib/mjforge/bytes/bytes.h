@@ -21,7 +21,7 @@
 
 namespace mjforge::bytes {
 
-/// The name of standard input.
+/// File name that means standard input.
 inline constexpr const char* kStandardInput = "-";
 
 /// Limits in bytes: of an MJCF file; of an asset (mesh or texture), enough for millions of
@@ -37,7 +37,7 @@ inline constexpr std::uint64_t kMaxPixels = std::uint64_t{1} << 26;
 /// An open file that is read sequentially from its start.
 class File {
  public:
-  /// Returns nothing, and sets `why_not` ("No such file or directory", "it is a pipe"), if `file`
+  /// Returns nullopt, and sets `why_not` ("No such file or directory", "it is a pipe"), if `file`
   /// is not a regular file or cannot be opened.
   static std::optional<File> Open(const std::filesystem::path& file, std::string& why_not);
 
@@ -45,10 +45,10 @@ class File {
   File& operator=(File&& other) noexcept;
   ~File();
 
-  /// Reads until `buffer` is full or the file ends. Returns the number of bytes read; nothing, and
+  /// Reads until `buffer` is full or the file ends. Returns the number of bytes read; nullopt, and
   /// sets `why_not`, if reading fails.
   std::optional<std::size_t> Read(std::span<char> buffer, std::string& why_not);
-  /// Continues reading at this offset.
+  /// Continues reading at this offset from the start of the file.
   void Seek(std::uint64_t offset);
 
  private:
@@ -58,7 +58,7 @@ class File {
 };
 
 /// Returns the content of a file or of standard input, which may be read several times. Returns
-/// nothing, and sets `why_not`, if reading fails or the content has more than `limit` bytes.
+/// nullopt, and sets `why_not`, if reading fails or the content has more than `limit` bytes.
 std::optional<std::string> Read(const std::filesystem::path& file, std::uint64_t limit,
                                 std::string& why_not);
 /// Returns the first `limit` bytes of a file, or the whole file if it is shorter.
@@ -69,7 +69,7 @@ std::optional<std::string> ReadStart(const std::filesystem::path& file, std::uin
 /// unknown formats.
 std::string_view KindOf(std::string_view text);
 
-/// Returns width times height from the header of a PNG file. Returns nothing for other files, and
+/// Returns width times height from the header of a PNG file. Returns nullopt for other files, and
 /// sets `why_not` if the file cannot be read.
 std::optional<std::uint64_t> PngPixels(const std::filesystem::path& file, std::string& why_not);
 
@@ -83,8 +83,8 @@ struct Pixels {
 };
 /// Keywords and texts of the tEXt chunks of a PNG file.
 using PngTexts = std::vector<std::pair<std::string, std::string>>;
-/// kSmall tries all filters of PNG in each row, kFast uses one: that takes half of the time, and
-/// the file is 5 % larger.
+/// Effort of PNG compression. kSmall tries all row filters of PNG; kFast uses one filter, which
+/// takes half of the time and makes the file 5 % larger.
 enum class PngEffort { kSmall, kFast };
 /// Returns the bytes of a PNG file.
 std::string EncodePng(const Pixels& pixels, const PngTexts& texts = {},
@@ -141,8 +141,8 @@ struct Prefix {
   std::uint64_t size = 0;
   std::string checksum;
 };
-/// Checks `prefixes`, in ascending order of size, against the file. Returns the number of prefixes
-/// before the first that does not match; 0 if the file cannot be read.
+/// Compares the beginnings of the file with `prefixes`, in ascending order of size. Returns the
+/// number of prefixes before the first that does not match; 0 if the file cannot be read.
 std::size_t CountSound(const std::filesystem::path& file, std::span<const Prefix> prefixes);
 
 /// Returns true if the file has this size and this checksum. Otherwise sets `why_not` ("it has 12

@@ -14,7 +14,7 @@ namespace mjforge::bytes {
 namespace {
 
 constexpr std::size_t kLineBufferBytes = 256 * 1024;
-// Distance of the cuts of a file that is not compressed.
+// Distance in bytes between the offsets that CutsOf returns for a file that is not compressed.
 constexpr std::uint64_t kCutBytes = std::uint64_t{256} << 10;
 
 }  // namespace
@@ -59,7 +59,8 @@ bool LineReader::Next(std::string& line, std::string& why_not) {
   if (std::exchange(skips_first_, false) && !ReadLine(line, why_not)) return false;
   line.clear();
   if (!Fill(why_not)) return false;
-  // The next line starts behind the end of the section if bytes behind it were already read.
+  // Ends the section if bytes after its end were already consumed, because the next line starts
+  // there.
   if (stream_->bytes_after_section() > end_ - begin_) return false;
   return ReadLine(line, why_not);
 }

@@ -13,16 +13,16 @@
 
 namespace mjforge::bytes {
 
-/// Section of a text file, from a cut of CutsOf to another. Contains the lines that start
-/// after `begin` and not after `end`, and the first line of the file if `begin` is 0, so that
-/// consecutive sections contain each line once.
+/// Section of a text file, between two offsets of CutsOf. Contains the lines that start after
+/// `begin` and not after `end`, and the first line of the file if `begin` is 0, so that consecutive
+/// sections contain each line once.
 struct Section {
   std::uint64_t begin = 0;
   std::uint64_t end = std::numeric_limits<std::uint64_t>::max();
 };
 
 /// Returns the offsets in a text file at which a section may begin, in ascending order from 0: the
-/// starts of frames or, if the file is not compressed, multiples of a constant.
+/// starts of Zstandard frames or, if the file is not compressed, multiples of a constant.
 std::optional<std::vector<std::uint64_t>> CutsOf(const std::filesystem::path& file,
                                                  std::string& why_not);
 
@@ -40,8 +40,8 @@ class LineReader {
   /// Replaces `line` with the next line, without its line end. Returns false at the end of the file
   /// and if reading fails; `why_not` is set only if reading fails.
   bool Next(std::string& line, std::string& why_not);
-  /// Returns true if the last line has no line end or the last frame is incomplete, because writing
-  /// it was interrupted.
+  /// Returns true if writing the file was interrupted: the last line has no line end, or the last
+  /// Zstandard frame is incomplete.
   bool torn() const { return torn_; }
 
  private:

@@ -11,7 +11,7 @@
 namespace mjforge::bytes {
 namespace {
 
-// zlib compression level: higher levels take long and save little on smooth pictures.
+// Compression level of zlib: higher levels take long and save little on smooth pictures.
 constexpr int kCompression = 5;
 
 extern "C" void AppendPng(png_structp png, png_bytep bytes, png_size_t count) {

@@ -18,7 +18,7 @@ namespace {
 
 std::string Words(int error) { return std::generic_category().message(error); }
 
-// Returns why a file of this mode is not a regular file; empty if it is one.
+// Returns the reason why a file of this mode is not a regular file; empty for a regular file.
 std::string_view WhyNotRegular(::mode_t mode) {
   if (S_ISREG(mode)) return {};
   if (S_ISDIR(mode)) return "it is a folder";
@@ -32,7 +32,7 @@ bool IsRegular(const struct stat& status, std::string& why_not) {
   return why_not.empty();
 }
 
-// Returns the size of a regular file. Returns nothing, and sets `why_not`, for other files.
+// Returns the size of a regular file. Returns nullopt, and sets `why_not`, for other files.
 std::optional<std::uint64_t> SizeOf(const std::filesystem::path& file, std::string& why_not) {
   struct stat status;
   if (::stat(file.c_str(), &status) != 0) {
@@ -63,8 +63,8 @@ std::optional<std::size_t> ReadFrom(int descriptor, std::span<char> buffer, std:
   return count;
 }
 
-// Returns the first `limit` bytes of standard input. Keeps all bytes read, because several callers
-// may read standard input.
+// Returns the first `limit` bytes of standard input. Keeps them for later calls, because several
+// callers may read standard input.
 std::optional<std::string> ReadStandardInput(std::uint64_t limit, std::string& why_not) {
   static std::string text;
   static bool at_end = false;
@@ -83,7 +83,8 @@ std::optional<std::string> ReadStandardInput(std::uint64_t limit, std::string& w
 }  // namespace
 
 std::optional<File> File::Open(const std::filesystem::path& file, std::string& why_not) {
-  // Check the kind first: opening a pipe blocks, and opening a device may have an effect.
+  // Checks the kind of the file first: opening a pipe blocks, and opening a device may have an
+  // effect.
   if (!SizeOf(file, why_not)) return std::nullopt;
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
   if (descriptor < 0) {
@@ -91,7 +92,8 @@ std::optional<File> File::Open(const std::filesystem::path& file, std::string& w
     return std::nullopt;
   }
   File opened(descriptor);
-  // Another file may have taken the name since the first check.
+  // Checks the opened file, too, because another file may have taken the name since the first
+  // check.
   struct stat status;
   if (::fstat(descriptor, &status) != 0 || !IsRegular(status, why_not)) return std::nullopt;
   return opened;

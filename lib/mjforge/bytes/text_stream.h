@@ -21,11 +21,11 @@ class TextStream {
   TextStream(File file, bool is_compressed, const Section& section);
 
   /// Reads at least one byte, unless the text ends, and never across the end of the section.
-  /// Returns the number of bytes read; nothing, and sets `why_not`, if reading fails.
+  /// Returns the number of bytes read; nullopt, and sets `why_not`, if reading fails.
   std::optional<std::size_t> Read(std::span<char> buffer, std::string& why_not);
-  /// Returns how many of the bytes read are behind the end of the section.
+  /// Returns the number of bytes read so far that are behind the end of the section.
   std::uint64_t bytes_after_section() const { return bytes_after_section_; }
-  /// Returns true if the file ends within a frame.
+  /// Returns true if the file ends within a Zstandard frame.
   bool ends_in_frame() const { return is_at_end_ && is_in_frame_; }
 
  private:
@@ -40,12 +40,12 @@ class TextStream {
   std::uint64_t position_;  // offset in the file of the next stored byte
   std::uint64_t end_;
   std::uint64_t bytes_after_section_ = 0;
-  bool is_after_section_ = false;  // true if the last bytes read are behind it
+  bool is_after_section_ = false;  // true: the last bytes read are behind the end of the section
   bool is_at_end_ = false;
   std::unique_ptr<ZSTD_DCtx, FreeDecoder> decoder_;  // null: the file is not compressed
   std::string stored_;
   ZSTD_inBuffer input_ = {nullptr, 0, 0};  // the stored bytes that are not decompressed yet
-  bool has_output_ = false;                // the decoder has text that did not fit into the buffer
+  bool has_output_ = false;  // true: the decoder has text that did not fit into the buffer
   bool is_in_frame_ = false;
 };
 

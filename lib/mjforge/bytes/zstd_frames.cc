@@ -19,7 +19,7 @@ namespace {
 // slower and gain nothing.
 constexpr int kLevel = 1;
 
-// The frames of a file without a seek table are found in pieces of this size.
+// Number of bytes read at a time to find the frames of a file without a seek table.
 constexpr std::uint64_t kPieceBytes = std::uint64_t{4} << 20;
 
 // Zstandard's seekable format 0.1.0: a header (the magic number of a skippable frame, the number of
@@ -57,7 +57,7 @@ std::string BytesAt(File& file, std::uint64_t offset, std::uint64_t count, std::
   return bytes;
 }
 
-// Returns the frames that the seek table lists; nothing if there is no table that fits the file.
+// Returns the frames that the seek table lists; nullopt if there is no table that fits the file.
 std::optional<std::vector<Frame>> FromTable(File& file, std::uint64_t size, std::string& why_not) {
   if (size < kHeaderBytes + kFooterBytes) return std::nullopt;
   const std::string footer = BytesAt(file, size - kFooterBytes, kFooterBytes, why_not);
@@ -100,7 +100,7 @@ std::vector<Frame> FromWholeFile(File& file, std::uint64_t size, std::string& wh
       at += count;
       left.remove_prefix(count);
     }
-    // A frame that is longer than the piece needs a larger one.
+    // Doubles the piece if not even one frame ends within the piece.
     piece = left.size() == bytes.size() ? 2 * piece : kPieceBytes;
   }
   return frames;
@@ -121,7 +121,7 @@ std::string_view FrameCompressor::Compress(std::string_view text) {
   frame_.resize(ZSTD_compressBound(text.size()));
   const std::size_t size =
       ZSTD_compress2(context_, frame_.data(), frame_.size(), text.data(), text.size());
-  if (ZSTD_isError(size) != 0) throw std::bad_alloc();  // `frame_` is large enough
+  if (ZSTD_isError(size) != 0) throw std::bad_alloc();  // no other reason: `frame_` is large enough
   return std::string_view(frame_).substr(0, size);
 }
 

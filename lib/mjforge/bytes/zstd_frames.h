@@ -35,16 +35,16 @@ class FrameCompressor {
   std::string frame_;
 };
 
-/// A frame in a file.
+/// Position and sizes of a Zstandard frame in a file, in bytes.
 struct Frame {
   std::uint64_t begin = 0;
   std::uint32_t bytes = 0;
-  std::uint32_t text_bytes = 0;  // size when decompressed; 0 if the frame does not say
+  std::uint32_t text_bytes = 0;  // size when decompressed; 0 if not stored in the frame
 
   std::uint64_t end() const { return begin + bytes; }
 };
 
-/// Returns true if the file begins with a frame of Zstandard; nothing, and sets `why_not`, if it
+/// Returns true if the file begins with a frame of Zstandard; nullopt, and sets `why_not`, if it
 /// cannot be read.
 std::optional<bool> IsCompressed(File& file, std::string& why_not);
 
