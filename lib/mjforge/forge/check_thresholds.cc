@@ -6,7 +6,7 @@ namespace mjforge::forge {
 
 std::optional<model::Checks> LoadChecks(const std::vector<spec::Setting>& settings,
                                         diag::Sources& sources, diag::Findings& findings) {
-  // Minimal spec, so that thresholds are read by the same code as in any other spec.
+  // Minimal spec, so that the thresholds are read by the same code as in any other spec.
   constexpr const char* kSpec =
       "mjforge: 1\n"
       "name: checks\n"

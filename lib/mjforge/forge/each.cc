@@ -8,14 +8,14 @@
 namespace mjforge::forge {
 namespace {
 
-// Returns the file of an object, relative to the placement.
+// Returns the path of an object's file, relative to the folder of placement.json.
 std::string FileOf(const std::string& name, const mjcf::TargetRules& rules) {
   if (rules.file_in_folder.empty()) return name + std::string(output::kObjectEnding);
   return name + '/' + std::string(rules.file_in_folder);
 }
 
-// Adds findings that `findings` does not have yet, because objects of the same spec have the same
-// ones.
+// Adds the findings of `found` that `findings` does not contain yet, because objects of one spec
+// repeat each other's findings.
 void AddNew(const diag::Findings& found, diag::Findings& findings) {
   for (const diag::Finding& finding : found) {
     const bool is_known = std::ranges::any_of(findings, [&](const diag::Finding& known) {
@@ -61,7 +61,7 @@ bool Generator::WritePart(split::ScenePart& part, manifest::PlacedFile& placed, 
   AddNew(found, variant.findings);
   if (found.HasErrors()) return false;
   AddJoints(object, placed);
-  // Warnings are those of the whole scene, which has been validated.
+  // Ignores warnings, because the validation of the whole scene has already added them.
   if (diag::Findings loaded; loader_ && !loader_->Validate(document, object, loaded)) {
     AddNew(loaded, variant.findings);
     return false;

@@ -74,7 +74,8 @@ struct Recipe {
   std::string snapshot;
 };
 
-/// Loads a spec by name or path, or that of a snapshot by its file; see spec::LoadSpec.
+/// Loads a spec by name or path, or the spec of a snapshot by the snapshot's file; see
+/// spec::LoadSpec.
 std::optional<Recipe> LoadRecipe(const std::string& reference, const spec::LoadOptions& options,
                                  diag::Sources& sources, diag::Findings& findings);
 
@@ -87,7 +88,7 @@ std::string ExpandName(std::string_view text, std::uint64_t index);
 /// Returns true if names made from `text` are valid ([A-Za-z][A-Za-z0-9_]*), or adds a finding.
 bool CheckName(std::string_view text, diag::Findings& findings);
 
-/// Returns a record with the fields that all variants have in common.
+/// Returns a record with the fields that are equal in all variants of a batch.
 manifest::Record BatchRecord(const Recipe& recipe, const Options& options);
 
 /// Generates variants of a recipe. Keeps parsed and loaded files between variants; its memory does
@@ -101,33 +102,35 @@ class Generator {
   /// Generates a variant, which is a pure function of the index; replaces the content of `variant`.
   void Make(std::uint64_t index, Variant& variant);
 
-  /// Returns the geoms and sites that any of the options' `pad` variants has. Stops early if
-  /// `*stop`.
+  /// Returns all geoms and sites that occur in any of the first Options::pad variants. Stops early
+  /// if `*stop` is true.
   std::shared_ptr<const padding::Superset> FindSuperset(const std::atomic<bool>* stop = nullptr);
 
-  /// Fills `variant` as one that failed with this finding, without generating it.
+  /// Fills `variant` as a failed variant with this finding, without generating the variant.
   void Fail(std::uint64_t index, diag::Finding finding, Variant& variant);
 
  private:
   enum class Outcome { kOk, kFailed, kHopeless };  // hopeless: further attempts would fail, too
   void Reset(std::uint64_t index, std::uint64_t attempt, Variant& variant);
   Outcome Attempt(std::uint64_t index, std::uint64_t attempt, Variant& variant);
-  /// Assembles the object of these parameters; returns nothing after an error.
+  /// Assembles the object of these parameters; returns nullopt after an error.
   std::optional<model::Object> Assemble(sample::Evaluator& values, Variant& variant);
-  /// Makes the object of a variant without null elements, whose piles are not settled; returns
-  /// nothing after an error.
+  /// Makes the object of a variant before padding (Options::pad) and before its piles are settled;
+  /// returns nullopt after an error.
   std::optional<model::Object> Unpadded(std::uint64_t index, std::uint64_t attempt,
                                         Variant& variant);
-  /// Brings the piles of an object to rest; returns false after an error.
+  /// Simulates the piles of an object until they are at rest; returns false after an error.
   bool SettlePiles(model::Object& object, Variant& variant);
   /// Assembles the object of these parameters and writes its MJCF; returns false after an error.
   bool Build(sample::Evaluator& values, Variant& variant);
   void Validate(Variant& variant);
-  /// Determines the structure of a batch with Layout::kOne: that of the first valid variant.
+  /// Sets `reference_` for Layout::kOne: the first valid variant, whose structure all variants must
+  /// have.
   void FindReference();
   /// Returns true if a variant has the structure of the batch; otherwise adds a finding.
   bool CheckStructure(Variant& variant) const;
-  // Divide a scene into objects, and write all or one of them; return false after an error.
+  // Divide a scene into objects, write one object, and write all of them; return false after an
+  // error.
   bool SplitScene(const model::Object& scene, Variant& variant);
   bool WriteEach(Variant& variant);
   bool WritePart(split::ScenePart& part, manifest::PlacedFile& placed, Variant& variant);
@@ -140,7 +143,7 @@ class Generator {
   std::unique_ptr<validate::Loader> loader_;         // null: variants are not loaded in MuJoCo
   std::unique_ptr<physics::Laboratory> laboratory_;  // null: variants are not simulated
   const diag::Sources& sources_;
-  diag::Sources record_sources_;  // sources_, with file names in place of paths
+  diag::Sources record_sources_;  // `sources_` with file names in place of paths
   manifest::Record common_;       // result of BatchRecord
   sample::Sampler sampler_;
   files::Maker files_;
@@ -150,19 +153,19 @@ class Generator {
   assemble::Assembler assembler_;
   std::map<std::string, std::string> hashes_;  // hashes of assets, by file
   std::vector<split::ScenePart> parts_;        // objects of the current scene
-  /// Layout::kOne: record and structure of the variant that all others must equal. The structure is
+  /// Layout::kOne: record and structure of the reference, the first valid variant. The structure is
   /// empty if none of the first kMaxReferences variants is valid.
   std::optional<std::pair<manifest::Record, structure::Structure>> reference_;
 };
 
-/// Loads the recipe of a record from `spec` or, if `spec` is empty, from the recorded spec, which
-/// is looked up by the recorded path, in the working directory, in `folder` (that of the manifest)
-/// and one folder up. Returns nothing, with findings, if the spec is missing or has changed since.
+/// Loads the recipe of a record from `spec` or, if `spec` is empty, from the recorded spec. The
+/// recorded path of the spec is looked up in the working directory, in `folder` (of the manifest)
+/// and one folder up. Returns nullopt, with findings, if the spec is missing or has changed since.
 std::optional<Recipe> LoadRecordedRecipe(const manifest::Record& record, const std::string& spec,
                                          const std::filesystem::path& folder,
                                          diag::Sources& sources, diag::Findings& findings);
-/// Returns the options that regenerate a record's variant; nothing, with a finding about `what`, if
-/// a word in it is unknown.
+/// Returns the options that regenerate a record's variant; nullopt, with a finding about `what`, if
+/// a word in the record is unknown.
 std::optional<Options> RecordedOptions(const manifest::Record& record, std::string_view what,
                                        diag::Findings& findings);
 

@@ -10,13 +10,13 @@
 namespace mjforge::forge {
 namespace {
 
-// Returns the path of a file relative to a folder; empty if the path leads over the root, because
-// it would differ between machines.
+// Returns the path of a file relative to a folder; empty if file and folder share only the root
+// folder, because such a path would differ between machines.
 std::string RelativePath(const std::filesystem::path& file, const std::filesystem::path& folder) {
   std::error_code error;
   const auto absolute = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, error);
   if (error) return {};
-  // The path of a folder that does not exist yet may keep its final slash.
+  // Removes a final slash, which the path of a folder that does not exist yet may keep.
   const auto root = absolute.has_filename() ? absolute : absolute.parent_path();
   const auto below = root.relative_path();
   if (!below.empty() && *below.begin() != *file.relative_path().begin()) return {};
@@ -132,7 +132,7 @@ void Generator::Finish(Outcome outcome, Variant& variant) {
     record.sha256 = bytes::Sha256Of(variant.output().text);
   }
   variant.findings.SetVariant(options_.seed, record.index);
-  while (record_sources_.size() < sources_.size()) {  // files attached since
+  while (record_sources_.size() < sources_.size()) {  // files attached since the last call
     const std::filesystem::path file = sources_.Name(record_sources_.size() + 1);
     record_sources_.Add(file.filename().string(), {});
   }
@@ -150,7 +150,8 @@ Generator::Outcome Generator::Attempt(std::uint64_t index, std::uint64_t attempt
   std::optional<sample::Evaluator> values =
       sample::Sample(spec, key, sample::kRootStream, {}, variant.findings, &sampler_);
   if (!values) {
-    // After a thousand draws that do not meet the requirements, further attempts would fail, too.
+    // Gives up after a thousand draws that do not meet the requirements: further attempts would
+    // fail, too.
     const bool rejected =
         std::ranges::count(variant.findings, diag::Code::kSampleRejected, &diag::Finding::code) > 0;
     return rejected ? Outcome::kHopeless : Outcome::kFailed;
@@ -170,7 +171,7 @@ Generator::Outcome Generator::Attempt(std::uint64_t index, std::uint64_t attempt
   return HashAssets(variant) ? Outcome::kOk : Outcome::kFailed;
 }
 
-// Validation is not needed: the simulation of a pile determines the bytes of the file.
+// Simulates piles even without validation, because the poses at rest are part of the file.
 bool Generator::SettlePiles(model::Object& object, Variant& variant) {
   if (object.piles.empty()) return true;
   if (!pile_settler_) pile_settler_ = std::make_unique<physics::PileSettler>();
@@ -197,7 +198,7 @@ bool Generator::Build(sample::Evaluator& values, Variant& variant) {
   std::optional<model::Object> object = Assemble(values, variant);
   if (!object || !SettlePiles(*object, variant)) return false;
   if (options_.each && !SplitScene(*object, variant)) return false;
-  // With --each, warnings are about the files of the objects.
+  // Ignores warnings about the scene with --each, because WritePart adds those of each object.
   diag::Findings of_scene;
   mjcf::Adapt(*object, target, options_.each ? of_scene : variant.findings);
   if (of_scene.HasErrors()) variant.findings.Append(std::move(of_scene));

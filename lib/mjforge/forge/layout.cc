@@ -15,7 +15,8 @@ using sample::ParameterValue;
 
 constexpr std::size_t kShownParameters = 3;
 
-// Returns the text of a value that is a choice among few: a text, a flag or a whole number.
+// Returns the text of a value that may be a choice (a text, a flag or a whole number); otherwise
+// nullopt.
 std::optional<std::string> ChoiceText(const ParameterValue& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
@@ -39,7 +40,7 @@ std::string ChoicesText(const manifest::Record& record, const manifest::Record& 
   return text;
 }
 
-// Returns the place of the element with this name in the spec; invalid if no element has it.
+// Returns the place in the spec of the element with this name; an invalid mark if there is none.
 diag::SourceMark MarkOf(const model::Object& object, std::string_view element) {
   const std::string whole = fmt::format("{}_{}", object.name, element);
   const auto is_it = [&](const auto& one) { return one.name == element || one.name == whole; };
@@ -71,7 +72,7 @@ void Generator::FindReference() {
   reference_.emplace();
   const Options options = options_;
   options_.layout = Layout::kAny;
-  options_.attempt = 0;  // replaying a record sets another one
+  options_.attempt = 0;  // a replay sets the attempt of its own record
   Variant variant;
   for (std::uint64_t i = 0; i < kMaxReferences; ++i) {
     Make(options.layout_first + i, variant);

@@ -10,7 +10,7 @@
 namespace mjforge::forge {
 namespace {
 
-// Returns the path of a file relative to a folder of the search path, without extension; nothing if
+// Returns the path of a file relative to a folder of the search path, without extension; nullopt if
 // the file is not in that folder.
 std::optional<std::string> NameWithin(const std::filesystem::path& file,
                                       const std::filesystem::path& folder) {
@@ -45,7 +45,7 @@ std::optional<Recipe> MakeRecipe(std::unique_ptr<spec::ObjectSpec> spec,
   Recipe recipe;
   recipe.spec = std::move(spec);
   SetReference(reference, search_path, recipe);
-  for (const auto& [name, text] : recipe.spec->settings) {  // the last value of a name wins
+  for (const auto& [name, text] : recipe.spec->settings) {  // uses the last value of each name
     const auto same =
         std::ranges::find(recipe.settings, name, &std::pair<std::string, std::string>::first);
     if (same == recipe.settings.end()) {

@@ -8,8 +8,8 @@
 namespace mjforge::forge {
 namespace {
 
-// Returns the file of the record's spec, or its reference if no file is found. The comment in a
-// generated file has the name of the spec without its folder, so the spec is looked up in the
+// Returns the file of the record's spec, or the spec's reference if no file is found. The comment
+// in a generated file has the name of the spec without its folder, so the spec is looked up in the
 // working directory, beside the record and one folder up, where the default output folder of
 // `generate` is.
 std::string FindSpec(const manifest::Record& record, const std::filesystem::path& folder) {

@@ -19,7 +19,7 @@ struct Original {
   std::filesystem::path folder;   // the record's spec_file is relative to this folder
 };
 
-// Splits "out/manifest.jsonl:42" into file and index; returns nothing if there is no index.
+// Splits "out/manifest.jsonl:42" into file and index; returns nullopt if there is no index.
 std::optional<std::pair<std::string, std::uint64_t>> SplitIndex(const std::string& what) {
   const std::size_t colon = what.rfind(':');
   if (colon == std::string::npos) return std::nullopt;
@@ -45,9 +45,9 @@ std::optional<Original> FromManifest(const std::filesystem::path& file, std::uin
   return original;
 }
 
-// Finds the spec's file in the manifests beside the object's file and up to three folders up, where
-// the manifest of a large batch and of the objects of scenes is, because the comment in the
-// object's file has the name of the spec without its folder.
+// Finds the spec's file through a manifest, because the comment in an object's file has the name of
+// the spec without its folder. The manifest is beside the object's file or, in a large batch or for
+// an object of a scene, up to three folders up.
 void FindSpecFile(Original& original) {
   for (const std::filesystem::path& folder :
        {original.folder, original.folder / "..", original.folder / "../..",
@@ -89,8 +89,8 @@ std::optional<Original> FromFile(const std::filesystem::path& file, diag::Findin
   return original;
 }
 
-// Returns the regenerated text of the recorded file: of the variant's, or of an object of its
-// scene.
+// Returns the regenerated text of the recorded file: the file of the variant or, if the record has
+// a `part`, of one object of its scene.
 std::string_view TextOf(const Original& original, const Variant& variant) {
   const mjcf::MjcfDocument& output = variant.output();
   if (original.record.part.empty()) return output.text;
@@ -101,13 +101,14 @@ std::string_view TextOf(const Original& original, const Variant& variant) {
   return found == output.assets.end() ? std::string_view() : std::string_view(*found->made);
 }
 
-// Returns true if the recorded file (or its hash, if the file is missing) equals that of the
-// variant; otherwise adds a finding.
+// Returns true if the recorded file, or its hash if the file is missing, equals the regenerated
+// one; otherwise adds a finding.
 bool HasSameText(const Original& original, const Variant& variant, diag::Sources& sources,
                  diag::Findings& findings) {
   std::error_code ignored;
   const std::filesystem::path& holder = original.archive.empty() ? original.file : original.archive;
-  // A family has the numbers of its variants, but not their files.
+  // Compares hashes if there is no file: a family (.npz) contains numbers of variants, but not
+  // their files.
   const bool has_no_file = original.file.empty() || !std::filesystem::exists(holder, ignored);
   if (original.from_manifest && has_no_file) {
     if (original.record.sha256 == variant.record.sha256) return true;
@@ -150,7 +151,7 @@ bool HasSameAssets(const Original& original, const Variant& variant, diag::Findi
   return same;
 }
 
-// Repeats the findings of a variant that was recorded as failed and so has no file to compare with.
+// Adds the findings of a variant that was recorded as failed, which has no file to compare with.
 bool ReplayFailure(const Original& original, const Variant& variant, diag::Findings& findings) {
   if (variant.ok()) {
     findings.Add(diag::Code::kOutputDiffers, {},
@@ -161,7 +162,7 @@ bool ReplayFailure(const Original& original, const Variant& variant, diag::Findi
   return false;
 }
 
-// The simulation of a pile has other results in other releases of MuJoCo.
+// Warns if another release of MuJoCo settled the piles, because its simulation gives other poses.
 void WarnOfOtherMujoco(const manifest::Record& record, diag::Findings& findings) {
   if (record.pile_mujoco.empty() || record.pile_mujoco == validate::MujocoVersion()) return;
   findings.Warn(diag::Code::kMujocoOlder, {},
@@ -174,7 +175,7 @@ bool Regenerate(const Original& original, const Recipe& recipe, Options options,
                 diag::Sources& sources, diag::Findings& findings) {
   Variant variant;
   const bool failed = original.from_manifest && original.record.status != manifest::Status::kOk;
-  // Skip validation: the recorded variant passed it or was not validated, and its result does not
+  // Skips validation: the recorded variant passed it or was not validated, and validation does not
   // affect the bytes.
   if (!failed) options.validation = Validation::kNone;
   WarnOfOtherMujoco(original.record, findings);
@@ -186,8 +187,8 @@ bool Regenerate(const Original& original, const Recipe& recipe, Options options,
       HasSameAssets(original, variant, differences)) {
     return true;
   }
-  // The comment in a file contains neither the attempt nor the kind of validation that rejected
-  // earlier attempts, so try each.
+  // Tries each kind of validation: the comment in a file contains neither the attempt nor the kind
+  // of validation that rejected earlier attempts.
   if (!original.from_manifest) {
     for (const Validation validation : {Validation::kLoad, Validation::kPhysics}) {
       options.on_invalid = OnInvalid::kResample;

@@ -30,7 +30,8 @@ struct Variant {
   structure::Structure structure;          // empty: MuJoCo did not load the variant
   std::optional<family::Numbers> numbers;  // for Options::family, if the variant is valid
 
-  /// Returns the file of the variant, with the files that it refers to.
+  /// Returns the main file of the variant (MJCF or placement.json), with the files that it refers
+  /// to.
   const mjcf::MjcfDocument& output() const { return placement ? *placement : document; }
   bool ok() const { return record.status == manifest::Status::kOk; }
 };
@@ -42,7 +43,7 @@ using manifest::Validation;
 /// Options that apply to all variants of a batch.
 struct Options {
   std::uint64_t seed = 0;
-  std::optional<std::uint64_t> place_seed = {};  // redraws the places alone
+  std::optional<std::uint64_t> place_seed = {};  // another seed for the places of `place:` alone
   mjcf::Target target = mjcf::Target::kMujoco;
   mjcf::AssetForm assets = mjcf::AssetForm::kInline;
   bool each = false;  // files of all objects of a scene; `document` is then the scene for MuJoCo
@@ -52,25 +53,26 @@ struct Options {
   sample::Method sampler = sample::Method::kRandom;
   std::uint64_t batch = 0;  // number of variants; 0: unknown (sample::Sampler)
   Validation validation = Validation::kLoad;
-  Layout layout = Layout::kAny;    // other layouts need a validation
+  Layout layout = Layout::kAny;    // kOne and kSplit need a validation
   std::uint64_t layout_first = 0;  // Layout::kOne: index of the batch's first variant
-  /// Variants have the numbers of their compiled models, and may differ in coincidences. Needs a
-  /// validation.
+  /// The variants form a family: each has the numbers of its compiled model, and structures may
+  /// differ in fields that depend on numbers being exactly zero or equal. Needs a validation.
   bool family = false;
-  /// For a family: each variant has the geoms and sites of this many variants from layout_first on.
-  /// batch::OptionsOf sets the number of variants of the batch if the option is not 0.
+  /// For a family: each variant is padded to have the geoms and sites of this many variants from
+  /// layout_first on; 0: no padding. batch::OptionsOf replaces other values by the number of
+  /// variants of the batch.
   std::uint64_t pad = 0;
-  /// The geoms and sites of these variants, from FindSuperset(). Null: the generator finds them.
+  /// The geoms and sites to pad with, from FindSuperset(). Null: the generator finds them.
   std::shared_ptr<const padding::Superset> superset = nullptr;
-  bool mocap = false;  // recorded: the family's base has mocap bodies for fixed ones
-  /// Folder of the manifest. Records contain the path of the spec's file relative to this folder;
-  /// no path if the option is empty.
+  bool mocap = false;  // for records only: mocap bodies replace fixed bodies of the family's base
+  /// Folder of the manifest. Records contain the path of the spec's file relative to this folder,
+  /// or no path if the option is empty.
   std::optional<std::filesystem::path> folder;
-  /// Name of the file in that folder that will have Recipe::snapshot, if the recipe has one.
+  /// Name of the file in `folder` that will contain Recipe::snapshot, if the recipe has a snapshot.
   std::string snapshot_file = {};
 };
 inline constexpr int kMaxResamples = 100;
-/// Layout::kOne: number of variants among which the first valid one is searched.
+/// Layout::kOne: number of variants among which the first valid variant is searched.
 inline constexpr std::uint64_t kMaxReferences = 100;
 
 }  // namespace mjforge::forge
