@@ -13,8 +13,8 @@ namespace mjforge::manifest {
 /// Result of making a variant. Failed and skipped variants have errors among their findings and no
 /// file.
 enum class Status { kOk, kFailed, kSkipped };
-/// Checks of each variant: none, loading it in MuJoCo and comparing the result, or also simulating
-/// it.
+/// Checks of each variant. kNone: none; kLoad: MuJoCo loads the variant, and the model is compared
+/// with the object; kPhysics: the variant is also simulated.
 enum class Validation { kNone, kLoad, kPhysics };
 /// Treatment of an invalid variant.
 enum class OnInvalid {
@@ -25,7 +25,7 @@ enum class OnInvalid {
 /// Structures of a batch's variants (structure.h).
 enum class Layout {
   kAny,    // a variant may have any structure
-  kOne,    // a variant is invalid if its structure is not that of the first one
+  kOne,    // a variant is invalid if its structure differs from that of the first valid variant
   kSplit,  // the file of a variant is in a folder that is named by the key of its structure
 };
 
@@ -39,14 +39,14 @@ constexpr std::span<const std::string_view> WordsOf(Validation) { return kValida
 constexpr std::span<const std::string_view> WordsOf(OnInvalid) { return kOnInvalid; }
 constexpr std::span<const std::string_view> WordsOf(Layout) { return kLayouts; }
 
-// Alphabetical order.
+// Statuses in alphabetical order of their names.
 inline constexpr Status kStatusesByName[] = {Status::kFailed, Status::kOk, Status::kSkipped};
 
 template <typename Enum>
 constexpr std::string_view NameOf(Enum value) {
   return WordsOf(value)[static_cast<std::size_t>(value)];
 }
-/// Returns the enumerator with that name, or nothing if no enumerator has it.
+/// Returns the enumerator with that name, or nullopt if no enumerator has it.
 template <typename Enum>
 constexpr std::optional<Enum> Find(std::string_view word) {
   for (std::size_t i = 0; i < WordsOf(Enum()).size(); ++i) {

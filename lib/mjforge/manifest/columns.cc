@@ -59,7 +59,7 @@ void Columns::PutInner(const Value& value, Column& column) {
 
 template <typename Value>
 void Columns::Put(const Value& value, Column& column) {
-  if (value.IsNull() || column.kinds.size() > rows_) return;  // a repeated key is ignored
+  if (value.IsNull() || column.kinds.size() > rows_) return;  // ignores a repeated key
   column.kinds.resize(rows_, Column::kAbsent);
   column.values.resize(rows_);
   const auto put = [&](char kind, std::uint64_t bits) {

@@ -10,11 +10,11 @@
 
 namespace mjforge::manifest {
 
-/// Values that a member of JSON objects has in all rows, as a column. Lists and objects have a
-/// column for each of their items or members.
+/// Column of a table: the values of one member of JSON objects, one object per row. Lists and
+/// objects have an inner column for each of their items or members.
 struct Column {
-  /// Kinds of a row's value, and the meaning of the value's 64 bits.
-  static constexpr char kAbsent = ' ';   // also null, which a number is that is not finite
+  /// Kinds of values, and the meaning of the value's 64 bits in `values`.
+  static constexpr char kAbsent = ' ';   // no value or null; numbers that are not finite are null
   static constexpr char kWhole = 'i';    // std::int64_t
   static constexpr char kNatural = 'u';  // std::uint64_t beyond std::int64_t
   static constexpr char kNumber = 'f';   // double

@@ -35,7 +35,7 @@ class ExactDocument : public rapidjson::Document {
   }
   bool RawNumber(const char* digits, rapidjson::SizeType size, bool) {
     const std::string_view text(digits, size);
-    // No integer type has a -0.
+    // Reads -0 as a double, because integers have no negative zero.
     if (text.find_first_of(".eE") == text.npos && text != "-0") {
       if (const auto natural = Whole<std::uint64_t>(text)) return Uint64(*natural);
       if (const auto whole = Whole<std::int64_t>(text)) return Int64(*whole);
@@ -70,7 +70,7 @@ bool ParseExactly(std::string& text, rapidjson::Document& document) {
   const auto generate = [&](rapidjson::Document&) {
     is_parsed = !reader.Parse<kFlags>(stream, exact).IsError() &&
                 start + stream.Tell() ==
-                    text.size();  // not if a zero byte within the text was taken for its end
+                    text.size();  // false if a zero byte within the text ended the parsing
     return is_parsed;
   };
   exact.Populate(generate);

@@ -9,13 +9,13 @@
 
 namespace mjforge::manifest {
 
-/// Memory on the stack for the values of a record; a longer record also takes some from the heap.
+/// Size in bytes of the stack buffer for the values of a record; longer records also use the heap.
 inline constexpr std::size_t kParserBytes = std::size_t{16} << 10;
 
 /// Parses a JSON text. Returns false if the text is not JSON, is nested more than
 /// diag::kMaxJsonDepth deep or contains a number that is too large. Numbers are correctly rounded;
-/// RapidJSON's own differ by up to three units in the last place. The document's texts are parts of
-/// `text`, which is changed and must outlive the document.
+/// RapidJSON's own parser errs by up to three units in the last place. The document's texts are
+/// parts of `text`, which is changed and must outlive the document.
 bool ParseExactly(std::string& text, rapidjson::Document& document);
 
 }  // namespace mjforge::manifest

@@ -13,7 +13,8 @@ namespace {
 using Outcome = RecordReader::Outcome;
 using Path = std::filesystem::path;
 
-// Returns the index of the first record after a cut; nothing if no record follows.
+// Returns the index of the first record that starts after the offset `cut`; nullopt if no record
+// follows.
 std::optional<std::uint64_t> IndexAfter(const Path& file, std::uint64_t cut) {
   diag::Sources sources;
   diag::Findings ignored;
@@ -24,7 +25,7 @@ std::optional<std::uint64_t> IndexAfter(const Path& file, std::uint64_t cut) {
   return outcome == Outcome::kRecord ? std::optional(record.index) : std::nullopt;
 }
 
-// Returns the section that contains the record if the manifest is in index order.
+// Returns, by bisection, the section that contains the record if the manifest is in index order.
 bytes::Section SectionOf(const Path& file, std::uint64_t index,
                          const std::vector<std::uint64_t>& cuts) {
   const auto is_before = [&](std::uint64_t cut) {
@@ -36,7 +37,8 @@ bytes::Section SectionOf(const Path& file, std::uint64_t index,
                            : bytes::Section{.begin = *(end - 1), .end = *end};
 }
 
-// Sets `is_read` if no line of the section was left unread.
+// Returns the record of a section with this index, or nullopt. Sets `is_read` if all lines were
+// read.
 std::optional<Record> FindIn(const bytes::Section& section, const Path& file, std::uint64_t index,
                              diag::Sources& sources, diag::Findings& findings, bool& is_read) {
   auto reader = RecordReader::Open(file, sources, findings, section);
@@ -50,7 +52,7 @@ std::optional<Record> FindIn(const bytes::Section& section, const Path& file, st
   return std::nullopt;
 }
 
-// Returns true if the manifest has a seal, and the size that the seal states.
+// Returns true if the manifest has a seal and the size that the seal states.
 bool HasSeal(const Path& file) {
   std::string why_not;
   const std::optional<Seal> seal = ReadSealBeside(file, why_not);
@@ -64,7 +66,7 @@ std::optional<Record> FindRecord(const Path& file, std::uint64_t index, diag::So
                                  diag::Findings& findings) {
   const std::optional<std::vector<std::uint64_t>> cuts = CutsOf(file, findings);
   if (!cuts) return std::nullopt;
-  // Line numbers in a section are not those of the file, so its findings are not shown.
+  // Does not show findings of a section, because its line numbers are not those of the file.
   diag::Sources section_sources;
   diag::Findings found;
   bool is_read = false;

@@ -40,18 +40,18 @@ struct StatusCounts {
   std::uint64_t done() const { return ok + failed + skipped; }
 };
 
-/// A line of manifest.jsonl: provenance and result of a variant. In contrast to the provenance in
-/// the variant's file, the name is always set.
+/// A line of manifest.jsonl: provenance and result of a variant. The name is always set, in
+/// contrast to the provenance in the variant's file.
 struct Record : mjcf::Provenance {
   std::string file;       // relative to the manifest, or in the archive; empty: no file was written
   std::string archive;    // relative to the manifest; empty: the file is not in an archive
-  std::string spec_file;  // relative to the manifest; empty: found by its name, or not known
+  std::string spec_file;  // relative to the manifest; empty: the spec is found by name, or unknown
   std::uint64_t attempt = 0;
   std::vector<std::pair<std::string, sample::ParameterValue>> params;
   model::MassProperties mass_properties;
   model::Bounds bounds;
-  // MuJoCo's counts for the file. nbody includes the world. If nbody is 0, no object was made, and
-  // masses, bounds and counts are meaningless.
+  // Counts of elements in MuJoCo's model of the file. nbody includes the world; if nbody is 0, no
+  // object was made, and masses, bounds and counts are meaningless.
   int nbody = 0;
   int njnt = 0;
   int ngeom = 0;
@@ -64,28 +64,30 @@ struct Record : mjcf::Provenance {
     std::vector<double> quat;                       // w x y z
   };
   std::vector<Place> places;
-  std::string pile_mujoco;  // release of MuJoCo that settled the piles; empty: there are none
-  std::vector<std::string> left_out;  // bodies of entries with `fewer: true` that found no room
+  std::string pile_mujoco;            // release of MuJoCo that settled the piles; empty: no piles
+  std::vector<std::string> left_out;  // bodies of `fewer: true` entries of `place:` without room
   Validation validate = Validation::kLoad;
-  std::string mujoco;     // release of MuJoCo that checked the variant; empty: none did
-  std::string structure;  // key of its structure (structure.h); empty: MuJoCo did not load it
+  std::string mujoco;     // release of MuJoCo that checked the variant; empty: not checked
+  std::string structure;  // key of the structure (structure.h); empty: not loaded in MuJoCo
   Layout layout = Layout::kAny;
   std::optional<std::uint64_t> layout_first;  // Layout::kOne: index of the batch's first variant
-  /// In a family: each variant has the geoms and sites of this many variants from layout_first on.
+  /// In a family: each variant is padded to have the geoms and sites of this many variants from
+  /// layout_first on.
   std::uint64_t pad = 0;
-  bool mocap = false;                      // the base of the family has mocap bodies for fixed ones
+  bool mocap = false;  // in the family's base model, fixed bodies are mocap bodies
   std::optional<physics::Result> physics;  // empty if not requested or not measurable
   OnInvalid on_invalid = OnInvalid::kFail;
   Status status = Status::kOk;
   std::vector<std::string> findings;  // JSON objects made by diag::RenderJson
-  /// Each object of the scene has a file of its own: `file` is the placement, and the objects are
-  /// among the assets. Masses, bounds and counts are those of the scene.
+  /// True if each object of the scene has a file of its own: `file` is then the placement, and the
+  /// objects are among the assets. Masses, bounds and counts are those of the whole scene.
   bool each = false;
   std::string sha256;  // hash of the file; empty: no file was written
   // Assets that the file refers to: name in the file, SHA-256 of the asset.
   std::vector<std::pair<std::string, std::string>> assets;
 
-  /// Returns the folder of its structure, "0123456789ab/", for Layout::kSplit; otherwise "".
+  /// Returns the folder of the variant's structure, "0123456789ab/", for Layout::kSplit; otherwise
+  /// "".
   std::string Folder() const {
     return layout == Layout::kSplit && !structure.empty() ? structure + "/" : std::string();
   }
@@ -99,13 +101,13 @@ void AppendRecord(std::string& out, const Record& record);
 void AppendWithPlaces(std::string& out, std::string_view line, const std::string& archive,
                       const std::string& spec_file);
 
-/// Returns the JSON object that a record has as `physics`.
+/// Returns a physics result as a JSON object, the value of the record's member `physics`.
 std::string PhysicsJson(const physics::Result& result);
 
-/// Returns the record of a line; nothing, and the reason in `why_not`, if the line is not a record.
+/// Returns the record of a line; nullopt, and the reason in `why_not`, if the line is not a record.
 std::optional<Record> ReadRecord(std::string_view line, std::string& why_not);
 
-/// Returns the offsets in a manifest at which a section may begin: bytes::CutsOf. Returns nothing,
+/// Returns the offsets in a manifest at which a section may begin: bytes::CutsOf. Returns nullopt,
 /// after adding a finding, if the file cannot be read.
 std::optional<std::vector<std::uint64_t>> CutsOf(const std::filesystem::path& file,
                                                  diag::Findings& findings);
@@ -114,7 +116,7 @@ std::optional<std::vector<std::uint64_t>> CutsOf(const std::filesystem::path& fi
 /// have a hundred million lines.
 class RecordReader {
  public:
-  /// Returns a reader; nothing, after adding a finding, if the file cannot be read. Later, each
+  /// Returns a reader; nullopt, after adding a finding, if the file cannot be read. Later, each
   /// line that is not a record becomes a finding at that line, so sources and findings must outlive
   /// the reader. In a section, lines are counted from its start.
   static std::optional<RecordReader> Open(const std::filesystem::path& file, diag::Sources& sources,
@@ -123,8 +125,8 @@ class RecordReader {
 
   enum class Outcome { kRecord, kBadLine, kEnd, kUnreadable };
   /// Replaces `record` with the record on the next line. After a bad line, the next call continues
-  /// with the following line. The first kMaxBadLines bad lines become findings. An error of the
-  /// file system is a finding, too, and so are more than kMaxSkippedLines bad lines.
+  /// with the following line. The first kMaxBadLines bad lines, an error of the file system, and
+  /// more than kMaxSkippedLines bad lines become findings.
   Outcome Next(Record& record);
   static constexpr std::uint64_t kMaxBadLines = 50;
   /// Limit for bad lines, because a small compressed file can contain thousands of millions.
@@ -151,9 +153,9 @@ class RecordReader {
   std::uint64_t bad_lines_ = 0;
 };
 
-/// Returns the record with this index; nothing, after adding a finding, if there is none. Reads
-/// only a few places of a manifest in index order, and the whole manifest only if these do not have
-/// the record and no seal shows that the manifest is complete.
+/// Returns the record with this index; nullopt, after adding a finding, if there is none. Bisects a
+/// manifest in index order; reads the whole manifest only if bisection does not find the record and
+/// no seal shows that the manifest is complete.
 std::optional<Record> FindRecord(const std::filesystem::path& file, std::uint64_t index,
                                  diag::Sources& sources, diag::Findings& findings);
 

@@ -15,12 +15,13 @@ namespace {
 
 using diag::Json;
 
-// Appends a number as MJCF files have it: values below 1e-15 are rounding errors of rotations.
+// Appends a number as in MJCF files: magnitudes below 1e-15, rounding errors of rotations, become
+// 0.
 void AppendFlushed(std::string& out, double value) {
   expr::AppendNumber(out, std::abs(value) < 1e-15 ? 0 : value);
 }
 
-// A single number is no list.
+// Writes a single number as a number, and several numbers as a list.
 void PutNumbers(Json& json, const sample::Numbers& numbers) {
   numbers.size() == 1 ? json.Value(numbers[0]) : json.Value(numbers);
 }

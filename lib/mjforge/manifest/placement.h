@@ -14,11 +14,11 @@ namespace mjforge::manifest {
 /// An object of a scene, which has a file of its own.
 struct PlacedFile {
   std::string name;
-  std::string file;  // relative to the placement
-  model::Pose pose;  // pose of its root body in the scene at the start
-  std::string at;    // region or site that it stands at; empty: it was not placed
+  std::string file;  // relative to the folder of placement.json
+  model::Pose pose;  // pose of the object's root body in the scene at the start
+  std::string at;    // region or site where `place:` put the object; empty: no `place:`
   bool is_free = false;
-  /// Joints besides a free root joint: name in the file, position at the start as in qpos.
+  /// Joints other than a free root joint: name in the file, and its numbers in qpos at the start.
   std::vector<std::pair<std::string, sample::Numbers>> joints;
 };
 

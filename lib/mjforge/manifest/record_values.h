@@ -40,7 +40,7 @@ void Put(Json& json, const Members<T>& members) {
   json.EndObject();
 }
 
-// Rows and columns of an inertia in the order of MJCF's fullinertia.
+// Rows and columns of the elements of an inertia matrix, in the order of MJCF's fullinertia.
 inline constexpr std::array<std::pair<int, int>, 6> kInertia = {
     {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
 
@@ -80,7 +80,7 @@ ExpectedKind Get(const rapidjson::Value& value, std::optional<T>& out) {
   return Get(value, out.emplace());
 }
 
-// Numbers that are not finite are written as null.
+// Reads a number. Null is read as NaN, because numbers that are not finite are written as null.
 inline ExpectedKind Get(const rapidjson::Value& value, double& number) {
   if (!value.IsNumber() && !value.IsNull()) return "a number";
   number = value.IsNull() ? std::nan("") : value.GetDouble();
@@ -145,7 +145,7 @@ inline ExpectedKind Get(const rapidjson::Value& value, Eigen::Matrix3d& inertia)
   return {};
 }
 
-/// Returns false if the member is missing or has another kind.
+/// Reads the member `key` of `object`. Returns false if the member is missing or has another kind.
 template <typename T>
 bool GetMember(const rapidjson::Value& object, const char* key, T& member) {
   return object.IsObject() && object.HasMember(key) && Get(object[key], member).empty();
@@ -170,7 +170,7 @@ void PutAll(Json& json, const Of& of, const JsonMember<Of> (&members)[n]) {
     std::visit([&](auto at) { json.Member(member.key, of.*at); }, member.at);
 }
 
-/// Returns false if a member is missing or has another kind.
+/// Reads all members of a table. Returns false if a member is missing or has another kind.
 template <typename Of, std::size_t n>
 bool GetAll(const rapidjson::Value& object, Of& of, const JsonMember<Of> (&members)[n]) {
   return std::ranges::all_of(members, [&](const JsonMember<Of>& member) {
@@ -181,7 +181,7 @@ bool GetAll(const rapidjson::Value& object, Of& of, const JsonMember<Of> (&membe
 /// Returns the properties of a table of members, for a JSON Schema.
 template <typename Of, std::size_t n>
 std::string SchemaOf(const JsonMember<Of> (&members)[n]) {
-  // In the order of the alternatives of JsonMember::at.
+  // JSON types, in the order of the alternatives of JsonMember::at.
   constexpr std::array kTypes = {R"(["number", "null"])", R"("integer")", R"("boolean")",
                                  R"("string")",           R"("array")",   R"("array")",
                                  R"("integer")"};

@@ -9,10 +9,10 @@
 
 namespace mjforge::manifest {
 
-/// Returns the properties of a result, for a JSON Schema.
+/// Returns the properties of a physics result, for a JSON Schema.
 std::string ResultSchema();
 void PutResult(Json& json, const physics::Result& result);
-/// Replaces a result by that of a JSON value; returns the kind that was expected if it is none.
+/// Reads a physics result from JSON. Returns the expected kind if `value` is not a physics result.
 ExpectedKind GetResult(const rapidjson::Value& value, physics::Result& result);
 
 }  // namespace mjforge::manifest

@@ -14,7 +14,7 @@ using rapidjson::Value;
 
 constexpr int kVersion = 1;
 
-// The last member of a seal: the checksum of the text before this member.
+// Key of the last member of a seal, the checksum of the seal's text before this member.
 constexpr std::string_view kOwn = R"(,"xxh128":")";
 
 std::string WithChecksum(std::string_view body) {
@@ -93,7 +93,7 @@ std::optional<Seal> ReadSeal(std::string_view text, std::string& why_not) {
     return std::nullopt;
   }
   Seal seal;
-  // All bytes are compared, because JSON permits other whitespace around the checksum.
+  // Compares all bytes of the text, because JSON permits other whitespace around the checksum.
   if (GetSeal(document, seal) && text == WithChecksum(text.substr(0, text.rfind(kOwn))))
     return seal;
   why_not = "it is damaged";

@@ -31,7 +31,7 @@ struct Seal {
   std::uint64_t per_archive = 0;
   /// Record::spec of all records.
   std::string spec;
-  /// Range of the whole batch.
+  /// Index range of the whole batch, of which this seal may describe a shard.
   std::uint64_t first = 0;
   std::uint64_t count = 0;
   /// The shard that this seal describes, and the number of its records.
@@ -48,17 +48,17 @@ struct Seal {
 /// "out/manifest.jsonl.zst".
 std::filesystem::path SealPathOf(const std::filesystem::path& manifest);
 
-/// Limit of the size of a seal, more than that of a seal with as many archives as a folder can
-/// have.
+/// Limit of the size of a seal in bytes; a seal with as many archives as a folder can have is
+/// smaller.
 inline constexpr std::uint64_t kMaxSeal = std::uint64_t{64} << 20;
 
 /// Returns the seal as one line of JSON, with the line end.
 std::string SealText(const Seal& seal);
-/// Parses a seal; returns nothing, and the reason in `why_not`, if the text is not a valid one.
+/// Parses a seal; returns nullopt, and the reason in `why_not`, if the text is not a valid one.
 std::optional<Seal> ReadSeal(std::string_view text, std::string& why_not);
 
-/// Returns the seal beside a manifest; nothing, and the reason in `why_not`, if there is none or it
-/// is damaged.
+/// Returns the seal beside a manifest; nullopt, and the reason in `why_not`, if the seal is missing
+/// or damaged.
 std::optional<Seal> ReadSealBeside(const std::filesystem::path& manifest, std::string& why_not);
 
 /// Describes the first option in which two seals' outputs differ: "per_archive is '10', not '20'".
