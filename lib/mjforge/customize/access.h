@@ -10,7 +10,7 @@ namespace mjforge::customize {
 /// Returns 32 hexadecimal digits from the system's source of random numbers.
 std::string MakeToken();
 
-/// The parts of a request that decide who may send it. Headers that the request lacks are empty.
+/// Parts of a request that decide whether it is allowed. Headers that the request lacks are empty.
 struct Caller {
   std::string_view path;  // "/TOKEN/page.js"
   std::string_view host;
@@ -19,9 +19,9 @@ struct Caller {
   std::string_view proxy_path;  // X-ProxyContextPath, which only Jupyter's proxy sets
 };
 
-/// Returns the reason for which a request is rejected; empty if it is allowed. The path must begin
-/// with the token. The host must be this machine, at any port because of SSH tunnels, unless
-/// Jupyter's proxy passed the request on. The origin must be that host.
+/// Returns the reason for which a request is rejected; empty if the request is allowed. The path
+/// must begin with the token. The host must be this machine, at any port because of SSH tunnels,
+/// unless Jupyter's proxy passed the request on. The origin must be the same host.
 std::string_view Refusal(const Caller& caller, std::string_view token);
 
 }  // namespace mjforge::customize

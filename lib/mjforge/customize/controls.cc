@@ -15,7 +15,7 @@ namespace {
 using spec::Distribution;
 using spec::Value;
 
-// Returns true for four numbers from 0 to 1: red, green, blue and opacity.
+// Returns true for a color, four numbers from 0 to 1: red, green, blue and opacity.
 bool IsRgba(const Value& value) {
   const std::vector<spec::Bounds> bounds = spec::BoundsOfComponents(value);
   return bounds.size() == 4 && std::ranges::all_of(bounds, [](const spec::Bounds& each) {
@@ -53,7 +53,7 @@ std::string_view KindOf(const spec::Parameter& parameter, const Value& value, bo
   return value.components > 1 ? "vector" : "number";
 }
 
-// Returns true if the spec gives a whole number or draws one.
+// Returns true if a parameter is a whole number or is drawn from whole numbers.
 bool IsWhole(const spec::Parameter& parameter, const Value& value) {
   if (const auto* draw = std::get_if<spec::Draw>(&value.form))
     return draw->distribution == Distribution::kInteger ||
@@ -62,8 +62,8 @@ bool IsWhole(const spec::Parameter& parameter, const Value& value) {
          parameter.source.find_first_not_of("0123456789") == std::string::npos;
 }
 
-// Counts the parameters without a section whose names begin with each first word: "handle" for
-// "handle_length".
+// Counts, for each first word of a name ("handle" of "handle_length"), the parameters without a
+// section whose names begin with this word.
 std::map<std::string, int> CountPrefixes(const spec::ObjectSpec& spec) {
   std::map<std::string, int> counts;
   for (const spec::Parameter& parameter : spec.parameters) {
@@ -73,14 +73,15 @@ std::map<std::string, int> CountPrefixes(const spec::ObjectSpec& spec) {
   return counts;
 }
 
-// Returns the section of a parameter, or else the first word that its name shares with others.
+// Returns the heading of a parameter: its section, or the first word of its name if shared with
+// others.
 std::string GroupOf(const spec::Parameter& parameter, const std::map<std::string, int>& prefixes) {
   if (!parameter.section.empty()) return diag::SafeText(parameter.section);
   std::string prefix = parameter.name.substr(0, parameter.name.find_first_of("_."));
   return prefixes.at(prefix) > 1 ? prefix : "";
 }
 
-// A bound is null if it is infinite.
+// Writes `low` and `high`, in which an infinite bound is null.
 void WriteBounds(diag::Json& json, const std::vector<spec::Bounds>& bounds) {
   for (const bool is_low : {true, false}) {
     json.Key(is_low ? "low" : "high");

@@ -21,7 +21,7 @@ namespace mjforge::customize {
 
 /// A file of the page, which is compiled in.
 struct PageFile {
-  std::string_view name;  // "" is the page itself
+  std::string_view name;  // empty for the page itself
   std::string_view type;  // media type
   std::string_view text;
 };
@@ -37,8 +37,8 @@ struct Start {
 
 /// Answer to a request of the page.
 struct Reply {
-  std::string json;     // an object
-  std::string picture;  // WebP, PNG or a tar archive; empty: none
+  std::string json;     // a JSON object
+  std::string picture;  // WebP, PNG or a tar archive; empty: no picture
   /// Files that the spec was read from; the page asks again when one of them changes.
   std::vector<std::filesystem::path> files;
 };
@@ -56,18 +56,17 @@ class Studio {
   /// Answers a request, which is one JSON object:
   /// - `action: open` returns the description of the spec, its controls and the first state;
   /// - `action: draw` returns a picture of a variant, its values, facts and findings;
-  /// - `action: check` returns the findings with those of the physical checks;
+  /// - `action: check` returns the findings, including those of the physical checks;
   /// - `action: film` returns an animation of the simulated drop or, if there is a `name`, of the
   ///   drive of that joint, and its description;
   /// - `action: redraw` returns another random value of the parameter `name`;
-  /// - `action: export` returns the variant as text: `name` is command, params, seed, mjcf or png;
-  /// as MJCF
-  ///   it is a tar archive in place of a text if it refers to other files;
+  /// - `action: export` returns the variant in a form chosen by `name`: a text for command, params,
+  ///   seed and mjcf (a tar archive if the MJCF refers to other files), or a picture for png;
   /// - `action: source` returns the text of the spec's file `name`;
   /// - `action: pick` returns the part at the place `x`, `y` of the picture;
-  /// - `action: save` writes the settings to the preset `name`, and `action: preset` returns those
-  ///   of a preset.
-  /// A request that is wrong gives `{"error": "..."}`.
+  /// - `action: save` writes the settings to the preset `name`;
+  /// - `action: preset` returns the settings of the preset `name`.
+  /// An invalid request returns `{"error": "..."}`.
   Reply Answer(std::string_view request);
 
  private:

@@ -8,13 +8,13 @@
 namespace mjforge::customize {
 namespace {
 
-// Moves all joints to the base pose of the request. A joint that does not reach its position in the
-// view stays at its start.
+// Moves all joints to the base pose of the request. A joint that cannot reach its position in the
+// pose of `view:` stays at its start.
 void MoveToBase(const Request& request, ShownVariant& shown) {
   picture::Subject& subject = *shown.subject;
   subject.Reset(request.pose == BasePose::kZero ? picture::Pose::kZero : picture::Pose::kStart);
   if (request.pose != BasePose::kView) return;
-  diag::Findings ignored;  // names are checked when the object is made
+  diag::Findings ignored;  // making the object already reported unknown names
   for (const spec::PictureView::Position& position : shown.recipe->spec->view.pose) {
     const std::optional<int> joint = subject.FindJoint(position.joint, ignored);
     if (joint) subject.SetJoint(*joint, position.value, ignored);
@@ -24,7 +24,7 @@ void MoveToBase(const Request& request, ShownVariant& shown) {
 }  // namespace
 
 void MoveJoints(const Request& request, ShownVariant& shown) {
-  diag::Findings ignored;  // values are within the ranges
+  diag::Findings ignored;  // none, because all values are within the joints' ranges
   MoveToBase(request, shown);
   shown.joints = shown.subject->joints();
   for (std::size_t i = 0; i < shown.joints.size(); ++i) {

@@ -1,4 +1,4 @@
-// Named sets of values, in files beside the spec that --params reads.
+// Presets: named sets of parameter values, stored beside the spec as files for --params.
 
 #include "mjforge/customize/presets.h"
 

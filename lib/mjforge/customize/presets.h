@@ -1,4 +1,4 @@
-// Named sets of values, in files beside the spec that --params reads.
+// Presets: named sets of parameter values, stored beside the spec as files for --params.
 
 #pragma once
 
@@ -13,20 +13,20 @@
 
 namespace mjforge::customize {
 
-/// Names of files: "lamp.tall.params.yaml" has the values `tall` of lamp.yaml.
+/// Presets of a spec, which are named sets of values: lamp.tall.params.yaml is `tall` of lamp.yaml.
 class Presets {
  public:
-  /// `folder` contains the files, and `stem` is the name of the spec's file without its ending.
+  /// Finds presets in `folder`; `stem` is the name of the spec's file without its ending.
   Presets(std::filesystem::path folder, std::string stem)
       : folder_(std::move(folder)), stem_(std::move(stem)) {}
 
-  /// Returns true for names that a file can have: letters, digits, _ and -.
+  /// Returns true if a preset can have this name: letters, digits, _ and -.
   static bool IsName(std::string_view name);
-  /// Returns the names of the files that exist, sorted.
+  /// Returns the names of the presets that exist, sorted.
   std::vector<std::string> List() const;
   std::filesystem::path FileOf(std::string_view name) const;
-  /// Writes the values. Returns false and adds a finding on failure, also if the file exists and
-  /// was not written by this function.
+  /// Writes the settings to the file of the preset `name`. Returns false and adds a finding on
+  /// failure, also if the file exists and was not written by this function.
   bool Save(std::string_view name, std::span<const spec::Setting> settings,
             diag::Findings& findings) const;
 

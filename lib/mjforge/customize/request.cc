@@ -117,7 +117,8 @@ class Reader {
     if (why_not_.empty()) why_not_ = fmt::format("'{}' is not {}", key, wanted);
   }
 
-  // Converts a value to YAML flow text; an object {"yaml": "..."} contains that text itself.
+  // Converts a JSON value to YAML flow text. An object {"yaml": "..."} already contains the YAML
+  // text.
   static bool Flow(const Json& value, std::string& out) {
     if (value.IsNumber()) {
       out += expr::ExactNumberText(value.GetDouble());

@@ -29,21 +29,21 @@ struct Request {
   std::string name;            // name of a parameter, a preset, a file or a form of export
   std::uint64_t revision = 0;  // number of the changes of the spec's files so far
   std::vector<spec::Setting> settings;
-  std::vector<std::size_t> words = {};  // settings that are texts and have no quotes
+  std::vector<std::size_t> words = {};  // indices of settings that are texts without quotes
   std::uint64_t seed = 0;
   std::uint64_t index = 0;
-  std::uint64_t count = 1;  // variants that an exported command makes
-  bool nine = false;        // draws nine variants, from the index on
+  std::uint64_t count = 1;  // number of variants that an exported command makes
+  bool nine = false;        // draws nine variants, from `index` on
   BasePose pose = BasePose::kView;
   std::vector<std::pair<std::string, double>> joints;  // rad or m
-  double x = 0.5;  // place in the picture, from 0 at the left and the top to 1
+  double x = 0.5;  // place in the picture: from 0 (left, top) to 1 (right, bottom)
   double y = 0.5;
   picture::Options picture = {.width = 640, .height = 480};
 };
 
-/// Reads a request. Returns nothing, and the reason, if a member is wrong. Numbers outside of the
-/// allowed range of the picture's size or view are wrong; seed and index are texts of digits,
-/// because numbers of JavaScript have only 53 bits.
+/// Reads a request. Returns nullopt, and the reason in `why_not`, if a member has a wrong type or
+/// is out of range. Seed and index are texts of digits, because numbers of JavaScript have only 53
+/// bits.
 std::optional<Request> ReadRequest(std::string_view json, std::string& why_not);
 
 }  // namespace mjforge::customize

@@ -26,7 +26,7 @@ bool IsYamlWord(std::string_view text) {
   return std::ranges::find(kWords, diag::LowerCase(text)) != kWords.end();
 }
 
-// Encloses a text in single quotes, which are doubled in it.
+// Encloses a text in single quotes, and doubles the single quotes within the text.
 std::string Enclose(std::string_view text) {
   std::string out = "'";
   for (const char c : text) out.append(c == '\'' ? 2 : 1, c);

@@ -14,8 +14,8 @@ namespace mjforge::customize {
 /// Returns a text as YAML that is read as that text, with quotes only if they are needed.
 std::string QuoteForYaml(std::string_view text);
 
-/// Returns the command that makes variants with these settings, from an index on. If there are
-/// several, they are written to the folder `name`.
+/// Returns the command that makes `count` variants with these settings, from `index` on. Several
+/// variants are written to the folder `name`.
 std::string CommandText(std::string_view spec, std::span<const spec::Setting> settings,
                         std::uint64_t seed, std::uint64_t index, std::uint64_t count = 1,
                         std::string_view name = {});

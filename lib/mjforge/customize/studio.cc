@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kQuality = 85;
 constexpr int kQuickQuality = 70;
-// Numbers of a film: frames, and the least time of each, ms.
+// Limits of a film: number of frames, and shortest time of a frame, ms.
 constexpr std::size_t kMostFrames = 24;
 constexpr int kShortestFrame = 40;
 
@@ -39,7 +39,7 @@ void WriteSettings(diag::Json& json, const std::optional<forge::Recipe>& recipe)
   json.EndArray();
 }
 
-// Copies an image into a cell of three rows of three.
+// Copies an image into one of the nine cells of a larger image, in three rows of three.
 void PutInCell(const picture::Image& tile, int cell, picture::Image& image) {
   const int left = cell % 3 * tile.width;
   const int top = cell / 3 * tile.height;
@@ -58,7 +58,7 @@ Reply Failure(std::string_view message) {
 
 // Describes a film: "Drop, 0.25 s, shown 5.1 times slower".
 std::string FilmText(const std::string& joint, double time, double shown) {
-  constexpr double kSlow = 1.1;  // times slower; less is not mentioned
+  constexpr double kSlow = 1.1;  // smallest factor that the text mentions
   const std::string slower =
       shown > kSlow * time ? fmt::format(", shown {:.1f} times slower", shown / time) : "";
   return fmt::format("{}, {:.2f} s{}", joint.empty() ? "Drop" : "Drive of " + diag::SafeText(joint),
@@ -104,7 +104,7 @@ Reply Studio::Answer(std::string_view request) {
     state_->cache.QuoteNames(*wanted);
     return state_->Answer(*wanted);
   } catch (const std::bad_alloc&) {
-    throw;  // the process ends, and with it its memory
+    throw;  // ends the process, which frees its memory
   } catch (const std::exception& error) {
     return Failure(error.what());
   }
@@ -124,7 +124,8 @@ Reply Studio::State::Answer(const Request& request) {
   return Failure("there is no action '" + request.action + "'");
 }
 
-// Controls are those of the spec without settings, which would hide ranges and choices.
+// Describes the controls of the spec without settings, because settings would hide ranges and
+// choices.
 Reply Studio::State::Open(const Request& request) {
   diag::Sources sources;
   diag::Findings findings;
@@ -159,7 +160,8 @@ Reply Studio::State::Open(const Request& request) {
   return {json.Take(), {}, cache.Files()};
 }
 
-// Specs of the search path, which may not be writable, have their presets in the working folder.
+// Returns the presets beside the spec's file, or in the working folder for specs of the search
+// path, which may not be writable.
 Presets Studio::State::PresetsOf(const ShownVariant& shown) const {
   const std::filesystem::path& file = shown.recipe->file;
   return {file.parent_path(), std::filesystem::path(start.reference).stem().string()};
@@ -211,8 +213,8 @@ std::optional<picture::Image> Studio::State::DrawPicture(const Request& request,
   return renderer->Draw(*shown.subject, request.picture, findings);
 }
 
-// Draws nine variants from the index on, three in a row. The first one comes last, so that it stays
-// in the cache.
+// Draws nine variants from `index` on, three in a row. Draws the variant of `index` last, so that
+// this variant stays in the cache.
 std::optional<picture::Image> Studio::State::DrawNine(const Request& request) {
   picture::Image image{request.picture.width, request.picture.height, {}};
   image.rgba.assign(4 * static_cast<std::size_t>(image.width * image.height), 255);
@@ -252,7 +254,7 @@ Reply Studio::State::Draw(const Request& request) {
   return reply;
 }
 
-// Returns all findings, with those of the physical checks.
+// Returns all findings about a variant, including those of the physical checks.
 Reply Studio::State::Check(const Request& request) {
   const ShownVariant& shown = cache.Make(request, CheckLevel::kPhysics);
   diag::Json json(expr::AppendNumber);
@@ -358,7 +360,7 @@ Reply Studio::State::Pick(const Request& request) {
   return {json.Take(), {}, {}};
 }
 
-// Returns the text of a file that the spec was read from, and of no other file.
+// Returns the text of a file from which the spec was read; other files are not accessible.
 Reply Studio::State::Source(const Request& request) {
   const ShownVariant& shown = cache.LoadSpec(request);
   for (std::uint32_t i = 1; i <= shown.sources.size(); ++i) {

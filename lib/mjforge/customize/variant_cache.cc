@@ -11,7 +11,7 @@
 namespace mjforge::customize {
 namespace {
 
-// Returns a text that differs between requests with other settings.
+// Returns a text that identifies the revision and the settings of a request.
 std::string KeyOf(const Request& request) {
   std::string key = fmt::format("{}\n", request.revision);
   for (const spec::Setting& setting : request.settings)
@@ -28,12 +28,12 @@ diag::Findings ShownVariant::Findings() const {
   return all;
 }
 
-// Forgets the files of an earlier revision.
+// Forgets files that were read before the revision changed.
 void VariantCache::Renew(std::uint64_t revision) {
   if (std::exchange(revision_, revision) == revision) return;
   snapshot_ = {};
   names_.reset();
-  loader_.emplace();  // has read meshes and textures
+  loader_.emplace();  // the old loader has read meshes and textures
 }
 
 void VariantCache::QuoteNames(Request& request) {
@@ -79,7 +79,7 @@ ShownVariant& VariantCache::Make(const Request& request, CheckLevel level) {
   const bool is_same = key == variant_key_;
   variant_key_ = std::move(key);
   MakeVariant(request, level);
-  // Further checks do not change the object.
+  // Keeps the subject if only the level of checks changed, because checks do not change the object.
   if (!is_same || shown_.subject == nullptr) LoadSubject();
   return shown_;
 }

@@ -20,7 +20,7 @@ namespace mjforge::customize {
 /// Checks of a variant; each includes the checks before it.
 enum class CheckLevel { kNone, kLoad, kPhysics };
 
-/// A spec with settings, and one of its variants.
+/// A spec with settings, and one of the spec's variants.
 struct ShownVariant {
   diag::Sources sources;
   diag::Findings spec_findings;
@@ -34,8 +34,8 @@ struct ShownVariant {
   diag::Findings Findings() const;
 };
 
-/// Loads a spec with settings and makes variants. Keeps the texts of the spec's files until the
-/// revision of a request changes, and the last variant.
+/// Loads a spec with settings and makes variants. Keeps the last variant, and the texts of the
+/// spec's files until the revision of a request changes.
 class VariantCache {
  public:
   VariantCache(std::string reference, std::vector<std::filesystem::path> search_path)
@@ -49,7 +49,8 @@ class VariantCache {
   /// Returns the variant of the request, with at least these checks.
   ShownVariant& Make(const Request& request, CheckLevel level);
 
-  /// Returns the files on which the current spec and variant depend, and those that are missing.
+  /// Returns the files on which the current spec and variant depend, including those that are
+  /// missing.
   std::vector<std::filesystem::path> Files() const;
 
  private:
@@ -64,8 +65,8 @@ class VariantCache {
   spec::Snapshot snapshot_;
   std::optional<picture::Loader> loader_ = std::make_optional<picture::Loader>();
   std::vector<std::filesystem::path> assets_;  // files of the last object
-  std::string key_;                            // revision and settings of `shown_`; empty: none
-  std::string variant_key_;                    // seed and index of its variant; empty: none
+  std::string key_;                            // revision and settings of `shown_`; empty: no spec
+  std::string variant_key_;  // seed and index of the variant in `shown_`; empty: no variant
   ShownVariant shown_;
 };
 

@@ -14,7 +14,7 @@ void WriteValues(diag::Json& json, const ShownVariant& shown) {
   json.EndObject();
 }
 
-// Writes mass (kg), size (m) and counts of the object; null if there is none.
+// Writes `facts`: mass (kg), size (m) and counts of the object; null if there is no object.
 void WriteFacts(diag::Json& json, const ShownVariant& shown) {
   json.Key("facts");
   if (!shown.variant || shown.variant->object == nullptr) return json.Value(nullptr);

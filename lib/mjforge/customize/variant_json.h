@@ -11,11 +11,11 @@ namespace mjforge::customize {
 bool IsMovable(const picture::Joint& joint);
 
 /// Writes three members: `values` of the parameters; `facts`, which are mass (kg), size (m) and
-/// counts, or null if there is no object; and `joints`, a list of those that are movable.
+/// counts, or null if there is no object; and `joints`, a list of the movable joints.
 void WriteVariant(diag::Json& json, const ShownVariant& shown);
 
-/// Writes members about the part of the spec whose geom has this name: `part`, `material`, `mass`
-/// (kg, with all its pieces), `file` and `line`. Writes none if there is no such part.
+/// Writes members about the part that has the geom `geom`: `part`, `material`, `mass` (kg, with all
+/// pieces of the part), `file` and `line`. Writes no members if no part has this geom.
 void WritePart(diag::Json& json, const ShownVariant& shown, std::string_view geom);
 
 }  // namespace mjforge::customize
