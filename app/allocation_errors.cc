@@ -5,7 +5,7 @@
 
 #include "usage.h"
 
-// Function of mimalloc, which is not linked under sanitizers.
+// Function of the allocator mimalloc; null under sanitizers, where mimalloc is not linked.
 extern "C" [[gnu::weak]] void mi_register_error(void (*handler)(int, void*), void* argument);
 
 namespace mjforge::app {

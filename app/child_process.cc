@@ -30,9 +30,9 @@ namespace {
 
 constexpr std::string_view kNeedsMemory = "needs more memory than there is";
 
-// Progress of the child, in memory shared by both processes.
+// Progress of the child process, in memory that the parent and the child share.
 struct Progress {
-  std::size_t step = 0;  // the current step
+  std::size_t step = 0;  // index of the current step
   ExitStatus status = ExitStatus::kDone;
   bool done = false;
 };
@@ -54,7 +54,7 @@ void LimitTime(Seconds time) {
   ::setrlimit(RLIMIT_CPU, &limit);
 }
 
-// Runs the remaining steps in the child. The child ends when its parent ends.
+// Runs the remaining steps in the child process. The child ends when its parent ends.
 [[noreturn]] void RunSteps(std::size_t count, Seconds time_limit,
                            const std::function<ExitStatus(std::size_t)>& take, Progress& progress,
                            ::pid_t parent) {
@@ -76,8 +76,8 @@ void LimitTime(Seconds time) {
   std::exit(0);
 }
 
-// Waits until the child has ended, which closes the write end of its pipe; returns false if the
-// child is still running after `time`.
+// Waits for the end of the child, which closes the write end of the child's pipe; returns false if
+// the child is still running after `time`.
 bool HasEnded(int pipe, Seconds time) {
   ::pollfd polled = {pipe, POLLIN, 0};
   int ready = 0;
@@ -90,9 +90,9 @@ bool HasEnded(int pipe, Seconds time) {
   return ready > 0;
 }
 
-// Waits for the child and returns the reason of its end. Kills the child if a step exceeds its wall
-// time. If the child was ended by a signal of the terminal or of a batch system, ends this process
-// by the same signal.
+// Waits for the child and returns the reason of the child's end. Kills the child if a step exceeds
+// its wall time. If a signal of the terminal or of a batch system ended the child, ends this
+// process by the same signal.
 std::string WaitFor(::pid_t child, int pipe, Seconds time_limit, const Progress& progress) {
   const Seconds patience = batch::WallLimit(time_limit);
   std::size_t step = progress.step;
@@ -127,7 +127,7 @@ std::string DescribeEnd(int status) {
              : fmt::format("made MuJoCo end the process with status {}", WEXITSTATUS(status));
 }
 
-// Not with AddressSanitizer, which reserves terabytes.
+// Does nothing under AddressSanitizer, which reserves terabytes of address space.
 void LimitMemory() {
 #ifndef __SANITIZE_ADDRESS__
   constexpr ::rlim_t kMost = ::rlim_t{8} << 30;

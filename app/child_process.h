@@ -25,7 +25,8 @@ void LimitMemory();
 /// Returns the reason of the end of a process from its wait status: "made MuJoCo crash (SIGSEGV)".
 std::string DescribeEnd(int status);
 
-/// Adds the finding that the file or spec `what` crashed or exceeded a limit. `reason`: see above.
+/// Adds the finding that the file or spec `what` crashed or exceeded a limit, for the reason that
+/// RunInChild or DescribeEnd gave.
 void AddCrashFinding(const std::string& what, const std::string& reason, diag::Findings& findings);
 
 /// Runs one step; a crash becomes a finding about `what`.

@@ -24,7 +24,7 @@ struct Item {
   std::string name;
   std::string description;
   std::string words;    // names and meanings of the parameters
-  std::string problem;  // the reason why it cannot be loaded; empty: none
+  std::string problem;  // reason why the spec cannot be loaded; empty: it can be loaded
 };
 
 std::string LowerCase(std::string text) {
@@ -57,8 +57,8 @@ Item LoadItem(const std::string& name, const spec::LoadOptions& load, Console& c
   return item;
 }
 
-// Returns the specs in the search path that have these words, by name. Specs that cannot be loaded
-// are findings; without words, they are among the results.
+// Returns the specs in the search path that contain these words, sorted by name. Adds findings for
+// specs that cannot be loaded; without words, these specs are among the results.
 std::vector<Item> ListItems(const std::vector<std::string>& words, Console& console) {
   spec::LoadOptions load;
   load.search_path = forge::SearchPath();

@@ -29,7 +29,7 @@ ExitStatus CheckSpec(const std::string& spec, const CheckOptions& options, Conso
   console.Show(summary.findings, console.sources, summary.more_findings);
   console.PrintLine(
       fmt::format("{}: {} of {} variants ok", recipe->spec->file, summary.ok, request.count));
-  // Variants without draws are all alike, and after a failure there is something to mend first.
+  // Prints the confidence only if the variants are random and none of the variants failed.
   const bool is_random = recipe->spec->draws.random || recipe->spec->has_place;
   if (is_random && request.count > 1 && summary.ok == request.count)
     console.PrintLine("  " + ConfidenceText(summary.ok));

@@ -21,7 +21,7 @@ namespace mjforge::app {
 namespace {
 
 struct CustomizeOptions : ObjectOptions {
-  std::uint64_t port = 0;  // 0: any free one
+  std::uint64_t port = 0;  // 0: any free port
   bool no_open = false;
   Seconds time_limit{60};
 };
@@ -40,8 +40,8 @@ customize::Start StartOf(const CustomizeOptions& options) {
   return start;
 }
 
-// Returns false, with findings, if there is no such spec. A spec with errors can be corrected while
-// its page is open.
+// Returns true if the spec exists, even with errors, which can be corrected while its page is open;
+// otherwise adds findings.
 bool SpecExists(const CustomizeOptions& options, Console& console) {
   Console silent{MessageOptions()};
   SpecOptions bare;
@@ -60,8 +60,8 @@ WorkerMaker MakeWorkerOf(const CustomizeOptions& options) {
   };
 }
 
-// Writes an HTML file that redirects a browser to the address, which contains a secret token.
-// Other users can read the arguments of a program, but not this file.
+// Writes an HTML file that redirects a browser to `address`, which contains a secret token. The
+// browser gets the file, because other users can read a program's arguments but not this file.
 bool WriteRedirect(const std::filesystem::path& file, const std::string& address,
                    diag::Findings& findings) {
   return output::WriteFile(file,
@@ -72,8 +72,8 @@ bool WriteRedirect(const std::filesystem::path& file, const std::string& address
                            false, findings);
 }
 
-// Opens a file in the browser of the desktop. A child of a child runs the browser, so that it is no
-// child of this process.
+// Opens a file in the browser of the desktop. Runs the browser in a child of a child, so that this
+// process need not wait for the browser's end.
 void OpenInBrowser(const std::filesystem::path& file) {
   const ::pid_t child = ::fork();
   if (child == 0) {

@@ -43,7 +43,7 @@ struct GenerateOptions : BatchOptions {
 
 constexpr std::uint64_t kMaxShards = 99'999;  // file names have five digits for a shard
 
-// Parses "3/8".
+// Parses the index and the count of a shard: "3/8".
 std::optional<output::Shard> ParseShard(std::string_view text, std::string& why_not) {
   const std::size_t slash = text.find('/');
   const std::optional<std::uint64_t> index = ParseWhole(text.substr(0, slash));
@@ -83,7 +83,7 @@ std::string FindConflict(const GenerateOptions& options, const batch::Request& r
   return {};
 }
 
-// Returns the message if the objects of a scene cannot be written one by one.
+// Returns the message if --each does not fit other options; empty if there is no conflict.
 std::string FindEachConflict(const GenerateOptions& options, const batch::Request& request) {
   if (!request.variant.each) return {};
   const Kind kind = request.destination.kind;
@@ -97,7 +97,7 @@ std::string FindEachConflict(const GenerateOptions& options, const batch::Reques
                      options.target, fmt::join(targets, ", "));
 }
 
-// Returns the message if the structures of variants are not known, or have no folders.
+// Returns the message if --layout does not fit other options; empty if there is no conflict.
 std::string FindLayoutConflict(const GenerateOptions& options, const batch::Request& request) {
   if (request.variant.layout == manifest::Layout::kAny) return {};
   if (request.variant.validation == manifest::Validation::kNone)
@@ -169,7 +169,7 @@ void AddGenerateOptions(CLI::App& command, GenerateOptions& options) {
 }
 
 // Converts the options to a request; the folder is set later if its name comes from the spec.
-// Returns nothing and sets `why_not` if options contradict each other.
+// Returns nullopt and sets `why_not` if options contradict each other.
 std::optional<batch::Request> RequestOf(const GenerateOptions& options, std::string& why_not) {
   batch::Request request = RequestOf(static_cast<const BatchOptions&>(options));
   request.variant.target = *mjcf::FindTarget(options.target);
@@ -207,7 +207,7 @@ std::optional<batch::Request> RequestOf(const GenerateOptions& options, std::str
   return why_not.empty() ? std::optional(std::move(request)) : std::nullopt;
 }
 
-// Returns "97 ok, 3 failed (0.2 s)".
+// Returns the counts and the time of a batch: "97 ok, 3 failed (0.2 s)".
 std::string CountsText(const batch::Summary& summary, Clock::time_point start) {
   std::string text = fmt::format("{} ok", summary.ok);
   if (summary.failed > 0) text += fmt::format(", {} failed", summary.failed);
@@ -222,7 +222,7 @@ std::string CountsText(const batch::Summary& summary, Clock::time_point start) {
   return text + ")";
 }
 
-// Global, because a signal handler has no other access to it.
+// Set by the signal handler, which can only access global variables.
 std::atomic<bool> interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
@@ -244,7 +244,7 @@ const std::atomic<bool>& CatchInterrupts() {
   return interrupted;
 }
 
-// A run of the command.
+// A run of `mjforge generate`.
 class Generation {
  public:
   Generation(const GenerateOptions& options, batch::Request request, Console& console)
@@ -358,7 +358,7 @@ class Generation {
       console_.PrintLine("  hint: the same command with --resume continues from there");
   }
 
-  // Prints in which fields the variants of a batch differ, and which parameters separate them.
+  // Prints the fields in which variants of a batch differ, and the parameters that separate them.
   void PrintDifferences(const std::filesystem::path& manifest) {
     diag::Sources sources;
     diag::Findings ignored;

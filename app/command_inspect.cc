@@ -23,7 +23,7 @@ struct InspectOptions : ObjectOptions {
   bool json = false;
 };
 
-// Parses "0.1,-2,3e-1".
+// Parses the three coordinates of a point: "0.1,-2,3e-1".
 std::optional<Eigen::Vector3d> ParsePoint(std::string_view text) {
   Eigen::Vector3d point;
   for (int i = 0; i < 3; ++i) {

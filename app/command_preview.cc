@@ -33,7 +33,7 @@ bool MayReplacePicture(const std::filesystem::path& file, bool force, diag::Find
   return output::MayReplace(file, force, kStart, is_ours, findings);
 }
 
-// Groups the findings of variants as a batch does. The console limits their number.
+// Returns a summary without a limit of findings, because the console limits the number it prints.
 batch::FindingSummary VariantFindings() {
   return batch::FindingSummary(std::numeric_limits<std::size_t>::max());
 }
@@ -41,7 +41,7 @@ batch::FindingSummary VariantFindings() {
 // An object to draw, and the record for the picture's caption and metadata.
 struct PreviewObject {
   std::unique_ptr<picture::Subject> subject;
-  manifest::Record record;  // for an MJCF file, only the name without its ending
+  manifest::Record record;  // for an MJCF file, only the file's name without its ending
 };
 
 std::string StemOf(const std::string& file) { return std::filesystem::path(file).stem().string(); }
@@ -54,8 +54,8 @@ class Preview {
         console_(console),
         findings_(console.findings) {}
 
-  /// Makes the picture, and writes the names of the files that it depends on to `files`, unless
-  /// that is null.
+  /// Makes the picture. Writes the names of the files that the picture depends on to `files`,
+  /// unless `files` is null.
   ExitStatus operator()(std::FILE* files) {
     const std::optional<std::string> bytes = Make();
     if (files != nullptr) WriteFiles(files);
@@ -80,7 +80,7 @@ class Preview {
   std::optional<std::string> Make() {
     std::vector<PreviewObject> objects = options_.is_file ? LoadFiles() : LoadVariants();
     if (objects.empty() || !Pose(objects)) return std::nullopt;
-    // Checked before drawing, which may take long.
+    // Checks the existing file before drawing, which may take long.
     if (options_.output != "-" && !MayReplacePicture(place_, options_.force, findings_))
       return std::nullopt;
     const auto renderer = picture::Renderer::Open(findings_);
@@ -97,7 +97,8 @@ class Preview {
     ChoosePlace(options_.what == "-" ? "stdin" : StemOf(options_.what));
     std::vector<PreviewObject> objects;
     for (const std::string& what : options_.whats) {
-      // Reports errors with their places in the file.
+      // Loads the file with the validator first, which reports errors with their places in the
+      // file.
       if (!validate::Loader().Load(what, console_.sources, findings_) || findings_.HasErrors())
         return {};
       std::string why_not;
@@ -143,7 +144,7 @@ class Preview {
     return objects;
   }
 
-  // Returns an error of MuJoCo at its place in the spec.
+  // Returns the reason why MuJoCo rejects a variant, as findings at their places in the spec.
   diag::Findings Explain(const forge::Variant& variant, const std::string& why_not) const {
     diag::Findings found;
     validate::Loader().Validate(variant.document, *variant.object, found);
@@ -155,7 +156,7 @@ class Preview {
 
   bool Pose(std::vector<PreviewObject>& objects) {
     diag::Findings of_views;
-    diag::Findings again;  // findings of the other variants
+    diag::Findings again;  // repeats the findings of the first variant that has any
     for (PreviewObject& object : objects) {
       if (recipe_) SetPoseOf(*recipe_->spec, *object.subject, of_views.empty() ? of_views : again);
     }
@@ -165,8 +166,9 @@ class Preview {
     return is_moved;
   }
 
-  // Moves the joints of this name. Adds an error if no object can be moved, and otherwise a warning
-  // if one cannot, because variants differ in their joints. Returns false after an error.
+  // Moves the joint `name` of all objects. Adds an error if no object's joint can be moved, and a
+  // warning if only some can, because variants differ in their joints. Returns false after an
+  // error.
   bool MoveJoint(const std::string& name, double value, std::vector<PreviewObject>& objects) {
     diag::Findings found;
     bool is_moved = false;
@@ -230,7 +232,7 @@ class Preview {
     return picture::EncodePng(sheet, TextsOf(records.front(), fmt::format("+{}", options_.count)));
   }
 
-  // Returns the metadata that identify the object in the picture.
+  // Returns the metadata of the picture: spec, seed and index of the object, or its MJCF file.
   picture::Texts TextsOf(const manifest::Record& record, const std::string& count) const {
     const std::string places =
         record.place_seed ? fmt::format(" place-seed={}", *record.place_seed) : "";
@@ -256,8 +258,8 @@ ExitStatus DrawInChild(const PreviewOptions& options, Console& console,
                     [&] { return Preview(options, console)(files); });
 }
 
-// Returns the files of a preview: MJCF files, or the files that a spec is read from, as far as they
-// are known without a variant.
+// Returns the files of a preview that are known without a variant: MJCF files, or the files that a
+// spec is read from.
 std::vector<std::filesystem::path> FilesOf(const PreviewOptions& options) {
   std::vector<std::filesystem::path> files(options.whats.begin(), options.whats.end());
   if (options.is_file) return files;
@@ -270,7 +272,7 @@ std::vector<std::filesystem::path> FilesOf(const PreviewOptions& options) {
   return files;
 }
 
-// Returns the names that a child process wrote, each with a zero byte behind it.
+// Returns the names that a child process wrote to `file`, each with a zero byte behind it.
 std::vector<std::filesystem::path> ReadNames(std::FILE* file) {
   std::vector<std::filesystem::path> names;
   std::string name;

@@ -20,7 +20,7 @@ namespace {
 
 using Path = std::filesystem::path;
 
-constexpr std::size_t kMaxSuggestions = 3;  // manifests named in a hint
+constexpr std::size_t kMaxSuggestions = 3;  // largest number of manifests in a hint
 
 bool IsFile(const Path& file) {
   std::error_code ignored;
@@ -51,8 +51,8 @@ std::string Suggestion(const std::vector<std::string>& manifests) {
   return text + "?";
 }
 
-// Finds the manifest of a batch, which is named by its manifest, folder or archives. If there is
-// none, returns nothing and adds a finding with suggestions.
+// Finds the manifest of a batch from the name of the manifest, the folder or an archive. If there
+// is no manifest, returns nullopt and adds a finding with suggestions.
 std::optional<Path> FindBatch(const std::string& what, diag::Findings& findings) {
   std::error_code ignored;
   if (std::filesystem::is_directory(what, ignored)) {
@@ -78,8 +78,8 @@ std::optional<Path> FindBatch(const std::string& what, diag::Findings& findings)
   return std::nullopt;
 }
 
-// Returns the default file of a page, beside its manifest: "out/manifest.jsonl" ->
-// "out/report.html", "mugs.manifest.jsonl" -> "mugs.report.html".
+// Returns the default file of a report page, beside the manifest of the batch: "out/manifest.jsonl"
+// -> "out/report.html", "mugs.manifest.jsonl" -> "mugs.report.html".
 Path PageOf(const Path& manifest) {
   constexpr std::string_view kManifest = "manifest";
   std::string name = manifest.filename().string();

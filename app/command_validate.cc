@@ -34,8 +34,8 @@ struct FileResult {
   bool ok() const { return model.has_value() && !findings.HasErrors(); }
 };
 
-// Returns "; at rest after 0.19 s, tilt 0.1 deg, drift 0.2 mm, 4 contacts, 16 rows; 2 joints
-// driven".
+// Returns the measurements of a simulated file: "; at rest after 0.19 s, tilt 0.1 deg, drift 0.2
+// mm, 4 contacts, 16 rows; 2 joints driven".
 std::string Behaviour(const physics::Result& result) {
   constexpr double kDegrees = 180 / std::numbers::pi;
   std::string text = "; not dropped";
@@ -106,7 +106,8 @@ std::string FileJson(const std::string& file, const FileResult& result,
   });
 }
 
-// Checks that all files share. `laboratory` is empty without --physics.
+// Loader and simulator for all files, one after the other. `laboratory` is nullopt without
+// --physics.
 struct Validators {
   validate::Loader loader;
   std::optional<physics::Laboratory> laboratory;

@@ -56,7 +56,7 @@ sigset_t WatchedSignals() {
 }
 
 // Waits until the process ends and returns its wait status. Passes signals on to the process; sets
-// `interrupted` if there was one.
+// `interrupted` if a signal was passed on.
 int WaitFor(pid_t process, const sigset_t& watched, bool& interrupted) {
   int status = 0;
   while (::waitpid(process, &status, WNOHANG) == 0) {
@@ -75,7 +75,7 @@ std::string DescribeExit(int status) {
 }
 
 // Finds MuJoCo's viewer in PATH, by its name in Debian or by its name in MuJoCo's releases. Returns
-// nothing and adds a finding if there is no viewer or no display.
+// nullopt and adds a finding if there is no viewer or no display.
 std::optional<std::filesystem::path> FindViewer(diag::Findings& findings) {
   for (const std::string_view program : {"mujoco-simulate", "simulate"}) {
     const std::filesystem::path file = FindInPath(program);

@@ -95,7 +95,7 @@ class CommandLine {
     }
   }
 
-  // "-n", "-n5", "-qv"
+  // Reads a word of short options: "-n", "-n5" or "-qv".
   void ReadShort(const std::string& word) {
     for (std::size_t i = 1; i < word.size(); ++i) {
       CLI::Option* option = command_.get_option_no_throw({'-', word[i]});
@@ -120,7 +120,7 @@ class CommandLine {
 
 class Completions {
  public:
-  /// `word`: the word under the cursor.
+  /// Collects completions of `word`, the word under the cursor.
   explicit Completions(std::string word) : word_(std::move(word)) {}
 
   const std::string& word() const { return word_; }
@@ -145,7 +145,7 @@ std::unique_ptr<spec::ObjectSpec> LoadQuietly(const std::string& name) {
   return spec::LoadSpec(name, load, sources, findings);
 }
 
-// Adds the names in the catalogue that begin with `start`, and the last words of names that do.
+// Adds catalogue names that begin with `start`, and last parts of names ("hammer") that do.
 void AddSpecs(const std::string& before, const std::string& start, Completions& completions) {
   std::set<std::string> names;
   for (const std::filesystem::path& folder : forge::SearchPath()) {
@@ -176,7 +176,7 @@ std::vector<std::string> ChoicesOf(const spec::Value& value) {
   return choices;
 }
 
-// Adds "NAME=", or if the word already contains that, the values.
+// Adds "NAME=" or, if the word already contains "NAME=", the values of the setting.
 void AddSetting(const std::string& before, const std::string& name, const std::string& meaning,
                 const std::vector<std::string>& values, Completions& completions) {
   const std::string start = before + name + "=";
@@ -219,7 +219,7 @@ void AddJoints(const std::string& before, const CommandLine& line, Completions& 
   }
 }
 
-// `before`: the part of the word before the value ("--target=").
+// Adds the values of an option. `before` is the part of the word before the value: "--target=".
 void AddValues(CLI::Option& option, const std::string& before, const CommandLine& line,
                Completions& completions) {
   for (const std::string_view value : OfferedBy(option)) {
@@ -227,7 +227,7 @@ void AddValues(CLI::Option& option, const std::string& before, const CommandLine
       AddSpecs(before, completions.word().substr(before.size()), completions);
     } else if (value == "<setting>") {
       AddParameters(before, line.Spec(), completions);
-      // Thresholds are many, so they are added only without a spec, or after a first character.
+      // Adds the many thresholds only without a spec, or after the value's first character.
       if (line.Spec().empty() || completions.word() != before) AddThresholds(before, completions);
     } else if (value == "<joint>") {
       AddJoints(before, line, completions);

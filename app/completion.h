@@ -15,7 +15,7 @@ class Validator;
 
 namespace mjforge::app {
 
-/// For Offers: names of specs, and YAML files.
+/// Argument of Offers for an option that takes a spec: names of the catalogue, and YAML files.
 inline constexpr const char* kSpecs = "<spec> .yaml .yml";
 
 /// Returns a validator for the `check` of an option that accepts every value and declares its

@@ -19,8 +19,8 @@ std::string ConfidenceText(std::uint64_t passed) {
   const double share = LargestFailingShare(passed);
   std::string text = fmt::format(
       "up to {:.2g} % of all variants may still fail (with 95 % confidence)", 100 * share);
-  // 300 and 3000 variants are the round numbers for 1 % and 0.1 %, as which shares up to 1.05 % and
-  // 0.105 % are told.
+  // Suggests 300 variants for 1 %, and 3000 for 0.1 %. A share up to 1.05 % counts as 1 %, and a
+  // share up to 0.105 % as 0.1 %.
   if (share > 0.0105)
     text += "; -n 300 lowers that to 1 %";
   else if (share > 0.00105)

@@ -10,8 +10,8 @@ namespace mjforge::app {
 /// variants failed, with a confidence of 95 %: the one-sided bound of Clopper and Pearson.
 double LargestFailingShare(std::uint64_t passed);
 
-/// Returns what `passed` variants, of which none failed, say about all variants: the largest share
-/// that may fail, in percent, and the number of variants that would make it smaller.
+/// Returns a sentence about all variants of a spec, after `passed` variants and no failure: the
+/// largest share that may fail, in percent, and the number of variants that would lower this share.
 std::string ConfidenceText(std::uint64_t passed);
 
 }  // namespace mjforge::app

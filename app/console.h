@@ -74,7 +74,7 @@ bool IsSet(const char* variable);
 /// Returns true if standard error is a terminal with control sequences.
 bool IsTerminal();
 
-/// Returns "1 body", "2 bodies".
+/// Returns a count with its noun: "1 body", "2 bodies".
 std::string Counted(std::uint64_t count, std::string_view one, std::string_view many);
 
 /// Returns a text of unknown origin as part of a line: line ends and tabs become spaces, and

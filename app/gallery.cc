@@ -39,7 +39,7 @@ class Gallery {
     for (std::optional<diag::Finding>& finding : findings_) {
       if (finding) console_.findings.Add(*std::move(finding));
     }
-    console_.findings.Unique();  // nothing to draw with is one finding, not one per spec
+    console_.findings.Unique();  // reports a missing renderer once, not for each spec
     const std::filesystem::path index = options_.folder / kIndex;
     const bool is_written =
         output::WriteSingleFile(index, report::MakeGalleryIndex(cards_), console_.findings);
@@ -95,7 +95,7 @@ class Gallery {
     card.picture = std::move(result.card.picture);
     card.has_page = result.card.has_page;
     findings_[i] = std::move(result.finding);
-    // A page without pictures is complete in all else.
+    // Only warns if the page exists: such a page lacks pictures but is otherwise complete.
     if (findings_[i] && card.has_page) findings_[i]->severity = diag::Severity::kWarning;
     ++(card.has_page ? summary_.ok : summary_.failed);
     progress_.Show(summary_);

@@ -18,9 +18,9 @@ struct GalleryOptions {
   bool force = false;  // overwrite files that mjforge did not make
 };
 
-/// Writes an index and a page for each spec to a folder. Cards have names, descriptions and words;
-/// those with a problem get no page. A spec that cannot be drawn is a finding, and its card says
-/// so.
+/// Writes an index and a page for each spec to a folder. `cards` have names, descriptions and
+/// words; cards with a problem get no page. A spec without a page becomes a finding and a problem
+/// on the spec's card.
 ExitStatus WriteGallery(const GalleryOptions& options, std::vector<report::GalleryCard> cards,
                         Console& console);
 

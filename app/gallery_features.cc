@@ -35,7 +35,7 @@ Unit UnitOfLength(double meters) {
 
 Unit UnitOfMass(double kilograms) { return kilograms < 1 ? Unit{1000, "g"} : Unit{1, "kg"}; }
 
-// Smallest and largest of some numbers.
+// Smallest and largest of several numbers.
 struct Range {
   double min = 0;
   double max = 0;
@@ -94,7 +94,7 @@ std::string RegionText(const model::Region& region) {
   return text;
 }
 
-// Adds a table unless it has no rows; the rows after kMaxRows are only counted.
+// Adds a table unless the table has no rows; rows after kMaxRows are not shown but counted.
 void Add(report::FeatureTable table, std::vector<report::FeatureTable>& tables) {
   if (table.rows.empty()) return;
   if (const std::size_t count = table.rows.size(); count > kMaxRows) {

@@ -42,7 +42,7 @@ report::GalleryPicture PictureOf(const report::Thumbnail& image, std::string alt
 
 std::optional<report::Thumbnail> Draw(picture::Renderer& renderer, picture::Subject& subject,
                                       const picture::View& view, std::pair<int, int> size) {
-  diag::Findings ignored;  // the page has one picture less
+  diag::Findings ignored;  // after an error, the page has one picture less
   const auto [width, height] = size;
   const picture::Options options = {.width = width, .height = height, .view = view};
   const auto image = renderer.Draw(subject, options, ignored);
@@ -78,10 +78,10 @@ class PageMaker {
     view_ = ViewOf(*recipe_.spec);
   }
 
-  /// Makes and draws variants; returns false if there is none. `findings` are those of the failed
-  /// ones.
+  /// Makes and draws variants; returns false if MuJoCo loads no variant. Adds the findings of all
+  /// variants to `findings`.
   bool MakeVariants(diag::Findings& findings) {
-    // Scenes take long.
+    // Makes fewer variants of scenes, which take long.
     const std::uint64_t count = recipe_.spec->has_place ? kTiles : kMeasured;
     forge::Generator generator(recipe_, sources_, options_);
     forge::Variant variant;
@@ -170,8 +170,8 @@ class PageMaker {
 
   void DrawFilm(picture::Renderer& renderer, picture::Subject& subject, int number,
                 const picture::Joint& joint) {
-    diag::Findings ignored;                // the page has one film less
-    subject.Reset(picture::Pose::kStart);  // after the film of another joint
+    diag::Findings ignored;                // after an error, the page has one film less
+    subject.Reset(picture::Pose::kStart);  // undoes the film of another joint
     SetPoseOf(*recipe_.spec, subject, ignored);
     std::vector<picture::JointPositions> poses;
     for (int i = 0; i < kFrames; ++i) {
@@ -206,7 +206,7 @@ class PageMaker {
   report::SpecPage page_;
 };
 
-// Returns the first error, without its place, as a finding about the spec.
+// Returns the first error of a spec as a finding about the spec, without a place in a file.
 diag::Finding Problem(const std::string& name, const diag::Findings& findings) {
   const diag::Finding& first = FirstError(findings);
   return {.code = first.code,

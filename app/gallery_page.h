@@ -17,7 +17,7 @@ struct GalleryResult {
   report::GalleryCard card;
   std::optional<diag::Finding> finding;  // without a place; an error if there is no page
 
-  /// Returns the result as bytes, for another process.
+  /// Returns the result as bytes, to be sent to another process.
   std::string Pack() const;
   static GalleryResult Unpack(std::string_view bytes);
 };
@@ -25,10 +25,10 @@ struct GalleryResult {
 /// Makes variants of specs, draws them, and writes a page for each spec.
 class GalleryPages {
  public:
-  /// Pages are written to this folder.
+  /// Makes an object that writes pages to `folder`.
   explicit GalleryPages(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// Makes the page of a spec in the search path. The card has no description.
+  /// Makes the page of a spec in the search path. The card in the result has no description.
   GalleryResult Make(const std::string& name);
 
  private:
@@ -36,7 +36,7 @@ class GalleryPages {
 
   std::filesystem::path folder_;
   bool is_opened_ = false;
-  std::unique_ptr<picture::Renderer> renderer_;  // opened for the first picture; null: none
+  std::unique_ptr<picture::Renderer> renderer_;  // null: not opened yet, or not available
 };
 
 }  // namespace mjforge::app

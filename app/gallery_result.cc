@@ -7,7 +7,7 @@
 namespace mjforge::app {
 namespace {
 
-// Appends texts and numbers; each begins with its length.
+// Appends texts and numbers to bytes; each item begins with its length.
 class Packer {
  public:
   void Add(std::string_view text) {
@@ -20,7 +20,7 @@ class Packer {
   std::string bytes_;
 };
 
-// Takes texts and numbers in the same order. Missing ones are empty or 0.
+// Reads texts and numbers in the order of Packer::Add. Missing texts are empty, missing numbers 0.
 class Unpacker {
  public:
   explicit Unpacker(std::string_view bytes) : bytes_(bytes) {}

@@ -23,8 +23,8 @@ std::string InspectTables(const validate::CompiledModel& model,
 std::string InspectJson(const validate::CompiledModel& model,
                         const std::optional<validate::Sweep>& sweep);
 
-/// Returns the manifest of a batch, if `what` is a manifest, an archive or a folder. If a folder
-/// and a spec have this name, `what` is the spec, unless it ends with a slash.
+/// Returns the manifest of a batch if `what` is a manifest, an archive or a folder; otherwise
+/// nullopt. A spec has priority over a folder of the same name, unless `what` ends with a slash.
 std::optional<std::filesystem::path> FindManifest(const std::string& what);
 
 /// Prints statistics of a batch: how often each choice was drawn, range and mean of each number.

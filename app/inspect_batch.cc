@@ -38,7 +38,7 @@ std::string StatusesText(const ManifestSummary& batch) {
   return text.empty() ? "none" : text;
 }
 
-// Returns the values that were drawn for variants that are ok, with their counts.
+// Returns the values that were drawn for the variants that are ok, with the count of each value.
 std::vector<std::pair<std::string, std::uint64_t>> ValuesOf(const ParameterTally& parameter) {
   std::vector<std::pair<std::string, std::uint64_t>> values;
   for (const auto& [value, counts] : parameter.Values()) {
@@ -47,7 +47,7 @@ std::vector<std::pair<std::string, std::uint64_t>> ValuesOf(const ParameterTally
   return values;
 }
 
-// "box 51 (51.0 %), cylinder 49 (49.0 %)"
+// Returns values with counts and shares: "box 51 (51.0 %), cylinder 49 (49.0 %)".
 std::string ValuesText(const ParameterTally& parameter) {
   const auto values = ValuesOf(parameter);
   std::uint64_t total = 0;
@@ -180,7 +180,7 @@ std::optional<std::filesystem::path> FindManifest(const std::string& what) {
   std::error_code ignored;
   std::string why_not;
   const auto archive = output::ParseDestination(what, 1, why_not);
-  if (archive && archive->IsArchive()) {  // the manifest is in the same folder
+  if (archive && archive->IsArchive()) {  // the manifest is in the archive's folder
     const std::filesystem::path manifest = archive->Manifest({});
     if (std::filesystem::exists(manifest, ignored)) return manifest;
   }

@@ -85,7 +85,7 @@ void WriteBox(JsonOutput& json, const model::Box3& aabb, std::string_view key = 
   });
 }
 
-// The order of the inertia is that of the manifest: xx yy zz xy xz yz.
+// Writes mass, centre of mass and inertia, in the order of the manifest: xx yy zz xy xz yz.
 void WriteMass(JsonOutput& json, const model::MassProperties& properties) {
   const Eigen::Matrix3d& I = properties.I_Cm_F;
   json.Member("mass", properties.mass);
@@ -119,7 +119,8 @@ void WriteBodyHead(JsonOutput& json, const model::Object& object, const model::B
   WriteMass(json, body.mass_properties);
 }
 
-// Contacts that several joints cause together have neither joint nor value.
+// Writes the sweep of the joints. Contacts that several joints cause together have null for `joint`
+// and `value`.
 void WriteSweep(JsonOutput& json, const std::optional<validate::Sweep>& sweep) {
   if (!sweep) return;
   json.Object("sweep", [&] {

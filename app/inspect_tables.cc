@@ -11,7 +11,7 @@
 namespace mjforge::app {
 namespace {
 
-// Returns the number with six digits; files have more.
+// Returns a number with six significant digits; files have more digits.
 std::string Number(double value) { return fmt::format("{:.6g}", value + 0.0); }
 
 template <typename Numbers>
@@ -35,7 +35,8 @@ std::string ValueText(const sample::ParameterValue& value) {
   return NumbersText(std::get<std::vector<double>>(value));
 }
 
-// Geoms of attached files (`as_is`) have no separate visual geom.
+// Returns the role of a part. Geoms of attached files (`as_is`) have no separate visual geom, so
+// "both" does not apply to them.
 std::string_view RoleName(const model::Part& part) {
   return part.role == model::Role::kVisual                ? "visual"
          : part.role == model::Role::kBoth && !part.as_is ? "both"
@@ -57,7 +58,7 @@ std::string ParametersText(const forge::Recipe& recipe, const forge::Variant& va
   return table.empty() ? "" : table.Render() + "\n";
 }
 
-// Sets components to zero that are rounding errors of sums of numbers of magnitude `scale`.
+// Sets components to zero that are only rounding errors of sums of numbers of magnitude `scale`.
 Eigen::Vector3d WithoutNoise(const Eigen::Vector3d& vector, double scale) {
   return (vector.array().abs() < 1e-12 * scale).select(0, vector);
 }
@@ -68,25 +69,26 @@ std::string ComText(const model::MassProperties& properties, const model::Box3& 
   return NumbersText(WithoutNoise(properties.p_FCm, LengthOf(aabb)));
 }
 
-// Returns "xx yy zz  xy xz yz".
+// Returns an inertia as "xx yy zz  xy xz yz".
 std::string InertiaText(const model::MassProperties& properties) {
   const Eigen::Matrix3d& I = properties.I_Cm_F;
   const Eigen::Vector3d products = WithoutNoise({I(0, 1), I(0, 2), I(1, 2)}, I.trace());
   return fmt::format("{}  {}", NumbersText(I.diagonal()), NumbersText(products));
 }
 
-// Returns an empty text if the axes are parallel to those of the parent.
+// Returns a quaternion as "w x y z"; empty if the axes are parallel to those of the parent.
 std::string QuatText(const Eigen::Quaterniond& q) {
   if (q.vec().norm() < 1e-12) return "";
   return fmt::format("{} {}", Number(q.w()), NumbersText(q.vec()));
 }
 
-// Returns the body's name if the object has several bodies.
+// Returns the body's name; empty if the object has only one body.
 std::string BodyText(const model::Object& object, const model::Body& body) {
   return object.bodies.size() > 1 ? body.name : "";
 }
 
-// `geoms`: numbers of geoms of the bodies of a file; empty for an object, whose root has no parent.
+// Returns the table of bodies. `geoms` has the number of geoms of each body of a file; empty for an
+// object, whose root has no parent.
 std::string BodiesText(const model::Object& object, std::span<const int> geoms) {
   TextTable table({"body", "parent", "pos", "quat", "geoms", "kg", "com", "inertia, kg m^2"});
   for (const int number : mjcf::DepthFirstOrder(object)) {

@@ -14,7 +14,7 @@ namespace {
 
 struct LoadedSubject {
   std::unique_ptr<picture::Subject> subject;
-  std::string prefix;  // prefix of the names of its joints
+  std::string prefix;  // prefix of the names of the object's joints
 };
 
 LoadedSubject LoadVariant(const std::string& what, const std::vector<std::string>& settings) {

@@ -37,7 +37,7 @@ class JsonOutput : public diag::Json {
   }
 };
 
-/// Returns one line with an object, whose members `write` adds to a JsonOutput.
+/// Returns a line with one JSON object, whose members `write` adds to a JsonOutput.
 template <typename Write>
 std::string JsonLine(const Write& write) {
   JsonOutput json;

@@ -26,7 +26,7 @@ void End(const std::string& message) {
 
 extern "C" void OnCpuTimeLimit(int) { End(cpu_time_message); }
 
-// Counts a second. While the process is stopped (Ctrl-Z), at most one is counted.
+// Counts one second of wall time. While the process is stopped (Ctrl-Z), at most one second counts.
 extern "C" void OnSecond(int) {
   wall_seconds_left = wall_seconds_left - 1;
   if (wall_seconds_left <= 0) End(wall_time_message);

@@ -13,8 +13,8 @@ using Kind = output::Destination::Kind;
 
 constexpr std::array<std::string_view, 4> kNames = {"-MD", "-MF", "-MT", "-MP"};
 
-// Returns the target of the rule; a folder or a series of files is complete when its manifest
-// exists.
+// Returns the target of the rule: the output file or, for a folder or a series of files, the
+// manifest, which is written last.
 std::filesystem::path TargetOf(const output::Destination& destination) {
   const bool is_file = destination.kind == Kind::kFile || destination.kind == Kind::kArchive ||
                        (destination.kind == Kind::kFamily && !destination.IsSplit());
@@ -27,7 +27,7 @@ std::filesystem::path DependencyFile(const output::Destination& destination) {
   return file.replace_extension(".d");
 }
 
-// Returns the normalized name of a file, because Make compares files by their names.
+// Returns the normalized path of a file, because Make compares the texts of paths.
 std::string NameForMake(const std::filesystem::path& file, bool absolute) {
   std::error_code error;
   const std::filesystem::path here = std::filesystem::current_path(error);
@@ -79,7 +79,7 @@ std::string WithShortMakeOptions(std::string text) {
   for (const std::string_view name : kNames) {
     const std::string wide = "-" + std::string(name);
     for (std::size_t at = text.find(wide); at != text.npos; at = text.find(wide, at)) {
-      // Keep the column of the descriptions.
+      // Keeps the descriptions in their column, because the short name is one character shorter.
       text.replace(at, wide.size(), name);
       const std::size_t gap = text.find("  ", at);
       const std::size_t end = text.find('\n', at);

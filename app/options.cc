@@ -110,7 +110,7 @@ bool IsMjcf(const std::string& what) {
   if (what != "-") return what.ends_with(".xml");
   std::string why_not;
   const auto text = bytes::ReadStart(what, bytes::kMaxMjcf, why_not);
-  constexpr std::string_view kBlank = " \t\r\n\xef\xbb\xbf";  // and the byte-order mark
+  constexpr std::string_view kBlank = " \t\r\n\xef\xbb\xbf";  // white space and the byte-order mark
   const std::size_t first = text ? text->find_first_not_of(kBlank) : std::string::npos;
   return first != std::string::npos && (*text)[first] == '<';
 }
@@ -173,7 +173,7 @@ std::vector<spec::Setting> MakeSettings(const std::vector<std::string>& texts) {
   return settings;
 }
 
-// CLI11's own conversion reads "010" as eight.
+// Parses decimal digits itself, because CLI11's own conversion reads "010" as eight.
 std::optional<std::uint64_t> ParseWhole(std::string_view text) {
   std::uint64_t value = 0;
   const char* end = text.data() + text.size();

@@ -31,7 +31,7 @@ struct SpecOptions {
   }
 };
 void AddSpecOptions(CLI::App& command, SpecOptions& options);
-/// Loads a spec; returns nothing and adds findings if it has errors.
+/// Loads a spec; returns nullopt and adds findings if it has errors.
 std::optional<forge::Recipe> LoadRecipe(const std::string& what, const SpecOptions& options,
                                         Console& console);
 
@@ -61,7 +61,7 @@ struct BatchOptions {
   batch::Request request;  // incomplete: see RequestOf
 };
 void AddBatchOptions(CLI::App& command, BatchOptions& options);
-/// Completes the request: its seed, and `batch` (the number of variants over which draws are
+/// Completes the request: sets its seed, and `batch` (the number of variants over which draws are
 /// spread) if --batch was not given.
 batch::Request RequestOf(const BatchOptions& options);
 /// Returns the exit status of a finished or stopped batch.

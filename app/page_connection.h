@@ -13,8 +13,8 @@ class PageServer;
 using CloseConnection = std::function<void()>;
 
 /// Reads requests from a connection and writes the responses of the server, until the browser
-/// closes the connection or leaves it idle, or after a response that refuses the request. The
-/// number is that of the connection for PageServer::Trust.
+/// closes the connection or leaves it idle, or after a response that refuses a request. `number`
+/// identifies the connection for PageServer::Trust.
 CloseConnection ServeConnection(boost::asio::ip::tcp::socket socket, PageServer& server,
                                 std::uint64_t number);
 

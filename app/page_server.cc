@@ -20,9 +20,9 @@ namespace http = boost::beast::http;
 using boost::system::error_code;
 using tcp = asio::ip::tcp;
 
-// Connections whose requests have not had the token. If there are more, the oldest one is closed,
-// so that other users of the machine, whose programs can connect, cannot keep a browser away: its
-// request comes at once.
+// Limit of connections that have not yet sent a request with the token. If there are more, the
+// oldest one is closed, so that connections by other users' programs cannot keep a browser away,
+// which sends its request at once.
 constexpr std::size_t kMostStrangers = 64;
 constexpr std::chrono::milliseconds kInterval(100);  // interval between looks at the spec's files
 constexpr std::chrono::seconds kLongestWait(15);     // time limit of a page that waits for a change
@@ -72,7 +72,7 @@ std::string BodyOf(std::string_view json, std::string_view picture) {
   return fmt::format("{}{}{}", LengthBytes(json.size()), json, picture);
 }
 
-// Separates the names of files, which cannot contain it.
+// Ends the name of each file. No file name contains this byte.
 constexpr char kEnd = '\0';
 
 }  // namespace
@@ -203,7 +203,7 @@ void PageServer::Watch(const std::vector<std::filesystem::path>& files) {
   for (const std::filesystem::path& file : files) watched_.Add(file);
 }
 
-// Looks for changes of files, and answers the pages that wait for them.
+// Checks the files for changes, and answers the pages that wait for a change.
 void PageServer::Tick() {
   if (watched_.HasChanged()) ++revision_;
   const auto now = std::chrono::steady_clock::now();

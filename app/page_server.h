@@ -22,7 +22,7 @@
 namespace mjforge::app {
 
 /// Serves the page of a spec at 127.0.0.1. A single thread serves all connections. A worker process
-/// answers the requests, and a second one those that take long.
+/// answers short requests, and a second worker process answers requests that take long.
 class PageServer {
  public:
   using Request = boost::beast::http::request<boost::beast::http::string_body>;
@@ -31,18 +31,19 @@ class PageServer {
 
   PageServer(boost::asio::io_context& io, const WorkerMaker& make, Seconds time_limit);
 
-  /// Begins to listen at a port, 0 for any free one. Returns the reason of a failure.
+  /// Listens at a port, or at any free port if `port` is 0. Returns the reason of a failure, or an
+  /// empty text.
   std::string Listen(std::uint16_t port);
   /// Returns the page's address, which contains the token.
   std::string Address() const;
 
   /// Returns the response to a request that is too long to be read.
   static Response TooLong();
-  /// Returns the response to a request that may not be answered; nothing if it may.
+  /// Returns the response to a request that may not be answered; nullopt if it may.
   std::optional<Response> Refusal(const Request& request) const;
   /// Answers a request that is not refused, at once or later.
   void Answer(const Request& request, const Respond& respond);
-  /// Keeps a connection, whose request had the token, when others come.
+  /// Exempts a connection from the limit for strangers, because its request had the token.
   void Trust(std::uint64_t number) { strangers_.erase(number); }
 
  private:
@@ -65,12 +66,12 @@ class PageServer {
   boost::asio::ip::tcp::acceptor acceptor_;
   boost::asio::steady_timer timer_;
   RequestQueue queue_;
-  RequestQueue slow_queue_;  // films and physical checks, which do not delay pictures
+  RequestQueue slow_queue_;  // films and physical checks, so that pictures need not wait for them
   std::string token_;
   std::uint64_t revision_ = 0;
   WatchedFiles watched_;
   std::vector<Waiting> waiting_;
-  // Connections without a request that had the token, by number.
+  // Connections that have not yet sent a request with the token, by number.
   std::map<std::uint64_t, CloseConnection> strangers_;
   std::uint64_t accepted_ = 0;  // number of the last connection
 };

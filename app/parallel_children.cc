@@ -25,10 +25,10 @@
 namespace mjforge::app {
 namespace {
 
-// Largest message; the kernel accepts more by default.
+// Size limit of a message in bytes; the kernel accepts longer messages by default.
 constexpr std::size_t kMaxMessage = 160'000;
 
-// The next step, in memory that all processes share.
+// Index of the next step, in memory that all processes share.
 using Counter = std::atomic<std::size_t>;
 
 std::shared_ptr<Counter> ShareCounters(std::size_t count) {
@@ -71,7 +71,7 @@ ExitStatus RunSome(const ParallelSteps& steps, int socket, Counter& next, Counte
       });
 }
 
-// Takes messages until all processes that can send are gone.
+// Takes messages until all processes that can send messages have ended.
 void TakeResults(const ParallelSteps& steps, int socket) {
   std::vector<char> message(kMaxMessage);
   while (true) {
@@ -85,7 +85,8 @@ void TakeResults(const ParallelSteps& steps, int socket) {
   }
 }
 
-// Returns the exit status of a child; passes on the signal by which a user ended it.
+// Returns the exit status of a child. If a user ended the child by a signal, ends this process by
+// the same signal.
 ExitStatus WaitForEnd(::pid_t child) {
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;

@@ -18,7 +18,7 @@ struct ParallelSteps {
   std::function<std::string(std::size_t)> run;
   /// Returns the result of a step that crashed or exceeded a limit, for this reason.
   std::function<std::string(std::size_t, const std::string&)> explain;
-  /// Takes a result in this process, in the order in which the steps end.
+  /// Receives a result in the parent process, in the order in which the steps end.
   std::function<void(std::size_t, std::string)> take;
 };
 

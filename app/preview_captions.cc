@@ -23,11 +23,12 @@ using sample::ParameterValue;
 constexpr std::size_t kMaxParameters = 4;
 constexpr std::size_t kMaxLetters = 36;  // letters of a line that fits below a tile of 320 pixels
 
-// Last words of parameters' names that their values make superfluous: "steel" for "material steel".
+// Last words of parameter names that are left out because the value implies them: "steel" for
+// "material steel".
 constexpr std::array<std::string_view, 15> kEmptyWords = {
     "color", "colour", "finish", "kind", "look",  "make", "material", "metal",
     "model", "name",   "shape",  "size", "style", "type", "wood"};
-// Quantities without unit that no picture shows.
+// Quantities without a unit that are not visible in a picture.
 constexpr std::array<std::string_view, 9> kUnseen = {"armature", "clearance", "damping",
                                                      "density",  "friction",  "margin",
                                                      "mass",     "play",      "stiffness"};
@@ -72,12 +73,12 @@ std::string_view UnitOf(const spec::Parameter* parameter) {
   return "";
 }
 
-// Returns two digits, or all digits before the point: "28", "0.75", "1500".
+// Returns a number with two digits, or with all digits before the point: "28", "0.75", "1500".
 std::string ShortNumber(double number) {
   return std::abs(number) >= 10 ? fmt::format("{:.0f}", number) : fmt::format("{:.2g}", number);
 }
 
-// Returns "28 cm", "45 deg".
+// Returns a number with its unit: "28 cm", "45 deg".
 std::string NumberText(double number, std::string_view unit) {
   const double size = std::abs(number);
   if (unit == "rad") return ShortNumber(number * 180 / std::numbers::pi) + " deg";
@@ -98,7 +99,7 @@ bool IsWhole(const ParameterValue& value) {
   return number != nullptr && *number == std::floor(*number) && std::abs(*number) < 1e6;
 }
 
-// Returns "steel handle", "no lid", "7 spokes", "handle length 28 cm".
+// Returns the text of a value: "steel handle", "no lid", "7 spokes", "handle length 28 cm".
 std::string TextOf(const std::string& name, const ParameterValue& value, std::string_view unit,
                    bool is_count) {
   const std::string noun = NounOf(name);
@@ -127,7 +128,7 @@ bool IsSeen(std::string_view name, std::string_view unit) {
 // angles, 4 for other numbers without a unit. Lists are too long for captions and have no spread.
 struct Difference {
   int rank = 0;
-  double spread = 0;  // orders parameters of one rank; 0: nothing differs that a picture shows
+  double spread = 0;  // orders parameters of one rank; 0: no difference is visible in a picture
 };
 constexpr int kCount = 1;
 
@@ -185,7 +186,7 @@ std::vector<std::tuple<int, double, std::size_t>> MostDifferent(std::span<const 
   return found;
 }
 
-// Adds an item to the last line, or begins another line if the last one is full.
+// Adds an item to the last line, or begins another line if the last line is full.
 void AddItem(const std::string& item, std::vector<std::string>& lines) {
   if (lines.size() > 1 && lines.back().size() + 2 + item.size() <= kMaxLetters) {
     lines.back() += ", " + item;

@@ -19,13 +19,13 @@ namespace {
 constexpr std::array<std::string_view, 5> kBackgrounds = {"studio", "transparent", "white", "gray",
                                                           "black"};
 constexpr int kSizeOfOne = 640;
-constexpr int kSizeOfTile = 320;  // also of the frames of an animation
+constexpr int kSizeOfTile = 320;  // also the size of the frames of an animation
 // Limits of memory: all frames of an animation, or all tiles of a sheet, are in memory together.
 constexpr int kMaxFrameSize = 800;
 constexpr std::uint64_t kMaxPixels = 64'000'000;
 constexpr std::uint64_t kMaxTiles = 400;
 
-// Parses "640" or "640x480".
+// Parses a size in pixels: "640" (a square) or "640x480".
 std::optional<std::pair<int, int>> ParseSize(std::string_view text) {
   const std::size_t cross = text.find('x');
   const std::optional<std::uint64_t> width = ParseWhole(text.substr(0, cross));
@@ -38,7 +38,7 @@ std::optional<std::pair<int, int>> ParseSize(std::string_view text) {
   return std::pair(static_cast<int>(*width), static_cast<int>(*height));
 }
 
-// Parses "hinge=45deg".
+// Parses a joint and its position: "hinge=45deg".
 std::optional<std::pair<std::string, double>> ParseJoint(std::string_view text,
                                                          std::string& why_not) {
   const std::size_t equals = text.find('=');
@@ -82,7 +82,7 @@ std::string CheckPixels(const PreviewOptions& options) {
   return {};
 }
 
-// Returns the message for the first of several WHATs that is not a file; empty if all are.
+// Returns the message for the first of several WHATs that is not a file; empty if all are files.
 std::string FindNoFile(const std::vector<std::string>& whats) {
   for (const std::string& what : whats) {
     if (what == "-" || !IsMjcf(what))

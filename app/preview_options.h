@@ -13,7 +13,7 @@ namespace mjforge::app {
 
 struct PreviewOptions {
   std::vector<std::string> whats;  // a spec, or one or several files
-  std::string what;                // the first of these
+  std::string what;                // the first of `whats`
   std::uint64_t count = 1;
   std::uint64_t first = 0;
   std::string output;
@@ -27,7 +27,7 @@ struct PreviewOptions {
   bool force = false;
   SpecOptions spec;
 
-  // Set by ResolvePreviewOptions.
+  // Results of ResolvePreviewOptions.
   bool is_file = false;
   picture::Options picture;                           // `view` is set by the command line
   std::vector<std::pair<std::string, double>> poses;  // joints with positions, rad or m
@@ -36,8 +36,8 @@ struct PreviewOptions {
 
 void AddPreviewOptions(CLI::App& command, PreviewOptions& options);
 
-/// Parses the texts of the options. Returns the message for wrong or contradictory options; empty
-/// if there are none.
+/// Parses the texts of the options. Returns the message for a wrong option or for options that
+/// contradict each other; empty if there are no such options.
 std::string ResolvePreviewOptions(PreviewOptions& options);
 
 }  // namespace mjforge::app

@@ -24,7 +24,7 @@ std::size_t TerminalWidth() {
   return size.ws_col;
 }
 
-// Returns "1:02:03" or "0:07".
+// Returns a time as "1:02:03" or "0:07".
 std::string TimeText(double seconds) {
   const auto whole = static_cast<std::uint64_t>(std::ceil(seconds));
   if (whole < 3600) return fmt::format("{}:{:02}", whole / 60, whole % 60);
@@ -32,7 +32,7 @@ std::string TimeText(double seconds) {
 }
 
 // Returns "[#####.....]  50 %  500 of 1000  250/s  0:02 left  3 failed", cut to `width` columns.
-// `seconds`: time since the start of this run.
+// `seconds` is the time since the start of this run.
 std::string ProgressLine(const batch::Summary& summary, double seconds, std::size_t width) {
   const auto done = static_cast<double>(summary.done());
   const double share = summary.count == 0 ? 1 : done / static_cast<double>(summary.count);

@@ -10,7 +10,7 @@ namespace mjforge::app {
 /// A line on a terminal with the progress of a batch.
 class ProgressBar {
  public:
-  /// Shows nothing unless `enabled` and standard error is a terminal.
+  /// Shows the line only if `enabled` and standard error is a terminal.
   explicit ProgressBar(bool enabled);
   /// Clears the line.
   ~ProgressBar() { Clear(); }

@@ -40,7 +40,8 @@ void RequestQueue::Next() {
   if (!socket_.is_open()) socket_.assign({}, process_.Start());
   timer_.expires_after(std::chrono::duration_cast<std::chrono::milliseconds>(time_limit_));
   timer_.async_wait([this](error_code error) {
-    // The time of an earlier request may have run out just before that request was answered.
+    // Ignores the timer of an earlier request, which may have expired just before that request was
+    // answered.
     if (error || !current_ || timer_.expiry() > std::chrono::steady_clock::now()) return;
     is_late_ = true;
     process_.Kill();
@@ -80,7 +81,7 @@ void RequestQueue::ReceiveBody() {
   });
 }
 
-// Returns the reason of the end of the worker.
+// Ends the worker process and returns the reason of its end.
 std::string RequestQueue::StopWorker() {
   error_code ignored;
   socket_.close(ignored);
@@ -96,7 +97,7 @@ void RequestQueue::Fail() {
 
 void RequestQueue::Finish(Outcome outcome) {
   timer_.cancel();
-  // The answer may have come just before the worker was killed.
+  // Ends a worker that was killed just after it sent the answer.
   if ((is_late_ || is_replaced_) && socket_.is_open()) StopWorker();
   const Done done = std::move(current_->done);
   current_.reset();

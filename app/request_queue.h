@@ -25,8 +25,9 @@ class RequestQueue {
   };
   using Done = std::function<void(Outcome)>;
 
-  /// Running: a request is replaced also while the worker answers it, which ends the worker. This
-  /// is worth it for answers that take longer than the start of a worker.
+  /// Requests that a newer request of the same client replaces. kWaiting: only waiting requests.
+  /// kRunning: also the request that the worker is answering, which ends the worker; useful if
+  /// answers take longer than the start of a worker.
   enum class Replace { kWaiting, kRunning };
 
   RequestQueue(boost::asio::io_context& io, WorkerMaker make, Seconds time_limit, Replace replace)
@@ -36,7 +37,7 @@ class RequestQueue {
         time_limit_(time_limit),
         replace_(replace) {}
 
-  /// Adds a request. An earlier request of the same client is replaced, unless `client` is empty.
+  /// Adds a request, which replaces an earlier one of the same client, unless `client` is empty.
   void Add(const std::string& client, std::string request, Done done);
 
  private:
@@ -50,7 +51,7 @@ class RequestQueue {
   void Send();
   void Receive();
   void ReceiveBody();
-  /// Ends the current job after an error of the socket, which is the end of the worker.
+  /// Ends the current job after an error of the socket, which means that the worker has ended.
   void Fail();
   void Finish(Outcome outcome);
   std::string StopWorker();
@@ -62,7 +63,7 @@ class RequestQueue {
   std::deque<Job> waiting_;
   std::optional<Job> current_;
   Replace replace_;
-  // The worker was killed because the current job exceeded the time limit, or was replaced.
+  // True if the worker was killed because the current job exceeded the time limit, or was replaced.
   bool is_late_ = false;
   bool is_replaced_ = false;
   std::string head_;

@@ -22,12 +22,12 @@ constexpr std::size_t kShownStructures = 20;
 constexpr std::size_t kShownFields = 12;
 constexpr std::size_t kShownSeparators = 3;
 
-// Makes the first variants of structures again.
+// Regenerates the first variant of each structure.
 class Remaker {
  public:
   explicit Remaker(const std::filesystem::path& folder) : folder_(folder) {}
 
-  // Returns nothing, and sets `why_not`, if the variant cannot be made as it was.
+  // Returns nullopt, and sets `why_not`, if the variant cannot be made as it was.
   std::optional<structure::Structure> operator()(const StructureTally& tally) {
     const manifest::Record& record = tally.first;
     diag::Findings findings;
@@ -63,7 +63,7 @@ class Remaker {
   std::optional<forge::Recipe> recipe_;
 };
 
-// Collects the fields in which structures differ from the first one.
+// Collects the fields in which structures differ from the first structure.
 class FieldComparison {
  public:
   explicit FieldComparison(const std::vector<StructureTally>& structures)
@@ -91,7 +91,8 @@ class FieldComparison {
     }
   }
 
-  // Structures from `compared` on are in no group.
+  // Returns the fields. Structures from index `compared` on were not compared and belong to no
+  // group.
   std::vector<DifferingField> Take(std::size_t compared) {
     for (std::size_t i = 0; i < fields_.size(); ++i) {
       std::fill(groups_[i].begin() + static_cast<std::ptrdiff_t>(compared), groups_[i].end(), -1);
@@ -103,8 +104,8 @@ class FieldComparison {
  private:
   const std::vector<StructureTally>& structures_;
   std::vector<DifferingField> fields_;
-  std::vector<std::vector<int>> groups_;              // group of each structure, for each field
-  std::vector<std::map<std::string, int>> contents_;  // group of each content, for each field
+  std::vector<std::vector<int>> groups_;              // for each field: the group of each structure
+  std::vector<std::map<std::string, int>> contents_;  // for each field: the group of each content
 };
 
 std::string SeparatorsText(const std::vector<Separator>& separators) {

@@ -15,7 +15,7 @@ namespace mjforge::app {
 /// A field of the compiled model that differs between variants.
 struct DifferingField {
   std::string name;                   // "geom_type"
-  std::vector<std::string> elements;  // in the first variant that differs
+  std::vector<std::string> elements;  // elements that differ in the first variant that differs
   std::string example;                // "geom_type of 'handle' is cylinder, not box"
   bool is_coincidence = false;
   std::uint64_t variants = 0;  // variants that differ from the first one
@@ -23,19 +23,19 @@ struct DifferingField {
 };
 
 struct BatchStructures {
-  /// Limit of structures whose fields are compared; a variant of each is made again.
+  /// Limit of structures whose fields are compared, because a variant of each is generated again.
   static constexpr std::size_t kMaxCompared = 100;
 
   std::vector<report::StructureTally> structures;
-  std::uint64_t variants = 0;  // variants with a structure
-  std::uint64_t more = 0;      // variants of structures that are not in the list
+  std::uint64_t variants = 0;  // number of variants whose structure is known
+  std::uint64_t more = 0;      // number of variants whose structures are not in the list
   std::vector<DifferingField> fields;
-  std::string why_unknown;                    // why fields are not compared; empty: they are
-  std::vector<report::Separator> separators;  // if fields are not compared: those of all structures
+  std::string why_unknown;                    // reason why fields are not compared; empty: they are
+  std::vector<report::Separator> separators;  // separate structures, if no fields are compared
 };
 
-/// Compares the structures of a batch. Makes one variant of each structure again, from the spec
-/// that the records name; `folder` is that of the manifest.
+/// Compares the structures of a batch. Generates one variant of each structure again, from the spec
+/// that the records name; `folder` is the folder of the manifest.
 BatchStructures CompareStructures(const report::ManifestSummary& batch,
                                   const std::filesystem::path& folder);
 
@@ -43,7 +43,7 @@ BatchStructures CompareStructures(const report::ManifestSummary& batch,
 std::vector<std::string> DifferencesText(const BatchStructures& batch);
 /// Returns a table of the structures and the lines about fields; empty if there are no structures.
 std::string StructuresText(const BatchStructures& batch);
-/// Writes the members `structures` and `differences`.
+/// Writes the members `structures` and `differences` of a JSON object.
 void WriteStructures(JsonOutput& json, const BatchStructures& batch);
 
 }  // namespace mjforge::app

@@ -8,8 +8,8 @@
 
 namespace mjforge::app {
 
-/// Makes a temporary folder that only this user can read, and that is removed with its last
-/// pointer. Returns null and adds a finding on failure.
+/// Makes a temporary folder that only this user can read. The folder is removed with the last copy
+/// of the returned pointer. Returns null and adds a finding on failure.
 std::shared_ptr<const std::filesystem::path> MakeTemporaryFolder(diag::Findings& findings);
 
 }  // namespace mjforge::app

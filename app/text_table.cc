@@ -9,7 +9,7 @@
 namespace mjforge::app {
 namespace {
 
-// Counts characters: all bytes except UTF-8 continuation bytes.
+// Returns the number of characters, which are all bytes except UTF-8 continuation bytes.
 std::size_t Width(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xc0) != 0x80;

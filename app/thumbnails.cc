@@ -10,7 +10,7 @@
 namespace mjforge::app {
 namespace {
 
-// Larger than on the page, for screens of high resolution.
+// Width in pixels, larger than on the page, for screens of high resolution.
 constexpr int kWidth = 320;
 constexpr int kHeight = 240;
 constexpr int kQuality = 75;  // about 5 kB; lower qualities have visible blocks
@@ -24,7 +24,7 @@ std::optional<report::Thumbnail> Thumbnails::Draw(const manifest::Record& record
   if (!Open()) return std::nullopt;
   const std::unique_ptr<picture::Subject> subject = Load(record);
   if (subject == nullptr) return std::nullopt;
-  diag::Findings ignored;  // the page has one picture less
+  diag::Findings ignored;  // after an error, the page has one picture less
   picture::Options options = {.width = kWidth, .height = kHeight};
   if (const forge::Recipe* recipe = RecipeOf(record)) {
     options.view = ViewOf(*recipe->spec);
@@ -48,7 +48,7 @@ bool Thumbnails::Open() {
 std::unique_ptr<picture::Subject> Thumbnails::Load(const manifest::Record& record) {
   if (record.file.empty()) return MakeAgain(record, {});
   if (!record.archive.empty()) return LoadFromArchive(record);
-  if (record.each) return MakeAgain(record, record.sha256);  // its file is the placement
+  if (record.each) return MakeAgain(record, record.sha256);  // the record's file is the placement
   std::string why_not;
   std::error_code ignored;
   const std::filesystem::path file = manifest_.parent_path() / record.file;
@@ -56,7 +56,7 @@ std::unique_ptr<picture::Subject> Thumbnails::Load(const manifest::Record& recor
   return loader_.LoadFile(file, why_not);
 }
 
-// Makes the object again, which is faster than reading all earlier members of the archive.
+// Makes the object again, because that is faster than reading all earlier members of the archive.
 std::unique_ptr<picture::Subject> Thumbnails::LoadFromArchive(const manifest::Record& record) {
   std::error_code error;
   const std::filesystem::path archive = manifest_.parent_path() / record.archive;
@@ -70,7 +70,7 @@ std::unique_ptr<picture::Subject> Thumbnails::LoadFromArchive(const manifest::Re
 
 const forge::Recipe* Thumbnails::RecipeOf(const manifest::Record& record) {
   if (!std::exchange(looked_for_recipe_, true)) {
-    diag::Findings ignored;  // already part of the report
+    diag::Findings ignored;  // the report already has these findings
     recipe_ = forge::LoadRecordedRecipe(record, spec_, manifest_.parent_path(), sources_, ignored);
   }
   const bool is_its_own = recipe_ && recipe_->spec->sha256 == record.spec_sha256;

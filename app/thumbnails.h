@@ -17,25 +17,25 @@ namespace mjforge::app {
 /// are made again from the spec.
 class Thumbnails {
  public:
-  /// `spec`: replaces the spec named in the records, unless empty. `sources` must outlive this
-  /// object.
+  /// Draws the variants of this manifest. `spec` replaces the spec named in the records, unless
+  /// empty. `sources` must outlive this object.
   Thumbnails(std::filesystem::path manifest, std::string spec, diag::Sources& sources);
 
-  /// Returns nothing if the file is missing or the object cannot be made or drawn.
+  /// Returns nullopt if the variant's file is missing or the object cannot be made or drawn.
   std::optional<report::Thumbnail> Draw(const manifest::Record& record);
 
-  /// Returns the reason if no pictures can be drawn at all.
+  /// Returns the reason if no pictures can be drawn at all; otherwise no findings.
   diag::Findings TakeFindings() { return std::move(findings_); }
 
  private:
   bool Open();
   std::unique_ptr<picture::Subject> Load(const manifest::Record& record);
   std::unique_ptr<picture::Subject> LoadFromArchive(const manifest::Record& record);
-  /// Returns the recipe of the batch, which is loaded for the first record; null if the record is
-  /// of another spec.
+  /// Returns the recipe of the batch, which is loaded for the first record; null if the record
+  /// belongs to another spec.
   const forge::Recipe* RecipeOf(const manifest::Record& record);
-  /// Makes the object again. Returns null on failure, or if its file does not have the hash
-  /// `sha256` (unless that is empty).
+  /// Makes the object of a record again. Returns null on failure, or if the file of the object does
+  /// not have the hash `sha256` (unless `sha256` is empty).
   std::unique_ptr<picture::Subject> MakeAgain(const manifest::Record& record,
                                               const std::string& sha256);
 

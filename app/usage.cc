@@ -72,7 +72,7 @@ ExitStatus ExplainParseError(const CLI::App& app, const CLI::ParseError& error,
   }
   const CLI::App& command = parsed.empty() ? app : *parsed.back();
   const std::string name = parsed.empty() ? std::string() : command.get_name();
-  // "--", which ends the options, is no word.
+  // Ignores "--", which only ends the options.
   if (std::ranges::any_of(app.remaining(true), [](const auto& word) { return word != "--"; }))
     return WrongUsage(UnexpectedWord(app, command), name);
   if (parsed.empty()) return WrongUsage("a command is missing", {});

@@ -15,19 +15,19 @@ class WatchedFiles {
  public:
   explicit WatchedFiles(const std::vector<std::filesystem::path>& files = {});
 
-  /// Waits until a file was changed, made or removed since the constructor ran, and then all stay
-  /// the same for a moment, because an editor may write a file in several steps.
+  /// Waits until a file was changed, made or removed since the constructor ran, and then until no
+  /// file changes for a moment, because an editor may write a file in several steps.
   void Wait();
 
   /// Watches another file from now on, unless it is watched already.
   void Add(const std::filesystem::path& file);
 
   /// Returns true if a file was changed, made or removed since the constructor ran or this function
-  /// last returned true, and all are as they were at the last call. For calls at intervals.
+  /// last returned true, and no file has changed since the last call. To be called at intervals.
   bool HasChanged();
 
  private:
-  // Device, inode, size and time of change; zeros if there is no file.
+  // State of a file: device, inode, size and time of change; zeros if the file does not exist.
   using Stamp = std::tuple<std::uint64_t, std::uint64_t, std::uint64_t, std::time_t, long>;
   using Stamps = std::map<std::filesystem::path, Stamp>;
 
@@ -35,7 +35,7 @@ class WatchedFiles {
   Stamps Now() const;
 
   Stamps stamps_;
-  Stamps last_;  // at the last call of HasChanged
+  Stamps last_;  // result of Now() at the last call of HasChanged
 };
 
 }  // namespace mjforge::app

@@ -88,7 +88,7 @@ int WorkerProcess::Start() {
 }
 
 void WorkerProcess::Serve(int socket) const {
-  // The parent ends on these signals, and closes the socket.
+  // Ignores these signals, because the parent ends on them and closes the socket.
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
   CloseOtherFiles(socket);
   LimitMemory();
@@ -116,7 +116,7 @@ void WorkerProcess::Kill() const {
 std::string WorkerProcess::Stop() {
   if (process_ == 0) return {};
   int status = 0;
-  // A process that ended by itself needs a moment between the end of its socket and its own.
+  // Waits a moment, because a process that ends by itself closes its socket shortly before its end.
   constexpr int kTries = 50;
   constexpr ::useconds_t kPause = 2000;  // microseconds
   ::pid_t ended = 0;

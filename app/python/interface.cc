@@ -35,7 +35,7 @@ struct MjforgeMaker {
   std::optional<forge::Recipe> recipe;
   std::unique_ptr<forge::Generator> generator;
   forge::Variant variant;
-  // Texts returned by the last calls.
+  // Texts returned by the last calls, which are valid until the next call.
   std::string record;
   std::string findings_json;
   std::string files_json;
@@ -43,7 +43,7 @@ struct MjforgeMaker {
   std::string description;
   std::string inputs_json;
   std::string failure;
-  // Files of which MjforgeVariant::inputs has told: sources, and paths of assets.
+  // Files already listed in MjforgeVariant::inputs: number of sources, and paths of assets.
   std::uint32_t known_sources = 0;
   std::set<std::string> known_assets;
 };
@@ -52,13 +52,13 @@ struct MjforgeLines {
   explicit MjforgeLines(const char* file) : reader(bytes::LineReader::Open(file, why_not)) {}
 
   std::string why_not;                      // the reason if opening or reading fails
-  std::optional<bytes::LineReader> reader;  // nothing if the file cannot be opened
+  std::optional<bytes::LineReader> reader;  // nullopt if the file cannot be opened
   std::string line;
 };
 
 struct MjforgeArchive {
   output::ArchiveReader reader;
-  // Texts returned by the last call.
+  // Texts returned by the last call, which are valid until the next call.
   std::string name;
   std::string content;
 };
@@ -166,7 +166,7 @@ void SetFiles(const mjcf::MjcfDocument& document, MjforgeMaker& maker) {
 
 using Inputs = std::vector<std::vector<std::string>>;  // path and SHA-256 of files
 
-// Adds the files that the maker's variant is the first to use.
+// Adds the files that the maker's current variant uses and that no earlier variant used.
 void AddInputs(MjforgeMaker& maker, Inputs& inputs) {
   const forge::Variant& variant = maker.variant;
   while (maker.known_sources < maker.sources.size()) {
@@ -297,7 +297,7 @@ std::size_t MjforgeMakeRows(MjforgeMaker* maker, std::uint64_t index, std::uint6
       if (!table->columns.Add(std::move(record))) break;
     }
   } catch (const std::exception&) {
-    // MjforgeMake of this variant says why.
+    // Ignores the error: the caller calls MjforgeMake for this variant to get the reason.
   }
   *inputs = InputsJson(used, *maker);
   return made;

@@ -71,7 +71,7 @@ void MjforgeClose(MjforgeMaker* maker);
 /// not enough memory. Empty if there was none.
 MjforgeText MjforgeFailure(MjforgeMaker* maker);
 /// Returns the findings of loading the spec as JSON: [[finding as with --findings json, its text],
-/// ...]. If one of them is an error, no variant can be made.
+/// ...]. If any finding is an error, no variant can be made.
 MjforgeText MjforgeFindings(MjforgeMaker* maker);
 /// Describes a spec without errors as JSON: {"name", "description", "sha256", "path" (null for a
 /// text), "view" (see ViewJson), "parameters" (see WriteParameters)}.
@@ -85,9 +85,9 @@ struct MjforgeTable;
 /// Opens a table of members of records. Returns null only if there is not enough memory.
 MjforgeTable* MjforgeOpenTable(const char* const* members, std::size_t count);
 void MjforgeCloseTable(MjforgeTable* table);
-/// Makes at most `count` variants with the indices index, index + step, ... up to the first that
-/// fails, adds their records to a table, and returns the number of those before it. `inputs` is as
-/// in MjforgeVariant.
+/// Makes at most `count` variants with the indices index, index + step, ... and stops at the first
+/// variant that fails. Adds the records of the variants before the failure to a table, and returns
+/// the number of these records. `inputs` is as in MjforgeVariant.
 std::size_t MjforgeMakeRows(MjforgeMaker* maker, std::uint64_t index, std::uint64_t step,
                             std::size_t count, MjforgeTable* table, MjforgeText* inputs);
 /// Adds a record, a line of a manifest. Returns 0 on success, 1 if it is not a JSON object, 2 if

@@ -13,7 +13,7 @@ namespace {
 using spec::Bounds;
 using spec::Value;
 
-// Writes a number; Python's reader of JSON knows the word Infinity.
+// Writes a number. Python's reader of JSON accepts Infinity, which is not part of JSON.
 void WriteNumber(diag::Json& json, double number) {
   if (std::isfinite(number)) {
     json.Value(number);

@@ -8,7 +8,8 @@ namespace mjforge::python {
 
 /// Writes a list of objects with the members name, unit, doc, spec (the value as written), type,
 /// components, distribution, low, high and choices. `low` and `high` are numbers, or lists for
-/// vectors. A member is null if the value has none or only a variant determines it.
+/// vectors. A member is null if it does not apply to the parameter, or if only a variant determines
+/// its value.
 void WriteParameters(diag::Json& json, const spec::ObjectSpec& spec);
 
 }  // namespace mjforge::python

@@ -6,7 +6,7 @@
 #include "interface.h"
 #include "mjforge/spec/spec.h"
 
-/// The mutex is held while a spec is loaded from the snapshot, because the load may add files.
+/// Snapshot of a spec. The mutex is held while the spec is loaded, because loading may add files.
 struct MjforgeSnapshot {
   std::mutex mutex;
   mjforge::spec::Snapshot snapshot;

@@ -7,11 +7,11 @@
 #include "interface.h"
 #include "mjforge/manifest/manifest.h"
 
-/// Columns of records, and what the last calls have returned of them.
+/// Columns of records, and the columns and texts that the last calls returned.
 struct MjforgeTable {
   explicit MjforgeTable(const std::vector<std::string>& members) : columns(members) {}
 
   mjforge::manifest::Columns columns;
-  std::vector<const mjforge::manifest::Column*> all;  // each before its inner columns
+  std::vector<const mjforge::manifest::Column*> all;  // all columns, each before its inner columns
   std::string layout;
 };

@@ -7,7 +7,7 @@
 
 namespace mjforge::python {
 
-/// Returns a text, which must live as long as the interface promises.
+/// Returns a text for C without a copy; the text must live as long as interface.h promises.
 inline MjforgeText View(std::string_view text) { return {text.data(), text.size()}; }
 
 }  // namespace mjforge::python
