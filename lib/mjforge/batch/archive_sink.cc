@@ -1,4 +1,4 @@
-// The sink of archives: appends segments in order, closes archives, and resumes within one.
+// The sink of archives: appends segments in order, closes archives, and resumes unfinished ones.
 
 #include "mjforge/batch/archive_sink.h"
 
@@ -72,7 +72,8 @@ std::optional<ResumedVariants> ArchiveSink::FindResumable(diag::Findings& findin
   return journal_.previous_seal() ? ContinueFinished(findings) : ResumedVariants();
 }
 
-// A sealed batch is either unchanged, with nothing to do, or made again from the start.
+// Returns all variants of a sealed batch if its files are unchanged; otherwise none, so that the
+// batch is made again from the start.
 std::optional<ResumedVariants> ArchiveSink::ContinueFinished(diag::Findings& findings) {
   const manifest::Seal& seal = *journal_.previous_seal();
   std::string why_not;
@@ -97,7 +98,7 @@ std::optional<ResumedVariants> ArchiveSink::Continue(diag::Findings& findings) {
   const std::optional<Checkpoint> checkpoint =
       LastValidCheckpoint(options_.range.first + whole->done());
   if (!checkpoint || checkpoint->next == options_.range.first) return ResumedVariants();
-  // If the checkpoint is earlier, read the manifest again up to there, for the counts.
+  // If the manifest has records after the checkpoint, count again only the records before it.
   const std::uint64_t count = journal_.CountBefore(*checkpoint);
   const std::optional<ResumedVariants> resumed =
       whole->done() == count ? whole
@@ -110,8 +111,7 @@ std::optional<ResumedVariants> ArchiveSink::Continue(diag::Findings& findings) {
 
 std::optional<Checkpoint> ArchiveSink::LastValidCheckpoint(std::uint64_t most) const {
   const std::vector<manifest::SealedFile>& closed = journal_.closed();
-  // If the part still exists, the archive was not renamed, and a file with its name is an older
-  // one.
+  // A partial file that still exists was never renamed, so a file with the final name is older.
   const auto lost = std::ranges::find_if(closed, [&](const manifest::SealedFile& file) {
     return !IsIntact(file) || output::PartFile::Exists(destination_.Folder() / file.file);
   });
@@ -137,8 +137,8 @@ std::optional<Checkpoint> ArchiveSink::LastValidCheckpoint(std::uint64_t most) c
   return candidates[sound];
 }
 
-// A batch that has become larger can continue only at the end of a full segment, and not after a
-// closed archive that must get more variants.
+// Returns true if the batch can continue at the checkpoint. A batch that has become larger cannot
+// continue within a segment, or after a closed archive that must get more variants.
 bool ArchiveSink::CanContinueAt(const Checkpoint& checkpoint) const {
   if (checkpoint.next == end()) return true;
   const std::uint64_t made = checkpoint.next - options_.all.first;

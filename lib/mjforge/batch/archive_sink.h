@@ -1,4 +1,4 @@
-// The sink of archives, whose parts a family's sink replaces.
+// The sink of archives, which is the base class of the sink of families.
 
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace mjforge::batch {
 
-/// Appends segments in order to a file, closes it, and resumes within it.
+/// Appends segments to an archive in order, closes the archive, and resumes an unfinished one.
 class ArchiveSink : public Sink {
  public:
   explicit ArchiveSink(const SinkOptions& options)
@@ -29,27 +29,27 @@ class ArchiveSink : public Sink {
   void Drop() override;
 
  protected:
-  /// Returns the path of the file with that number.
+  /// Returns the path of the archive with this number.
   virtual std::filesystem::path FileOf(std::uint64_t number) const {
     return destination_.Archive(number);
   }
-  /// Returns true if the existing file may be replaced.
+  /// Returns true if mjforge made the existing file, which may then be replaced.
   virtual bool IsOwn(const std::filesystem::path& file) const {
     return output::IsObjectArchive(file);
   }
-  /// Returns the number of closed archives, if the first `intact` of their `files` are as they were
-  /// made.
+  /// Returns the number of closed archives that need not be made again, if the first `intact` of
+  /// the `files` closed files have not changed.
   virtual std::uint64_t CountClosed(std::uint64_t intact, std::uint64_t /*files*/) const {
     return intact;
   }
-  /// Encodes an asset.
+  /// Appends an asset to the archive.
   virtual bool AppendAsset(const std::string& name, std::string_view bytes,
                            diag::Findings& findings);
   /// Gives the complete file its final name.
   virtual bool CloseFile(const Checkpoint& next, diag::Findings& findings);
 
   std::unique_ptr<output::PartFile>& file() { return archive_; }
-  /// Notes complete files in the journal, and renames them.
+  /// Records complete files in the journal, and gives the files their final names.
   bool Seal(std::span<const std::unique_ptr<output::PartFile>> parts, const Checkpoint& next,
             diag::Findings& findings);
 

@@ -24,7 +24,7 @@ struct Request {
   std::uint64_t first = 0;
   std::uint64_t count = 1;  // at least 1; first + count - 1 must not overflow
   output::Shard shard;      // the part of the batch to make
-  forge::Options variant;   // the folder in it is ignored: the destination determines it
+  forge::Options variant;   // `folder` is ignored, because `destination` determines the folder
 
   output::Destination destination;
   bool force = false;       // replace files that mjforge did not make
@@ -32,13 +32,13 @@ struct Request {
   bool resume = false;      // continue the batch of an earlier run
   bool verify = false;      // when resuming, also compare the bytes of finished archives
   output::Durability durability = output::Durability::kBatch;
-  /// Manifest and archive get their final names only if no variant failed, as Make expects of
-  /// targets.
+  /// Manifest and archive get their final names only if no variant failed, so that Make does not
+  /// take them for finished targets.
   bool all_or_nothing = false;
 
   std::uint64_t jobs = 0;  // number of worker processes; 0: one per core
-  /// Limit of CPU time for each variant. A variant that exceeds it fails, and its worker is killed.
-  /// A variant that exceeds WallLimit of wall time fails as well, because it hangs.
+  /// Limit of CPU time for each variant. A variant that exceeds the limit fails, and its worker is
+  /// killed. A variant that exceeds WallLimit() of wall time fails as well, because it hangs.
   std::chrono::duration<double> time_limit = std::chrono::seconds(30);
   const std::atomic<bool>* stop = nullptr;  // true: finish the current variants, then stop
 };
@@ -49,7 +49,7 @@ constexpr std::chrono::duration<double> WallLimit(std::chrono::duration<double> 
   return 10 * time_limit + std::chrono::seconds(5);
 }
 
-/// Exit status of a process that ran out of memory: that of all failures of input and output.
+/// Exit status of a process that ran out of memory, the same as for failed input or output.
 inline constexpr int kNoMemoryStatus = 3;
 
 /// Result of one variant.
@@ -58,7 +58,7 @@ struct FinishedVariant {
   std::string name;
   Status status = Status::kOk;
   std::uint64_t attempt = 0;
-  std::string place;  // path of its file; empty: no file
+  std::string place;  // path of the variant's file; empty: no file
 };
 
 /// Result of a batch.
@@ -70,11 +70,11 @@ struct Summary : manifest::StatusCounts {
   /// Findings of all variants, at most kMaxFindings. A finding that many variants have at one place
   /// appears once, with a note of their number.
   diag::Findings findings;
-  std::uint64_t more_findings = 0;  // number of findings that are not among these
+  std::uint64_t more_findings = 0;  // number of findings that are not in `findings`
   /// Files on which the variants of this run depend in addition to the spec's files: attached MJCF
   /// with its includes, meshes, textures.
   std::set<std::string> inputs;
-  std::string text;  // kStandardOutput: MJCF of the object
+  std::string text;  // MJCF of the object, if the destination is standard output
 };
 inline constexpr std::size_t kMaxFindings = 50;
 
@@ -101,7 +101,7 @@ IndexRange RangeOfShard(const output::Shard& shard, const IndexRange& all,
 
 /// Merges the manifests of all shards beside or in `destination` into one, and returns the number
 /// of variants. Compares with the shards' seals: the bytes of manifests, the sizes of archives, and
-/// the existence of all other files; with `verify`, the bytes of all files. Returns nothing, after
+/// the existence of all other files; with `verify`, the bytes of all files. Returns nullopt, after
 /// adding findings, if a shard is missing, differs from its seal or belongs to another batch.
 std::optional<std::uint64_t> Merge(const output::Destination& destination, bool verify,
                                    diag::Sources& sources, diag::Findings& findings);

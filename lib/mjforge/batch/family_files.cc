@@ -1,4 +1,4 @@
-// Files of the families of a batch, and facts about it as JSON.
+// Writes the family files of a batch, which include facts about the batch as JSON.
 
 #include "mjforge/batch/family_files.h"
 

@@ -1,4 +1,4 @@
-// Files of the families of a batch.
+// Writes the .npz files of families: numbers in which the variants of one structure differ.
 
 #pragma once
 
@@ -12,9 +12,9 @@
 
 namespace mjforge::batch {
 
-/// Writes the family of a batch, or one for each structure, from files of rows. The records of the
-/// batch have the fields of `record` in common, which become facts about the family. Returns the
-/// files, which are still to be committed; none after adding a finding.
+/// Writes the family of a batch, or one family for each structure, from files of rows. The fields
+/// that all records of the batch have in common come from `record`, and become facts about the
+/// family. Returns the files, which the caller must commit; an empty list after adding a finding.
 std::vector<std::unique_ptr<output::PartFile>> WriteFamilies(
     const output::Destination& destination, std::span<const std::filesystem::path> rows,
     const manifest::Record& record, const IndexRange& all, bool force, diag::Findings& findings);

@@ -12,8 +12,8 @@ namespace mjforge::batch {
 
 class FamilyRows {
  public:
-  /// Adds a valid variant to the rows of its family, which has this file. Returns false, after
-  /// adding a finding, if its arrays differ from those of the file's first variant.
+  /// Adds a valid variant to the rows of the family whose file is `file`. Returns false, after
+  /// adding a finding, if the variant's arrays differ from the arrays of the file's first variant.
   bool Add(const forge::Variant& variant, const std::string& file, diag::Findings& findings);
   /// Ends the chunk and returns the bytes of all families, each after its header.
   std::string Take();

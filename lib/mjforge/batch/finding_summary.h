@@ -19,7 +19,7 @@ namespace mjforge::batch {
 class FindingSummary {
  public:
   struct Group {
-    diag::Finding finding;  // the first variant's
+    diag::Finding finding;  // finding of the group's first variant
     std::uint64_t variants = 0;
     std::uint64_t last_index = 0;
   };

@@ -53,7 +53,7 @@ class FolderSink : public Sink {
   }
 
   bool Finish(diag::Findings& findings) override {
-    // Workers do not synchronize the objects, so this must precede the manifest.
+    // Workers write objects without fsync, so the objects must reach the disk before the manifest.
     return (request_.durability == output::Durability::kNone ||
             output::SyncFolder(folder_, true, findings)) &&
            journal_.Finish(findings);
@@ -88,7 +88,7 @@ class FolderSink : public Sink {
       const auto resumed = ReadResumable(journal_.part(), options_, is_there, findings, sound);
       return resumed && RollBackTo(*resumed, findings) ? resumed : std::nullopt;
     }
-    // A finished batch: check its manifest, and continue at its end.
+    // If the earlier batch was finished, check its manifest, and continue at its end.
     std::string why_not;
     const std::optional<manifest::Seal>& seal = journal_.previous_seal();
     if (!seal || !bytes::IsSound(journal_.file(), seal->manifest.content, why_not))

@@ -25,7 +25,7 @@ std::string WithChecksum(std::string_view words) {
   return fmt::format("{} {}", words, bytes::ChecksumOf(words).substr(0, kChecksumDigits));
 }
 
-// Returns the words of a line; nothing if the checksum does not match.
+// Returns the words of a line; nullopt if the checksum does not match.
 std::optional<std::string_view> VerifiedWords(std::string_view line) {
   if (line.size() <= kChecksumDigits) return std::nullopt;
   const std::string_view words = line.substr(0, line.size() - kChecksumDigits - 1);
@@ -93,7 +93,7 @@ void Journal::DropEmpty() {
   }
 }
 
-// Returns true unless the earlier run, finished or not, made another batch; then adds a finding.
+// Returns false, after adding a finding, if the earlier run, finished or not, made another batch.
 bool Journal::IsOfThisBatch(diag::Findings& findings) const {
   const std::filesystem::path& manifest = is_unfinished_ ? part() : file_;
   const std::optional<Seal>& seal = is_unfinished_ ? journal_seal_ : previous_seal_;
@@ -173,7 +173,7 @@ void Journal::ReadJournal() {
 }
 
 // Returns false if the line does not belong to a journal. `end` is the size of the journal up to
-// its end.
+// the end of this line.
 bool Journal::ReadLine(std::string_view line, std::uint64_t end) {
   if (line.starts_with(kBegin)) {
     std::string why_not;
@@ -288,8 +288,8 @@ bool Journal::AddCheckpoint(const Checkpoint& checkpoint, diag::Findings& findin
 bool Journal::AddClosedArchive(SealedFile archive, const Checkpoint& next,
                                diag::Findings& findings) {
   const bool is_durable = options_.request.durability == Durability::kBatch;
-  // The name of the part must be on the disk before the journal mentions the archive, because this
-  // name shows after a power cut that a file with the final name is an older one.
+  // The name of the partial file must be on the disk before the journal mentions the archive,
+  // because this name shows after a power cut that a file with the final name is an older one.
   if (is_durable && !output::SyncFolder(file_.parent_path(), false, findings)) return false;
   const std::string line =
       fmt::format("closed {} {} {}", archive.content.size, archive.content.checksum, archive.file);
@@ -309,7 +309,7 @@ bool Journal::Finish(diag::Findings& findings) {
   seal_.manifest.content = {manifest_file_->size(), manifest_file_->checksum()};
   seal_.archives = closed_;
   const bool if_changed = request.if_changed || request.resume;
-  // The manifest comes last, because its name promises that everything else exists.
+  // The manifest gets its final name last, because this name promises that all other files exist.
   if (!output::WriteFile(manifest::SealPathOf(file_), manifest::SealText(seal_), if_changed,
                          findings, request.durability) ||
       !manifest_file_->Commit(if_changed, request.durability, findings)) {

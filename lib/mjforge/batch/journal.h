@@ -95,7 +95,7 @@ class Journal {
 
   SinkOptions options_;
   std::filesystem::path file_;
-  manifest::Seal seal_;  // this run's
+  manifest::Seal seal_;  // seal of this run's batch
   std::unique_ptr<output::PartFile> manifest_file_;
   std::unique_ptr<output::PartFile> journal_file_;
   std::optional<manifest::Seal> previous_seal_;
@@ -104,7 +104,7 @@ class Journal {
   std::vector<Checkpoint> checkpoints_;
   std::vector<HashedAsset> assets_;  // assets of the folder or of the archive under construction
   std::vector<manifest::SealedFile> closed_;
-  std::set<std::string> made_archives_;  // archives closed by any run
+  std::set<std::string> made_archives_;  // names of archives closed by any run
   std::set<std::string> made_assets_;
 };
 

@@ -14,7 +14,7 @@ namespace mjforge::batch {
 namespace {
 
 // Returns the shard of a manifest's name: 3 of 8 for "manifest-00003-of-00008.jsonl" if the merged
-// manifest is "manifest.jsonl"; nothing for other names.
+// manifest is "manifest.jsonl"; nullopt for other names.
 std::optional<output::Shard> ShardOf(std::string_view name, std::string_view manifest) {
   constexpr std::string_view kOf = "-of-";
   const std::string_view ending = manifest.substr(manifest.rfind(".jsonl"));
@@ -85,9 +85,9 @@ class ShardMerger {
     return !families_.empty();
   }
 
-  // Returns the number of shards; nothing, after adding findings, if a shard is missing.
+  // Returns the number of shards; nullopt, after adding findings, if a shard is missing.
   std::optional<std::uint64_t> FindShards() {
-    std::map<std::uint64_t, std::set<std::uint64_t>> found;  // indices, by count
+    std::map<std::uint64_t, std::set<std::uint64_t>> found;  // shard indices, by number of shards
     const std::string manifest = file_.filename().string();
     for (const std::string& name : NamesIn(destination_.Folder(), findings_)) {
       if (const auto shard = ShardOf(name, manifest)) found[shard->count].insert(shard->index);
@@ -208,7 +208,7 @@ class ShardMerger {
 
   bool IsCompressed() const { return destination_.format == output::ArchiveFormat::kTarZstd; }
 
-  // Returns the size of a manifest without its seek table.
+  // Returns the size of a manifest without its seek table, in bytes.
   std::optional<std::uint64_t> BytesOfRecords(const std::filesystem::path& manifest,
                                               std::string& why_not) const {
     if (!IsCompressed()) {
@@ -257,7 +257,7 @@ class ShardMerger {
   ObjectChecker objects_;
   manifest::Seal whole_;  // seal of the merged batch
   std::optional<manifest::Record> first_;
-  std::vector<std::unique_ptr<output::PartFile>> families_;  // until they have their names
+  std::vector<std::unique_ptr<output::PartFile>> families_;  // files that lack their final names
   std::uint64_t records_ = 0;
 };
 

@@ -17,7 +17,7 @@ namespace {
 // both directions. Numbers keep their representation in memory, because leader and worker are the
 // same program.
 
-// Writes values to `out`, or only counts their bytes if that is null.
+// Writes values to `out`, or only counts their bytes if `out` is null.
 class Encoder {
  public:
   explicit Encoder(char* out) : out_(out) {}
@@ -35,7 +35,7 @@ class Encoder {
 
  private:
   void Put(const void* bytes, std::size_t size) {
-    // An empty view may be null, which memcpy must not get.
+    // std::copy_n, because memcpy must not get the null pointer of an empty view.
     if (out_ != nullptr) std::copy_n(static_cast<const char*>(bytes), size, out_ + size_);
     size_ += size;
   }
@@ -140,7 +140,7 @@ void Code(Coder& coder, diag::Findings& findings) {
   }
 }
 
-// Encodes to `out`, or only measures if that is null; returns the number of bytes.
+// Encodes to `out`, or only counts the bytes if `out` is null; returns the number of bytes.
 template <typename Message>
 std::size_t EncodeMessage(char* out, const Message& message) {
   Encoder encoder(out);

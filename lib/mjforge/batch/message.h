@@ -19,7 +19,7 @@ namespace mjforge::batch {
 struct Chunk {
   std::uint64_t first = 0;
   std::uint64_t count = 0;
-  std::uint64_t archive = 0;  // number of the archive that contains them
+  std::uint64_t archive = 0;  // number of the archive that contains the variants
 
   std::uint64_t end() const { return first + count; }
 };
@@ -28,7 +28,7 @@ struct Chunk {
 struct QuarantinedVariant {
   std::uint64_t index = 0;
   bool too_slow = false;
-  std::string how;  // "was killed by SIGSEGV"
+  std::string how;  // end of the worker: "was killed by SIGSEGV"
 };
 
 struct Task {
@@ -45,7 +45,7 @@ struct SourceText {
 
 /// An asset of an object, with its hash.
 struct HashedAsset {
-  std::string name;    // name in the object
+  std::string name;    // name of the file in the object's MJCF
   std::string source;  // path of the file; empty: the asset is generated
   std::string sha256;
   std::string made = {};  // content of a generated asset
@@ -56,12 +56,12 @@ struct HashedAsset {
 /// Result of a task.
 struct ChunkResult {
   Chunk chunk;
-  std::uint64_t done = 0;  // number of variants; less than chunk.count if stopped or failed
+  std::uint64_t done = 0;  // finished variants; less than chunk.count if stopped or failed
   std::vector<Status> statuses;
-  std::string_view lines;                 // lines or a frame of the manifest, in `memory`
+  std::string_view lines;                 // records as lines or as a compressed frame, in `memory`
   std::string_view segment;               // segment of the archive, in `memory`
   std::string text;                       // MJCF of a single object
-  std::vector<FinishedVariant> variants;  // empty if Observer::variant is
+  std::vector<FinishedVariant> variants;  // empty if Observer::variant is empty
   std::vector<HashedAsset> assets;        // without duplicates
   std::vector<std::string> inputs;        // files that this worker has not reported before
   std::vector<FindingSummary::Group> findings;
@@ -81,7 +81,7 @@ std::string Encode(const ChunkResult& result);
 std::size_t EncodedSize(const ChunkResult& result);
 /// Encodes a result into memory of that size.
 void EncodeTo(char* out, const ChunkResult& result);
-/// Decodes a message. Throws std::logic_error if it is incomplete, which is a bug.
+/// Decodes a message. Throws std::logic_error if the message is incomplete, which is a bug.
 Task DecodeTask(std::string_view bytes);
 /// Decodes a message. `lines` and `segment` of the result refer to `bytes`, which `memory` owns.
 ChunkResult DecodeResult(std::string_view bytes, std::shared_ptr<const void> memory);

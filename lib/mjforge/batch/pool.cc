@@ -30,10 +30,10 @@ constexpr int kPollMilliseconds = 100;
 // Most results fit into a buffer of this size, which saves context switches.
 constexpr int kBufferBytes = 1 << 20;
 constexpr int kBugStatus = 70;  // EX_SOFTWARE of sysexits.h
-// More consecutive deaths of workers that were not making a variant are not caused by variants.
+// Limit of consecutive deaths of workers between variants, after which the batch fails.
 constexpr int kMaxIdleDeaths = 10;
-// If the leader does not look at its workers for longer, it was stopped (Ctrl-Z), as were the
-// workers.
+// A longer pause between two checks of the workers means that the leading process and the workers
+// were stopped (Ctrl-Z). The rest of such a pause does not count as wall time.
 constexpr Seconds kMaxLookInterval{1};
 
 // Writes all bytes to a socket; returns false, without a signal, if the other end is closed.
@@ -58,7 +58,7 @@ bool ReadAll(int descriptor, char* bytes, std::size_t count) {
   return true;
 }
 
-// Sent in place of a length if the message is in the worker's mailbox.
+// Value that is sent in place of a length if the message is in the worker's mailbox.
 constexpr std::uint64_t kInSharedMemory = ~std::uint64_t{0};
 
 bool WriteLength(int descriptor, std::uint64_t size) {
@@ -96,7 +96,7 @@ Channel MakeChannel() {
   int ends[2];
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
     throw std::system_error(errno, std::generic_category(), "cannot make a channel");
-  // This fails beyond the system's limit, which only costs more context switches.
+  // Ignore failures: smaller buffers only cost more context switches.
   for (const int end : ends) ::setsockopt(end, SOL_SOCKET, SO_SNDBUF, &kBufferBytes, sizeof(int));
   return {ends[0], ends[1]};
 }
@@ -129,7 +129,7 @@ std::shared_ptr<WorkerMailbox> MakeMailbox() {
                               MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED)
     throw std::system_error(errno, std::generic_category(), "cannot share memory");
-  // Default-initialized, because WorkerMailbox() would also clear the message buffers.
+  // Default initialization, because WorkerMailbox() would also clear the message buffers.
   return {new (memory) WorkerMailbox,
           [](WorkerMailbox* mailbox) { ::munmap(mailbox, sizeof(WorkerMailbox)); }};
 }
@@ -191,7 +191,7 @@ Pool::Pool(std::uint64_t jobs, std::size_t tasks_per_worker,
   for (std::uint64_t i = 0; i < jobs; ++i) workers_.push_back(std::make_unique<WorkerProcess>());
 }
 
-// A worker ends by itself when its channel closes, unless it hangs or is stopped.
+// Ends idle workers by closing their channels; kills workers with tasks, because they may hang.
 Pool::~Pool() {
   for (const auto& worker : workers_) {
     worker->Close();
@@ -205,7 +205,7 @@ Pool::~Pool() {
 void Pool::Start(WorkerProcess& worker) {
   const Channel channel = MakeChannel();
   const ::pid_t leader = ::getpid();
-  worker.mailbox = MakeMailbox();  // results may still refer to the previous one
+  worker.mailbox = MakeMailbox();  // results may still refer to the previous mailbox
   const ::pid_t process = ::fork();
   if (process < 0) throw std::system_error(errno, std::generic_category(), "cannot start a worker");
   if (process == 0) {
@@ -252,7 +252,7 @@ void Pool::Send(WorkerProcess& worker, Task task) {
   const std::string message = Encode(task);
   worker.assigned.push_back(std::move(task));
   WriteMessage(worker.channel,
-               message);  // if this fails, the worker is dead, and Receive replaces it
+               message);  // a failure means that the worker is dead; Receive replaces it
 }
 
 bool Pool::IsBusy() const {

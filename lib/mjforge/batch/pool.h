@@ -21,8 +21,8 @@ namespace mjforge::batch {
 /// Limit of tasks that are assigned to a worker in advance.
 inline constexpr std::size_t kMaxTasksPerWorker = 4;
 
-/// Memory shared by the leader and one worker: the worker's progress, and results on their way to
-/// the leader.
+/// Memory shared by the leader (the process that runs the batch) and one worker: the worker's
+/// progress, and results on their way to the leader.
 class WorkerMailbox {
  public:
   /// Called by the worker before it makes a variant.
@@ -32,7 +32,7 @@ class WorkerMailbox {
   }
   /// Called by the worker after it made a variant.
   void End() { turn_.fetch_add(1, std::memory_order_release); }
-  /// A counter of beginnings and ends; odd while the worker makes a variant.
+  /// Number of calls of Begin and End; odd while the worker makes a variant.
   std::uint64_t turn() const { return turn_.load(std::memory_order_acquire); }
   /// Index of the variant that was begun last.
   std::uint64_t index() const { return index_.load(std::memory_order_relaxed); }
@@ -56,7 +56,7 @@ class WorkerMailbox {
   /// one.
   std::string_view Take() {
     const SharedMessage& message = messages_[taken_++ % messages_.size()];
-    // Limit the size, because a crashing worker may have overwritten it.
+    // Limit the size, because a crashing worker may have overwritten the size.
     return {message.bytes.data(),
             std::min(message.size.load(std::memory_order_acquire), message.bytes.size())};
   }
@@ -76,8 +76,8 @@ class WorkerMailbox {
     std::array<char, std::size_t{2} << 20> bytes;  // enough for most results
   };
   std::array<SharedMessage, kMaxTasksPerWorker> messages_;
-  std::uint64_t published_ = 0;  // number of messages, counted by the worker
-  std::uint64_t taken_ = 0;      // number of messages, counted by the leader
+  std::uint64_t published_ = 0;  // number of published messages, counted by the worker
+  std::uint64_t taken_ = 0;      // number of taken messages, counted by the leader
 };
 
 /// A function that performs a task in a worker.
@@ -85,9 +85,9 @@ using TaskHandler = std::function<ChunkResult(const Task&, WorkerMailbox&)>;
 
 /// Runs tasks in worker processes. A worker is replaced if a signal ends it, if one variant takes
 /// more CPU time than the time limit or more wall time than WallLimit(), or if the worker reports
-/// nothing for WallLimit() between two variants. The variant that it was making is quarantined:
-/// recorded as failed in this run. Other workers take over the rest of its tasks. All workers end
-/// when this process ends, for whatever reason.
+/// nothing for WallLimit() between two variants. The variant that the worker was making is
+/// quarantined: recorded as failed in this run. Other workers take over the rest of the worker's
+/// tasks. All workers end when this process ends, for whatever reason.
 class Pool {
  public:
   /// Each worker calls `make_handler` when it starts. A worker has up to `tasks_per_worker` tasks
@@ -101,9 +101,9 @@ class Pool {
   /// Returns true if a worker has room for a task and at most one result per worker is waiting.
   bool HasRoom() const;
   void Submit(Task task);
-  /// Returns a result, in any order; nothing if none is available, after waiting for up to a tenth
-  /// of a second if it may wait. Throws std::runtime_error if workers cannot be started or
-  /// repeatedly end before they begin a variant.
+  /// Returns a result, in any order, or nullopt if none is available. With `may_wait`, waits for a
+  /// result for up to a tenth of a second. Throws std::runtime_error if workers cannot be started
+  /// or repeatedly end before they begin a variant.
   std::optional<ChunkResult> Wait(bool may_wait = true);
   /// Asks all workers to stop after their current variants, and drops tasks that no worker has.
   void AskToStop();

@@ -75,7 +75,7 @@ class BatchRun {
     if (const std::optional<ResumedVariants> resumed = sink->Open(output_findings)) {
       static_cast<manifest::StatusCounts&>(summary_) = *resumed;
       summary_.resumed = resumed->done();
-      has_lost_worker_ = summary_.resumed < range_.count;  // until Make succeeds
+      has_lost_worker_ = summary_.resumed < range_.count;  // assume a loss until Make succeeds
       try {
         Make(*sink, output_findings);
       } catch (const std::runtime_error& error) {
@@ -98,7 +98,8 @@ class BatchRun {
     if (todo.count == 0) return;
     const std::uint64_t jobs = std::min(request_.jobs == 0 ? Cores() : request_.jobs, todo.count);
     Schedule schedule(all_, todo, request_.destination, jobs);
-    // Without validation, workers finish tasks faster than the leader is scheduled among them.
+    // Without validation, give workers more tasks in advance, because workers finish tasks faster
+    // than the operating system schedules the leader.
     const bool is_quick = request_.variant.validation == manifest::Validation::kNone;
     const Request request = WithSuperset();
     Pool pool(jobs, is_quick ? kMaxTasksPerWorker : 2, request_.time_limit, [&] {
@@ -134,13 +135,13 @@ class BatchRun {
     has_lost_worker_ = pool.has_lost_worker();
   }
 
-  // Finds the geoms of padded variants once, for all workers.
+  // Returns the request with the geoms that all padded variants get, found once for all workers.
   Request WithSuperset() const {
     Request request = request_;
     if (request.variant.pad == 0) return request;
     forge::Options options = OptionsOf(request_);
     options.validation = manifest::Validation::kNone;
-    diag::Sources sources = sources_;  // workers number attached files themselves
+    diag::Sources sources = sources_;  // a copy, because workers number attached files themselves
     request.variant.superset =
         forge::Generator(recipe_, sources, options).FindSuperset(request_.stop);
     return request;
@@ -159,7 +160,7 @@ class BatchRun {
     waiting_bytes_ -= SizeOf(result);
     RenumberSources(result);
     const bool taken = sink.Take(result, output_findings);
-    // The failed variant is the first one of the chunk or a later one.
+    // Name the first variant of the chunk, because the sink does not report which variant failed.
     if (!taken) output_findings.SetVariant(request_.variant.seed, result.chunk.first);
     if (!taken || result.files_failed) {
       summary_.files_failed = true;

@@ -22,14 +22,14 @@ class Schedule {
   Schedule(const IndexRange& all, const IndexRange& todo, const output::Destination& destination,
            std::uint64_t jobs);
 
-  /// Returns the next chunk, or nothing after the last one.
+  /// Returns the next chunk, or nullopt after the last one.
   std::optional<Chunk> Next();
 
  private:
   std::uint64_t all_first_;
   std::uint64_t next_;
   std::uint64_t end_;
-  std::uint64_t per_archive_;  // 0: one archive
+  std::uint64_t per_archive_;  // variants per archive; 0: a single archive
   std::uint64_t size_;
 };
 

@@ -59,7 +59,7 @@ bool CheckSealed(const std::filesystem::path& folder, const manifest::SealedFile
   const bool is_good = verify ? bytes::IsSound(path, file.content, why_not)
                               : bytes::HasSize(path, file.content.size, why_not);
   if (is_good) return true;
-  // Without --verify, resuming compares only the sizes of archives.
+  // If the size is right, suggest --verify, because resuming otherwise compares only sizes.
   std::string ignored;
   const bool has_size = bytes::HasSize(path, file.content.size, ignored);
   ReportDamage(path, why_not, findings, has_size ? "--resume --verify" : "--resume");
@@ -73,7 +73,7 @@ bool ObjectChecker::Check(const manifest::Record& record, diag::Findings& findin
 
 bool ObjectChecker::CheckAssets(const manifest::Record& record, diag::Findings& findings) {
   const std::filesystem::path folder = (folder_ / record.file).parent_path();
-  // Each record may have generated assets of its own.
+  // Limit the memory, because each record may have generated assets of its own.
   if (assets_.size() > kMaxRememberedAssets) assets_.clear();
   return std::ranges::all_of(record.assets, [&](const auto& asset) {
     const auto& [name, sha256] = asset;

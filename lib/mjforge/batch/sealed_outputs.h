@@ -14,7 +14,8 @@
 
 namespace mjforge::batch {
 
-/// Returns the names in a folder in alphabetical order; adds a finding if it cannot be read.
+/// Returns the names in a folder in alphabetical order; adds a finding if the folder cannot be
+/// read.
 std::vector<std::string> NamesIn(const std::filesystem::path& folder, diag::Findings& findings);
 
 /// Returns true if the size or, with `verify`, the checksum of the file in `folder` matches its

@@ -29,12 +29,12 @@ class Sink {
   virtual ~Sink() = default;
 
   /// Opens the destination, and returns the variants of an earlier run that need not be made again.
-  /// Returns nothing, after adding a finding, if the destination cannot be written.
+  /// Returns nullopt, after adding a finding, if the destination cannot be written.
   virtual std::optional<ResumedVariants> Open(diag::Findings&) { return ResumedVariants(); }
   /// Policy for workers that write files themselves; valid after Open.
   virtual output::OverwritePolicy overwrite() const { return {}; }
-  /// Writes a result; returns false, after adding a finding, if that fails. If the sink cannot use
-  /// a partial result, it clears the members of the result that would be counted.
+  /// Writes a result; returns false, after adding a finding, if that fails. A sink that cannot use
+  /// a partial result clears the members of the result that would be counted.
   virtual bool Take(ChunkResult&, diag::Findings&) { return true; }
   /// Finishes a complete batch: gives the output its final name.
   virtual bool Finish(diag::Findings&) { return true; }
@@ -54,21 +54,21 @@ struct SinkOptions {
 };
 
 /// Reads the records of `manifest` from the start, until `options.range` or `most` records are
-/// complete or `is_good`, unless null, rejects one. Returns nothing, after adding a finding, if a
+/// complete or `is_good`, unless null, rejects one. Returns nullopt, after adding a finding, if a
 /// record belongs to another batch or does not have the next index.
 std::optional<ResumedVariants> ReadResumable(
     const std::filesystem::path& manifest, const SinkOptions& options,
     const std::function<bool(const manifest::Record&)>& is_good, diag::Findings& findings,
     std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
-/// Adds the finding that `file` belongs to another batch, which has this difference.
+/// Adds the finding that `file` belongs to another batch, with the `difference` from this one.
 void ReportOtherBatch(const std::filesystem::path& file, const std::string& difference,
                       diag::Findings& findings);
 
 /// Makes the sink of the request's destination. The sink of standard output appends to `text`.
 std::unique_ptr<Sink> MakeSink(const SinkOptions& options, std::string& text);
 
-// Sinks of folders, of archives and of families.
+// Functions that make the sinks of folders, of archives and of families.
 std::unique_ptr<Sink> MakeFolderSink(const SinkOptions& options);
 std::unique_ptr<Sink> MakeArchiveSink(const SinkOptions& options);
 std::unique_ptr<Sink> MakeFamilySink(const SinkOptions& options);
@@ -76,7 +76,8 @@ std::unique_ptr<Sink> MakeFamilySink(const SinkOptions& options);
 /// Returns true if `file` does not exist, is a manifest of mjforge, or `force` is set; otherwise
 /// adds a finding.
 bool MayReplaceManifest(const std::filesystem::path& file, bool force, diag::Findings& findings);
-/// Does the same for the file of a family.
+/// Returns true if `file` does not exist, is a family of mjforge, or `force` is set; otherwise adds
+/// a finding.
 bool MayReplaceFamily(const std::filesystem::path& file, bool force, diag::Findings& findings);
 
 }  // namespace mjforge::batch

@@ -1,4 +1,4 @@
-// Tasks as workers perform them: variants, records, segments, assets, findings with their sources.
+// Performs tasks in a worker: makes variants, records, segments, assets, findings with sources.
 
 #include "mjforge/batch/worker.h"
 
@@ -155,14 +155,14 @@ class ChunkMaker {
     return true;
   }
 
-  // Returns the name of an asset in the archive, where assets of --each are in a folder of their
-  // variant; in a folder, the name in the file.
+  // Returns the path of an asset in the archive, beside the variant's file. For a folder, returns
+  // the name that the MJCF contains.
   std::string NameOf(const std::string& asset) const {
     if (!request_.destination.IsArchive()) return asset;
     return (std::filesystem::path(variant_.record.file).parent_path() / asset).generic_string();
   }
 
-  // Adds the assets of the variant to the result; generated ones only if the leader writes them.
+  // Adds the assets of the variant to the result; generated assets only if the leader writes them.
   void AddAssets(ChunkResult& result) const {
     for (const auto& [name, source, made] : variant_.output().assets) {
       if (made && request_.destination.kind != Kind::kFile) continue;
@@ -226,7 +226,7 @@ class ChunkMaker {
   const Request& request_;
   bool lists_variants_;
   diag::Sources& sources_;
-  std::uint32_t leader_sources_;  // number of sources that the leader has
+  std::uint32_t leader_sources_;  // number of sources that the leading process has
   std::uint32_t reported_sources_;
   std::set<std::string> reported_assets_;
   forge::Generator generator_;
@@ -239,7 +239,7 @@ class ChunkMaker {
   FamilyRows family_;
   std::string family_segment_;
   bytes::FrameCompressor frame_;
-  std::string record_line_;  // record in the archive; empty: the archive does not contain it
+  std::string record_line_;  // line of the record in the archive; empty: the archive has no record
 };
 
 }  // namespace

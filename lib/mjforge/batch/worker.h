@@ -1,4 +1,4 @@
-// Tasks as workers perform them.
+// Handler that performs tasks in a worker process.
 
 #pragma once
 
@@ -15,8 +15,8 @@ forge::Options OptionsOf(const Request& request);
 std::filesystem::path SnapshotPath(const output::Destination& destination);
 
 /// Makes a handler that makes the variants of a task and, if the destination is a folder, writes
-/// them. Call this in the worker, because it initializes MuJoCo. With `lists_variants`, results
-/// contain ChunkResult::variants. The references must outlive the handler.
+/// them. Call this function in the worker, because it initializes MuJoCo. With `lists_variants`,
+/// results contain ChunkResult::variants. The references must outlive the handler.
 TaskHandler MakeTaskHandler(const forge::Recipe& recipe, diag::Sources& sources,
                             const Request& request, const output::OverwritePolicy& overwrite,
                             bool lists_variants);
