@@ -18,15 +18,15 @@ const Eigen::Vector3d kToEye(1, -1.55, 1.05);
 constexpr double kHalfAngle = 12.5 * std::numbers::pi / 180;
 // Margin at each side, as a share of half the picture.
 constexpr double kMargin = 0.10;
-// Margin of the shadow, which is less important.
+// Margin of the shadow, as a share of half the picture; smaller, because shadows matter less.
 constexpr double kShadowMargin = 0.04;
 
 // Minimum radius of the shapes' bounding sphere, so that a single point can be framed.
 constexpr double kSmallest = 1e-9;  // m
 
 // Returns the position of the eye along `across` that centres the silhouette: from the given depth
-// along `forward`, both of its edges are seen under the same angle. Bisection finds the tangent of
-// that angle, which is the smallest that contains the shapes and is at most `most`.
+// along `forward`, both edges of the silhouette are seen under the same angle. Bisection finds the
+// tangent of this angle, the smallest one that contains the shapes; `most` is its upper bound.
 double CenterEye(const PlacedShapes& shapes, const Eigen::Vector3d& across,
                  const Eigen::Vector3d& forward, double depth, double most) {
   constexpr int kSteps = 40;
@@ -40,14 +40,16 @@ double CenterEye(const PlacedShapes& shapes, const Eigen::Vector3d& across,
   return (shapes.Support(across - most * forward) - shapes.Support(-across - most * forward)) / 2;
 }
 
-// Supports of shapes on both sides of the viewing direction, along planes of this slope to it.
+// Values of the support function for the normals of two opposite sides of the frustum, whose
+// half-angle has this tangent.
 struct Sides {
   double tangent = 0;
   double right = 0;
   double left = 0;
 };
 
-// Places of the eye along an axis of the picture from which all sides are in the picture.
+// Positions of the eye along one axis of the picture from which the shapes and the shadow are
+// visible between both sides of the frustum.
 class EyeRange {
  public:
   EyeRange(const PlacedShapes& shapes, const std::optional<Shadow>& shadow,
@@ -63,7 +65,8 @@ class EyeRange {
     });
   }
 
-  // Returns the largest depth along the viewing direction at which there is such a place.
+  // Returns the largest depth of the eye along the viewing direction at which the range is not
+  // empty.
   double LargestDepth() const {
     double largest = std::numeric_limits<double>::infinity();
     for (const Sides& a : sides_) {
@@ -73,7 +76,7 @@ class EyeRange {
     return largest;
   }
 
-  // Returns the place that is nearest to `wanted`.
+  // Returns the position in the range, for an eye at `depth`, that is nearest to `wanted`.
   double Nearest(double wanted, double depth) const {
     for (const Sides& side : sides_) wanted = std::max(wanted, side.right + side.tangent * depth);
     for (const Sides& side : sides_) wanted = std::min(wanted, -side.left - side.tangent * depth);

@@ -12,9 +12,9 @@
 
 namespace mjforge::picture {
 
-/// A perspective camera that looks at some shapes.
+/// A perspective camera that looks at some shapes. W is the world frame.
 struct Camera {
-  Eigen::Vector3d eye;      // W
+  Eigen::Vector3d eye;      // W, m
   Eigen::Vector3d right;    // W, unit
   Eigen::Vector3d up;       // W, unit
   Eigen::Vector3d forward;  // W, unit
@@ -22,7 +22,7 @@ struct Camera {
   double tan_y = 0;         // tangent of half the vertical field of view
   double near = 0;          // m
   double far = 0;           // m
-  Eigen::Vector3d center;   // W, center of a sphere around the shapes
+  Eigen::Vector3d center;   // W, m, center of a sphere around the shapes
   double radius = 0;        // radius of this sphere, m
 
   /// Projects a point of the world into a picture of this size: pixels from the top left.
@@ -31,7 +31,7 @@ struct Camera {
 
 /// The light that casts the shadow of the shapes, and the floor that receives it.
 struct Shadow {
-  Eigen::Vector3d light;  // W, direction of the light, downwards
+  Eigen::Vector3d light;  // direction of the light in the world frame, downwards
   double level = 0;       // z of the floor, m
 };
 
@@ -41,15 +41,16 @@ Camera FrameShapes(const PlacedShapes& shapes, double width, double height, cons
                    const std::optional<Shadow>& shadow = {});
 
 /// Depth of a level plane in a picture, as OpenGL stores it: 0 at the camera's near plane, 1 at its
-/// far plane. The depth is linear in the place, because one over the distance is.
+/// far plane. The depth is linear in the position in the picture, because the reciprocal of the
+/// distance is, too.
 struct LevelDepth {
   double at_corner = 1;  // in the upper left corner of the picture
   double per_x = 0;      // per pixel to the right
   double per_y = 0;      // per pixel downwards
 };
-/// Distance of a plane behind the shapes, as a share of that of the camera's far plane.
+/// Distance of the backdrop, a plane behind the shapes, as a share of the camera's far distance.
 inline constexpr double kBackdrop = 0.98;
-/// Returns a depth between the shapes and that plane.
+/// Returns a depth between the shapes and the backdrop.
 double DepthBeforeBackdrop(const Camera& camera);
 /// Returns the depths of the plane z = `level` in a picture of this size in pixels. The depths
 /// are above 1 where the plane is not in front of the camera.

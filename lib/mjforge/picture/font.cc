@@ -26,7 +26,7 @@ std::string ToAscii(std::string_view text) {
 
 }  // namespace
 
-// Uses the largest font size, which has the best shapes; Draw scales the text down.
+// Uses MuJoCo's largest font size, which has the smoothest shapes; Draw scales the text down.
 Font::Font() : model_(engine::Engine().LoadText("<mujoco/>").model) {
   if (!model_) throw std::runtime_error("MuJoCo refuses an empty model");
   model_->vis.global.offwidth = kWidth;

@@ -78,7 +78,7 @@ std::uint32_t KeyOf(const std::uint8_t* rgb) {
 
 struct Palette {
   std::array<GifColorType, 256> colors = {};
-  std::unordered_map<std::uint32_t, GifPixelType> indices;  // by the keys of the frames' colors
+  std::unordered_map<std::uint32_t, GifPixelType> indices;  // palette indices, by KeyOf the color
   bool has_holes = false;                                   // true if any pixel is transparent
 
   explicit Palette(std::span<const Image> frames) {
@@ -171,8 +171,8 @@ std::string EncodeGif(std::span<const Image> frames, int delay, const Texts& tex
   for (const Image& frame : frames) {
     const std::vector<GifPixelType> pixels = palette.IndicesOf(frame);
     std::vector<GifPixelType> changed = pixels;
-    // A pixel that does not change is left transparent, which makes the file smaller. With holes,
-    // the screen is cleared after each frame.
+    // Leave unchanged pixels transparent, which makes the file smaller. Animations with holes draw
+    // all pixels, because viewers clear the screen after each of their frames.
     for (std::size_t i = 0; !palette.has_holes && i < before.size(); ++i) {
       if (pixels[i] == before[i]) changed[i] = kTransparent;
     }

@@ -14,7 +14,7 @@
 
 namespace mjforge::picture {
 
-/// A context that is current on this thread while it exists.
+/// An OpenGL context that is current on this thread while it exists.
 class GlContext {
  public:
   GlContext() = default;
@@ -25,7 +25,7 @@ class GlContext {
   virtual std::string_view name() const = 0;
 };
 
-/// Opens a context through EGL or OSMesa. Returns null, and the reason, if that fails.
+/// Opens a context through EGL or OSMesa. Returns null, and sets `why_not`, if that fails.
 std::unique_ptr<GlContext> OpenEgl(std::string& why_not);
 std::unique_ptr<GlContext> OpenOsmesa(std::string& why_not);
 
@@ -35,14 +35,14 @@ std::unique_ptr<GlContext> OpenOsmesa(std::string& why_not);
 class LeakCheckPause {
  public:
   LeakCheckPause();
-  // Not trivial in builds with a leak checker.
+  // The destructor is not trivial in builds with a leak checker.
   ~LeakCheckPause();  // NOLINT(performance-trivially-destructible)
   LeakCheckPause(const LeakCheckPause&) = delete;
   LeakCheckPause& operator=(const LeakCheckPause&) = delete;
 };
 
-/// Opens the context that MUJOCO_GL names, or else the first that works. Returns null, and the
-/// reason, if none works.
+/// Opens the context that MUJOCO_GL names, or else the first that works. Returns null, and sets
+/// `why_not`, if none works.
 std::unique_ptr<GlContext> OpenGlContext(std::string& why_not);
 
 /// Sets `function` to the address of a function in an open library; returns false if the library

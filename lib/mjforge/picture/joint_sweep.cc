@@ -10,10 +10,9 @@
 namespace mjforge::picture {
 namespace {
 
-constexpr int kFramesPerWay = 12;  // for a motion between two positions
+constexpr int kFramesPerWay = 12;  // frames of a motion between two positions
 
-// Appends a motion that is slower towards both ends, without `to`, with which the next motion
-// starts.
+// Appends a motion that is slower towards both ends. Omits `to`, with which the next motion starts.
 void AppendWay(int joint, double from, double to, std::vector<JointPositions>& poses) {
   if (from == to) return;
   for (int i = 0; i < kFramesPerWay; ++i) {

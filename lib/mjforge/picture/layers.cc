@@ -28,7 +28,7 @@ constexpr Color kInertia = {0.20F, 0.45F, 0.80F, 0.45F};
 
 const Matrix3d kUpright = Matrix3d::Identity();
 
-// Half the diagonal of the bounding box, m. The sizes of marks are multiples of it.
+// Returns half the diagonal of the bounding box, m. Sizes of marks are multiples of this length.
 double RadiusOf(const PlacedShapes& shapes) { return (shapes.Max() - shapes.Min()).norm() / 2; }
 
 // Returns a rotation that maps z to `axis`.
@@ -62,7 +62,7 @@ void DrawEdges(const Vector3d& min, const Vector3d& max, double radius, Scene& s
   }
 }
 
-// Returns a color that differs from its neighbours and from the faded object.
+// Returns a color that differs from the colors of nearby numbers and from the faded object.
 Color MarkColor(int number) {
   constexpr std::array<Color, 6> kColors = {
       Color{0.85F, 0.20F, 0.15F, 1}, Color{0.10F, 0.45F, 0.85F, 1}, Color{0.10F, 0.60F, 0.30F, 1},
@@ -186,8 +186,8 @@ void DrawBounds(const Subject::State& state, const PlacedShapes& around, Scene& 
                  fmt::format("{:.4g} x {:.4g} x {:.4g} m", size.x(), size.y(), size.z()));
 }
 
-// A solid box of mass m and half sizes a, b, c has the inertia I_x = m/3 (b^2 + c^2), and I_y and
-// I_z accordingly; solved here for the half sizes.
+// Draws a box with the inertia of each body. A solid box of mass m and half sizes a, b, c has the
+// inertia I_x = m/3 (b^2 + c^2), and I_y and I_z accordingly, which determines the half sizes.
 void DrawInertias(const Subject::State& state, const PlacedShapes& around, Scene& scene) {
   const mjModel& m = *state.model;
   const double radius = RadiusOf(around);
@@ -221,7 +221,7 @@ void DrawJoints(const Subject::State& state, const PlacedShapes& around, Scene& 
   }
 }
 
-// The size of a site is that of a geom of its type; only boxes and cylinders are regions.
+// Draws the regions, which are boxes and cylinders. MuJoCo's sizes of sites are those of geoms.
 void DrawRegions(const Subject::State& state, const PlacedShapes& around, Scene& scene) {
   const mjModel& m = *state.model;
   int number = 0;

@@ -9,7 +9,7 @@
 namespace mjforge::picture {
 namespace {
 
-// Numbers on MuJoCo's stack; a Jacobian of a tendon has three for each degree of freedom.
+// Size of MuJoCo's stack in numbers. A tendon's Jacobian needs three for each degree of freedom.
 constexpr double kStackSize = 1e6;
 
 std::unique_ptr<Subject> Make(engine::Loaded loaded, std::string& why_not) {

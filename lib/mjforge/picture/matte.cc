@@ -61,7 +61,7 @@ void BlurAll(std::vector<float>& values, int width, int height, int radius) {
   Transpose(other, height, values);
 }
 
-// Rounds by the cast, because std::lround takes several times as long.
+// Rounds by adding a half before the cast, because std::lround takes several times as long.
 std::uint8_t ToByte(float value) {
   constexpr float kHalf = 0.5F;
   return static_cast<std::uint8_t>(std::clamp(value, 0.0F, 1.0F) * 255 + kHalf);
@@ -88,7 +88,7 @@ void Matte::AddSamples(int top, int bottom, int light, const AddSample& add_samp
     for (int x = 0; x < width_; ++x) {
       PixelSums sums;
       for (int row = y * samples_; row < (y + 1) * samples_; ++row) {
-        // Rows start with the lowest.
+        // MuJoCo's renderings start with the lowest row.
         const std::size_t first = static_cast<std::size_t>(bottom * samples_ - 1 - row) * columns;
         for (int column = x * samples_; column < (x + 1) * samples_; ++column)
           add_sample(first + static_cast<std::size_t>(column), column, row, sums);

@@ -1,10 +1,10 @@
 // Matting: renderings on a light floor give a picture with alpha and a soft shadow.
 //
 // The depth of a sample tells whether it belongs to an opaque object. Translucent geoms do not
-// change it. A second rendering has the translucent geoms alone, on black: the difference is the
-// visible share of the floor, lit or in shadow, and so gives the alpha of the geoms in front of the
-// floor (A. R. Smith, J. F. Blinn: Blue Screen Matting, SIGGRAPH 1996, section 3, with two backing
-// colors). The floor itself becomes a shadow: black, with an alpha that is blurred.
+// change this depth. A second rendering has the translucent geoms alone, on black: the difference
+// is the visible share of the floor, lit or in shadow, and so gives the alpha of the geoms in front
+// of the floor (A. R. Smith, J. F. Blinn: Blue Screen Matting, SIGGRAPH 1996, section 3, with two
+// backing colors). The floor itself becomes a shadow: black, with an alpha that is blurred.
 
 #pragma once
 
@@ -24,7 +24,7 @@ struct RenderedBand {
   std::span<const float> depths;              // 1: nothing opaque was drawn
   std::span<const std::uint8_t> translucent;  // translucent geoms alone; empty: there are none
   LevelDepth floor;     // samples at this depth or deeper do not belong to opaque geoms
-  double backdrop = 1;  // nor do samples at this depth or deeper
+  double backdrop = 1;  // depth of the backdrop; samples behind it do not belong to opaque geoms
   int light = 255;      // brightness of the floor outside of shadows, 0..255
 };
 
@@ -39,12 +39,12 @@ class Matte {
   Image Finish();
 
  private:
-  // Sums over the samples of a pixel. Shares of the light are in units of 1 / light.
+  // Sums over the samples of a pixel. Light is measured in levels from 0 to RenderedBand::light.
   struct PixelSums {
     std::array<int, 3> color = {};
     int hidden = 0;  // the light that the object hides
     int floor = 0;   // samples that show the floor
-    int shade = 0;   // the light that these lack
+    int shade = 0;   // the light that the floor samples lack because of the shadow
   };
 
   template <typename AddSample>

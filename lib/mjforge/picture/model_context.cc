@@ -24,7 +24,8 @@ Buffers::Buffers(int width, int height, int shadow_size) : size_{width, height, 
 
 Buffers::~Buffers() { mjr_freeContext(&context_); }
 
-// Buffers of a model's own are as small as possible, because MuJoCo cannot do without any.
+// Makes the model's own buffers as small as possible, because MuJoCo requires them although
+// pictures use the shared buffers.
 ModelContext::ModelContext(mjModel& model, const Buffers& buffers) {
   model.vis.global.offwidth = model.vis.global.offheight = kMinSize;
   model.vis.quality.offsamples = 0;

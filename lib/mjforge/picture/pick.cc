@@ -1,4 +1,4 @@
-// The geom at a place of a picture.
+// Search for the geom at a place of a picture.
 
 #include "mjforge/picture/camera.h"
 #include "mjforge/picture/picture.h"

@@ -51,7 +51,7 @@ std::optional<Background> ParseBackground(std::string_view text);
 /// Puts the background behind the image.
 void PutOn(const Background& background, Image& image);
 
-/// Sizes of pictures, in pixels.
+/// Limits of the width and the height of a picture, in pixels.
 inline constexpr int kMinSize = 16;
 inline constexpr int kMaxSize = 4096;
 
@@ -88,10 +88,10 @@ struct Joint {
 /// Positions of some joints: pairs of a joint's number and its position (rad or m).
 using JointPositions = std::vector<std::pair<int, double>>;
 
-/// Poses of a model: its start, and the start with hinges, slides and ball joints at zero.
+/// Poses of a model: its start pose, and the start pose with hinges, slides and balls at zero.
 enum class Pose { kStart, kZero };
 
-/// A model in a pose, at first its start.
+/// A model in a pose, which is Pose::kStart at first.
 class Subject {
  public:
   struct State;
@@ -102,7 +102,7 @@ class Subject {
 
   std::vector<Joint> joints() const;
   /// Returns the number of the joint with this name. The name's prefix ("hammer_") may be left out
-  /// if only one joint fits. Returns nothing, and adds a finding, if no joint or several joints
+  /// if only one joint fits. Returns nullopt, and adds a finding, if no joint or several joints
   /// fit.
   std::optional<int> FindJoint(std::string_view name, diag::Findings& findings) const;
   /// Moves a hinge (rad) or slide (m). Returns false, and adds a finding, if the joint is neither
@@ -110,8 +110,8 @@ class Subject {
   bool SetJoint(int joint, double value, diag::Findings& findings);
 
   /// Returns poses that move each hinge and slide in turn, or only `joint`, from its value to both
-  /// ends of its range and back. Hinges without limits make a full turn. Returns nothing, and adds
-  /// a finding, if no joint can move in this way.
+  /// ends of its range and back. Hinges without limits make a full turn. Returns an empty list, and
+  /// adds a finding, if no joint can move in this way.
   std::vector<JointPositions> Sweep(std::optional<int> joint, diag::Findings& findings) const;
 
   State& state() { return *state_; }
@@ -150,16 +150,17 @@ class Renderer {
   Renderer& operator=(const Renderer&) = delete;
 
   /// Draws a subject, on a floor unless the model has geoms fixed to the world. If nothing is
-  /// visible, shows geoms of other groups or else sites, and adds a warning. Returns nothing, and
+  /// visible, shows geoms of other groups or else sites, and adds a warning. Returns nullopt, and
   /// adds a finding, if there is nothing to show. Equal subjects and options give equal bytes.
   std::optional<Image> Draw(Subject& subject, const Options& options, diag::Findings& findings);
 
-  /// Draws the subject in each pose, with one camera that frames all of them.
+  /// Draws the subject in each pose, with one camera that frames the subject in all poses.
   std::optional<std::vector<Image>> DrawMotion(Subject& subject,
                                                std::span<const JointPositions> poses,
                                                const Options& options, diag::Findings& findings);
 
-  /// Draws the subject with each of these positions (MuJoCo's qpos), with one camera.
+  /// Draws the subject at each of these `positions` (MuJoCo's qpos), with one camera for all
+  /// images.
   std::optional<std::vector<Image>> DrawFilm(Subject& subject,
                                              std::span<const std::vector<double>> positions,
                                              const Options& options, diag::Findings& findings);
@@ -184,7 +185,8 @@ struct Tile {
   std::vector<std::string> caption;
 };
 /// Arranges tiles of equal size in rows, in a sheet that is as square as their number allows. A row
-/// is as high as its tiles need: empty rows of pixels above and below all of them are left out.
+/// is as high as its tiles need: rows of pixels that are empty in all of its tiles are left out at
+/// the top and the bottom.
 Image ContactSheet(Renderer& renderer, std::span<const Tile> tiles, const Background& background);
 
 }  // namespace mjforge::picture

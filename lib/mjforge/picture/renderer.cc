@@ -108,7 +108,7 @@ Image Renderer::DrawText(std::string_view text, const Background::Color& color) 
   return state_->font->Draw(text, color);
 }
 
-// Returns buffers of the size that the picture needs: those of the last picture if they have it.
+// Returns buffers of the size that the picture needs; reuses the last buffers of this size.
 const Buffers& Renderer::State::BuffersFor(const Options& options) {
   const int width = options.width * samples;
   const int height = RowsOfBand(options, samples) * samples;
@@ -236,7 +236,7 @@ std::optional<std::vector<Image>> Renderer::State::DrawPoses(Subject& subject,
   PlacedShapes all;
   double lowest = std::numeric_limits<double>::infinity();
   for (const Positions& pose : poses) {
-    // Every pose lacks the same things, so only the findings of the first pose are kept.
+    // Every pose has the same findings, so only the findings of the first pose are kept.
     diag::Findings again;
     subject.state().Move(pose);
     if (!scene.Fill(subject, options.layer, all.empty() ? findings : again)) return std::nullopt;

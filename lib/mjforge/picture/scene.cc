@@ -31,7 +31,7 @@ constexpr float kFill = 0.33F;
 constexpr float kAmbient = 0.27F;
 constexpr float kRim = 0.20F;
 constexpr float kRimSpecular = 0.60F;
-constexpr float kFaded = 0.35F;    // factor of alpha
+constexpr float kFaded = 0.35F;    // factor of alpha for the faded object
 constexpr double kBelow = 0.003;   // depth of the floor, as a share of the object's radius
 constexpr float kFloor = 0.85F;    // gray level of the light floor
 constexpr float kOpaque = 0.995F;  // alpha from which MuJoCo draws a geom as opaque
@@ -68,8 +68,8 @@ bool Collides(const mjModel& m, int geom) {
   return false;
 }
 
-// Returns a color that differs clearly from those of nearby numbers: hues advance by the golden
-// section.
+// Returns a color that differs clearly from the colors of nearby numbers, because hues advance by
+// the golden section.
 std::array<float, 4> DistinctColor(int number) {
   const double hue = std::fmod(0.58 + 0.61803398875 * number, 1.0);
   const auto channel = [&](double shift) {
@@ -122,7 +122,7 @@ void Scene::Collect(Subject::State& state, const mjvOption& option) {
 // key light in a second pass to everything at the depth already drawn.
 void Scene::SeparateFaces() {
   constexpr float kShare = 1e-5F;
-  constexpr int kDifferent = 101;  // more than the geoms of a typical ring
+  constexpr int kDifferent = 101;  // more than the boxes that form a typical ring
   for (int i = 0; i < scene_.ngeom; ++i) {
     mjvGeom& geom = scene_.geoms[i];
     if (geom.type != mjGEOM_BOX && geom.type != mjGEOM_CYLINDER) continue;
@@ -292,7 +292,7 @@ void Scene::Light(const Camera& camera, double floor_height, bool has_shadows) {
     AddFloor(camera, floor_height - below);
     level_above_floor_ = floor_height - below / 2;
   }
-  // The floor comes first, because it hides most of the backdrop.
+  // Add the backdrop after the floor, because the floor hides most of the backdrop.
   if (!IsOpaque()) AddBackdrop(camera);
 }
 
@@ -308,8 +308,8 @@ mjvGeom* Scene::AddPlane(const Eigen::Vector2d& half_sides, const Eigen::Vector3
   return plane;
 }
 
-// Adds a floor as far as it is seen, or as far as the shadow reaches if the object is opaque: where
-// nothing is drawn, there is no shadow.
+// Adds a floor. If the object is opaque, the floor is only as large as the shadow, because pixels
+// without a floor have no shadow; otherwise the floor fills the picture.
 void Scene::AddFloor(const Camera& camera, double height) {
   Eigen::Vector3d place(camera.center.x(), camera.center.y(), height);
   Eigen::Vector2d half_sides = Eigen::Vector2d::Constant(40 * camera.radius);
@@ -328,7 +328,7 @@ void Scene::AddFloor(const Camera& camera, double height) {
   mjvGeom* floor = AddPlane(half_sides, place, axes);
   if (floor == nullptr) return;
   SetColor(floor->rgba, {kFloor, kFloor, kFloor, 1});
-  // Marks of a layer may be below the floor, which hides them.
+  // If there are marks of a layer, add a black floor, which hides the marks below the floor.
   const auto is_mark = [](const mjvGeom& geom) { return geom.category == mjCAT_DECOR; };
   if (std::ranges::none_of(translucent_, is_mark)) return;
   SetColor(translucent_.emplace_back(*floor).rgba, {0, 0, 0, 1});

@@ -62,7 +62,7 @@ class Scene {
   mjvScene TranslucentGeoms();
   /// Returns the brightness of the floor, or else the backdrop, outside of shadows, 0..255.
   int Brightness() const;
-  /// Returns a height between the floor and the object, or nothing if there is no floor.
+  /// Returns a height between the floor and the object, or nullopt if there is no floor.
   const std::optional<double>& level_above_floor() const { return level_above_floor_; }
   void SetCamera(const mjvGLCamera& camera) { std::ranges::fill(scene_.camera, camera); }
 
@@ -105,9 +105,9 @@ class Scene {
   std::vector<Label> labels_;
   std::vector<Line> legend_;
   bool has_ground_ = false;           // the model has a floor or another geom fixed to the world
-  std::vector<mjvGeom> translucent_;  // copies; a black floor if it hides some
+  std::vector<mjvGeom> translucent_;  // copies; with a black floor if the floor hides marks
   double floor_height_ = 0;
-  std::optional<double> level_above_floor_;  // none: there is no floor
+  std::optional<double> level_above_floor_;  // nullopt: there is no floor
 };
 
 }  // namespace mjforge::picture

@@ -11,14 +11,14 @@ namespace {
 constexpr int kGap = 12;          // pixels between tiles and around them
 constexpr int kBelowCaption = 8;  // additional pixels between a caption and the tile below it
 
-// Puts a pixel over another.
+// Composites the pixel `top` over the pixel `below`.
 void PutPixel(const std::uint8_t* top, std::uint8_t* below) {
   const int over = top[3];
   const int under = below[3] * (255 - over) / 255;
   const int alpha = over + under;
   for (int c = 0; c < 3; ++c) {
     const int mixed = top[c] * over + below[c] * under;
-    // Dividing by a constant is several times as fast.
+    // Treat opaque results separately, because dividing by a constant is several times as fast.
     const int mean = alpha == 255 ? (mixed + 127) / 255 : (mixed + alpha / 2) / alpha;
     below[c] = static_cast<std::uint8_t>(mean);
   }
@@ -46,7 +46,7 @@ int ColumnsFor(int count) {
   return best;
 }
 
-// Returns true if a row of pixels shows anything.
+// Returns true if any pixel of a row is not transparent.
 bool IsShown(const Image& image, int y) {
   const std::uint8_t* alpha = image.rgba.data() + 4 * std::ptrdiff_t{y * image.width} + 3;
   for (int x = 0; x < image.width; ++x, alpha += 4) {
@@ -71,7 +71,7 @@ struct SheetRow {
 
   int top;                // in the sheet
   int first = 0;          // first row of pixels that is shown
-  int last = 0;           // end of these rows
+  int last = 0;           // end of the rows of pixels that are shown
   std::size_t lines = 0;  // lines of the longest caption
 };
 

@@ -57,7 +57,7 @@ double PlacedShapes::Support(const Eigen::Vector3d& direction) const {
   return most;
 }
 
-// Along the light, a point moves by its height above the plane times the slope.
+// Adds the displacement of each point's shadow: its height above the plane times the slope.
 double PlacedShapes::ShadowSupport(const Eigen::Vector3d& direction, const Eigen::Vector3d& light,
                                    double level) const {
   const double slope = direction.dot(light) / -light.z();

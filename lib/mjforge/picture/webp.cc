@@ -16,7 +16,7 @@ namespace {
 constexpr int kDefaultMethod = 4;
 constexpr int kFastMethod = 0;
 
-// Lets `encode` encode an image as libwebp reads it.
+// Calls `encode` with libwebp's configuration and picture of an image.
 void Encode(const Image& image, int quality, int method, bool is_argb, const auto& encode) {
   WebPConfig config;
   WebPPicture picture;
