@@ -36,7 +36,7 @@ double Axis::At(double value) const {
   return start_ + share * (end_ - start_);
 }
 
-// Returns a distance of ticks: 1, 2 or 5 times a power of ten.
+// Returns the distance between about `count` ticks: 1, 2 or 5 times a power of ten.
 double Axis::Step(int count) const {
   const double rough = hi_ / count - lo_ / count;
   const double power = std::pow(10, std::floor(std::log10(rough)));

@@ -20,9 +20,9 @@ namespace {
 using manifest::Record;
 using Params = std::vector<std::pair<std::string, sample::ParameterValue>>;
 
-constexpr std::size_t kOpenParams = 6;   // shown without a click
-constexpr std::size_t kMaxParams = 40;   // in the page
-constexpr std::size_t kNamedParams = 3;  // in the alternative text of a picture
+constexpr std::size_t kOpenParams = 6;   // number of parameters shown without a click
+constexpr std::size_t kMaxParams = 40;   // number of parameters of a variant in the page
+constexpr std::size_t kNamedParams = 3;  // number of parameters in a picture's alt text
 constexpr std::size_t kMaxFindings = 4;
 constexpr std::size_t kValueBytes = 120;
 
@@ -63,7 +63,8 @@ class CardMaker {
     if (batch.recipe) colors_ = ColorsOf(*batch.recipe->spec);
   }
 
-  // Sets `has_picture` to false if the variant has a file but no picture.
+  // Returns the HTML of a row. Sets `has_picture` to false if the variant has a file but no
+  // picture.
   std::string Make(const ShownVariant& shown, bool& has_picture) const {
     const Record& record = shown.record;
     ctemplate::TemplateDictionary card("card");
@@ -162,8 +163,8 @@ class CardMaker {
   std::set<std::string> colors_;
 };
 
-// Returns the failed and slow variants in their order, then the sample in bit-reversed order, any
-// first part of which is spread over the whole sample.
+// Returns the failed and slow variants in their order, then the sample in bit-reversed order, so
+// that any first part of the sample is spread over the whole sample.
 std::vector<std::size_t> OrderOfMaking(const std::vector<ShownVariant>& chosen) {
   const auto sample =
       std::ranges::find(chosen, ShownVariant::Reason::kSample, &ShownVariant::reason);

@@ -10,14 +10,14 @@
 
 namespace mjforge::report {
 
-/// Rows for the variants that a page shows, and their numbers.
+/// HTML of the rows for the variants that a page shows, and numbers of variants.
 struct Cards {
   std::string html;
   std::size_t failed = 0;
   std::size_t slow = 0;
   std::size_t sampled = 0;
-  std::size_t without_picture = 0;  // although the variants have a file
-  std::size_t left_out = 0;         // because the page is full
+  std::size_t without_picture = 0;  // shown variants with a file but no picture
+  std::size_t left_out = 0;         // chosen variants that the page has no room for
 
   std::size_t shown() const { return failed + slow + sampled; }
 };

@@ -35,7 +35,7 @@ struct HistogramChart {
   std::string title;    // "handle_length, m"
   std::string x_label;  // "m"
   const NumberTally* drawn = nullptr;
-  const NumberTally* expected = nullptr;  // null: not known
+  const NumberTally* expected = nullptr;  // null: the distribution is not known
   bool whole = false;                     // whole numbers: the edges of bins are between them
 };
 /// Adds bars for the drawn values, in which the bad variants are marked, and a line for the
@@ -46,7 +46,7 @@ struct BarChart {
   std::string id;
   std::string title;
   std::vector<std::pair<std::string, Counts>> drawn;
-  std::vector<std::pair<std::string, Counts>> expected;  // empty: not known
+  std::vector<std::pair<std::string, Counts>> expected;  // empty: the distribution is not known
 };
 /// Adds a row for each value that was drawn or expected, or only for the most frequent values if
 /// there are too many.

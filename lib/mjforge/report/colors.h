@@ -16,7 +16,7 @@ namespace mjforge::report {
 /// material, a texture, a part or a site has as its colour.
 std::set<std::string> ColorsOf(const spec::ObjectSpec& spec);
 
-/// Returns "#rrggbb" for 3 numbers from 0 to 1, "#rrggbbaa" for 4; nothing for any other value.
+/// Returns "#rrggbb" for 3 numbers from 0 to 1, "#rrggbbaa" for 4; nullopt for any other value.
 std::optional<std::string> HexColor(const sample::ParameterValue& value);
 
 /// Returns the values of the colours as HexColor, by the parameters' names, in some of the variants

@@ -12,7 +12,7 @@ constexpr std::uint64_t kSamples = 20'000;
 // Limit of all attempts, so that a spec that rejects most draws does not delay the report.
 constexpr std::uint64_t kAttempts = 200'000;
 
-// Mask that gives a seed which the batch is unlikely to have.
+// Mask that changes the batch's seed, so that the draws are independent of the batch.
 constexpr std::uint64_t kOtherSeed = 0x9e3779b97f4a7c15;
 
 }  // namespace

@@ -53,13 +53,13 @@ struct SpecPage {
 };
 std::string MakeSpecPage(SpecPage page);
 
-/// Entry of the index.
+/// A card in the index of a gallery.
 struct GalleryCard {
   std::string name;  // in the search path: "tools/hammer"
   std::string description;
   std::string words;    // texts in which the index searches, in addition to name and description
   std::string facts;    // "1.2 to 3.4 kg, 2 joints"
-  std::string problem;  // the reason why there is no object; empty: none
+  std::string problem;  // reason why there is no object; empty: there is an object
   bool has_page = false;
   std::optional<Thumbnail> picture;
 };
@@ -70,7 +70,7 @@ std::string MakeGalleryIndex(std::span<const GalleryCard> cards);
 std::string GalleryPageFile(const std::string& name);
 
 /// Returns true if the spec `a` is listed before `b` in galleries: kinds in alphabetical order,
-/// then those with reference objects, shapes and, last, primitives.
+/// then the kinds of reference objects, of shapes and, last, of primitives.
 bool IsBeforeInGallery(const std::string& a, const std::string& b);
 
 }  // namespace mjforge::report

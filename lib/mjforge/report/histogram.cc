@@ -1,4 +1,4 @@
-// Histogram with cells of 2^k that adapt to the range of the numbers.
+// Histogram whose cells have widths of 2^k that adapt to the range of the numbers.
 
 #include "mjforge/report/histogram.h"
 
@@ -25,7 +25,7 @@ void Statistics::Add(double value) {
   ++count;
   const auto n = static_cast<double>(count);
   const double distance = value - mean;
-  // The difference of two huge numbers of opposite signs overflows.
+  // Divide first if the difference of two huge numbers of opposite signs overflows.
   mean += std::isfinite(distance) ? distance / n : value / n - mean / n;
   m2 += distance * (value - mean);
 }

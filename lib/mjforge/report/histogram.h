@@ -9,7 +9,7 @@
 namespace mjforge::report {
 
 /// Count, range, mean and variance of numbers, by Welford's algorithm, which is accurate for any
-/// count. Mean and variance depend on the order of the numbers, by a rounding.
+/// count. Rounding errors of mean and variance depend on the order of the numbers.
 struct Statistics {
   std::uint64_t count = 0;
   double min = 0;

@@ -29,7 +29,7 @@ struct Point {
   bool is_bad = false;
 };
 
-/// A finding as a record holds it.
+/// A finding that was read from a record.
 struct RecordedFinding {
   std::string severity;
   std::string code;
@@ -43,7 +43,7 @@ std::vector<RecordedFinding> FindingsOf(const manifest::Record& record);
 /// Frequency of a code of findings.
 struct CodeTally {
   std::uint64_t variants = 0;  // number of variants with this code
-  RecordedFinding example;     // in the first of these variants
+  RecordedFinding example;     // finding of the first of these variants
   std::uint64_t index = 0;     // index of the first of these variants
 };
 
@@ -61,14 +61,15 @@ class ManifestSummary {
   explicit ManifestSummary(std::size_t shown);
 
   void Add(const manifest::Record& record);
-  /// Adds the records of a summary of what follows in the manifest.
+  /// Adds the summary of the records that follow in the manifest.
   void Append(const ManifestSummary& next);
 
   const NumberTally& Of(MeasureId id) const { return measures[static_cast<std::size_t>(id)]; }
   /// Returns true if physics checks ran for any variant.
   bool HasPhysics() const { return Of(MeasureId::kContacts).all.count() > 0; }
 
-  /// Chooses failed variants, then the slowest to come to rest, then others, spread over the batch.
+  /// Chooses failed variants, then the variants that took longest to come to rest, then other
+  /// variants, spread over the batch.
   std::vector<ShownVariant> Choose() const;
 
   std::optional<manifest::Record> first;
@@ -95,7 +96,7 @@ class ManifestSummary {
 };
 
 /// Reads the whole manifest, in sections that all cores share. The result does not depend on the
-/// number of cores. Returns nothing, and adds a finding, if it cannot be read. Adds a
+/// number of cores. Returns nullopt, and adds a finding, if the manifest cannot be read. Adds a
 /// finding for each line that is not a record, except for a last line that is cut off in a manifest
 /// under construction, and sets `bad_lines` to the number of these lines.
 std::optional<ManifestSummary> Summarize(const std::filesystem::path& manifest, std::size_t shown,

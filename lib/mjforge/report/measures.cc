@@ -13,18 +13,18 @@ using Number = std::optional<double>;
 
 bool HasObject(const Record& record) { return record.nbody > 0; }
 
-// Returns a result of the physics checks; nothing if they did not run.
+// Returns a result of the physics checks; nullopt if the checks did not run.
 template <typename T>
 Number Measured(const Record& record, T physics::Result::*member) {
   return record.physics ? Number((*record.physics).*member) : std::nullopt;
 }
 
-// Returns a result of the drop test; nothing if the object was not dropped.
+// Returns a result of the drop test; nullopt if the object was not dropped.
 Number Dropped(const Record& record, double physics::Result::*member) {
   return record.physics && record.physics->dropped ? Measured(record, member) : std::nullopt;
 }
 
-// Returns the worst result of all driven joints; nothing if none was driven.
+// Returns the worst result of all driven joints; nullopt if no joint was driven.
 Number OfJoints(const Record& record, double physics::Result::Joint::*member, bool least) {
   if (!record.physics || record.physics->joints.empty()) return std::nullopt;
   double worst = record.physics->joints.front().*member;
@@ -85,7 +85,7 @@ constexpr std::array kMeasures = {
             true},
 };
 
-// MeasureOf depends on this order.
+// MeasureOf requires kMeasures to be in the order of MeasureId.
 static_assert([] {
   for (std::size_t i = 0; i < kMeasures.size(); ++i)
     if (static_cast<std::size_t>(kMeasures[i].id) != i) return false;

@@ -31,7 +31,7 @@ enum class MeasureId {
 
 struct Measure {
   MeasureId id;
-  std::string_view key;  // in the record
+  std::string_view key;  // name of the number in the record
   std::string_view title;
   std::string_view unit;
   std::string_view doc;
@@ -44,7 +44,7 @@ struct Measure {
 std::span<const Measure> Measures();
 const Measure& MeasureOf(MeasureId id);
 
-/// Returns the largest side of the object's bounding box, m; nothing if there is no object.
+/// Returns the largest side of the object's bounding box, m; nullopt if there is no object.
 std::optional<double> SizeOf(const manifest::Record& record);
 
 }  // namespace mjforge::report

@@ -19,7 +19,7 @@ namespace {
 constexpr std::string_view kGenerator = R"(<meta name="generator" content="mjforge )";
 constexpr std::size_t kHeadBytes = 4096;
 
-// Room for sentences that depend on the shown variants.
+// Bytes of the page that are reserved for sentences that depend on the shown variants.
 constexpr std::size_t kSpareBytes = 20'000;
 
 // Loads the recorded spec. If that fails, adds its first finding as a warning and as a notice,

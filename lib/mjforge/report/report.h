@@ -31,8 +31,8 @@ struct Request {
 /// Maximum size of a page.
 inline constexpr std::size_t kMaxBytes = 10'000'000;
 
-/// Draws a small picture of a record's object; nothing if there is none. Called once for each
-/// variant that is shown.
+/// Function that draws a small picture of a record's object; returns nullopt if there is no object.
+/// Called once for each variant that is shown.
 using Thumbnailer = std::function<std::optional<Thumbnail>(const manifest::Record&)>;
 
 struct Page {
@@ -44,7 +44,7 @@ struct Page {
 
 /// Reads the manifest once, in memory that does not depend on its length, and makes a page. Adds a
 /// warning, which is also on the page, for everything that is missing from the page, and an error
-/// for each line that is not a record; the page is made from the other lines. Returns nothing, and
+/// for each line that is not a record; the page is made from the other lines. Returns nullopt, and
 /// adds a finding, if there is nothing to read.
 std::optional<Page> MakePage(const Request& request, const Thumbnailer& thumbnailer,
                              diag::Sources& sources, diag::Findings& findings);

@@ -202,7 +202,7 @@ void AddFindings(Dictionary& body, const ManifestSummary& summary) {
   Dictionary& list = Section(body, "HAS_FINDINGS");
   std::vector<std::pair<std::string, const CodeTally*>> codes;
   for (const auto& [name, tally] : summary.codes) codes.emplace_back(name, &tally);
-  // Errors first, then by frequency.
+  // Sort errors before warnings, and each of the two by frequency.
   std::stable_sort(codes.begin(), codes.end(), [](const auto& a, const auto& b) {
     const bool a_warns = a.second->example.severity == "warning";
     const bool b_warns = b.second->example.severity == "warning";

@@ -18,9 +18,9 @@ namespace mjforge::report {
 /// Data of a batch that a page shows.
 struct Batch {
   ManifestSummary summary;
-  std::optional<forge::Recipe> recipe;       // nothing if the spec is missing or has changed
+  std::optional<forge::Recipe> recipe;       // nullopt if the spec is missing or has changed
   std::optional<ParameterTallies> expected;  // with the recipe
-  std::string spec_text;                     // with the recipe; empty if it is too long
+  std::string spec_text;                     // with the recipe; empty if the text is too long
   std::vector<std::string> notices;
 };
 
@@ -41,7 +41,7 @@ ParameterTallies DrawExpected(const forge::Recipe& recipe, const ManifestSummary
 /// Adds title, statuses, facts and notices.
 void AddOverview(Dictionary& page, const Request& request, const Batch& batch);
 
-// Sections of the body.
+// Functions that add the sections of the page's body.
 void AddFindings(Dictionary& body, const ManifestSummary& summary);
 void AddParameters(Dictionary& body, const Batch& batch);
 /// Adds a panel with a chart for each parameter that `is_shown` accepts, at the marker PANELS.

@@ -95,7 +95,8 @@ void AddParameterSections(Dictionary& body, const Batch& batch) {
                      [&](const ParameterTally& tally) { return !is_drawn(tally); });
 }
 
-// Returns a batch of the variants whose parameters are those of many more draws.
+// Returns a batch of the page's variants. The values of parameters come from many more draws, so
+// that the charts are smooth.
 Batch MakeBatch(SpecPage& page) {
   ManifestSummary summary(kMaxColors);
   for (const manifest::Record& record : page.variants) summary.Add(record);

@@ -33,8 +33,9 @@ void AddNumber(double number, ParameterExtent& extent) {
   }
 }
 
-// Extents by position: all records of a batch have the same parameters in the same order, but lists
-// of different lengths.
+// Finds or adds the extent of a parameter, and advances `position`. The search starts at
+// `position`, because all records of a batch have the same parameters in the same order; lengths of
+// lists differ.
 ParameterExtent& At(std::size_t& position, const std::string& name,
                     std::vector<ParameterExtent>& extents) {
   auto found = extents.begin() + static_cast<std::ptrdiff_t>(std::min(position, extents.size()));
@@ -81,7 +82,7 @@ bool HasCommonValue(const std::vector<const ParameterExtent*>& groups) {
 bool Overlap(std::vector<const ParameterExtent*> groups) {
   std::ranges::sort(groups, {}, &ParameterExtent::low);
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    if (!(groups[i]->low <= groups[i]->high)) return true;  // no numbers
+    if (!(groups[i]->low <= groups[i]->high)) return true;  // a group without numbers
     if (i > 0 && groups[i]->low <= groups[i - 1]->high) return true;
   }
   return false;
@@ -92,7 +93,7 @@ Separation SeparationOf(const std::vector<const ParameterExtent*>& groups) {
   return Overlap(groups) ? Separation::kNone : Separation::kByRange;
 }
 
-// Extents of one parameter in each group; empty if a group lacks it.
+// Returns the extents of one parameter in each group; an empty list if a group lacks the parameter.
 std::vector<const ParameterExtent*> ExtentsOf(
     const std::string& name, const std::map<int, std::vector<ParameterExtent>>& groups) {
   std::vector<const ParameterExtent*> extents;
@@ -130,7 +131,7 @@ void StructureTally::Append(const StructureTally& next) {
   AppendAll(next.params, params);
 }
 
-// Returns null if there are too many structures.
+// Finds or adds the tally of a structure; returns null if there are too many structures.
 StructureTally* StructureTallies::At(const std::string& key) {
   const auto [known, is_new] = numbers_.try_emplace(key, list_.size());
   if (!is_new) return &list_[known->second];

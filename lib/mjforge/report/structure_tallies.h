@@ -21,7 +21,7 @@ struct ParameterExtent {
   std::string name;              // "shape", "size.x"
   std::set<std::string> values;  // texts, flags and whole numbers
   bool more_values = false;      // more than kMaxValues, or numbers that are not whole
-  // Range of numbers.
+  // Range of the values that are numbers; low > high if there are none.
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
 
@@ -46,7 +46,7 @@ struct StructureTally {
   void Append(const StructureTally& next);
 };
 
-/// Structures in the order of their first variants.
+/// Tallies of the structures of a batch, in the order of their first variants.
 class StructureTallies {
  public:
   /// Limit of different structures that are told apart.
@@ -56,7 +56,7 @@ class StructureTallies {
   void Append(const StructureTallies& next);
 
   const std::vector<StructureTally>& list() const { return list_; }
-  /// Number of variants of further structures.
+  /// Number of variants of structures beyond kMaxStructures.
   std::uint64_t more() const { return more_; }
 
  private:
@@ -72,8 +72,8 @@ struct Separator {
   std::string parameter;
   Separation separation = Separation::kNone;
 };
-/// Returns the parameters that separate the groups, `groups[i]` being the group of `list()[i]`;
-/// negative numbers exclude a structure. A range separates few variants by chance, so ranges are
+/// Returns the parameters that separate the groups, `groups[i]` being the group of `list()[i]`; a
+/// negative group excludes its structure. A range separates few variants by chance, so ranges are
 /// returned only if no parameter separates by its values.
 std::vector<Separator> SeparatorsOf(const std::vector<StructureTally>& structures,
                                     const std::vector<int>& groups);

@@ -39,7 +39,7 @@ struct Counts {
 
 /// The values of one parameter.
 struct ParameterTally {
-  /// Maximum number of different texts in the sum of several tallies. The terms count all of their
+  /// Maximum number of different texts after Append. Tallies that are appended count all of their
   /// texts, so that the counts in the sum are complete.
   static constexpr std::size_t kMaxTexts = 1000;
   /// Maximum number of different whole numbers that are counted one by one, and of bars in a chart.

@@ -45,17 +45,17 @@ std::string Clean(std::string_view text, std::size_t limit = 300);
 /// page.
 std::string CleanSpec(std::string_view text);
 
-/// Base64 of RFC 4648: "aGk=".
+/// Returns the Base64 text (RFC 4648) of bytes: "aGk=" for "hi".
 std::string Base64(std::string_view bytes);
 
 /// Fills in DATA, WIDTH and HEIGHT of a picture that is part of the page.
 void SetPicture(Dictionary& picture, const Thumbnail& image);
 
-/// "1,234,567".
+/// Returns a number with thousands separators: "1,234,567".
 std::string CountText(std::uint64_t number);
-/// "1 variant", "2 variants".
+/// Returns a number with its noun: "1 variant", "2 variants".
 std::string CountText(std::uint64_t number, std::string_view noun);
-/// "12.5 %". "0 %" and "100 %" are exact: only none or all have them.
+/// Returns a percentage: "12.5 %". "0 %" means no item, and "100 %" means all items.
 std::string ShareText(std::uint64_t part, std::uint64_t whole);
 
 }  // namespace mjforge::report

@@ -11,13 +11,13 @@
 
 namespace mjforge::report {
 
-/// A test, and its results over the batch.
+/// A physics test, and its results over the batch.
 struct Trial {
   enum class Kind { kSimReady, kHolds, kSettled, kFits, kGrasps };
   Kind kind = Kind::kSimReady;
   std::string name;          // name of the test, or of the grasped site; empty without a site
-  std::uint64_t passed = 0;  // variants
-  std::uint64_t failed = 0;  // variants
+  std::uint64_t passed = 0;  // number of variants
+  std::uint64_t failed = 0;  // number of variants
   std::uint64_t ways = 0;    // attempted grasps of all variants
   std::uint64_t held = 0;    // successful grasps
 };
