@@ -78,7 +78,7 @@ class StreamCollector {
     }
   }
 
-  // Items that are draws have streams of their own. Other items of such a list draw nothing.
+  // Adds the streams of items that are draws; other items of a list draw nothing.
   void Items(std::span<const spec::Value> items, StreamId path) {
     for (std::size_t i = 0; i < items.size(); ++i) {
       if (std::holds_alternative<spec::Draw>(items[i].form)) Value(items[i], Child(path, i));

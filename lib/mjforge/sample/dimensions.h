@@ -17,7 +17,7 @@ struct DrawnStream {
   int numbers = 1;           // uniforms drawn; each is a dimension
   std::uint64_t levels = 0;  // number of values of a discrete draw; 0: continuous or unknown
   bool is_order = false;     // sort key of a list's item
-  /// With two levels: the share of (0, 1) of the first level; without, both have one half.
+  /// Share of (0, 1) of the first of two levels; nullopt: all levels have equal shares.
   std::optional<double> split;
 };
 

@@ -29,7 +29,7 @@ std::optional<Interval> StatedInterval(spec::Distribution distribution,
                                        std::optional<Interval> limits);
 
 /// Returns a message about invalid arguments, such as "standard deviation -1 is negative", or
-/// nothing if they are valid. `limits` is the clip (truncation) or, for beta, the range.
+/// nullopt if the arguments are valid. `limits` is the clip (truncation) or, for beta, the range.
 std::optional<std::string> CheckArguments(spec::Distribution distribution,
                                           std::span<const double> arguments,
                                           std::optional<Interval> limits);

@@ -84,7 +84,7 @@ const spec::Value* Evaluator::ChooseRow(const spec::Draw& draw, SourceMark mark,
   const double key = Variable(draw.key_slot);
   const auto row = std::isnan(key) ? rows.numbers.end() : rows.numbers.find(key);
   if (row == rows.numbers.end()) {
-    // All columns of the record have the same key: report it once.
+    // All columns of the record have the same key, so report the missing row only once.
     if (!failed_) Fail(Code::kSampleBadArgument, mark, "no row has the key of this record");
     return nullptr;
   }
@@ -149,7 +149,7 @@ void Evaluator::AppendRotationAbout(const spec::RotationAbout& about, SourceMark
                                     StreamId path, Numbers& out) {
   Numbers axis;
   Vector(*about.axis, Child(path, "about"), axis);
-  // The function of three numbers, unlike that of two, has the same last bit on every processor.
+  // std::hypot of three numbers, unlike that of two, has the same last bit on every processor.
   double length = std::hypot(axis[0], axis[1], axis[2]);
   if (length == 0) {
     length = Fail(Code::kSampleBadArgument, mark,

@@ -24,7 +24,7 @@ std::uint64_t PointsOf(std::uint64_t low, std::size_t count, std::size_t more) {
   return points;
 }
 
-// Returns the centre of a cell of (0, 1).
+// Returns the centre of a level's cell of (0, 1).
 double CentreOf(std::uint64_t level, std::uint64_t levels, std::optional<double> split) {
   if (split) return level == 0 ? *split / 2 : (1 + *split) / 2;
   return (static_cast<double>(level) + 0.5) / static_cast<double>(levels);
@@ -34,7 +34,7 @@ double CentreOf(std::uint64_t level, std::uint64_t levels, std::optional<double>
 
 Grid::Grid(std::span<const DrawnStream> streams, std::uint64_t size) {
   for (const DrawnStream& stream : streams) {
-    if (stream.is_order) continue;  // levels of sort keys are not levels of the order
+    if (stream.is_order) continue;  // a grid of sort keys is not a grid of orders
     const auto count = static_cast<std::size_t>(stream.numbers);
     axes_of_.emplace(stream.stream, Axes{axes_.size(), count});
     axes_.insert(axes_.end(), count, Axis{stream.levels, 1, stream.split});

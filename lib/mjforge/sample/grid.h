@@ -16,8 +16,8 @@ namespace mjforge::sample {
 
 /// A full factorial design: every combination of the levels of all dimensions; the first dimension
 /// varies slowest. A discrete dimension has one level per value. The other dimensions get equal
-/// numbers of levels, so that the grid has at most `size` points if possible; the first of them get
-/// one more level if that fits.
+/// numbers of levels, so that the grid has at most `size` points if possible; the first ones get
+/// one more level if the grid stays within `size`.
 class Grid {
  public:
   Grid(std::span<const DrawnStream> streams, std::uint64_t size);

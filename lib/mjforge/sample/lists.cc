@@ -46,7 +46,7 @@ bool Evaluator::AppendItem(const spec::Value& item, Type type, StreamId path, It
   return true;
 }
 
-// A list, or a vector whose components are the items.
+// Copies a list, or a vector, whose components become the items.
 std::optional<Items> Evaluator::CopyList(const spec::VariableReference& variable,
                                          const spec::Value& value) {
   Items items;

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kMost = 1000;  // points of a shape; equals solid::kMostPoints
 
 // Calls `read` with the stream of each combination of the loops' values, until it returns false.
-// Returns false if it did, or if a range failed.
+// Returns false if `read` returned false, or if a range failed.
 template <typename Function>
 bool ForEachCombination(Evaluator& values, std::span<const spec::Loop> loops, StreamId path,
                         const Function& read) {
@@ -30,10 +30,11 @@ bool ForEachCombination(Evaluator& values, std::span<const spec::Loop> loops, St
   return true;
 }
 
-// Arc through three points, in the plane of the unit vectors x and y, whose origin is the first.
+// Arc through three points, in the plane of the unit vectors x and y, whose origin is the first
+// point.
 class CircleThrough {
  public:
-  /// Returns nothing if the points are on a line.
+  /// Returns the arc through three points; nullopt if the points are on a line.
   static std::optional<CircleThrough> Of(const Numbers& first, const Numbers& second,
                                          const Numbers& last) {
     CircleThrough circle;
@@ -77,7 +78,7 @@ class CircleThrough {
 
  private:
   using Vector = std::array<double, 3>;
-  static constexpr double kSame = 1e-9;  // share of the points' distances
+  static constexpr double kSame = 1e-9;  // tolerance, as a share of the points' distances
 
   static Vector Minus(const Numbers& a, const Numbers& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
@@ -85,7 +86,7 @@ class CircleThrough {
   static double Dot(const Vector& a, const Vector& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   }
-  /// Returns the angle from `start` to the left up to `end`, rad.
+  /// Returns the counterclockwise angle from `start` to `end`, rad.
   static double After(double start, double end) {
     return end > start ? end - start : end - start + 2 * std::numbers::pi;
   }
@@ -93,15 +94,16 @@ class CircleThrough {
   Vector first_ = {};
   Vector x_ = {};
   Vector y_ = {};
-  double u_ = 0;  // centre, along x and y
+  double u_ = 0;  // coordinates of the centre along x and y
   double v_ = 0;
   double radius_ = 0;
-  double from_ = 0;  // angle of the first point
+  double from_ = 0;  // angle of the first point, rad
   double to_second_ = 0;
   double to_last_ = 0;
 };
 
-// The points of one list. Its functions return false after a finding, or if the list is full.
+// Reader of one list of points. Member functions return false after a finding, or if the list is
+// full.
 class PointReader {
  public:
   explicit PointReader(Evaluator& values) : values_(values) {}
@@ -189,7 +191,8 @@ class PointReader {
       const bool is_end = i == 0 || i == steps;
       Numbers point = i == 0 ? first : last;
       if (!is_end) circle->MoveTo(i / steps, point);
-      // A radius of the tube, the fourth number, changes evenly up to the second point and after.
+      // If points have a fourth number, a tube's radius, interpolate between the radii at the
+      // points.
       if (!is_end && point.size() == 4)
         point[3] = circle->Between(i / steps, first[3], second[3], last[3]);
       if (!AddToArc(arc, point)) return false;

@@ -57,8 +57,8 @@ bool Evaluator::SampleShared(Overrides overrides) {
   });
 }
 
-// A requirement without a value, such as sqrt(-1) > 0, does not hold, because another draw may give
-// it a value. An infinite value or an index out of range is an error.
+// Returns false for a requirement without a value, such as sqrt(-1) > 0, because another draw may
+// give the requirement a value. An infinite value or an index out of range is an error.
 bool Evaluator::Holds(const spec::Requirement& requirement) {
   const expr::Expression& expression = requirement.expression;
   const double value = expression.Evaluate(variables_, lists_);
@@ -87,7 +87,7 @@ std::optional<std::size_t> Evaluator::SampleParameters(Overrides overrides) {
 bool Evaluator::Sample(Overrides overrides) {
   if (!SampleShared(overrides)) return false;
   const bool is_planned = sampler_ != nullptr && sampler_->batch() > 0;
-  std::vector<std::uint64_t> rejections;  // by requirement
+  std::vector<std::uint64_t> rejections;  // number of rejected draws, by requirement
   for (std::uint64_t count = 0; count < kMaxAttempts; ++count, ++key_.attempt) {
     const std::optional<std::size_t> met = SampleParameters(overrides);
     if (!met) return false;

@@ -25,7 +25,7 @@ namespace mjforge::sample {
 /// is a pure function of the key (seed, index, attempt) and of the value's path in the spec, and of
 /// the batch's size if the sampler depends on it.
 ///
-/// A function that fails adds a finding and returns nothing, or NaN if it returns numbers. Nothing
+/// A function that fails adds a finding and returns nullopt, or NaN if it returns numbers. Nothing
 /// is reported again for values that depend on a failed one. After the first failure the variant is
 /// useless, and failed() is true.
 ///
@@ -50,7 +50,7 @@ class Evaluator {
   std::optional<std::string> Text(const spec::Value& value, StreamId path);
   /// Replaces the content of `out` by the vector's components, or by the one value of a number.
   void Vector(const spec::Value& value, StreamId path, Numbers& out);
-  /// Evaluates a value of any kind. A vector of one component is a vector if written as a list.
+  /// Evaluates a value of any kind. A single number in brackets is a vector.
   std::optional<ParameterValue> Any(const spec::Value& value, StreamId path);
   std::optional<PointList> Points(const spec::Value& value, StreamId path);
   std::optional<std::vector<HoleOutline>> Outlines(const spec::Value& value, StreamId path);
@@ -92,22 +92,22 @@ class Evaluator {
   double Fail(diag::Code code, diag::SourceMark mark, std::string message, std::string hint = {});
 
  private:
-  // rejection.cc
+  // Defined in rejection.cc.
   bool SampleShared(Overrides overrides);
   bool Holds(const spec::Requirement& requirement);
   void ReportConstant(const spec::Requirement& requirement);
   void ReportRejections(std::span<const std::uint64_t> rejections);
 
-  // parameters.cc
+  // Defined in parameters.cc.
   void DrawParameter(const spec::Parameter& parameter);
   void SetParameter(const spec::Parameter& parameter, const ParameterValue& value);
 
-  // evaluator.cc
+  // Defined in evaluator.cc.
   double Variable(int slot) const { return variables_[static_cast<std::size_t>(slot)]; }
   /// Returns component i of the vector that a name refers to.
   double Component(const spec::VariableReference& variable, int i, diag::SourceMark mark);
   double EvaluateExpression(const expr::Expression& expression, diag::SourceMark mark);
-  /// Appends a piece of a text. Returns false if it failed.
+  /// Appends a piece of a text. Returns false if the piece failed.
   bool AppendPiece(const spec::TextPiece& piece, diag::SourceMark mark, std::string& out);
   /// Returns the text whose TextKey() is the result of an expression.
   const std::string& TextOf(const expr::Expression& expression, double key) const;
@@ -116,18 +116,18 @@ class Evaluator {
   /// Returns the stream of item i below path. Items that draw nothing need no stream of their own.
   static StreamId ItemStream(const spec::Value& item, StreamId path, std::size_t i);
 
-  // lists.cc
+  // Defined in lists.cc.
   std::optional<Items> List(const spec::Value& value, StreamId path);
   std::optional<Items> CopyList(const spec::VariableReference& variable, const spec::Value& value);
   std::optional<Items> Repeat(const spec::Each& each, StreamId path);
   std::optional<Items> Arrange(const spec::Arrangement& arrangement, StreamId path);
   std::optional<std::size_t> Length(const spec::Value& count, StreamId path);
-  /// Appends an item to a list of this type. Returns false if it failed.
+  /// Appends an item to a list of this type. Returns false if the item failed.
   bool AppendItem(const spec::Value& item, expr::Type type, StreamId path, Items& out);
   /// Returns the numbers 0 to count - 1 in random order.
   std::vector<std::size_t> RandomOrder(std::size_t count, StreamId path) const;
 
-  // draws.cc
+  // Defined in draws.cc.
   double DrawNumber(const spec::Draw& draw, diag::SourceMark mark, StreamId path);
   /// Returns the draw of a value that is a choice, a cycle or a record's column, else null.
   static const spec::Draw* ChoiceOf(const spec::Value& value);
@@ -137,7 +137,7 @@ class Evaluator {
   const spec::Value* ChooseRow(const spec::Draw& draw, diag::SourceMark mark, StreamId& path);
   std::optional<std::size_t> DrawOption(const spec::Draw& draw, diag::SourceMark mark,
                                         StreamId path);
-  /// Returns the weights of a choice; none if all options have the same.
+  /// Returns the weights of a choice; an empty list if all options have the same weight.
   std::optional<Numbers> Weights(const spec::Draw& draw, diag::SourceMark mark, StreamId path);
   void AppendRotationAbout(const spec::RotationAbout& about, diag::SourceMark mark, StreamId path,
                            Numbers& out);
@@ -153,7 +153,7 @@ class Evaluator {
   std::vector<double> variables_;                     // by slot; NaN: failed, or not set
   std::vector<std::string> texts_;                    // by slot
   std::vector<expr::Sequence> lists_;                 // by list
-  std::vector<std::vector<std::string>> list_texts_;  // by list; empty unless of texts
+  std::vector<std::vector<std::string>> list_texts_;  // by list; empty for lists without texts
   std::vector<Evaluator> shared_;  // evaluators of spec_.shared, the imported specs
   bool failed_ = false;
 };
@@ -161,7 +161,7 @@ class Evaluator {
 /// Number of redraws after which a variant counts as impossible.
 inline constexpr std::uint64_t kMaxAttempts = 1000;
 
-/// Returns an Evaluator after its Sample().
+/// Returns an evaluator whose parameters Sample() has drawn; nullopt after a finding.
 std::optional<Evaluator> Sample(const spec::ObjectSpec& spec, DrawKey key, StreamId root,
                                 Evaluator::Overrides overrides, diag::Findings& findings,
                                 const Sampler* sampler = nullptr);

@@ -13,7 +13,8 @@ bool NormalReaches(Interval z);
 /// is measured from the nearer tail.
 double TruncatedNormal(Interval z, double u);
 
-/// Poisson counterparts of the two functions above. Require mean > 0; limits are any real numbers.
+/// NormalReaches and TruncatedNormal for the Poisson distribution. Require mean > 0; limits are any
+/// real numbers.
 bool PoissonReaches(double mean, Interval limits);
 double TruncatedPoisson(double mean, Interval limits, double u);
 

@@ -40,7 +40,7 @@ double RoundWithin(double lo, double hi, double value);
 
 /// The values of a list.
 struct Items {
-  std::vector<double> numbers;     // TextKey()s if the items are texts, 1 for true
+  std::vector<double> numbers;     // TextKey() of a text; 1 for true, 0 for false
   std::vector<std::string> texts;  // empty for a list of other values
 };
 
@@ -57,7 +57,7 @@ struct HoleOutline {
   std::size_t axis = 2;
 };
 
-/// The value of a variable; `text` is that of a variable of texts.
+/// The saved value of a variable; `number` is the TextKey() of `text` if the variable is a text.
 struct SavedVariable {
   int slot = 0;
   double number = 0;
@@ -68,7 +68,7 @@ using SavedVariables = std::vector<SavedVariable>;
 /// The values that a loop's variable takes.
 struct LoopRange {
   std::size_t count = 0;
-  std::optional<Items> items;  // without: 0, 1, 2, ...
+  std::optional<Items> items;  // nullopt: the variable is 0, 1, 2, ...
 };
 
 }  // namespace mjforge::sample
