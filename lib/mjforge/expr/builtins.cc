@@ -49,7 +49,7 @@ constexpr std::array kConstants = {
     Constant{"true", 1, true},
 };
 
-// Return NaN if any argument is NaN, so that the error is reported.
+// Min() and Max() return NaN if any argument is NaN, so that the error is reported.
 double Min(double a, double b) { return b < a || std::isnan(b) ? b : a; }
 
 double Max(double a, double b) { return b > a || std::isnan(b) ? b : a; }
@@ -99,7 +99,7 @@ const std::array kOperators = {
             ResultRule::kProduct},
     Builtin{"/", Binary([](double a, double b) { return a / b; }), ArgumentRule::kAnything,
             ResultRule::kQuotient},
-    // The remainder has the sign of `a`.
+    // The remainder of a % b has the sign of `a`.
     Builtin{"%", Binary(std::fmod), ArgumentRule::kSame, ResultRule::kSame},
     Builtin{"^", Binary(std::pow), ArgumentRule::kSameAndCount, ResultRule::kPower},
     Builtin{"<", Compare<std::less<double>>, ArgumentRule::kSame, ResultRule::kCount},
@@ -124,7 +124,7 @@ const std::array kBuiltins = {
     Builtin{"cos", Unary(std::cos), ArgumentRule::kAngle, ResultRule::kCount},
     Builtin{"exp", Unary(std::exp), ArgumentRule::kCount, ResultRule::kCount},
     Builtin{"floor", Unary(std::floor), ArgumentRule::kSame, ResultRule::kSame},
-    // Exact at both ends, which a + t * (b - a) is not.
+    // std::lerp is exact at both ends, which a + t * (b - a) is not.
     Builtin{"lerp", Ternary(std::lerp), ArgumentRule::kSameAndCount, ResultRule::kSame},
     Builtin{"log", Unary(std::log)},
     Builtin{"max", Max, ArgumentRule::kSame, ResultRule::kSame, true},

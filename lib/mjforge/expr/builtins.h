@@ -1,4 +1,4 @@
-// Built-in functions, operators and constants of expressions. Private to the room.
+// Built-in functions, operators and constants of expressions. Private to lib/mjforge/expr.
 #pragma once
 
 #include <array>
@@ -8,7 +8,8 @@
 namespace mjforge::expr {
 
 /// Required dimensions of the arguments. kSame: all arguments have one dimension. kSameAndCount:
-/// all but the last, which is a plain number. kSameAfterFirst: all but the first.
+/// all arguments but the last, which is a plain number, have one dimension. kSameAfterFirst: all
+/// arguments but the first have one dimension.
 enum class ArgumentRule { kAnything, kSame, kSameAndCount, kSameAfterFirst, kCount, kAngle };
 /// Dimension of the result. kSame: the dimension of the arguments.
 enum class ResultRule { kSame, kCount, kAngle, kProduct, kQuotient, kPower, kRoot };
@@ -23,15 +24,15 @@ struct Builtin {
   std::variant<Unary, Binary, Ternary> function;
   ArgumentRule argument_rule = ArgumentRule::kAnything;
   ResultRule result_rule = ResultRule::kCount;
-  bool is_variadic = false;  // takes one or more arguments: f(f(a, b), c)
+  bool is_variadic = false;  // takes one or more arguments: f(a, b, c) is f(f(a, b), c)
 
   /// Number of arguments; 0 if variadic.
   int arity() const { return is_variadic ? 0 : static_cast<int>(function.index()) + 1; }
-  /// Applies the function to the first of the values.
+  /// Applies the function to its arguments, the first numbers of `values`; ignores the others.
   double Call(const std::array<double, 3>& values) const;
 };
 
-/// Returns null if there is no function of that name.
+/// Returns the function with this name; null if there is none.
 const Builtin* FindBuiltin(std::string_view name);
 /// Returns the operator with one operand: "-" or "!".
 const Builtin& UnaryOperator(std::string_view sign);
@@ -44,7 +45,7 @@ struct Constant {
   double value;
   bool is_boolean;
 };
-/// Returns null if `name` is not a constant.
+/// Returns the constant with this name; null if there is none.
 const Constant* FindConstant(std::string_view name);
 
 /// Returns the usage of a function ("clamp(x, lo, hi)"), or an empty text.

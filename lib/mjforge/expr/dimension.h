@@ -45,7 +45,7 @@ class Dimension {
   bool is_known_ = false;
 };
 
-/// Returns the common dimension of two operands that are added or compared, or nothing if their
+/// Returns the common dimension of two operands that are added or compared, or nullopt if their
 /// dimensions differ.
 std::optional<Dimension> CommonDimension(const Dimension& a, const Dimension& b);
 
@@ -59,7 +59,7 @@ struct NamedUnit {
   Dimension dimension;
   bool is_si = true;  // false for "mm"
 };
-/// Returns nothing if the text is not a unit.
+/// Returns the unit that the text names; nullopt if there is none.
 std::optional<NamedUnit> FindUnit(std::string_view text);
 
 }  // namespace mjforge::expr

@@ -19,7 +19,7 @@ bool IsShort(std::string_view source) {
   return !source.empty() && source.size() <= kMaxQuoted && source.find('\n') == source.npos;
 }
 
-// Returns "'2kg' is in kg"; `otherwise` replaces the quoted operand if that is too long.
+// Returns "'2kg' is in kg"; `otherwise` replaces the quoted operand if the operand is too long.
 std::string DescribeUnit(const Argument& argument, std::string_view otherwise) {
   return fmt::format(
       "{} is in {}",

@@ -1,5 +1,5 @@
 // Dimensional analysis: checks of the dimensions of arguments, and dimensions of results. Private
-// to the room.
+// to lib/mjforge/expr.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 namespace mjforge::expr {
 
 /// Returns the dimension of the result. If the arguments do not have the dimensions that the
-/// built-in requires, returns nothing and sets `error` at `offset`.
+/// built-in requires, returns nullopt and sets `error` at `offset`.
 std::optional<Dimension> DeriveDimension(const Builtin& builtin,
                                          std::span<const Argument> arguments, std::size_t offset,
                                          Error& error);

@@ -1,4 +1,4 @@
-// Errors of expressions: one function per message. Private to the room.
+// Errors of expressions: one function per message. Private to lib/mjforge/expr.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ inline constexpr std::string_view kSplitHint =
 
 /// Returns the error for a token in the place of an operand.
 Error MissingValue(std::span<const Token> tokens, std::size_t at);
-/// Returns the error for a token that cannot follow the one before it.
+/// Returns the error for a token that cannot follow the token before it.
 Error Unexpected(std::span<const Token> tokens, std::size_t at, const SymbolTable& names);
 /// Returns the error for an undefined name, or for a function's name without parentheses.
 /// `beside_text`: the name is compared with a text.

@@ -35,7 +35,7 @@ char* WriteExactNumber(char* out, double value);
 std::string ExactNumberText(double value);
 
 /// Parses a text that is a YAML 1.2 number (`3`, `-0.5`, `1e-3`, `.5`, `0x1F`, `0o17`). Returns
-/// nothing for other texts, among them `.inf` and `.nan`.
+/// nullopt for other texts, among them `.inf` and `.nan`.
 std::optional<double> ParseNumber(std::string_view text);
 
 /// Returns true for an ASCII letter followed by ASCII letters, digits and underscores.
@@ -72,13 +72,13 @@ struct Error {
   std::string formula = {};  // function whose body contains the offset; empty: the text itself
 };
 
-class Program;  // private to the room
+class Program;  // private to lib/mjforge/expr
 
 /// A compiled expression. Copies share the compiled program.
 class Expression {
  public:
   struct Input {
-    std::string name;  // in the expression: "r", "size.x"; without component: a whole list
+    std::string name;  // name in the expression: "r", "size.x"; for a list, the list's name
     int slot = 0;
     Type type = Type::kNumber;  // for a list, the type of its items
     int list = -1;              // number of the list; -1: not a list
@@ -94,7 +94,7 @@ class Expression {
   const std::vector<std::string>& texts() const { return texts_; }
   /// The names of the spec's functions that the expression calls, directly or through others.
   const std::set<std::string>& formulas() const { return formulas_; }
-  /// The value, if the expression has no inputs.
+  /// The value if the expression has no inputs; otherwise nullopt.
   std::optional<double> constant() const { return constant_; }
 
   /// Computes the value from the variables, in the slots given by the SymbolTable of Compile, and
@@ -109,7 +109,7 @@ class Expression {
                                   std::span<const Sequence> lists) const;
 
   enum class Result { kNoText, kAny };
-  /// Compiles `text`; on failure returns nothing and sets `error`. The language is described in
+  /// Compiles `text`; on failure returns nullopt and sets `error`. The language is described in
   /// docs/manual.md, "Expressions".
   static std::optional<Expression> Compile(std::string_view text, const SymbolTable& names,
                                            Error& error, Result result = Result::kNoText);
@@ -155,7 +155,7 @@ struct Unit {
   double denominator = 1;
 };
 std::span<const Unit> Units();
-/// Returns null if there is no such unit.
+/// Returns the unit with this name; null if there is none.
 const Unit* FindUnitSuffix(std::string_view name);
 
 }  // namespace mjforge::expr

@@ -1,4 +1,5 @@
-// Built-in functions of lists and vectors: element, len, sum, min, max. Private to the room.
+// Built-in functions of lists and vectors: element, len, sum, min, max. Private to
+// lib/mjforge/expr.
 #pragma once
 
 #include <span>

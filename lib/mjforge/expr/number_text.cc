@@ -38,7 +38,7 @@ std::optional<double> Scaled(double magnitude, int exponent) {
   return std::nullopt;
 }
 
-// Returns the correctly rounded decimal, or nothing if the rounding is uncertain: the power of ten
+// Returns the correctly rounded decimal, or nullopt if the rounding is uncertain: the power of ten
 // is not exact, or the fraction is too near to one half.
 std::optional<Decimal> Rounded(double magnitude) {
   const int binary =
@@ -140,7 +140,8 @@ char* WriteShortDecimal(char* out, double value) {
   if (!(magnitude >= 1e-3 && magnitude < 1e4)) return nullptr;
   int exponent = -3;
   for (const double power : {1e-2, 1e-1, 1e0, 1e1, 1e2, 1e3}) exponent += magnitude >= power;
-  // The quotient of two exact numbers is rounded like the decimal when it is read.
+  // The decimal reads back as `whole` / `power`, because the quotient of exact numbers is rounded
+  // in the same way as a decimal that is read.
   const double power = kPowers[static_cast<size_t>(kCertain - 1 - exponent)];
   const double scaled = magnitude * power;
   auto whole = static_cast<std::uint64_t>(scaled);
@@ -225,7 +226,7 @@ std::optional<double> ParseNumber(std::string_view text) {
   if (text.starts_with("0o")) return ParseInteger(text.substr(2), 8);
   const bool negative = text.starts_with('-');
   if (negative || text.starts_with('+')) text.remove_prefix(1);
-  // std::from_chars also reads "inf", "nan" and a second sign.
+  // Reject "inf", "nan" and a second sign, which std::from_chars reads.
   if (text.empty() || (!IsDigit(text.front()) && text.front() != '.')) return std::nullopt;
   double value = 0;
   const char* end = text.data() + text.size();

@@ -120,8 +120,7 @@ class Parser : ProgramBuilder {
     return left;
   }
 
-  // Adds a binary operator. `sign` and `first` are the tokens of the operator and of the start of
-  // its first operand.
+  // Tokens of a binary operator: the first token of its left operand, and the operator's sign.
   struct OperatorPlace {
     std::size_t first;
     std::size_t sign;
@@ -145,7 +144,7 @@ class Parser : ProgramBuilder {
     return Unary("!", &Parser::Negation, Type::kBoolean);
   }
 
-  // Parses the operand of a unary operator that was already taken.
+  // Parses the operand of a unary operator whose sign was already read.
   OptionalOperand Unary(std::string_view sign, Rule rule, Type type) {
     const OptionalOperand operand = RejectText((this->*rule)());
     if (!operand) return operand;
@@ -252,7 +251,7 @@ class Parser : ProgramBuilder {
     return ResolveName(token, beside_text_);
   }
 
-  // list[index]
+  // Parses an element of a list: list[index].
   OptionalOperand Element() {
     const Token& name = Now();
     const std::size_t open = tokens_[++at_].offset;
@@ -266,7 +265,7 @@ class Parser : ProgramBuilder {
     return AddElement(name, {*index, Source(first, end)});
   }
 
-  // sum(list), sum(list, n), len(list)
+  // Parses a call of a function of lists: sum(list), sum(list, n), len(list).
   OptionalOperand ListBuiltinCall(const ListBuiltin& builtin) {
     const Token& function = Now();
     const std::size_t open = tokens_[at_ + 1].offset;
@@ -286,7 +285,7 @@ class Parser : ProgramBuilder {
     return AddListCall(builtin, list, count ? &*count : nullptr);
   }
 
-  // torque(joint), distance(a, b): functions whose arguments are names.
+  // Parses a call of a function whose arguments are names: torque(joint), distance(a, b).
   OptionalOperand NameCall(std::size_t count) {
     const Token& function = Now();
     const std::size_t open = tokens_[at_ + 1].offset;

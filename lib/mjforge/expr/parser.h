@@ -1,4 +1,4 @@
-// Results of parsing an expression, and the parser's entry point. Private to the room.
+// Results of parsing an expression, and the parser's entry point. Private to lib/mjforge/expr.
 #pragma once
 
 #include <cstdint>
@@ -36,7 +36,7 @@ struct TypedOperand {
 /// Argument of a function or operand of an operator.
 struct Argument {
   TypedOperand operand;
-  std::string_view source;  // text in the expression; may be empty
+  std::string_view source;  // the argument's text in the expression; may be empty
 
   Dimension dimension() const {
     return operand.type == Type::kNumber ? operand.dimension : Dimension::Count();

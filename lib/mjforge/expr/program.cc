@@ -15,7 +15,7 @@ constexpr std::size_t kFewSteps = 32;
 
 }  // namespace
 
-// Bits are compared, because 1 / 0 and 1 / -0 differ.
+// Compares bits, because 1 / 0 and 1 / -0 differ although 0 equals -0.
 bool Operand::IsSame(const Operand& other) const {
   return step == other.step &&
          std::bit_cast<std::uint64_t>(constant) == std::bit_cast<std::uint64_t>(other.constant);

@@ -1,4 +1,4 @@
-// Compiled program of an expression: steps on numbers. Private to the room.
+// Compiled program of an expression: steps on numbers. Private to lib/mjforge/expr.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // Semantic actions of the parser: adds steps for names, literals and calls to a program. Private to
-// the room.
+// lib/mjforge/expr.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace mjforge::expr {
 
 class ProgramBuilder : protected TokenCursor {
  protected:
-  using OptionalOperand = std::optional<TypedOperand>;  // empty after an error
+  using OptionalOperand = std::optional<TypedOperand>;  // nullopt after an error
   using Arguments = std::map<std::string_view, TypedOperand>;
 
   ProgramBuilder(std::string_view text, std::vector<Token> tokens, ParseState& state,
@@ -25,7 +25,7 @@ class ProgramBuilder : protected TokenCursor {
   OptionalOperand Fail(Error error);
   OptionalOperand FailText(const TypedOperand& operand);
 
-  /// Adds a number with its unit, the token before the current one.
+  /// Adds a number with its unit; `token` is the token before the current one.
   OptionalOperand Number(const Token& token);
   /// Returns a constant for the token before the current one.
   TypedOperand Literal(double value, Type type, Dimension dimension = {}) const;
@@ -46,8 +46,8 @@ class ProgramBuilder : protected TokenCursor {
 
   /// Adds the torque of the joint with this name.
   OptionalOperand AddTorque(const Token& joint);
-  /// Adds the Euclidean distance of two sites or vectors of three components. `offset` is the
-  /// function's.
+  /// Adds the Euclidean distance of two sites or vectors of three components. The function's name
+  /// is at `offset`.
   OptionalOperand AddDistance(const Token& a, const Token& b, std::size_t offset);
 
   const SymbolTable& names_;

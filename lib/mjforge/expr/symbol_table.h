@@ -21,8 +21,8 @@ std::string_view TypeName(Type type);  // "number", "boolean", "text"
 /// XXH64. Equal texts have equal numbers; different texts have different numbers in practice.
 double TextKey(std::string_view text);
 
-/// The name of the variable that torque(joint) reads, "torque(shoulder)", and of the position of a
-/// site, "grip.pos", which distance(grip, tip) reads.
+/// Returns the name of the variable that torque(shoulder) reads, "torque(shoulder)", or that
+/// distance(grip, tip) reads for the site `grip`, "grip.pos".
 std::string TorqueVariable(std::string_view joint);
 std::string PositionVariable(std::string_view site);
 
@@ -54,7 +54,7 @@ class SymbolTable {
     bool is_list() const { return list >= 0; }
   };
 
-  /// The name must not be declared already.
+  /// Declares a variable. The name must not be declared already.
   const Variable& Declare(const std::string& name, Type type, int components = 1,
                           Dimensions dimensions = {});
   /// Declares a list of any length.
@@ -62,7 +62,7 @@ class SymbolTable {
   /// Declares a name with unknown members, so that NAME.MEMBER is a number for every MEMBER. Used
   /// to continue reading after a finding.
   void DeclareUnknown(std::string name) { unknown_.insert(std::move(name)); }
-  /// Ends a name's scope (a loop's variable).
+  /// Ends the scope of a name, such as a loop's variable.
   void Forget(std::string_view name);
   /// Declares a forgotten name again, with the slots that the name had.
   void Restore(const Variable& variable) { variables_.insert_or_assign(variable.name, variable); }

@@ -1,4 +1,4 @@
-// Current position in the tokens of an expression. Private to the room.
+// Current position in the tokens of an expression. Private to lib/mjforge/expr.
 #pragma once
 
 #include <algorithm>

@@ -11,8 +11,8 @@
 namespace mjforge::expr {
 namespace {
 
-// Longer signs come first. `=`, `&`, `|` and `..` are not valid in expressions, but the parser has
-// messages for them.
+// Longer signs come first. `=`, `&`, `|` and `..` are not valid in expressions, but the parser
+// reports these signs by name.
 constexpr std::array<std::string_view, 26> kSigns = {
     "..", "<=", ">=", "==", "!=", "&&", "||", "+", "-", "*", "/", "^", "%",
     "(",  ")",  "[",  "]",  ",",  "?",  ":",  "<", ">", "!", "=", "&", "|"};
@@ -37,7 +37,7 @@ class Tokenizer {
   }
 
  private:
-  // Returns '\0', which belongs to no token, past the end.
+  // Returns a character of the text; past the end '\0', which belongs to no token.
   char Peek(std::size_t ahead = 0) const {
     return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
   }

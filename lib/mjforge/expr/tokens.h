@@ -1,4 +1,4 @@
-// Tokens of expressions. Private to the room.
+// Tokens of expressions. Private to lib/mjforge/expr.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +19,8 @@ struct Token {
   std::size_t offset = 0;  // byte in the expression's text
   /// Source text; for a number with its unit, for a text without its quotes.
   std::string_view text = {};
-  double number = 0;           // without the unit
-  std::string_view unit = {};  // empty: none
+  double number = 0;           // value of a number without its unit
+  std::string_view unit = {};  // unit of a number; empty: none
 
   bool IsSign(std::string_view sign) const { return kind == Kind::kSign && text == sign; }
   bool IsName(std::string_view name) const { return kind == Kind::kName && text == name; }
