@@ -13,11 +13,11 @@ bool IsServo(const xml::XmlElement& element) {
   return element.tag == "position" || element.tag == "intvelocity";
 }
 
-/// The gains of a servo with those of its default classes.
+/// The gains of a servo, set by the servo itself or by its default classes.
 struct Gains {
   std::string kp = "1";
   std::string kv;
-  bool mixed = false;  // its classes contain gains for other kinds of actuators
+  bool mixed = false;  // default classes contain gains for other kinds of actuators
 };
 
 void ReadGains(const xml::XmlElement& element, Gains& gains) {
@@ -52,7 +52,7 @@ std::string_view TransmissionOf(const xml::XmlElement& actuator) {
 
 }  // namespace
 
-// Writes kv as the third number of an affine bias.
+// Replaces the gain `kv` of a servo by the third number of an affine bias.
 void Replacements::ReplaceDamping(ClassedElement& servo) {
   if (!IsServo(*servo.element) || FindMissing(servo, "kv") == nullptr) return;
   Gains gains;
@@ -78,7 +78,7 @@ void Replacements::ReplaceDamping(ClassedElement& servo) {
   MarkReplaced(servo, "kv");
 }
 
-// Writes the range of the joint or tendon, scaled about its middle.
+// Replaces `inheritrange` by the range of the joint or tendon, scaled about the range's middle.
 void Replacements::ReplaceInheritedRange(ClassedElement& actuator) {
   const std::string* inherit = FindMissing(actuator, "inheritrange");
   if (inherit == nullptr || !IsNumber(*inherit)) return;
@@ -129,7 +129,7 @@ std::optional<std::vector<ClassedElement*>> Replacements::ActuatorsOf(const std:
   return drivers;
 }
 
-// If a single actuator acts on the joint, limits the force of the actuator.
+// Replaces the force range of a joint by a force range of its actuator, if there is only one.
 void Replacements::ReplaceJointForceRange(ClassedElement& joint, std::string_view range,
                                           std::string_view limited) {
   const bool has_limited = FindMissing(joint, limited) != nullptr;

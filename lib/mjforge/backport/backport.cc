@@ -26,7 +26,7 @@ namespace {
 
 using diag::Code;
 
-/// The reason why a feature can be removed; empty if it changes the model.
+/// Returns the reason why a feature can be removed; an empty text if the feature changes the model.
 std::string_view ReasonOf(Effect effect) {
   switch (effect) {
     case Effect::kLooks:
@@ -54,8 +54,7 @@ bool IsNeutral(const MjcfFeature& feature, const std::string& value) {
   return !usual.empty() && std::ranges::all_of(numbers, [&](double n) { return n == usual[0]; });
 }
 
-/// Returns a list with the length of an older release and the same meaning; nothing if there is
-/// none.
+/// Returns an equivalent list with the length of an older release; nullopt if there is none.
 std::optional<std::vector<double>> Resized(const MjcfList& list, std::vector<double> numbers) {
   const std::vector<double> usual = xml::NumbersOf(list.usual);
   const double neutral = list.beyond.empty() ? numbers[0] : xml::NumbersOf(list.beyond)[0];
@@ -141,7 +140,7 @@ class Backporter {
   const MjcfFeature* FindMissing(std::string_view parent, std::string_view tag) const {
     const MjcfFeature* feature = FindFeature(parent, tag);
     if (feature == nullptr) return nullptr;
-    // MuJoCo expands frames and replicates when it compiles an attached file.
+    // Frames and replicates of an attached file need only this build's MuJoCo, which expands them.
     const bool expands = use_ == Use::kBodies && feature->effect == Effect::kExpansion;
     return feature->since > (expands ? mjVERSION_HEADER : version_) ? feature : nullptr;
   }
@@ -204,7 +203,7 @@ class Backporter {
            replacements_->Find(&element, attribute) == "";
   }
 
-  /// Returns true for sections of the whole model if only its bodies are used.
+  /// Returns true for sections that set options of the whole model, if only its bodies are used.
   bool IsUnused(const xml::XmlElement& parent, const xml::XmlElement& section) const {
     constexpr std::string_view kOfModel[] = {"option", "size", "visual", "statistic", "keyframe"};
     return use_ == Use::kBodies && parent.tag == "mujoco" &&
@@ -266,8 +265,9 @@ class Backporter {
                              engine::Version());
   }
 
-  /// Shell command that writes a copy of the file without frames, replicates and attachments beside
-  /// the file. MuJoCo 3.3.7 keeps only frames with a name or a class; MuJoCo 4.0 keeps all frames.
+  /// Returns a shell command that writes a copy of the file without frames, replicates and
+  /// attachments beside the file. MuJoCo 3.3.7 keeps only frames with a name or a class; MuJoCo 4.0
+  /// keeps all frames.
   std::string ConversionCommand() const {
     std::string file = sources_.Name(root_.mark.file);
     if (file.starts_with('<')) file = "FILE.xml";  // standard input
@@ -278,7 +278,7 @@ class Backporter {
         file, file.substr(0, file.rfind('.')));
   }
 
-  /// The attribute's name, with its value if only this value is new.
+  /// Returns the attribute's name for messages, with its value if only this value is new.
   static std::string Shown(const xml::XmlElement& element, const std::string& attribute,
                            const MjcfFeature& feature) {
     const std::string* value = element.Find(attribute);

@@ -18,13 +18,13 @@ enum class Use {
   kBodies,  // attaching: settings of the whole model (`option`, `visual`, ...) are not used
 };
 
-/// Changes the tree so that it means the same in that release (as mjVERSION_HEADER), and returns
-/// true if it changed. Ranges limit without `limited`, as since 3.0; later elements and attributes
-/// are replaced by older ones. If a later feature has no replacement, it is removed with a warning
-/// if it affects only pictures or how a model is computed; otherwise it is an error. Each attribute
-/// is reported once per file, at its first place. Warns of attributes of whole models that releases
-/// after that one reject. Frames and replicates of kBodies stay in the tree
-/// if the MuJoCo of this build expands them.
+/// Changes the tree so that it means the same in release `version` (a mjVERSION_HEADER), and
+/// returns true if the tree changed. Ranges apply without `limited`, as in MuJoCo 3.0 and later;
+/// later elements and attributes are replaced by older ones. A later feature without a replacement
+/// is removed with a warning if the feature affects only pictures or how a model is computed;
+/// otherwise it is an error. Each attribute is reported once per file, at its first place. With
+/// kWholeModel, warns of attributes that releases after `version` reject. Frames and replicates of
+/// kBodies stay in the tree if the MuJoCo of this build expands them.
 bool BackportMjcf(xml::XmlElement& root, int version, Use use, const diag::Sources& sources,
                   diag::Findings& findings);
 

@@ -28,14 +28,14 @@ class DefaultClasses {
   explicit DefaultClasses(xml::XmlElement& root);
 
   std::vector<ClassedElement>& all() { return elements_; }
-  /// Returns the elements that share defaults: "actuator", "joint", ...
+  /// Returns the elements of a section that shares defaults: "actuator", "joint", ...
   std::vector<ClassedElement*> In(std::string_view section);
 
   /// Returns an attribute of the element, or else of its default class; null if neither has it.
   const std::string* Find(const ClassedElement& classed, std::string_view attribute) const;
   std::string Get(const ClassedElement& classed, std::string_view attribute,
                   std::string_view otherwise) const;
-  /// Returns an attribute of the last compiler section that has it.
+  /// Returns an attribute of the last compiler section that has it; `otherwise` if none has it.
   std::string Setting(std::string_view attribute, std::string_view otherwise) const;
   /// Returns the elements of `<default>` that apply to the element, the main class first.
   std::vector<const xml::XmlElement*> DefaultsOf(const ClassedElement& classed) const;

@@ -51,7 +51,7 @@ bool HasState(const DefaultClasses& elements, const ClassedElement& actuator) {
   return tag == "general" && elements.Get(actuator, "dyntype", "none") != "none";
 }
 
-/// Moves actuators with a state to the end, otherwise in the order of the file.
+/// Moves actuators with a state behind the others; keeps the order of the file otherwise.
 bool OrderActuators(xml::XmlElement& root) {
   std::set<const xml::XmlElement*> stateful;
   DefaultClasses elements(root);

@@ -42,7 +42,7 @@ class MeshInertia {
       RemoveKinds(root_);
       return first_;
     }
-    // If MuJoCo rejects the file for another reason, the attribute must not hide the reason.
+    // If MuJoCo rejects the file for another reason, remove `inertia`, which would hide the reason.
     xml::XmlElement without_kinds = root_;
     RemoveKinds(without_kinds);
     if (!load(xml::Flatten(without_kinds).text).model) RemoveKinds(root_);
@@ -51,7 +51,7 @@ class MeshInertia {
 
  private:
   struct Geom {
-    std::string name;     // in the copies
+    std::string name;     // name in the copies of the model
     std::string mass;     // kg; empty if the density determines it
     std::string density;  // kg/m^3
     std::string group;
@@ -85,8 +85,8 @@ class MeshInertia {
   void Find() {
     DefaultClasses elements(root_);
     const std::string from_geoms = elements.Setting("inertiafromgeom", "auto");
-    // MuJoCo does not compute masses, or has another rule for them; no later release has global
-    // coordinates.
+    // Skip files in which MuJoCo does not compute masses or has another rule for them, and files
+    // with global coordinates, which no later release has.
     if (from_geoms == "false" || elements.Setting("exactmeshinertia", "false") != "false" ||
         elements.Setting("coordinate", "local") != "local")
       return;
@@ -109,13 +109,14 @@ class MeshInertia {
   }
   static bool HasInertial(const xml::XmlElement& body) { return HasChild(body, "inertial"); }
 
-  /// Returns true for geoms that `discardvisual` removes; since MuJoCo 3.1.2 their masses count.
+  /// Returns true for geoms that `discardvisual` removes; their masses count in MuJoCo 3.1.2 and
+  /// later.
   static bool IsVisual(const DefaultClasses& elements, const ClassedElement& geom) {
     return IsZero(elements.Get(geom, "contype", "1")) &&
            IsZero(elements.Get(geom, "conaffinity", "1"));
   }
 
-  /// Adds the geom if it is a mesh with a mass; returns true if it is.
+  /// Adds the geom if it is a mesh with a mass, and returns true; returns false for other geoms.
   bool AddMesh(DefaultClasses& elements, const ClassedElement& geom) {
     if (elements.Get(geom, "type", "") != "mesh") return false;
     if (elements.Get(geom, "shellinertia", "false") != "false") return false;
@@ -182,8 +183,8 @@ class MeshInertia {
     if (weighed != bodies_.end()) {
       copy.Set("name", weighed->second);
     }
-    // A body without a mass is rejected if it moves: meshes have none in the first copy, and a
-    // composite is in neither.
+    // MuJoCo rejects a moving body without a mass. Add a mass if meshes, which are massless in the
+    // first copy, or a composite, which neither copy contains, would give the body its mass.
     const bool has_mass = weighed == bodies_.end() || meshes != nullptr;
     if (!HasInertial(body) && (!has_mass || HasChild(body, "composite")))
       copy.children.push_back(Inertial("1", "0 0 0", "1 0 0 0", "1 1 1"));
@@ -208,7 +209,7 @@ class MeshInertia {
     if (id < 0) {
       copy.Set("name", weighed.name);
       copy.Set("mass", "0");
-      if (weighed.kind == MeshInertiaKind::kConvex) copy.Set("contype", "1");  // needs the hull
+      if (weighed.kind == MeshInertiaKind::kConvex) copy.Set("contype", "1");  // creates the hull
       return copy;
     }
     const MeshMeasure measured = Measure(*meshes, meshes->geom_dataid[id], weighed.kind);

@@ -72,7 +72,7 @@ constexpr MjcfFeature kAttributes[] = {
     {"visual/rgba", "bv bvactive", 312, Effect::kLooks},
     {"visual/rgba visual/scale", "frustum", 301, Effect::kLooks},
     {"keyframe/key", "plastic", 4000000},
-    // Assets.
+    // Attributes of assets.
     {"mesh hfield texture", "content_type", 237},
     {"hfield", "elevation", 312},
     {"material", "metallic roughness", 315, Effect::kLooks},
@@ -84,7 +84,7 @@ constexpr MjcfFeature kAttributes[] = {
     {"asset/mesh default/mesh", "inertia", 325, Effect::kMeaning, "legacy"},
     {"asset/mesh", "builtin params", 335},
     {"asset/mesh", "material", 336, Effect::kLooks},
-    // Bodies.
+    // Attributes of bodies, and of elements in bodies.
     {"body", "gravcomp", 231, Effect::kMeaning, "0"},
     {"body", "sleep", 340, Effect::kSpeed},
     {"body", "simple", 3011000, Effect::kSpeed},
@@ -110,7 +110,7 @@ constexpr MjcfFeature kAttributes[] = {
     {"composite", "type=cable", 230},
     {"composite", "curve initial size vertex", 230},
     {"composite", "quat", 331},
-    // Other sections.
+    // Attributes of elements in other sections.
     {"pair", "solreffriction", 236, Effect::kMeaning, "0 0"},
     {"pair", "adhesion", 3011000, Effect::kMeaning, "0"},
     {"equality/connect equality/weld", "site1 site2", 323},
@@ -144,7 +144,7 @@ constexpr MjcfList kLists[] = {
      3007000, "0", "0"},
 };
 
-/// Calls `use` with each word until it returns true, and returns whether it did.
+/// Calls `use` with each word until `use` returns true; returns false if it never does.
 template <typename Use>
 bool AnyWord(std::string_view text, const Use& use) {
   while (!text.empty()) {

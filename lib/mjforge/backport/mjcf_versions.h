@@ -31,7 +31,7 @@ struct MjcfFeature {
   std::string_view names;
   int since = 0;  // a mjVERSION_HEADER
   Effect effect = Effect::kMeaning;
-  /// The value with which an attribute changes nothing; empty if there is none.
+  /// The value with which an attribute changes nothing; empty if every value changes something.
   std::string_view neutral = {};
 };
 

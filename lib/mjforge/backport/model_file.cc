@@ -25,10 +25,10 @@ struct BackportedTree {
   diag::SourceMark other_mass;  // ModelFile::other_mass
 };
 
-/// Returns the backported tree of a file; nothing if the file needs no change, or after an error.
+/// Returns the backported tree of a file; nullopt if the file needs no change, or after an error.
 std::optional<BackportedTree> BackportFile(const std::filesystem::path& file,
                                            diag::Sources& sources, diag::Findings& findings) {
-  diag::Findings of_includes;  // MuJoCo reports them when it loads the file
+  diag::Findings of_includes;  // ignored: MuJoCo reports problems of includes itself
   std::optional<xml::XmlElement> root = xml::ReadXml(file, sources, of_includes);
   if (!root) return std::nullopt;
   const bool is_later = BackportMjcf(*root, mjVERSION_HEADER, Use::kWholeModel, sources, findings);

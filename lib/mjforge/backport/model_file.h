@@ -15,20 +15,20 @@ namespace mjforge::backport {
 struct ModelFile {
   std::uint32_t source = 0;  // the file's number in Sources
   bool has_includes = false;
-  /// The backported text, with included files in their places, if the file needs one.
+  /// The backported text, with included files in their places; nullopt if the file needs no change.
   std::optional<std::string> backported;
   /// Place of the first body whose mass the MuJoCo of this build computes by another rule than
   /// later releases; no place if there is none, or if the file needs a later MuJoCo.
   diag::SourceMark other_mass;
 };
 
-/// Reads a file or standard input into `sources`. Returns nothing and adds a finding if the file is
+/// Reads a file or standard input into `sources`. Returns nullopt and adds a finding if the file is
 /// not MJCF or needs a later MuJoCo. Adds a warning for each feature that is removed.
 std::optional<ModelFile> ReadModelFile(const std::filesystem::path& file, diag::Sources& sources,
                                        diag::Findings& findings);
 
 /// Returns the backported text of a file, with absolute file names, so that the text can be loaded
-/// from any folder; nothing if the file needs no change, or cannot be read.
+/// from any folder; nullopt if the file needs no change, or cannot be read.
 std::optional<std::string> BackportedText(const std::filesystem::path& file);
 
 /// Reads and loads a file or standard input. If the file cannot be read or needs a later MuJoCo,

@@ -12,12 +12,12 @@ namespace mjforge::backport {
 
 /// The reason why later releases reject an attribute.
 struct AttributeRefusal {
-  int since = 0;                // the first release that rejects it, as mjVERSION_HEADER
+  int since = 0;                // first release that rejects the attribute, as mjVERSION_HEADER
   std::string wanted;           // "an integer"; empty: this value is not accepted
   bool is_about_value = false;  // true: other values of the attribute are accepted
 };
 
-/// Returns the reason why releases after `version` reject this attribute; nothing if they accept
+/// Returns the reason why releases after `version` reject this attribute; nullopt if they accept
 /// it. `parent` is the tag of the element above.
 std::optional<AttributeRefusal> FindRefusal(std::string_view parent, std::string_view tag,
                                             std::string_view attribute, std::string_view value,

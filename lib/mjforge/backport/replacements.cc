@@ -72,7 +72,7 @@ void Replacements::ReplaceLightType(ClassedElement& light) {
   MarkReplaced(light, "type");
 }
 
-// Computes `fovy` of a pinhole camera with this focal length and sensor height.
+// Replaces the sensor size of a pinhole camera by `fovy`, computed from focal length and height.
 void Replacements::ReplaceSensorSize(ClassedElement& camera) {
   if (FindMissing(camera, "sensorsize") == nullptr) return;
   const auto vertical = [&](std::string_view attribute) {
@@ -91,7 +91,7 @@ void Replacements::ReplaceSensorSize(ClassedElement& camera) {
     MarkReplaced(camera, attribute);
 }
 
-// Sets `texture` to the texture of the colour layer.
+// Replaces the colour layer of a material by the attribute `texture`.
 void Replacements::ReplaceColorLayer(ClassedElement& material) {
   std::string texture;
   for (const xml::XmlElement& layer : material.element->children) {

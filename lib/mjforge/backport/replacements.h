@@ -27,18 +27,20 @@ class Replacements {
 
  private:
   /// Returns an attribute of the element or its default class; null if the release has the
-  /// attribute or neither sets it.
+  /// attribute, or if neither the element nor the class sets the attribute.
   const std::string* FindMissing(const ClassedElement& classed, std::string_view attribute) const;
-  /// Marks an attribute as replaced, or as one that changes nothing for that reason.
+  /// Marks an attribute as replaced or, with `why_neutral`, as one that changes nothing for this
+  /// reason.
   void MarkReplaced(ClassedElement& classed, std::string_view attribute,
                     std::string_view why_neutral = {});
 
-  // In actuator_replacements.cc:
+  // Defined in actuator_replacements.cc.
   void ReplaceDamping(ClassedElement& servo);
   void ReplaceInheritedRange(ClassedElement& actuator);
   void ReplaceJointForceRange(ClassedElement& joint, std::string_view range,
                               std::string_view limited);
-  /// Returns the actuators that act on the joint directly; nothing if others act on it, too.
+  /// Returns the actuators that act on the joint directly; nullopt if other actuators act on the
+  /// joint, too.
   std::optional<std::vector<ClassedElement*>> ActuatorsOf(const std::string& joint);
   /// Intersects the actuator's force range with a range of joint forces; false if impossible.
   bool LimitForce(ClassedElement& actuator, std::vector<double> range);

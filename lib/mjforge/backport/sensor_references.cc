@@ -15,8 +15,8 @@
 namespace mjforge::backport {
 namespace {
 
-/// Attributes of sensors that name an element, and its kind; "@objtype": the kind that this other
-/// attribute names.
+/// Attributes of sensors that name an element, and the element's kind. "@objtype" stands for the
+/// kind that the attribute `objtype` names.
 constexpr std::pair<std::string_view, std::string_view> kReferences[] = {
     {"site", "site"},     {"joint", "joint"},      {"tendon", "tendon"},   {"actuator", "actuator"},
     {"camera", "camera"}, {"mesh", "mesh"},        {"geom", "geom"},       {"geom1", "geom"},
@@ -50,7 +50,7 @@ void CheckReferences(const xml::XmlElement& sensor, const xml::XmlElement& root,
     std::string_view kind = word;
     if (kind.starts_with('@')) {
       const std::string* type = sensor.Find(kind.substr(1));
-      if (type == nullptr) continue;  // MuJoCo requires it
+      if (type == nullptr) continue;  // MuJoCo reports the missing attribute
       kind = *type == "xbody" ? "body" : std::string_view(*type);
     }
     Names names;

@@ -8,7 +8,7 @@ namespace mjforge::backport {
 
 /// Adds an error for each name in a sensor that no element of the file has, because no MuJoCo reads
 /// such a file, even if the sensor itself is left out. Checks nothing in files with elements that
-/// MuJoCo expands, because the expansion makes names.
+/// MuJoCo expands, because the expansion creates names.
 void CheckReferences(const xml::XmlElement& sensor, const xml::XmlElement& root,
                      const diag::Sources& sources, diag::Findings& findings);
 
