@@ -1,4 +1,4 @@
-// Configurations of an object before its zero configuration changes, and its elements by name.
+// Poses of an object's bodies at zero and at its start, and its joints, sites and tendons by name.
 #include "mjforge/start/configurations.h"
 
 #include <algorithm>
@@ -141,8 +141,8 @@ bool Configurations::ChangesPath(const model::Element& tendon, const Poses& from
   return false;
 }
 
-// Source: mj_tendon of MuJoCo 2.2 (src/engine/engine_core_smooth.c). A pulley begins a new branch,
-// whose length is divided by its divisor.
+// Follows mj_tendon of MuJoCo 2.2 (src/engine/engine_core_smooth.c): a pulley begins a new branch,
+// and the length of a branch is divided by the `divisor` of its pulley.
 double Configurations::Length(const model::Element& tendon, const Poses& X_WB) const {
   double length = 0;
   double divisor = 1;

@@ -1,4 +1,4 @@
-// Equalities that MuJoCo measures from the zero configuration.
+// Rewriting of equalities that MuJoCo measures from the zero configuration.
 #include <algorithm>
 #include <cstddef>
 
@@ -10,13 +10,13 @@ namespace {
 using model::Element;
 using model::Pose;
 
-// Shifts the polynomial y = c(x) of an equality: x and y are measured from a zero that has moved by
-// `dx` and `dy`. Without a second joint or tendon only the constant counts.
+// Shifts the polynomial y = c(x) of an equality to a zero that has moved by `dx` and `dy`. Without
+// a second joint or tendon (`has_x` is false), only the constant c[0] changes.
 sample::Numbers Shifted(const sample::Numbers& c, bool has_x, double dx, double dy) {
   sample::Numbers shifted = c;
   for (std::size_t k = 0; has_x && k < c.size(); ++k) {
     shifted[k] = 0;
-    double binomial = 1;  // i over k
+    double binomial = 1;  // i choose k
     double power = 1;     // dx^(i - k)
     for (std::size_t i = k; i < c.size(); ++i) {
       shifted[k] += binomial * c[i] * power;
@@ -76,8 +76,9 @@ class EqualityRewriter {
     return changes ? configurations_.LengthChange(*tendon) : 0;
   }
 
-  // Without `relpose` (whose rotation is then zero) a weld keeps the bodies as they are at zero.
-  // The position in `relpose` is that of the anchor, which is given in body 2.
+  // Writes `relpose` of a weld if it is missing or its quaternion is zero, because MuJoCo then
+  // takes the relative pose at zero. The position in `relpose` is that of the anchor in body 1,
+  // whereas `anchor` is in body 2.
   void RewriteWeld(Element& weld) const {
     const sample::Numbers given = NumbersOf(weld.attributes, "relpose");
     if (given.size() == 7 &&
@@ -89,9 +90,8 @@ class EqualityRewriter {
     SetRelativePose(X_12 * VectorOf(weld, "anchor"), X_12.q, weld);
   }
 
-  // MuJoCo computes the anchor of body 2 from the zero configuration. An equality that is open at
-  // the start becomes a weld that does not constrain rotations, because both anchors of a weld are
-  // given.
+  // Turns a connect that is open at the start into a weld with torquescale 0. MuJoCo computes the
+  // second anchor of a connect from the zero configuration, but a weld states both anchors.
   void RewriteConnect(Element& connect) const {
     const Eigen::Vector3d p_1A = VectorOf(connect, "anchor");
     const Pose X_12 = configurations_.RelativePose(connect, configurations_.zero());

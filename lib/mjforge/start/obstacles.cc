@@ -1,4 +1,4 @@
-// Elements that depend on the zero configuration and cannot be rewritten.
+// Search for elements that depend on the zero configuration and cannot be rewritten.
 #include <algorithm>
 #include <cstddef>
 #include <string_view>
@@ -35,7 +35,7 @@ class ObstacleFinder {
   }
 
  private:
-  // Returns the name without the object's prefix, as in the spec.
+  // Returns the name without the object's prefix, as written in the spec.
   std::string_view Shown(std::string_view name) const {
     const bool has_prefix =
         name.starts_with(object_.name) && name.substr(object_.name.size()).starts_with('_');
@@ -46,7 +46,7 @@ class ObstacleFinder {
     obstacles_.push_back({mark, std::move(reason), std::move(remedy)});
   }
 
-  // MuJoCo computes stiffness and damping from the inertia at zero.
+  // Reports `springdamper`: MuJoCo computes stiffness and damping with the inertia at zero.
   void CheckSpringDamper(const Joint& joint) {
     const sample::Numbers numbers = NumbersOf(joint.attributes, "springdamper");
     if (numbers.size() < 2 || !(numbers[0] > 0) || !(numbers[1] > 0)) return;
@@ -103,8 +103,8 @@ class ObstacleFinder {
         "give its `springlength`");
   }
 
-  // MuJoCo computes missing forces from the inertia at zero, and a missing range of lengths by a
-  // simulation that begins there.
+  // Reports a muscle without a force, which MuJoCo computes from the inertia at zero, or without a
+  // length range, which MuJoCo finds by a simulation that begins at zero.
   void CheckMuscle(const Element& actuator) {
     const bool is_shortcut = actuator.tag == "muscle";
     const auto is_muscle = [&](std::string_view attribute) {

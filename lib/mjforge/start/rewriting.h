@@ -1,5 +1,5 @@
-// Steps of moving the zero configuration, each for one section of the object. All steps read poses
-// and lengths from the configurations, which still have the old zero.
+// Steps of moving an object's zero configuration to its start, each for one kind of elements. All
+// steps read poses and lengths from `configurations`, which keep the old zero.
 #pragma once
 
 #include "mjforge/model/model.h"
@@ -11,9 +11,9 @@ namespace mjforge::start {
 void RewriteEqualities(const Configurations& configurations, model::Object& object);
 
 /// Returns true if MuJoCo takes the rest length of the tendon's spring from the zero configuration,
-/// and this length is another one at the start.
+/// and that length changes when zero moves to the start.
 bool ChangesSpring(const Configurations& configurations, const model::Element& tendon);
-/// Writes the rest lengths of such tendons.
+/// Writes `springlength` of all tendons for which ChangesSpring() returns true.
 void RewriteTendons(const Configurations& configurations, model::Object& object);
 
 /// Rewrites cameras and lights that follow their body: MuJoCo takes their offset from the body, or

@@ -23,8 +23,8 @@ struct BallChange {
   Eigen::Quaterniond after;
 };
 
-// Returns the changes of all ball joints that start elsewhere than at zero, or that are followed by
-// joints of the same body that turn it.
+// Returns the changes of all ball joints that start elsewhere than at zero, or whose body is turned
+// by the motion of later joints from zero to the start.
 std::vector<BallChange> BallChanges(const model::Object& object) {
   std::vector<BallChange> changes;
   for (const Body& body : object.bodies) {
@@ -47,8 +47,8 @@ void Convert(const BallChange& change, Numbers& wxyz) {
   wxyz = {q.w(), q.x(), q.y(), q.z()};
 }
 
-// Converts positions of ball joints in `expect:`, which has full names, and in `checks:`, which has
-// names without the object's prefix.
+// Converts positions of ball joints in `expect:`, where joint names have the object's prefix, and
+// in `checks:`, where they do not.
 void ConvertPositions(const std::vector<BallChange>& changes, model::Object& object) {
   const auto find = [&](const std::string& joint) {
     return std::ranges::find_if(changes, [&](const BallChange& change) {
@@ -68,10 +68,10 @@ void ConvertPositions(const std::vector<BallChange>& changes, model::Object& obj
   }
 }
 
-// Moves the zero of one body's joints to their start. Positions of hinges and slides keep their
-// meaning by `ref`; ball joints lose their start.
+// Moves the zero of one body's joints to their start. Sets `ref` of hinges and slides, so that
+// their positions keep their meaning; ball joints lose their start.
 void MoveZero(Body& body) {
-  Pose X_LaterB;  // motion of the later joints
+  Pose X_LaterB;  // motion of the joints after joint i
   for (std::size_t i = body.joints.size(); i-- > 0;) {
     Joint& joint = body.joints[i];
     const Pose motion = model::JointMotion(joint, {}, joint.start);

@@ -15,7 +15,7 @@ namespace mjforge::start {
 struct Obstacle {
   diag::SourceMark mark;
   std::string reason;
-  std::string remedy;  // besides a keyframe; empty if there is none
+  std::string remedy;  // alternative to a keyframe; empty if there is none
 };
 
 /// Returns the obstacles of an object; none if MoveZeroToStart() keeps the meaning of all elements.

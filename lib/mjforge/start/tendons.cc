@@ -3,8 +3,8 @@
 
 namespace mjforge::start {
 
-// MuJoCo takes the rest length from its qpos_spring, in which only ball and free joints depend on
-// the zero configuration.
+// Compares the tendon at qpos_spring with ball joints at zero and at their start, because MuJoCo
+// takes the rest length at qpos_spring, where only ball and free joints depend on qpos0.
 bool ChangesSpring(const Configurations& configurations, const model::Element& tendon) {
   const sample::Numbers stiffness = NumbersOf(tendon.attributes, "stiffness");
   const sample::Numbers rest = NumbersOf(tendon.attributes, "springlength");

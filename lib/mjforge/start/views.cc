@@ -9,7 +9,7 @@ namespace {
 using model::Element;
 using model::Pose;
 
-// Returns the centre of mass of each body and everything below it, in W.
+// Returns the centre of mass of each body and everything below it, in the world frame.
 std::vector<Eigen::Vector3d> CentresOfMass(const std::vector<model::Body>& bodies,
                                            const Poses& X_WB) {
   std::vector<double> masses(bodies.size());
@@ -28,8 +28,8 @@ std::vector<Eigen::Vector3d> CentresOfMass(const std::vector<model::Body>& bodie
   return moments;
 }
 
-// Moves a view so that its pose relative to the point that it follows is the same, along the axes
-// of W, with the body at `after` as it was with the body at `before`.
+// Rewrites the pose of a camera or light so that, along the axes of the world, its pose relative to
+// the point that it follows is the same with the body at `after` as with the body at `before`.
 void Move(const Pose& before, const Eigen::Vector3d& followed_before, const Pose& after,
           const Eigen::Vector3d& followed_after, Element& view) {
   const Eigen::Quaterniond turn = (after.q.conjugate() * before.q).normalized();

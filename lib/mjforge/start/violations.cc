@@ -1,4 +1,4 @@
-// Equalities that the start violates: of joints, connects and welds.
+// Check for equalities of joints, connects and welds that the start violates.
 #include <cmath>
 #include <numbers>
 
@@ -16,7 +16,7 @@ using model::Pose;
 
 constexpr double kLengthTolerance = 1e-4;                    // m
 constexpr double kAngleTolerance = std::numbers::pi / 1800;  // rad
-constexpr double kUnmoved = 1e-9;                            // m, or rad
+constexpr double kUnmoved = 1e-9;                            // m or rad; less is no motion
 
 double DistanceOf(const Pose& a, const Pose& b, const Eigen::Vector3d& point) {
   return (a * point - b * point).norm();
@@ -51,8 +51,8 @@ class ViolationFinder {
                        first->type == "slide" ? "m" : "rad"));
   }
 
-  // A connect holds its anchor, a point of the first body, together. A weld has an anchor in the
-  // second body, and also keeps the orientation.
+  // Reports a connect or weld whose bodies are not where it holds them. The anchor of a connect is
+  // a point of body 1, that of a weld a point of body 2; a weld also fixes the orientation.
   void CheckBodies(const Element& equality) {
     const Pose X_12 = configurations_.RelativePose(equality, configurations_.start());
     const Pose zero = configurations_.RelativePose(equality, configurations_.zero());
@@ -63,7 +63,7 @@ class ViolationFinder {
       anchor = zero.Inverse() * anchor;
     } else if (relpose.size() == 7) {
       const Eigen::Quaterniond q(relpose[3], relpose[4], relpose[5], relpose[6]);
-      // The position in `relpose` is that of the anchor.
+      // The position in `relpose` is that of the anchor in body 1.
       if (q.norm() > 0) {
         wanted.q = q.normalized();
         wanted.p = Eigen::Vector3d(relpose.data()) - wanted.q * anchor;
