@@ -1,4 +1,4 @@
-// Differences of two structures, and their description.
+// Differences between the structures of two compiled models, and their description.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kShownElements = 3;
 
-// Counts, names and fields of a structure, by kind.
+// Access to the counts, names and field values of a structure, by kind of element.
 class View {
  public:
   explicit View(const Structure& structure) : structure_(structure) {
@@ -41,7 +41,7 @@ class View {
     return structure_.integers[columns_[field] + static_cast<std::size_t>(element)];
   }
 
-  // Returns the name of an element for messages; that of its joint for a degree of freedom.
+  // Returns the name of an element for messages; for a degree of freedom, that of its joint.
   std::string NameOf(std::size_t kind, int element) const {
     const mjtObj type = Kinds()[kind].type;
     if (type == mjOBJ_DOF) {
@@ -65,7 +65,7 @@ class View {
   }
 
   const Structure& structure_;
-  std::vector<std::size_t> columns_;  // indices of the first element of each field
+  std::vector<std::size_t> columns_;  // for each field: index in `integers` of its first value
   std::vector<std::vector<std::string_view>> names_;
 };
 
@@ -74,7 +74,7 @@ std::string WordOf(const Field& field, int value) {
   return i < field.words.size() ? std::string(field.words[i]) : fmt::format("{}", value);
 }
 
-// Names that are in one list more often than in the other.
+// Returns the names that one of the lists contains more often than the other.
 std::vector<std::string> OneSided(const std::vector<std::string_view>& a,
                                   const std::vector<std::string_view>& b) {
   std::map<std::string_view, int> surplus;
@@ -93,7 +93,7 @@ std::string Joined(const std::vector<std::string_view>& names) {
   return text;
 }
 
-// Compares number and names of the elements of a kind.
+// Compares number and names of the elements of a kind; returns nullopt if they agree.
 std::optional<Difference> DifferenceOfNames(const View& a, const View& b, std::size_t kind) {
   const auto& names_a = a.Names(kind);
   const auto& names_b = b.Names(kind);
@@ -112,16 +112,16 @@ std::optional<Difference> DifferenceOfNames(const View& a, const View& b, std::s
   return difference;
 }
 
-// Returns true for fields whose values are ids, which depend on the other elements.
+// Returns true for fields whose values are ids, which change if other elements are added.
 bool IsReference(const Field& field) {
   return field.name.ends_with("id") || field.name.ends_with("id2") || field.kind == mjOBJ_PAIR ||
          field.kind == mjOBJ_EXCLUDE;
 }
 
-// Pairs of elements to compare: their ids in both structures.
+// Elements to compare, each as a pair of its ids in the two structures.
 using Elements = std::vector<std::pair<int, int>>;
 
-// Returns the elements whose names both structures have once.
+// Returns the elements whose names occur exactly once in each of the two lists.
 Elements CommonElements(const std::vector<std::string_view>& a,
                         const std::vector<std::string_view>& b) {
   Elements elements;

@@ -1,4 +1,4 @@
-// Coincidences of frames: setSameframe in engine_setconst.c of MuJoCo 4.0.
+// Comparison of frames with body frames: setSameframe in engine_setconst.c of MuJoCo 4.0.
 #include "mjforge/structure/frames.h"
 
 #include <mujoco/mujoco.h>

@@ -42,7 +42,7 @@ struct Structure {
   bool empty() const { return integers.empty(); }
   /// Returns a hash of the structure: 12 hexadecimal digits; "" if the structure is empty.
   std::string Key() const;
-  /// Returns a hash of the structure without its coincidences, which a family need not share.
+  /// Returns a hash without the coincidences, in which variants of one family may differ.
   std::string FamilyKey() const;
 };
 
@@ -54,20 +54,20 @@ Structure StructureOf(const mjModel_& m, std::string_view object_name);
 struct Difference {
   std::string field;                  // "geom_type"; "ngeom" for a count; "geom names"
   std::vector<std::string> elements;  // elements that differ, or that only one of the two has
-  std::pair<std::string, std::string> values;  // values of the first element, or the counts
-  /// Everything that differs in the field. Differences of two structures from a third are the same
-  /// if their contents are equal.
+  std::pair<std::string, std::string> values;  // both values of the first element, or counts
+  /// Differing elements with their values in the second structure, as text. Two structures differ
+  /// from a third one in the same way if these texts are equal.
   std::string contents;
-  /// True if the field depends on numbers being exactly zero or equal. A base model whose flag is
-  /// not set is right for every variant.
+  /// True if the field depends on numbers being exactly zero or equal. A base model without the
+  /// flag is valid for every variant.
   bool is_coincidence = false;
 };
-/// Returns the differences. If the number or the names of a kind of element differ, fields are
-/// compared for the names that both structures have, without references between elements.
+/// Returns the differences. If the number or the names of the elements of a kind differ, only
+/// elements with names that both structures have are compared, and no ids of other elements.
 std::vector<Difference> DifferencesOf(const Structure& a, const Structure& b);
 
 /// Describes a difference for a message: "geom_type of 'handle' and 'neck' is box, not cylinder",
-/// where `b` is box.
+/// where box is the value in the second structure.
 std::string Describe(const Difference& difference);
 
 }  // namespace mjforge::structure

@@ -12,13 +12,13 @@ namespace {
 
 using Model = const mjModel&;
 
-// Value of an array of integers or flags.
+// Returns an integer or flag of element `i` from an array of mjModel.
 template <auto array, int width = 1, int column = 0>
 int At(Model m, int i) {
   return static_cast<int>((m.*array)[width * i + column]);
 }
 
-// 1 if a number is positive, which is how engines find friction loss, springs and dampers.
+// Returns 1 if a number is positive: engines find friction loss, springs and dampers like this.
 template <auto array>
 int IsPositive(Model m, int i) {
   return (m.*array)[i] > 0 ? 1 : 0;
@@ -41,12 +41,12 @@ int HasFluid(Model m, int /*element*/) {
   return has_wind || m.opt.density > 0 || m.opt.viscosity > 0 ? 1 : 0;
 }
 
-// 2.2.2 has only 0 and 1; later releases have 2 if all joints are slides.
+// Returns 0 or 1, as in MuJoCo 2.2.2; later releases also have 2 (all joints are slides).
 int BodyIsSimple(Model m, int i) { return m.body_simple[i] != 0 ? 1 : 0; }
 
 int BodySameFrame(Model m, int i) { return i == 0 ? kBody : SameFrameOfBody(m, i); }
 
-// Releases choose different frames for a mesh.
+// Returns kNone for a mesh, because releases of MuJoCo choose different frames for meshes.
 int GeomSameFrame(Model m, int i) {
   if (m.geom_type[i] == mjGEOM_MESH) return kNone;
   return SameFrameOf(m, m.geom_bodyid[i], m.geom_pos + 3L * i, m.geom_quat + 4L * i);
@@ -67,8 +67,8 @@ int ExcludedBody(Model m, int i) {
 int EqualityIsActive(Model m, int i) { return (m.*engine::kEqualityActive)[i] != 0 ? 1 : 0; }
 int LightIsDirectional(Model m, int i) { return (m.*engine::kLightDirectional)[i] == 1 ? 1 : 0; }
 
-// Position in a list, or the value beyond its end, so that values that later releases insert do not
-// move the others.
+// Renumbers an enumerator by its position in a list of MuJoCo 2.2.2, because later releases insert
+// enumerators. Enumerators that are not in the list come after its end.
 template <const auto& list>
 int PositionIn(int value) {
   const auto found = std::ranges::find(list, value);
@@ -76,13 +76,13 @@ int PositionIn(int value) {
   return found == std::end(list) ? at + 1 + value : at;
 }
 
-// mjtDyn of 2.2.2.
+// Enumerators of mjtDyn in MuJoCo 2.2.2, in order.
 constexpr std::array<int, 5> kDynamics = {mjDYN_NONE, mjDYN_INTEGRATOR, mjDYN_FILTER, mjDYN_MUSCLE,
                                           mjDYN_USER};
-// mjtGain and mjtBias of 2.2.2.
+// Enumerators of mjtGain and mjtBias in MuJoCo 2.2.2, in order.
 constexpr std::array<int, 4> kGains = {mjGAIN_FIXED, mjGAIN_AFFINE, mjGAIN_MUSCLE, mjGAIN_USER};
 constexpr std::array<int, 4> kBiases = {mjBIAS_NONE, mjBIAS_AFFINE, mjBIAS_MUSCLE, mjBIAS_USER};
-// mjtSensor of 2.2.2.
+// Enumerators of mjtSensor in MuJoCo 2.2.2, in order.
 constexpr std::array<int, 37> kSensors = {mjSENS_TOUCH,
                                           mjSENS_ACCELEROMETER,
                                           mjSENS_VELOCIMETER,
@@ -120,7 +120,7 @@ constexpr std::array<int, 37> kSensors = {mjSENS_TOUCH,
                                           mjSENS_SUBTREEANGMOM,
                                           mjSENS_CLOCK,
                                           mjSENS_USER};
-// Targets of frame sensors; that of any other sensor follows from its type.
+// Object types that a frame sensor can have; the type of another sensor implies its object type.
 constexpr std::array<int, 6> kTargets = {mjOBJ_UNKNOWN, mjOBJ_BODY, mjOBJ_XBODY,
                                          mjOBJ_GEOM,    mjOBJ_SITE, mjOBJ_CAMERA};
 
@@ -158,7 +158,7 @@ constexpr Kind kKinds[] = {
     {mjOBJ_EXCLUDE, "exclude", "nexclude", &M::nexclude, &M::name_excludeadr},
     {mjOBJ_EQUALITY, "equality", "neq", &M::neq, &M::name_eqadr},
     {mjOBJ_TENDON, "tendon", "ntendon", &M::ntendon, &M::name_tendonadr},
-    {mjOBJ_NUMERIC, "wrap", "nwrap", &M::nwrap},  // mjtObj has no wraps
+    {mjOBJ_NUMERIC, "wrap", "nwrap", &M::nwrap},  // stands for wraps, which mjtObj lacks
     {mjOBJ_ACTUATOR, "actuator", "nu", &M::nu, &M::name_actuatoradr},
     {mjOBJ_SENSOR, "sensor", "nsensor", &M::nsensor, &M::name_sensoradr},
     {mjOBJ_KEY, "keyframe", "nkey", &M::nkey, &M::name_keyadr}};

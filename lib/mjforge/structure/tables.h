@@ -12,23 +12,23 @@ namespace mjforge::structure {
 struct Kind {
   mjtObj type;
   std::string_view word;                    // "geom"
-  std::string_view number;                  // name of its count: "ngeom"
+  std::string_view number;                  // name of the kind's count: "ngeom"
   engine::Count mjModel::*count = nullptr;  // null: the model itself, one element
-  /// Addresses of names. Null for degrees of freedom and wraps, whose number follows from fields of
-  /// joints and tendons.
+  /// Array of name addresses in mjModel. Null for kinds without names: the model, and degrees of
+  /// freedom and wraps, whose number follows from joints and tendons.
   int* mjModel::*names = nullptr;
 };
 std::span<const Kind> Kinds();
 
-/// Field of all elements of a kind.
+/// A field of the structure: one integer for each element of a kind.
 struct Field {
   std::string_view name;
   mjtObj kind;  // mjOBJ_UNKNOWN: the model itself
   int (*value)(const mjModel& m, int element);
-  std::span<const std::string_view> words = {};  // meanings of values from 0 on
+  std::span<const std::string_view> words = {};  // names of the values 0, 1, ... for messages
   bool is_coincidence = false;
 };
-/// Fields by kind, in the order of Kinds().
+/// Returns all fields, grouped by kind in the order of Kinds().
 std::span<const Field> Fields();
 
 }  // namespace mjforge::structure
