@@ -35,8 +35,9 @@ std::size_t Distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
-// Returns true if the distance is at most one edit per three letters. Words of two letters must
-// have one letter in common at the same place; words of one letter get no suggestion.
+// Returns true if `word` can be a misspelling of `candidate`: at most one edit per three letters.
+// Words of two letters must share a letter at the same place; words of one letter get no
+// suggestion.
 bool IsSlip(std::string_view word, std::string_view candidate, std::size_t distance) {
   if (distance == 0) return true;
   if (word.size() <= 2) {

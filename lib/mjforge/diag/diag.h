@@ -71,8 +71,8 @@ struct Finding {
   std::string message;                 // a single line without a final full stop
   std::string hint;                    // the remedy; may be empty
   std::vector<Note> notes;             // related places
-  std::optional<std::uint64_t> seed;   // seed of the variant; empty if about the spec
-  std::optional<std::uint64_t> index;  // index of the variant; empty if about the spec
+  std::optional<std::uint64_t> seed;   // seed of the variant; nullopt: about the spec
+  std::optional<std::uint64_t> index;  // index of the variant; nullopt: about the spec
   /// Paths of files that were not found or are wrong; the finding may end when one of them changes.
   std::vector<std::string> files = {};
 };
@@ -99,7 +99,7 @@ class Findings {
   void SetVariant(std::uint64_t seed, std::uint64_t index);
   /// Sorts by file, line and column; findings at the same place keep their order.
   void Sort();
-  /// Drops repeats (same code, place and message), keeping the first.
+  /// Drops repeated findings (same code, place and message), keeping the first.
   void Unique();
   void clear() { list_.clear(); }
   /// Keeps only the first `size` findings.
@@ -117,7 +117,7 @@ std::string RenderText(const Finding& finding, const Sources& sources, bool colo
 /// line, column, message, hint, seed, index and notes.
 std::string RenderJson(const Finding& finding, const Sources& sources);
 
-/// The first character of a text.
+/// The first character of a text, decoded from UTF-8.
 struct Utf8Char {
   char32_t value = 0;
   std::size_t length = 1;  // in bytes
@@ -145,7 +145,7 @@ std::optional<std::string_view> ClosestWord(std::string_view word,
 
 /// Returns "did you mean 'x'?" with the closest word, or an empty text if no word is close.
 std::string DidYouMean(std::string_view word, std::span<const std::string_view> candidates);
-/// Takes any list of candidates; `name` is the member that contains a candidate's name.
+/// Returns "did you mean 'x'?" for a list of any type; `name` is the member with the candidate.
 template <typename List, typename Name = std::identity>
 std::string DidYouMean(std::string_view word, const List& list, Name name = {}) {
   std::vector<std::string_view> candidates(std::size(list));

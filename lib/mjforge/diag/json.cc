@@ -32,8 +32,8 @@ bool IsNestedTooDeep(std::string_view json) {
 
 namespace {
 
-// Table by byte, because every character of every text is looked up. Contains the first bytes of
-// characters that control a terminal.
+// Flags of bytes that may need an escape, as a table because every byte of every text is looked up.
+// Includes the first bytes of UTF-8 characters that control a terminal.
 constexpr auto kMayNeedEscape = [] {
   std::array<bool, 256> needs{};
   for (std::size_t c = 0; c < 0x20; ++c) needs[c] = true;

@@ -18,8 +18,8 @@ inline constexpr int kMaxJsonDepth = 64;
 bool IsNestedTooDeep(std::string_view json);
 
 /// Appends JSON to a text without checking its structure. The caller must end objects and lists in
-/// order and pass valid UTF-8. Without checks, because the bookkeeping of a general JSON writer
-/// took a tenth of a variant's time.
+/// order and pass valid UTF-8. There are no checks, because the bookkeeping of a general JSON
+/// writer took a tenth of the time to generate a variant.
 class Json {
  public:
   /// Appends a finite number to a text: expr::AppendNumber or expr::AppendExactNumber.
@@ -35,7 +35,7 @@ class Json {
     Value(key);
     text_ += ':';
   }
-  /// Adds a value that is JSON already.
+  /// Adds a value that is already JSON text.
   void Raw(std::string_view json) {
     Separate();
     text_ += json;

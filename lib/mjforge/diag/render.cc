@@ -12,7 +12,7 @@ namespace mjforge::diag {
 namespace {
 
 constexpr int kLineColumns = 120;
-// Number of bytes on either side of the caret that are decoded: enough to fill a line, so that a
+// Number of bytes decoded on either side of the caret: enough to fill a line of output, so that a
 // line of 100 MB is not decoded as a whole.
 constexpr std::size_t kWindowBytes = 1024;
 constexpr std::string_view kDots = "...";
@@ -29,7 +29,7 @@ std::string Painted(std::string_view text, std::string_view paint, bool color) {
 
 bool IsContinuation(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
-// The part of a line around its caret.
+// The part of a source line around the caret.
 struct Excerpt {
   std::vector<TerminalCell> cells;
   std::size_t caret = 0;  // index of the cell above the caret; cells.size() is after the last cell
@@ -88,7 +88,7 @@ void Fit(Excerpt& excerpt) {
   excerpt.caret -= begin;
 }
 
-// Returns the line that contains the mark, with a caret below; empty for a blank line.
+// Returns the line that contains the mark, with a caret below; an empty text for a blank line.
 std::string Quote(SourceMark mark, const Sources& sources, bool color) {
   const std::string_view line = sources.Line(mark);
   if (line.find_first_not_of(" \t") == std::string_view::npos) return {};

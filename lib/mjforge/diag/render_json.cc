@@ -1,4 +1,4 @@
-// Findings as JSON.
+// Rendering of findings as JSON.
 
 #include "mjforge/diag/diag.h"
 #include "mjforge/diag/utf8.h"
