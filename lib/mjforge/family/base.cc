@@ -1,4 +1,4 @@
-// The base MJCF of a family: inertias, mocap bodies, materials and places, line by line.
+// Text changes of the base MJCF of a family: inertias, mocap bodies, materials and poses.
 
 #include "mjforge/family/base.h"
 
@@ -21,7 +21,7 @@ void ForEachLine(std::string_view text, const std::function<void(std::string_vie
   }
 }
 
-// Returns the tag of the element that begins or ("/body") ends on a line; empty if none does.
+// Returns the tag of the element that begins or ends ("/body") on a line; else an empty text.
 std::string_view TagOf(std::string_view line) {
   const std::size_t at = line.find_first_not_of(' ');
   if (at == line.npos || line[at] != '<') return {};
@@ -54,7 +54,7 @@ void SetAttribute(std::string& line, std::string_view name, const Numbers& numbe
   }
 }
 
-// The rows of an array by the index of the element.
+// Access to the numbers of each element in one array of a variant, by the element's index.
 class ArrayRows {
  public:
   ArrayRows(const Numbers& numbers, std::string_view name) {
@@ -77,7 +77,7 @@ class ArrayRows {
   std::size_t width_ = 0;
 };
 
-// Writes the text of a variant with the inertias that MuJoCo computed.
+// Writes the MJCF of a variant, with the inertia that MuJoCo computed in each body.
 class BaseWriter {
  public:
   BaseWriter(const Numbers& numbers, bool mocap)
@@ -97,7 +97,7 @@ class BaseWriter {
     const std::string_view tag = TagOf(line);
     if (tag == "worldbody") is_in_world_ = true;
     if (tag == "/worldbody") is_in_world_ = false;
-    // The opening comment says that the text is the variant's.
+    // Skip the opening comment, which is about the variant; BeginBody() writes all inertias.
     if (tag.starts_with('!') || (is_in_world_ && tag == "inertial")) return;
     if (is_in_world_ && tag == "joint" && depth_ == 1) MakeFree();
     base_ += line;
@@ -119,7 +119,7 @@ class BaseWriter {
     ++body_;
   }
 
-  // Makes the current child of the world, which has a joint, a usual body again.
+  // Removes `mocap` from the current child of the world, because the body has a joint.
   void MakeFree() {
     if (mocap_at_ == base_.npos) return;
     base_.erase(mocap_at_, kMocap.size());
@@ -189,7 +189,7 @@ std::string WithMaterials(std::string_view base, std::span<const Material> mater
   std::string missing;
   for (const Material& material : materials) {
     ForEachLine(material.elements, [&](std::string_view line) {
-      // Several materials may share a texture.
+      // Add a shared texture only once: several materials may share one.
       const std::string_view start = line.substr(0, line.find('"', line.find('"') + 1) + 1);
       if (base.find(start) == base.npos && missing.find(start) == missing.npos) missing += line;
     });

@@ -1,5 +1,5 @@
-// The base MJCF of a family: a variant's text, changed line by line. The writer of MJCF puts each
-// element on a line of its own.
+// Text changes of the base MJCF of a family, which is the MJCF of one variant. The changes are made
+// line by line, because the writer of MJCF puts each element on a line of its own.
 
 #pragma once
 
@@ -16,22 +16,22 @@
 
 namespace mjforge::family {
 
-/// A place of an element in its body that replaces the one in the text.
+/// A new pose of an element in its body, which replaces the pose in the text.
 struct NewPlace {
-  std::string_view tag;    // geom site joint inertial
-  std::size_t number = 0;  // among the elements with this tag, from the top; of its body: inertial
+  std::string_view tag;    // geom, site, joint or inertial
+  std::size_t number = 0;  // index among the elements with this tag, in file order
   Eigen::Vector3d pos;
   std::optional<Eigen::Vector4d> quat;
 };
 
-/// Returns the base with these places.
+/// Returns the base with these poses.
 std::string WithPlaces(std::string_view base, std::span<const NewPlace> places);
 
-/// Returns the base with these values of `frictionloss`; joints by name.
+/// Returns the base with these values of `frictionloss`, each with the name of its joint.
 std::string WithFrictions(std::string_view base,
                           std::span<const std::pair<std::string, double>> joints);
 
-/// Returns the base with the materials that it does not have.
+/// Returns the base plus those of the materials, and of their textures, that the base lacks.
 std::string WithMaterials(std::string_view base, std::span<const Material> materials);
 
 }  // namespace mjforge::family

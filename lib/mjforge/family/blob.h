@@ -11,8 +11,8 @@
 
 namespace mjforge::family {
 
-/// Appends numbers as they are in memory, because a family is finished on a machine of the kind
-/// that began it, and texts after their length.
+/// Appends numbers as their bytes in memory, because a family is finished on a machine of the kind
+/// that began it; appends a text as its length and its bytes.
 class BlobWriter {
  public:
   template <typename T>
@@ -31,7 +31,8 @@ class BlobWriter {
   std::string bytes_;
 };
 
-/// Reads what BlobWriter wrote. Throws std::runtime_error if the bytes end too early.
+/// Reads numbers and texts that BlobWriter wrote. Throws std::runtime_error if the bytes end too
+/// early.
 class BlobReader {
  public:
   explicit BlobReader(std::string_view bytes) : bytes_(bytes) {}
@@ -43,7 +44,7 @@ class BlobReader {
     return number;
   }
   std::string_view Text() { return Raw(Number<std::uint64_t>()); }
-  /// Returns the number of entries of a list, each of at least one byte.
+  /// Reads the length of a list. Throws if the bytes left are fewer than one per entry.
   std::uint64_t Count() {
     const auto count = Number<std::uint64_t>();
     if (count > bytes_.size()) throw std::runtime_error("it is cut short or damaged");

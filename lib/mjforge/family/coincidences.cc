@@ -1,4 +1,4 @@
-// Coincidences of a variant's numbers from which MuJoCo derives flags of a model.
+// Coincidences of a variant (equal poses, anchors at the origin), from which MuJoCo derives flags.
 
 #include "mjforge/family/coincidences.h"
 
@@ -10,7 +10,7 @@
 namespace mjforge::family {
 namespace {
 
-// MuJoCo takes a component of an axis below this number as zero (mjEPS).
+// Components of a joint axis up to this size are zero for MuJoCo (mjEPS).
 constexpr double kAxisTolerance = 1e-14;
 
 bool LetsBeSimple(const mjModel& m, int joint) {

@@ -1,4 +1,4 @@
-// Coincidences of a variant's numbers from which MuJoCo derives flags of a model.
+// Coincidences of a variant (equal poses, anchors at the origin), from which MuJoCo derives flags.
 
 #pragma once
 
@@ -10,19 +10,19 @@
 
 namespace mjforge::family {
 
-/// The number of elements of a kind, and their names as in MJCF.
+/// The number of elements of a kind, and the name of an element; an empty text if it has none.
 int ElementCount(const mjModel& m, mjtObj kind);
 std::string ElementName(const mjModel& m, mjtObj kind, int id);
 
-/// Names of the arrays of flags.
+/// Names of the arrays of flags, which have one flag for each element of a kind.
 inline constexpr std::string_view kBodyFlags = "body_sameframe";
 inline constexpr std::string_view kGeomFlags = "geom_sameframe";
 inline constexpr std::string_view kSiteFlags = "site_sameframe";
 inline constexpr std::string_view kJointFlags = "jnt_simple";
 
-/// Adds the arrays of flags: a structure::SameFrame of each body, geom and site, and for each joint
-/// whether it lets its body be a simple one (body_simple): its anchor is the origin, its axis a
-/// coordinate axis.
+/// Adds the arrays of flags: a structure::SameFrame for each body, geom and site, and for each
+/// joint 1 if it allows its body to be simple (body_simple), because its anchor is the origin and
+/// its axis is a coordinate axis.
 void AddCoincidences(const mjModel& m, Numbers& numbers);
 
 }  // namespace mjforge::family

@@ -31,16 +31,16 @@ namespace mjforge::family {
 struct ArrayShape {
   enum class Type : std::uint8_t {
     kNumber,    // double
-    kIndex,     // std::uint64_t in the bytes of the double
-    kMaterial,  // position in Numbers::materials, or -1
-    kFlag       // treatment of an element whose pose is a special one; not in the file
+    kIndex,     // std::uint64_t, stored in the bytes of a double
+    kMaterial,  // index in Numbers::materials; -1: no material
+    kFlag       // flag of an element with a special pose (coincidences.h); not in the .npz file
   };
 
   std::string name;  // "geom_size"
   std::vector<std::uint64_t>
-      dims;  // dimensions for one variant: {elements, numbers of each}, {}, {2, 3}
+      dims;  // dimensions for one variant: {elements, numbers per element}, {} or {2, 3}
   Type type = Type::kNumber;
-  bool is_always_stored = false;  // stored also if it has one value
+  bool is_always_stored = false;  // stored even if all variants have the same numbers
   /// Names of the elements of the first dimension. Empty: the array is stored as a whole.
   std::vector<std::string> elements;
   /// Position of each number within its joint, for arrays of degrees of freedom and coordinates.
@@ -55,11 +55,11 @@ struct ArrayShape {
 };
 using Shapes = std::vector<ArrayShape>;
 
-/// A material as a variant has it.
+/// A material of one variant.
 struct Material {
   std::string name;
-  std::string elements;              // <texture> and <material>, with their line ends
-  std::array<double, 10> numbers{};  // kMaterialArrays, one after the other
+  std::string elements;              // lines of MJCF: <texture> (if any) and <material>
+  std::array<double, 10> numbers{};  // values of kMaterialArrays, one after the other
 
   bool operator==(const Material&) const = default;
 };
@@ -95,15 +95,15 @@ Numbers Read(const mjModel_& m, const model::Object& object, const mjcf::MjcfDoc
 /// on its geoms. With `mocap`, bodies that are fixed to the world become mocap bodies.
 std::string BaseOf(const mjcf::MjcfDocument& document, const Numbers& numbers, bool mocap);
 
-/// The variants of a chunk, encoded for the file of rows. Chunks are concatenated.
+/// A chunk of variants, encoded for the file of rows (rows.h), to which chunks are appended.
 class Rows {
  public:
-  /// Adds a variant. If it cannot be in one family with the first one, returns a description of the
-  /// difference, "geom_type of 'handle' is box, not cylinder"; otherwise nothing.
+  /// Adds a variant and returns an empty text. If the variant cannot be in one family with the
+  /// first variant, returns the difference instead: "geom_type of 'handle' is box, not cylinder".
   std::string Add(const Numbers& numbers, const Parameters& parameters);
-  /// Returns the header of the chunk, which precedes it; empty if there are no rows.
+  /// Returns the header, which precedes the chunk in the file; empty if there are no variants.
   std::string Header(std::string_view base) const;
-  /// Returns the bytes of the chunk; empty if it has no rows.
+  /// Returns the bytes of the chunk; empty if there are no variants.
   std::string Bytes() const;
   bool empty() const { return count_ == 0; }
 
@@ -113,11 +113,11 @@ class Rows {
   std::uint64_t count_ = 0;
   std::vector<double> values_;
   std::vector<std::string> parameters_;  // names
-  std::vector<Material> materials_;  // different ones; the numbers are those of the first variant
-  std::string details_;              // materials and parameters of each variant
+  std::vector<Material> materials_;      // distinct; `numbers` are those of the first variant
+  std::string details_;                  // materials and parameters of each variant
 };
 
-/// Returns the bytes of a file of rows that hold an asset of the base MJCF.
+/// Returns the block that adds an asset of the base MJCF to a file of rows.
 std::string AssetBlock(std::string_view name, std::string_view content);
 
 /// Facts about a family that are the same for all variants.
@@ -129,15 +129,15 @@ struct Facts {
 bool IsRows(const std::filesystem::path& file);
 
 /// Writes the variants of all files of rows, one after the other, as an .npz file for each family.
-/// Loads their base MJCF in MuJoCo. `place` returns the path of a family by its key, which is
-/// Structure::FamilyKey(); if it returns the same path for several families, this is an error.
-/// Returns the files, which are still to be committed; none after adding a finding.
+/// Loads the base MJCF of each family in MuJoCo. `place` returns the path of a family by its key,
+/// which is Structure::FamilyKey(); the same path for several families is an error. Returns the
+/// files, which are still to be committed; an empty list after adding a finding.
 std::vector<std::unique_ptr<output::PartFile>> WriteNpz(
     std::span<const std::filesystem::path> rows, const Facts& facts,
     const std::function<std::filesystem::path(const std::string& key)>& place,
     diag::Findings& findings);
 
-/// Name of the first member of a family's file.
+/// Name of the first member of a family's .npz file.
 inline constexpr std::string_view kFirstMember = "family";
 
 }  // namespace mjforge::family

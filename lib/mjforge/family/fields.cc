@@ -1,4 +1,4 @@
-// Arrays of a compiled model that MJCF determines directly, by the names of their elements.
+// Reader of the arrays of a compiled model that MJCF determines directly, with element names.
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 using M = mjModel;
 using compiled::Index;
 
-// An array of mjModel. Rows of joints are elements, degrees of freedom or coordinates.
+// An array of mjModel, with one row per element, degree of freedom or coordinate of qpos.
 struct Field {
   enum class Rows { kElement, kDof, kQpos };
 
@@ -128,7 +128,7 @@ class Reader {
     return shape;
   }
 
-  // Names the elements of a kind, without the world; a joint once for each of its numbers.
+  // Adds the element's name of each row, without the world; a joint may have several rows.
   void NameRows(const Field& field, ArrayShape& shape) const {
     const int count = ElementCount(m_, field.kind);
     for (int id = field.kind == mjOBJ_BODY ? 1 : 0; id < count; ++id) {
@@ -156,7 +156,7 @@ class Reader {
     return &numbers_.values[starts_[static_cast<std::size_t>(found - numbers_.shapes.begin())]];
   }
 
-  // Replaces the poses of mesh geoms by those in MJCF; their sizes are computed from the vertices.
+  // Replaces poses of mesh geoms by those in MJCF, and sizes by 0: vertices determine the sizes.
   void PlaceMeshes() {
     if (m_.ngeom == 0) return;
     double* const size = ArrayAt("geom_size");
@@ -200,7 +200,7 @@ class Reader {
     AddWhole("opt_wind", {3}, option.wind);
   }
 
-  // Adds the state at the start: of the keyframe, or MuJoCo's default.
+  // Adds the start state: that of the keyframe, or qpos0 and zeros if there is no keyframe.
   void AddStart() {
     const std::span<const mjtNum> qpos = compiled::StartOf(m_);
     const bool has_key = qpos.data() != m_.qpos0;
@@ -215,8 +215,8 @@ class Reader {
     add("start_ctrl", m_.nu, m_.key_ctrl);
   }
 
-  // Adds the vertices of inline meshes as MJCF has them, that is, multiplied by the mesh's scale,
-  // and the scale of meshes from files, because MuJoCo decides the order of their vertices.
+  // Adds the vertices of inline meshes as in MJCF, that is, multiplied by the mesh's scale. Adds
+  // only the scale of a mesh from a file, because MuJoCo decides the order of the mesh's vertices.
   void AddVertices() {
     for (const auto& asset : object_.meshes) {
       if (!asset->file.empty()) {
@@ -249,7 +249,7 @@ std::string LineWith(std::string_view text, const std::string& start) {
   return std::string(text.substr(begin, text.find('\n', at) + 1 - begin));
 }
 
-// Returns the value of an attribute in an element's text, as it is written; empty if it has none.
+// Returns the value of an attribute in an element's text; empty if the attribute is missing.
 std::string_view AttributeIn(std::string_view element, std::string_view name) {
   const std::string start = ' ' + std::string(name) + "=\"";
   const std::size_t at = element.find(start);

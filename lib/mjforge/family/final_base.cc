@@ -1,9 +1,10 @@
-// Choice of base values: elements whose coincidences differ between variants are moved a little.
+// Completion of the base MJCF: elements whose coincidences differ between variants are moved a
+// little.
 //
-// MuJoCo skips the transformation of a geom whose pose is that of its body to 1e-6, and other work
-// like that. Flags of the compiled model say so, and a flag that the base has must be right for
-// every variant. A flag that the base lacks costs time, and changes the weights of constraints a
-// little (dof_invweight0 of bodies that MuJoCo calls simple).
+// MuJoCo takes shortcuts for special poses: it does not transform a geom whose pose equals that of
+// its body to 1e-6. Flags of the compiled model (geom_sameframe) select the shortcuts, and a flag
+// that the base has must be right for every variant. A flag that the base lacks costs time, and
+// changes the weights of constraints a little (dof_invweight0 of bodies with body_simple).
 
 #include "mjforge/family/final_base.h"
 
@@ -26,12 +27,13 @@ using structure::kInertia;
 using structure::kInertiaRotation;
 using structure::kNone;
 
-// Offsets of the base, m and half of rad: far from the tolerance of 1e-6, and different for bodies
-// and for what is in them, so that moving both makes no new coincidence.
+// Offsets of moved elements, in m for positions and in half of rad for rotations: far above the
+// tolerance of 1e-6, and different for inertia frames and other elements, so that moving both makes
+// no new coincidence.
 constexpr double kBodyOffset = 1e-5;
 constexpr double kOffset = 2e-5;
 
-// Arrays of an element whose flags are in an array.
+// A kind of element with coincidence flags: its arrays, and its tag in the base.
 struct Flagged {
   std::string_view flags;
   std::string_view tag;
@@ -45,7 +47,7 @@ constexpr Flagged kFlagged[] = {{kBodyFlags, "inertial", "body_ipos", "body_iqua
 
 constexpr unsigned Bit(int flag) { return 1U << static_cast<unsigned>(flag); }
 
-// Returns true if the flag of the base is right for variants with these flags.
+// Returns true if flag `base` is right for variants whose flags are the bits of `variants`.
 bool IsRight(std::string_view array, unsigned base, unsigned variants) {
   if (array == kJointFlags) return base == 0 || variants == Bit(1);
   switch (base) {
@@ -60,7 +62,7 @@ bool IsRight(std::string_view array, unsigned base, unsigned variants) {
   }
 }
 
-// Returns true if all variants have the rotation of the body or all that of its inertia frame.
+// Returns true if the element has the body's rotation in all variants, or the inertia frame's.
 bool HasOneRotation(unsigned variants) {
   return IsRight({}, kBodyRotation, variants) || IsRight({}, kInertiaRotation, variants);
 }
@@ -92,7 +94,7 @@ class BaseCompletion {
   }
 
  private:
-  // Compiles the base; returns its flags.
+  // Compiles the base and returns its flags; nullopt after adding a finding.
   std::optional<Numbers> FlagsOf(const std::string& text) {
     if (!engine_) engine_.emplace();
     const engine::Loaded loaded = engine_->LoadText(text, assets_);
@@ -111,7 +113,8 @@ class BaseCompletion {
     return std::span(survey_.flags).subspan(at, shape->size());
   }
 
-  // Calls `act` with the number of each element whose base flag may be wrong for a variant.
+  // Calls `act` for each element whose flag in the base may be wrong for a variant, or, if
+  // `if_different`, is not the same in all variants.
   template <typename Act>
   void ForEachWrong(const Flagged& array, const Numbers& flags, bool if_different, const Act& act) {
     const std::span<const unsigned> variants = FlagsOfVariants(array.flags);
@@ -162,8 +165,8 @@ class BaseCompletion {
     return survey_.first.data() + at + shape->width() * element;
   }
 
-  // Gives each joint friction that has friction in any variant, because engines leave out the
-  // friction of joints that have none in the base.
+  // Sets `frictionloss` of each joint that has friction in any variant, because engines leave out
+  // the friction of joints that have none in the base.
   std::string WithFriction(const std::string& text) {
     const auto& [shape, at] = starts_.at("dof_frictionloss");
     std::vector<std::pair<std::string, double>> joints;

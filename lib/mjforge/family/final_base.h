@@ -1,5 +1,5 @@
-// The base MJCF of a finished family: all materials, and values that no variant's coincidences
-// contradict.
+// The base MJCF of a finished family, with all materials and without coincidence flags that are
+// wrong for a variant.
 
 #pragma once
 
@@ -14,12 +14,12 @@ namespace mjforge::family {
 
 struct FinalBase {
   std::string text;
-  /// Elements that are stored even if they are constant, by array, because the base has another
-  /// value: numbers of elements.
+  /// Indices of elements that are stored even if they are constant, because their numbers in the
+  /// base differ from those of the variants; by the name of the array.
   std::map<std::string, std::set<std::size_t>> moved;
 };
 
-/// Completes the base, and loads it in MuJoCo. Returns nothing after adding a finding.
+/// Completes the base of the header, and loads it in MuJoCo. Returns nullopt after a finding.
 std::optional<FinalBase> Complete(const Header& header, const bytes::Assets& assets,
                                   const Survey& survey, diag::Findings& findings);
 

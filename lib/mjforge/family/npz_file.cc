@@ -1,4 +1,4 @@
-// The file of a family: from rows of variants to columns of numbers.
+// Writer of a family's .npz file, which turns rows of variants into columns of numbers.
 
 #include <algorithm>
 #include <limits>
@@ -15,7 +15,7 @@ using output::ArrayType;
 
 class FamilyFile {
  public:
-  /// The files have the family of the header selected.
+  /// Takes files in which the family of `header` is selected (RowsFile::Select).
   FamilyFile(std::span<RowsFile> files, const Header& header, const Facts& facts,
              diag::Findings& findings)
       : files_(files),
@@ -63,7 +63,7 @@ class FamilyFile {
     }
   }
 
-  // Returns the object's name, which is that of the model.
+  // Returns the object's name, which is the name of the base's model.
   std::string_view NameOfModel() const {
     std::string_view name = header_.base;
     constexpr std::string_view kStart = "<mujoco model=\"";
@@ -140,7 +140,7 @@ class FamilyFile {
     }
   }
 
-  // Writes the numbers of elements of each variant, and beside them the names of the elements.
+  // Writes the numbers of the elements `stored` in all variants, then the names of these elements.
   void WriteElements(const ArrayShape& shape, std::size_t at,
                      const std::vector<std::size_t>& stored) {
     std::vector<std::uint64_t> dims = {survey_.count, stored.size()};
@@ -185,8 +185,8 @@ class FamilyFile {
     }
   }
 
-  // Writes the names of all materials in the order of the base, and their numbers. A variant
-  // without a material has the numbers of the first one with it.
+  // Writes the names of all materials in the order of the base, and those of their numbers that
+  // vary. A variant without a material gets the numbers of the first variant with that material.
   void WriteMaterials() {
     if (survey_.materials.empty()) return;
     std::vector<std::string> names;
@@ -246,7 +246,7 @@ class FamilyFile {
     }
   }
 
-  // Writes a value; a list is filled up with NaN, empty texts or false.
+  // Writes the value of a parameter; a short list is filled up with NaN, empty texts or false.
   void WriteValue(const sample::ParameterValue& value, const Survey::Parameter& parameter) {
     const std::size_t code_points = std::max<std::uint64_t>(parameter.code_points, 1);
     const auto write = [&](const auto& one) {
@@ -284,7 +284,7 @@ class FamilyFile {
   output::NpzWriter* npz_ = nullptr;
 };
 
-// Headers of all families of the files, in the order of their first chunks.
+// Returns the headers of all families in the files, in the order of their first chunks.
 std::vector<Header> HeadersOf(std::span<const RowsFile> files) {
   std::vector<Header> headers;
   for (const RowsFile& file : files) {

@@ -16,7 +16,7 @@ enum class Block : std::uint64_t {
   kChunk = 0x6b6e7568'63666a6d
 };
 
-// Begins each block: its kind, and the size of the rest.
+// Number of bytes at the start of each block: its kind, then the size of the rest.
 constexpr std::uint64_t kBlockStart = 2 * sizeof(std::uint64_t);
 
 std::string WithStart(Block block, std::string_view content) {
@@ -32,7 +32,7 @@ void PutList(BlobWriter& out, const List& list, const Put& put) {
   for (const auto& item : list) put(item);
 }
 
-// Returns a list whose items `get` reads.
+// Reads a list: its length, then each item with `get`.
 template <typename Get>
 auto GetList(BlobReader& in, const Get& get) {
   std::vector<decltype(get())> list(in.Count());
@@ -83,8 +83,8 @@ sample::ParameterValue GetValue(BlobReader& in) {
   }
 }
 
-// Describes why two variants cannot be in one family. Coincidences do not count: the base has none
-// that is not in all variants.
+// Describes why two variants cannot be in one family; returns an empty text if they can. Ignores
+// coincidences, because Complete() in final_base.h removes those that are not in all variants.
 std::string DifferenceOf(const structure::Structure& structure, const Shapes& shapes,
                          const structure::Structure& other, const Shapes& other_shapes) {
   for (const structure::Difference& difference : structure::DifferencesOf(other, structure)) {
@@ -220,7 +220,7 @@ RowsFile::RowsFile(const std::filesystem::path& file)
         return *std::move(opened);
       }()),
       size_(std::filesystem::file_size(file)) {
-  std::size_t family = 0;  // the family of the last header
+  std::size_t family = 0;  // index of the family of the last header
   for (std::uint64_t at = 0; at < size_;) {
     const std::string start = ReadAt(at, std::min(size_ - at, kBlockStart));
     BlobReader in(start);
@@ -321,7 +321,7 @@ void RowsFile::ForEach(const std::function<void(const RowView&)>& visit) {
 
 void RowsFile::ForEachPart(std::uint64_t first, std::uint64_t count,
                            const std::function<void(std::span<const double>)>& visit) {
-  // Rows with meshes are large, so that reading a part of each takes less time than reading all.
+  // Rows of more doubles than this (with meshes) are read in part, because that takes less time.
   constexpr std::uint64_t kLargeRow = 8192;
   std::vector<double> part(count);
   const auto show = [&](const char* from) {

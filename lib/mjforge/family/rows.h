@@ -1,9 +1,9 @@
-// The file of rows: the variants of a family while it is made.
+// The file of rows: variants of families, from which the .npz files of families are written.
 //
 // A file consists of blocks: headers (shapes of the arrays, names of the parameters, base MJCF),
 // assets, and chunks of variants, whose header is the last one before them. A chunk has the numbers
-// of all its variants, then its materials, and then materials and parameters of each variant.
-// Chunks of one structure are a family; its header is the first one.
+// of all its variants, then its materials, and then materials and parameters of each variant. All
+// chunks with the same structure are a family, whose header is the first one with this structure.
 
 #pragma once
 
@@ -24,14 +24,14 @@ struct Header {
   std::string base;
 };
 Header DecodeHeader(std::string_view bytes);
-/// Describes how one header differs from another: DifferenceOf().
+/// Describes why two headers cannot be of one family; returns an empty text if they can.
 std::string DifferenceOf(const Header& header, const Header& other);
 
-/// A variant as it is in the file.
+/// A variant in a file of rows.
 struct RowView {
   std::span<const double> values;
-  std::vector<const Material*> materials;  // names and elements; the numbers are not the variant's
-  std::vector<std::array<double, 10>> looks;  // numbers of these materials
+  std::vector<const Material*> materials;     // only names and elements are the variant's
+  std::vector<std::array<double, 10>> looks;  // numbers of these materials in the variant
   std::vector<sample::ParameterValue> parameters;
 };
 
@@ -42,7 +42,7 @@ class RowsFile {
 
   /// Headers of the families in the file, in the order of their first chunks.
   std::vector<Header> Headers() const;
-  /// Chooses the family of this header, which the file need not have, for the functions below.
+  /// Selects the family of this header for the functions below; a file without it has no variants.
   void Select(const Header& header);
 
   const Header& header() const { return families_[selected_].header; }
@@ -59,18 +59,18 @@ class RowsFile {
 
  private:
   struct Chunk {
-    std::uint64_t offset = 0;   // position of the numbers
+    std::uint64_t offset = 0;   // position of the numbers in the file, in bytes
     std::uint64_t count = 0;    // variants
-    std::uint64_t details = 0;  // size of what follows the numbers
+    std::uint64_t details = 0;  // number of bytes after the numbers
   };
   struct Family {
     Header header;
-    std::uint64_t row = 0;    // numbers of a variant
+    std::uint64_t row = 0;    // number of doubles of a variant
     std::uint64_t count = 0;  // variants
     std::vector<Chunk> chunks;
   };
   std::string ReadAt(std::uint64_t offset, std::uint64_t count);
-  /// Position of the family of a header; that behind the last one if there is none.
+  /// Returns the index of the family of a header; families_.size() if there is none.
   std::size_t Find(const Header& header) const;
   void AddChunk(std::uint64_t at, std::uint64_t size, std::size_t number);
   void AddAsset(std::uint64_t at, std::uint64_t size);

@@ -1,4 +1,4 @@
-// Reading all variants of a family once.
+// Survey of a family by reading all of its variants once.
 
 #include "mjforge/family/survey.h"
 
@@ -8,7 +8,7 @@
 namespace mjforge::family {
 namespace {
 
-// Returns the elements of a material without its numbers, which are arrays.
+// Returns the <texture> line of a material, without the <material> line.
 std::string TextureOf(const Material& material) {
   return material.elements.substr(0, material.elements.find("<material "));
 }

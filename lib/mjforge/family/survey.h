@@ -13,30 +13,30 @@
 
 namespace mjforge::family {
 
-/// Result of reading all variants once.
+/// Result of reading all variants of a family once.
 struct Survey {
   std::uint64_t count = 0;      // variants
   std::vector<double> first;    // numbers of the first variant
-  std::vector<bool> varies;     // for each of these numbers
-  std::vector<unsigned> flags;  // for each number of a kFlag array: a bit for each value
-  std::vector<double> largest;  // for each number
+  std::vector<bool> varies;     // true for each number that differs between variants
+  std::vector<unsigned> flags;  // for each number of a kFlag array: bit v is set if a variant has v
+  std::vector<double> largest;  // largest value of each number
 
-  /// All materials, in the order of their first variants, with the numbers that they have there.
+  /// All materials in the order of their first variants, with the numbers of these variants.
   std::vector<Material> materials;
-  std::vector<std::array<bool, 10>> look_varies;  // for each of their numbers
-  std::set<std::string> other_textures;  // materials whose elements differ in more than numbers
+  std::vector<std::array<bool, 10>> look_varies;  // numbers of a material that vary
+  std::set<std::string> other_textures;  // materials whose texture differs between variants
 
   struct Parameter {
     std::string name;
     std::size_t kind = 0;           // index of the type in sample::ParameterValue
-    std::uint64_t length = 0;       // longest list
-    std::uint64_t code_points = 0;  // longest text
+    std::uint64_t length = 0;       // length of the longest list
+    std::uint64_t code_points = 0;  // length of the longest text
     bool varies = false;
     sample::ParameterValue first;  // value of the first variant
   };
   std::vector<Parameter> parameters;
 
-  /// Position of a material in `materials`.
+  /// Returns the position in `materials` of the row's material `id`; -1 for no material.
   double MaterialId(const RowView& row, double id) const;
 };
 
