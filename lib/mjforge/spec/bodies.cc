@@ -13,7 +13,7 @@ namespace {
 
 using diag::Code;
 
-// Keys for the content of a body, which has only one of them.
+// Keys for the content of a body; a body has only one of these keys.
 constexpr std::array<std::string_view, 3> kContents = {"parts", "spec", "mjcf"};
 
 // Keys that have no meaning for the links of a chain.
@@ -31,7 +31,7 @@ class BodyEntryReader {
     if (const YamlNode* parts = map.Find("parts"))
       body.parts = ReadEntries(kPartElement, *parts, context_);
     if (const YamlNode* spec = map.Find("spec")) entries_.ReadNested(map, *spec, body.head);
-    // The body's own properties can be used by its fields, sites, views and joints.
+    // Declare the body's properties first: its fields, sites, views and joints may use them.
     DeclareProperties(body);
     body.head.fields = ReadFields(kBodyElement, map, context_);
     if (const YamlNode* sites = map.Find("sites"))
@@ -92,7 +92,7 @@ class BodyEntryReader {
     CheckNeeds("body", "mjcf", map, context_);
   }
 
-  // Declares NAME.top and the other properties, and NAME.PARAMETER for the parameters of a spec.
+  // Declares NAME.top and the other properties, and NAME.PARAMETER for the body's spec, if any.
   void DeclareProperties(BodyEntry& body) {
     const auto name = LiteralText(body.head.name);
     if (!name || !expr::IsName(*name)) return;
@@ -104,7 +104,7 @@ class BodyEntryReader {
     for (const Parameter& parameter : body.head.nested->parameters) {
       const bool hidden =
           std::ranges::find(BodyPropertyNames(), parameter.name) != BodyPropertyNames().end();
-      // A property hides a parameter of the same name. Lists are not visible outside their spec.
+      // A parameter has no slot if it is a list, or if a property has the same name.
       body.parameter_slots.push_back(
           hidden || parameter.value.is_list
               ? -1

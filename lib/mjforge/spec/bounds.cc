@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-// Returns bounds from two constants; nothing if one of them depends on the variant.
+// Returns bounds from two constants; nullopt if one of them depends on the variant.
 std::optional<Bounds> Between(const Value& low, const Value& high) {
   const auto from = ConstantOf(low);
   const auto to = ConstantOf(high);
@@ -20,7 +20,7 @@ std::optional<Bounds> Between(const Value& low, const Value& high) {
   return Bounds{*from, *to};
 }
 
-// Returns the bounds of all options of a choice.
+// Returns the bounds of all options of a choice; nullopt if an option has no bounds.
 std::optional<Bounds> Around(const std::vector<Value>& options) {
   std::optional<Bounds> all;
   for (const Value& option : options) {

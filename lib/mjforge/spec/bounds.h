@@ -14,10 +14,10 @@ struct Bounds {
   double high = 0;
 };
 
-/// Returns the bounds of a number; nothing for other types, and for numbers that depend on others.
+/// Returns the bounds of a number; nullopt for other types and numbers that depend on other values.
 std::optional<Bounds> BoundsOf(const Value& value);
 
-/// Returns the bounds of each component of a vector; none if one of them has no bounds.
+/// Returns the bounds of each component of a vector; an empty list if a component has no bounds.
 std::vector<Bounds> BoundsOfComponents(const Value& value);
 
 }  // namespace mjforge::spec

@@ -12,8 +12,8 @@ namespace {
 using diag::Code;
 using diag::SourceMark;
 
-// Returns the mapping with the settings in place of its own values. A setting to null removes a
-// value, so that the default applies.
+// Returns the mapping `checks:` in which settings replace the values of the spec. A setting to null
+// removes a value, so that the default applies.
 YamlNode WithSettings(const YamlNode* checks, std::span<const NamedNode> settings) {
   YamlNode map;
   if (checks != nullptr) map = *checks;
@@ -37,7 +37,7 @@ void RejectDraw(std::string_view key, SourceMark mark, const Value& value, Conte
                        "draw it as a parameter, and use that parameter's name here");
 }
 
-// Reads a reason, which must not be blank.
+// Reads the reason for a skipped or silenced check; reports a blank reason.
 std::string ReadReason(std::string_view key, const YamlNode& reason, std::string_view what,
                        Context& context) {
   if (reason.kind == YamlNode::Kind::kScalar && Trim(reason.text).empty()) {

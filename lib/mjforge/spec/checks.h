@@ -13,7 +13,7 @@
 
 namespace mjforge::spec {
 
-/// A joint's position in `at:`, as in MuJoCo's qpos.
+/// The position of a joint in `at:`, a value for MuJoCo's qpos.
 struct JointPosition {
   Value joint;  // text
   diag::SourceMark mark;
@@ -26,13 +26,13 @@ enum class ExpectationKind { kThat, kGap, kTouch, kApart, kInside };
 struct Expectation {
   Entry entry;  // if, for, let; min and max as fields
   ExpectationKind kind = ExpectationKind::kThat;
-  std::optional<expr::Expression> condition;  // kThat
-  std::vector<Value> names;                   // other kinds: two bodies or parts
+  std::optional<expr::Expression> condition;  // only for kThat
+  std::vector<Value> names;                   // for other kinds: names of two bodies or parts
   std::vector<JointPosition> at;
   std::string doc;
 };
 
-/// The section `checks:`, with the values of settings (`checks.KEY`) in place of its own.
+/// The section `checks:`, in which settings (`checks.KEY`) replace the values of the spec.
 struct Checks {
   std::vector<Field> fields;
   struct Silence {

@@ -9,7 +9,7 @@
 namespace mjforge::spec {
 namespace {
 
-// Returns false for a value that a variant determines, after which the JSON may be incomplete.
+// Writes a value that all variants share. Returns false for others, and may write part of them.
 bool WriteConstant(diag::Json& json, const Value& value) {
   if (const auto number = ConstantOf(value)) {
     json.Value(*number);

@@ -20,11 +20,11 @@ namespace mjforge::spec {
 class NestedLoader {
  public:
   virtual ~NestedLoader() = default;
-  /// Loads the spec that is named at `mark`. Returns null, and adds a finding, if loading fails.
+  /// Loads the spec named at `mark`; returns null, after adding a finding, if loading fails.
   virtual std::shared_ptr<const ObjectSpec> LoadNested(const std::string& reference,
                                                        diag::SourceMark mark) = 0;
   /// Reads another file of the spec, relative to the spec's folder, and returns its number among
-  /// the sources. Returns nothing, and adds a finding, if reading fails.
+  /// the sources. Returns nullopt, and adds a finding, if reading fails.
   virtual std::optional<std::uint32_t> OpenFile(const std::string& name, diag::SourceMark mark) = 0;
 };
 
@@ -35,17 +35,17 @@ struct Context {
   ObjectSpec& spec;
   NestedLoader& loader;
   ValueReader values;
-  std::vector<std::pair<std::string, diag::SourceMark>> locals = {};  // names of all `let:`
+  std::vector<std::pair<std::string, diag::SourceMark>> locals = {};  // names in all `let:`
 };
 
 /// Reports keys that the element does not have, with suggestions.
 void CheckKeys(const ElementInfo& element, const YamlNode& map, Context& context);
 
-/// Reports a key that has a meaning only beside another one of the mapping.
+/// Reports `key` if the mapping has this key without the key `other`, which it needs.
 void CheckNeeds(std::string_view key, std::string_view other, const YamlNode& map,
                 Context& context);
 
-/// Reports each of `keys` that the mapping has together with `key`, for this reason.
+/// Reports each of `keys` that the mapping has, because `key` excludes them for this reason.
 void RejectBeside(std::string_view key, std::span<const std::string_view> keys, const YamlNode& map,
                   std::string_view reason, Context& context);
 
@@ -61,8 +61,8 @@ bool IsList(const YamlNode& node, std::string_view what, Context& context);
 /// orientations, density and mass).
 std::vector<Field> ReadFields(const ElementInfo& element, const YamlNode& map, Context& context);
 
-/// Reads the mapping under `element.name` of an entry into a child of `entry`, and returns it; null
-/// if there is none, or it is no mapping.
+/// Reads the mapping under the key `element.name` of `map` into a child of `entry`, and returns the
+/// child; null if there is no such mapping.
 Entry* ReadChild(const ElementInfo& element, const YamlNode& map, Entry& entry, Context& context);
 
 /// Returns true if an element may have only one of the two fields: mass and density, pos and
@@ -72,7 +72,7 @@ bool ExcludeEachOther(const FieldInfo& a, const FieldInfo& b);
 /// Returns the field with this key; null if there is none.
 const Field* FindField(std::span<const Field> fields, Key id);
 
-/// Adds a finding unless expr::IsName(name).
+/// Adds a finding unless expr::IsName(name); `what` has the name ("a parameter").
 void CheckName(std::string_view what, std::string_view name, diag::SourceMark mark,
                diag::Findings& findings);
 
@@ -83,7 +83,7 @@ bool CheckNotReserved(std::string_view what, std::string_view name, diag::Source
 
 /// Reads `functions:` and defines the functions for all expressions that are read later.
 void ReadFunctions(const YamlNode& functions, Context& context);
-/// Checks the bodies of the functions. The parameters must be declared.
+/// Checks the bodies of the functions. Call this after the parameters are declared.
 void CheckFunctions(Context& context);
 /// Returns `names` and, for each function among them, the names in the function's body.
 std::vector<std::string> WithNamesInFunctions(std::vector<std::string> names,
@@ -115,7 +115,7 @@ void ReadJoints(const YamlNode& joints, Context& context);
 void ReadCouplings(const YamlNode& joint, Entry& entry, Context& context);
 /// Reports keys of a joint that exclude `detent:`, and a missing range.
 void CheckDetent(const YamlNode& joint, const Entry& entry, Context& context);
-/// Returns true for `joints: free` and false for `joints: none`. Returns nothing, and adds a
+/// Returns true for `joints: free` and false for `joints: none`. Returns nullopt, and adds a
 /// finding, for other words.
 std::optional<bool> IsFreeWord(const YamlNode& joints, Context& context);
 /// Reads positions of joints: `at:` of an entry of `expect:` or `checks:`.
@@ -128,17 +128,18 @@ void ReadView(const YamlNode& view, Context& context);
 void ReadExpectations(const YamlNode& list, Context& context);
 
 /// Reads `bodies:` in order, because each body may use properties of earlier bodies; then the
-/// joints of the root and of the bodies, which may use properties of all bodies. Each may be null.
+/// joints of the root and of the bodies, which may use properties of all bodies. `bodies`
+/// and `joints` may be null.
 void ReadBodiesAndJoints(const YamlNode* bodies, const YamlNode* joints, Context& context);
-/// Declares PREFIXtop and the other properties of a body, and returns the slot of the first one.
+/// Declares the variables PREFIXtop, ... of a body's properties; returns the slot of the first.
 int DeclareMeasures(const std::string& prefix, expr::SymbolTable& names);
-/// Declares the properties that are known when all bodies are there: NAME.subtree_top and the
-/// others of bodies, NAME.pos of sites, and torque(NAME) of the joints in these lists.
+/// Declares the properties that are known only after all bodies are read: NAME.subtree_top and the
+/// other properties of subtrees, NAME.pos of sites, and torque(NAME) of the joints in these lists.
 void DeclareWholeProperties(std::span<const YamlNode* const> joint_lists, Context& context);
-/// Sets the slot of torque(NAME) of a joint. Reports torque() in a key from which it is computed.
+/// Sets the slot of torque(NAME) of a joint. Reports torque() in keys that determine the torque.
 void ReadTorqueUse(const YamlNode& joint, Entry& entry, Context& context);
 
-/// Reads `place:` of a body's entry; nothing if it has none.
+/// Reads `place:` of a body's entry; returns nullopt if the body has none.
 std::optional<PlaceEntry> ReadPlace(const YamlNode& body, Context& context);
 
 /// Read `contact:` and `mjcf:` into the sections of the spec.
@@ -151,7 +152,7 @@ inline constexpr std::string_view kRootJoints = "root.joints";
 inline constexpr std::string_view kRootStart = "root.start";
 /// Prefix of the settings that replace values of `checks:`.
 inline constexpr std::string_view kChecksPrefix = "checks.";
-/// Reads `checks:`, with settings in place of its own values. `checks` may be null.
+/// Reads `checks:`, in which settings replace values. `checks` may be null.
 void ReadChecks(const YamlNode* checks, std::span<const NamedNode> settings, Context& context);
 
 /// Clears the slots of properties of bodies, joints and sites that no expression uses, so that they

@@ -1,4 +1,4 @@
-// Texts of new specs: copies of others, whose references lead to the same files, and the starter.
+// Texts of new specs: copies of specs, with references to the same files, and the starter.
 
 #include <algorithm>
 #include <array>
@@ -31,7 +31,7 @@ bool Has(std::span<const std::string_view> keys, std::string_view key) {
   return std::ranges::find(keys, key) != keys.end();
 }
 
-// Collects the changes of a text, and makes them.
+// Collects the changes of file references in the text of a spec, and applies them.
 class TextCopier {
  public:
   TextCopier(const diag::Sources& sources, std::uint32_t source, fs::path from, fs::path to,
@@ -85,7 +85,7 @@ class TextCopier {
     return !name.empty() && fs::is_regular_file(file, error) ? std::optional(file) : std::nullopt;
   }
 
-  // Returns the name of a file in the search path, or the path from the new folder.
+  // Returns the file's name in the search path if it has one, else its path from the new folder.
   std::string ReferenceTo(const fs::path& file) const {
     for (const fs::path& shelf : search_path_) {
       fs::path name = file.lexically_relative(Canonical(shelf));
@@ -97,7 +97,7 @@ class TextCopier {
     return file.lexically_relative(to_).generic_string();
   }
 
-  // Replaces a scalar in quotation marks or a plain one; others stay.
+  // Replaces a quoted or plain scalar; scalars of other styles stay.
   void Replace(const YamlNode& scalar, const std::string& text) {
     std::size_t at = lines_[scalar.mark.line - 1] + scalar.mark.column - 1;
     while (at < text_.size() && (text_[at] == '&' || text_[at] == '!'))  // anchor or tag
@@ -124,7 +124,7 @@ class TextCopier {
     return 0;
   }
 
-  // Returns a scalar of YAML with this text.
+  // Returns the text as a YAML scalar, with quotes if necessary.
   static std::string Written(const std::string& text) {
     const auto is_plain = [](unsigned char c) {
       return std::isalnum(c) != 0 || c == '_' || c == '.' || c == '/' || c == '-';
@@ -139,8 +139,8 @@ class TextCopier {
   fs::path from_;
   fs::path to_;
   const std::vector<fs::path>& search_path_;
-  std::vector<std::size_t> lines_;  // beginnings
-  /// Lengths of old texts, and new texts, by their places, the last first.
+  std::vector<std::size_t> lines_;  // offset of each line
+  /// Changes by offset, from the last to the first: length of the old text, and new text.
   std::map<std::size_t, std::pair<std::size_t, std::string>, std::greater<>> changes_;
 };
 

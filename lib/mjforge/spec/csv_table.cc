@@ -32,7 +32,7 @@ class CsvParser {
   CsvParser(std::string_view text, SourceMark start)
       : text_(text), here_(start), cell_mark_(start) {}
 
-  // Returns false if the cell at cell_mark() is not valid.
+  // Parses the text. Returns false if the cell at cell_mark() is not valid.
   bool Run() {
     for (Skip(" \t\r\n"); at_ < text_.size(); Skip(" \t\r\n")) {
       rows_.emplace_back();
@@ -65,7 +65,7 @@ class CsvParser {
     do {
       const std::size_t quote = text_.find('"', at_ + 1);
       if (quote == text_.npos) return std::nullopt;
-      cell += Take(quote - at_);  // with the quote before it, which is the second one of a pair
+      cell += Take(quote - at_);  // begins with the opening quote or the second one of a pair
       Take(1);
     } while (Peek() == '"');
     Skip(" \t");
@@ -75,7 +75,7 @@ class CsvParser {
 
   void Skip(std::string_view blanks) { Take(text_.find_first_not_of(blanks, at_) - at_); }
 
-  // Takes the next `count` bytes, or all that are left.
+  // Takes the next `count` bytes of the text, or all bytes left if there are fewer.
   std::string_view Take(std::size_t count) {
     const std::string_view taken = text_.substr(at_, count);
     for (const char c : taken) {

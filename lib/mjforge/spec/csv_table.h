@@ -14,7 +14,7 @@ namespace mjforge::spec {
 
 struct TableColumn {
   std::string name;
-  diag::SourceMark mark;  // in the header
+  diag::SourceMark mark;  // place in the header
   bool is_text = false;
   std::string unit;             // SI unit of the column's dimension: m for mm
   std::vector<YamlNode> cells;  // numbers with the header's unit, or texts
@@ -22,7 +22,7 @@ struct TableColumn {
 
 /// Parses the text of a source as CSV with a header line (RFC 4180). A column name may be followed
 /// by a unit, `height [mm]`, or by `[text]`; without either, a column is numeric if all its cells
-/// are numbers. Returns nothing, and adds findings, if the text is not such a table.
+/// are numbers. Returns nullopt, and adds findings, if the text is not such a table.
 std::optional<std::vector<TableColumn>> ReadTable(std::uint32_t file, const diag::Sources& sources,
                                                   diag::Findings& findings);
 

@@ -9,7 +9,7 @@ namespace {
 
 using diag::Code;
 
-// Keys for another spring, or for a joint with a range of its own.
+// Keys that exclude `detent:`: they give another spring, or determine the range (`screw`).
 constexpr std::string_view kNotBeside[] = {"stiffness", "springdamper", "screw"};
 
 }  // namespace

@@ -26,7 +26,7 @@ enum class Distribution {
 struct DistributionInfo {
   std::string_view key;
   Distribution id;
-  int arguments;                 // count of its numbers; -1: any count of values of any kind
+  int arguments;                 // count of numbers that it takes; -1: any count of any values
   std::string_view usage;        // "{triangular: [lo, mode, hi]}"
   std::string_view option = {};  // extra key: "clip", "range" or "weights"
   std::string_view doc = {};

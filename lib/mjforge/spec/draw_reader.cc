@@ -84,7 +84,7 @@ bool ValueReader::IsVectorForm(std::string_view key, const ExpectedForm& expecte
   return ((key == kAbout || key == kHsv) && allows(4)) || (key == kOnSphere && allows(3));
 }
 
-// Reports a colour or a quaternion in a field for other numbers. A parameter takes both.
+// Reports a drawn colour or quaternion in a field of other numbers; a parameter takes both.
 void ValueReader::CheckMeaning(bool is_color, const ExpectedForm& expected, const YamlNode& node) {
   const std::string_view key = expected.key;
   if (key.empty() || (is_color ? key == "rgba" : key.ends_with("quat"))) return;
@@ -108,7 +108,7 @@ Value ValueReader::ReadVectorForm(std::string_view key, const ExpectedForm& expe
                     expected.max_count == 1 ? "is" : "are"));
     return value;
   }
-  draws_.random |= key != kHsv;  // a colour's items may be drawn
+  draws_.random |= key != kHsv;  // a colour is random only if its items are drawn
   if (key != kOnSphere) CheckMeaning(key == kHsv, expected, node);
   if (key == kAbout) {
     value.form = RotationAbout{std::make_shared<const Value>(
@@ -126,7 +126,7 @@ Value ValueReader::ReadVectorForm(std::string_view key, const ExpectedForm& expe
   return value;
 }
 
-// `lost` is true if no key of the mapping names a draw.
+// Reports a key that a draw does not have. `lost` is true if no key of the mapping names a draw.
 void ValueReader::ReportUnknownKey(const YamlNode::Pair& pair,
                                    const std::vector<std::string_view>& known, bool lost) {
   if (pair.key == "for" || pair.key == "if") {
@@ -277,7 +277,7 @@ void ValueReader::ReadOptions(const ExpectedForm& expected, const YamlNode& list
     return item.kind == YamlNode::Kind::kList &&
            (item.items.size() > 4 || ItemType(item) != Type::kNumber);
   };
-  // If one option is a list, the short ones are lists, too, not vectors.
+  // If one option is a list, read short options as lists, too, not as vectors.
   Value kind;
   kind.is_list = expected.kind == FieldKind::kAnything && std::ranges::any_of(list.items, is_list);
   for (const YamlNode& item : list.items)

@@ -34,7 +34,7 @@ bool Has(const ExclusiveKeys& group, Key key) {
   return std::ranges::find(group.keys, key) != group.keys.end();
 }
 
-// Returns "a ", "an ", or nothing for plural names.
+// Returns "a ", "an ", or an empty text for plural names.
 std::string_view Article(std::string_view name) {
   if (name == "checks" || name == "defaults" || name == "holds") return "";
   return std::string_view("aeiou").find(name[0]) != std::string_view::npos ? "an " : "a ";

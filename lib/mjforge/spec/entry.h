@@ -42,7 +42,7 @@ struct Entry {
   std::optional<expr::Expression> condition;
   bool condition_uses_locals = false;
   std::vector<Loop> loops;    // outermost first
-  std::vector<Local> locals;  // in order
+  std::vector<Local> locals;  // in the order of the file
   Value name;                 // text; empty for a frame without a name
   // Keys with a value, without `name`: the entry's own, then the defaults for missing keys.
   std::vector<Field> fields;
@@ -50,7 +50,8 @@ struct Entry {
   bool is_frame = false;
   // Parts of a frame; `screw` and `couple` of a joint; inner elements of a section's element.
   std::vector<Entry> children;
-  // Slot of torque(NAME) of a joint, or of NAME.pos.x of a site; -1 if no expression uses it.
+  // Slot (index of the variable) of torque(NAME) of a joint, or of NAME.pos.x of a site; -1 if no
+  // expression uses the variable.
   int slot = -1;
   // Only for `spec:` of a part or a body: the other spec, and the parameters set for it.
   std::shared_ptr<const ObjectSpec> nested;
@@ -70,7 +71,7 @@ std::span<const std::string_view> BodyPropertyNames();
 /// Prefix of the properties of a body together with all bodies below it: NAME.subtree_mass.
 inline constexpr std::string_view kSubtreePrefix = "subtree_";
 
-/// `place:` of a body: where it stands.
+/// `place:` of a body, which determines the body's pose and parent.
 struct PlaceEntry {
   diag::SourceMark mark;
   std::vector<Field> fields;
@@ -89,9 +90,9 @@ struct BodyEntry {
   std::vector<Entry> regions;
   std::vector<Entry> views;  // cameras and lights
   std::vector<Entry> joints;
-  bool has_joints = false;          // `joints:` is there, if only as `none`
+  bool has_joints = false;          // the body has `joints:`, possibly `none`
   bool is_free = false;             // `joints: free`
-  std::optional<PlaceEntry> place;  // in place of pose and parent
+  std::optional<PlaceEntry> place;  // replaces pose and parent
   /// Slot of NAME.top; the other properties follow. -1 if no expression uses a property.
   int first_property = -1;
   /// Slot of NAME.subtree_top; the other properties follow. -1 if no expression uses one.

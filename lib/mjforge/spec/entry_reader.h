@@ -19,8 +19,8 @@ class EntryReader {
 
   enum class Naming { kOptional, kRequired };
   /// Reads the loops, the name, the local values and the condition of an entry, in this order. Loop
-  /// variables and local values stay declared until End(). `named` is the mapping with the name,
-  /// which has the key `key`.
+  /// variables and local values stay declared until End(). `named` is the mapping that contains the
+  /// name, under the key `key`.
   Entry Begin(const ElementInfo& element, const YamlNode& map, const YamlNode& named,
               Naming naming = Naming::kOptional, std::string_view key = "name");
   void End(const Entry& entry);

@@ -14,7 +14,7 @@ struct FieldKindInfo {
   FieldKind kind;
   std::string_view takes;              // "list of parts"
   std::string_view schema = {};        // members of its JSON Schema, with markers (schema.cc)
-  std::string_view drawn = "a value";  // the result of a draw that fits
+  std::string_view drawn = "a value";  // description of a draw's result that fits
 };
 
 const FieldKindInfo& InfoOf(FieldKind kind);

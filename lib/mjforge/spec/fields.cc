@@ -1,4 +1,4 @@
-// The table of the language, element by element.
+// The table of the spec language, element by element.
 
 #include "mjforge/spec/fields.h"
 

@@ -1,4 +1,4 @@
-// The table of the language: every key of every element, with kind, unit, bounds and meaning.
+// The table of the spec language: every key of every element, with kind, unit, bounds and meaning.
 
 #pragma once
 
@@ -22,10 +22,10 @@ enum class FieldKind {
   kNumbers,    // a list of min_count to max_count numbers; a single number needs no brackets
   kPoints,     // a list of points, each a list of min_count to max_count numbers
   kOutlines,   // a list of lists of points
-  kPosition,   // a position of a joint: a number, or the four of a quaternion
+  kPosition,   // a position of a joint: a number, or the 4 numbers of a quaternion
   kPlainText,  // text without ${...}
-  kFormat,     // the number 1
-  // Structure.
+  kFormat,     // the number 1, the version of the format
+  // Kinds of structure, which cannot be drawn or computed.
   kParameters,
   kFunctions,
   kConditions,
@@ -88,8 +88,8 @@ struct FieldInfo {
   FieldKind kind = FieldKind::kNumber;
   int min_count = 1;
   int max_count = 1;
-  /// "m"; "rad or m": for a hinge or a slide; "s, 1": for the first and the second number; "any
-  /// one": for the three numbers of a direction, which may have any common unit; empty: plain
+  /// Unit: "m"; "rad or m" for a hinge or a slide; "s, 1" for the first and the second number; "any
+  /// one" for the three numbers of a direction, which may have any common unit; empty for plain
   /// numbers.
   std::string_view unit = {};
   bool any_unit = false;                                    // units are not checked
@@ -117,7 +117,7 @@ struct ElementInfo {
 };
 
 extern const ElementInfo kObjectElement;
-extern const ElementInfo kParameterElement;  // extra keys of the long form
+extern const ElementInfo kParameterElement;  // keys of a parameter that is a mapping
 extern const ElementInfo kMaterialElement;
 extern const ElementInfo kTextureElement;
 extern const ElementInfo kPartElement;

@@ -18,7 +18,7 @@ using expr::Formula;
 constexpr std::size_t kMaxArguments = 16;
 constexpr int kMaxChain = 64;
 
-// Splits "bulge(z)" into name and arguments. Returns nothing for text of another form.
+// Splits "bulge(z)" into name and arguments. Returns nullopt for text of another form.
 std::optional<Formula> ReadHead(std::string_view text) {
   const std::size_t open = text.find('(');
   if (open == text.npos || !text.ends_with(')')) return std::nullopt;
@@ -68,14 +68,14 @@ Dependencies UsesOf(const std::vector<const Formula*>& all) {
   return uses;
 }
 
-// Returns the place of a function's name.
+// Returns the place of a function's name in the spec.
 diag::SourceMark MarkOf(const Formula& formula, const Context& context) {
   const auto& all = context.spec.functions;
   return std::ranges::find(all, formula.name, [](const auto& one) { return one.first; })->second;
 }
 
 // Reports functions that call each other in a circle or in a chain that is too long, and replaces
-// their bodies by a constant, so that expansion ends.
+// their bodies by a constant, so that their expansion ends.
 void BreakCircles(Context& context) {
   expr::SymbolTable& names = context.spec.names;
   std::vector<const Formula*> all;

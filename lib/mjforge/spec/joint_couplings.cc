@@ -11,7 +11,7 @@ namespace {
 
 using diag::Code;
 
-// Keys of a joint that `screw:` decides.
+// Keys that exclude `screw:`, because `screw:` determines them.
 constexpr std::string_view kOfScrew[] = {"type", "axis",  "range", "limited",
                                          "ref",  "start", "couple"};
 

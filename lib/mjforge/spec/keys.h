@@ -1,14 +1,14 @@
-// The keys of the language that the code refers to.
+// Keys of the spec language that the code interprets.
 
 #pragma once
 
 namespace mjforge::spec {
 
-/// Keys that the code asks for. kAttribute is any other key; values of such keys are written to the
-/// MJCF element unchanged.
+/// Keys that the code interprets. kAttribute stands for any other key, whose value is written to
+/// the MJCF element unchanged.
 enum class Key {
   kAttribute,
-  // Object.
+  // Keys of objects.
   kName,
   kParams,
   kMaterials,
@@ -17,14 +17,14 @@ enum class Key {
   kPlacement,
   kStart,
   kTotalSize,
-  // Parameters.
+  // Keys of parameters.
   kDoc,
   kUnit,
   kSection,
-  // List entries.
+  // Keys of list entries.
   kIf,
   kFor,
-  // Poses.
+  // Keys of poses.
   kPos,
   kQuat,
   kEuler,
@@ -33,7 +33,7 @@ enum class Key {
   kZAxis,
   kFromTo,
   kUp,
-  // Parts.
+  // Keys of parts.
   kType,
   kSize,
   kDensity,
@@ -65,7 +65,7 @@ enum class Key {
   kFrame,
   kRgba,
   kGroup,
-  // Joints.
+  // Keys of joints.
   kAxis,
   kRange,
   kLimited,
@@ -76,22 +76,22 @@ enum class Key {
   kPolycoef,
   kLinks,
   kLength,
-  // Start states.
+  // Keys of start states: `pose:`.
   kValue,
   kVelocity,
   kCtrl,
   kAct,
-  // Regions.
+  // Keys of regions.
   kArea,
   kMargin,
   kClear,
   kWalls,
-  // Bodies.
+  // Keys of bodies.
   kParent,
   kBody,
   kFewer,
   kFront,
-  // Places.
+  // Keys of places: `place:`.
   kAt,
   kUv,
   kBy,
@@ -103,9 +103,9 @@ enum class Key {
   kPile,
   kOrder,
   kTime,
-  // Materials and textures.
+  // Keys of materials and textures.
   kBuiltin,
-  // Expectations.
+  // Keys of expectations: `expect:`.
   kThat,
   kGap,
   kTouch,
@@ -113,7 +113,7 @@ enum class Key {
   kInside,
   kMin,
   kMax,
-  // Defaults.
+  // Keys of `defaults:`.
   kPart,
   kSite,
   kJoint,

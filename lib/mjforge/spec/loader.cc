@@ -25,14 +25,14 @@ struct LoadState {
   SpecFiles files;
   std::span<const NamedNode> settings;
   std::map<fs::path, std::shared_ptr<const ObjectSpec>> nested = {};
-  std::map<fs::path, std::shared_ptr<const ObjectSpec>> imported = {};  // with parameters only
+  std::map<fs::path, std::shared_ptr<const ObjectSpec>> imported = {};  // files with parameters
 };
 
 class SpecLoader : public NestedLoader {
  public:
   explicit SpecLoader(LoadState& state) : state_(state) {}
 
-  // Returns null if the file is not a mapping. After other errors, the result must not be used.
+  // Loads a spec; returns null if the file is not a mapping. Other errors make the result unusable.
   std::unique_ptr<ObjectSpec> Load(std::uint32_t source, const fs::path& file,
                                    const fs::path& folder, std::span<const NamedNode> settings) {
     const auto root = state_.files.Parse(file, source);
@@ -125,7 +125,7 @@ class SpecLoader : public NestedLoader {
     if (joints != root.Find("joints")) ForgetJoints(root.Find("joints"), spec);
   }
 
-  // Removes the positions of the root's own joints, which a setting replaces by other joints.
+  // Removes `pose:` and `at:` of the root's own joints, which a setting replaces by other joints.
   static void ForgetJoints(const YamlNode* joints, ObjectSpec& spec) {
     if (joints == nullptr) return;
     for (const YamlNode& joint : joints->items) {
@@ -197,7 +197,7 @@ class SpecLoader : public NestedLoader {
     }
   }
 
-  // A file that a spec imports, parsed.
+  // A parsed file that a spec imports.
   struct ImportedFile {
     fs::path file;
     YamlNode root;
@@ -240,7 +240,7 @@ class SpecLoader : public NestedLoader {
     const auto& [file, root] = from;
     std::shared_ptr<const ObjectSpec>& known = state_.imported[file];
     if (known != nullptr) return known;
-    const fs::path folder = std::exchange(folder_, file.parent_path());  // for its tables
+    const fs::path folder = std::exchange(folder_, file.parent_path());  // base of table paths
     auto spec = std::make_shared<ObjectSpec>();
     spec->name = file.stem().string();
     DeclareIndex(spec->names);

@@ -11,16 +11,16 @@
 
 namespace mjforge::spec {
 
-/// Returns the file that `reference` names, with or without `.yaml` or `.yml`: in `folder`, then in
-/// each folder of the search path, and then, for a bare name, anywhere below the search path: the
-/// first by folder and name, those in `robosuite/` and `scenes/` last. Returns nothing if there is
-/// no such file.
+/// Returns the file that `reference` names, with or without `.yaml` or `.yml`. Searches `folder`,
+/// then each folder of the search path, and then, for a name without a folder, all files below the
+/// search path, sorted, but those in `robosuite/` and `scenes/` last. Returns nullopt if no file is
+/// found.
 std::optional<std::filesystem::path> Locate(const std::string& reference,
                                             const std::filesystem::path& folder,
                                             std::span<const std::filesystem::path> search_path);
 
-/// Returns the paths at which a file that Locate did not find could appear, except below folders of
-/// the search path.
+/// Returns the paths in `folder` and in the folders of the search path at which a file that
+/// Locate() did not find may appear later.
 std::vector<std::string> Candidates(const std::string& reference,
                                     const std::filesystem::path& folder,
                                     std::span<const std::filesystem::path> search_path);

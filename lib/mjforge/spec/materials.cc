@@ -68,7 +68,7 @@ void ReadMaterials(const YamlNode& materials, const std::filesystem::path& folde
   for (const auto& pair : materials.pairs) {
     const bool known = std::ranges::find(context.spec.materials, pair.key, &Material::name) !=
                        context.spec.materials.end();
-    // The spec's own material, or the one imported first, wins.
+    // Skip an imported material if the spec or an earlier import has a material of this name.
     if (!(imported && known)) ReadMaterial(pair, folder, context);
   }
 }

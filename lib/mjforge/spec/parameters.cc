@@ -32,7 +32,7 @@ void CheckParameterName(const YamlNode::Pair& pair, Context& context) {
   }
 }
 
-// Returns the value without `doc`, `unit` and `section`, as the user wrote it.
+// Returns a parameter's value as the user wrote it, without `doc`, `unit` and `section`.
 std::string SourceText(const YamlNode& node) {
   if (node.kind == YamlNode::Kind::kScalar) return node.text;
   if (!IsLongForm(node)) return FlowText(node);
@@ -181,7 +181,7 @@ void ReadOne(Parameter& parameter, const ParameterNode& declared, const Paramete
 }
 
 // Returns false, and adds a finding, if a text is set that is not an option of the parameter's
-// choice, because parts whose condition compares it would silently be left out.
+// choice, because parts with a condition on the text would silently be left out.
 bool CheckPinnedChoice(const YamlNode& own, const YamlNode& pinned, Context& context) {
   const YamlNode* value = own.kind == YamlNode::Kind::kMap ? own.Find("value") : nullptr;
   const YamlNode& bare = value != nullptr ? *value : own;

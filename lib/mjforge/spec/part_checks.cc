@@ -33,7 +33,7 @@ void CheckSizes(const Entry& part, const ShapeInfo& shape, Context& context) {
     }
     return;
   }
-  // The options of a choice may differ in length, so the model checks the drawn one.
+  // Skip draws: options may differ in length, so the model checks the length of the drawn one.
   const bool exact = !std::holds_alternative<Draw>(size->value.form) || size->value.components == 1;
   const int wanted = fromto != nullptr ? shape.sizes_fromto : shape.sizes;
   if (exact && size->value.components != 0 && size->value.components != wanted) {

@@ -1,4 +1,4 @@
-// Reader of `place:`, the place of a body on, in or beside others.
+// Reader of `place:`, the place of a body on, in or beside other bodies.
 
 #include <algorithm>
 
@@ -11,7 +11,7 @@ namespace {
 
 using diag::Code;
 
-// Keys of a body that also decide where it is.
+// Keys of a body that exclude `place:`, because they also determine the body's pose.
 constexpr std::string_view kOtherPlaces[] = {"parent",    "pos",    "quat", "euler",
                                              "axisangle", "xyaxes", "zaxis"};
 // Keys that have no meaning beside `by`, because the two sites already decide the whole pose.
@@ -21,7 +21,7 @@ constexpr std::string_view kNotWithSites[] = {"uv", "beside", "facing", "lying",
 constexpr std::string_view kNotInPiles[] = {"uv",     "by",    "beside", "yaw",
                                             "facing", "lying", "clear",  "overhang"};
 
-// Reads the name of a body, the two numbers of a point, or the three of a direction.
+// Reads `facing`: the name of a body, the 2 numbers of a point, or the 3 numbers of a direction.
 void ReadFacing(const YamlNode::Pair& pair, std::vector<Field>& fields, Context& context) {
   const bool is_name = pair.value.kind == YamlNode::Kind::kScalar;
   Value value =

@@ -84,7 +84,7 @@ class RecordParameterReader {
     }
     declared.front().record = parameter_.key;
     declared.front().node = KeyNode(node, options, columns);
-    // Tables are too long to show.
+    // Show a table as written in the spec (`{rows: ...}`), because all keys would be too long.
     declared.front().source = is_table ? "" : FlowText(declared.front().node);
     return declared;
   }
@@ -137,8 +137,8 @@ class RecordParameterReader {
     }
   }
 
-  // Returns the rows by the values of this column, which must be different constants or texts.
-  // Returns null for other columns.
+  // Returns the rows by their values in this column, if these are constants or texts and all
+  // different; otherwise null.
   std::shared_ptr<const RecordRows> KeyOf(const TableColumn& column) const {
     auto rows = std::make_shared<RecordRows>();
     for (const YamlNode& cell : column.cells) {
@@ -164,7 +164,7 @@ class RecordParameterReader {
     return rows;
   }
 
-  // Returns the draw of the record with the values of the key in place of the mappings.
+  // Returns the record's draw for its key: the first column's values replace the options.
   YamlNode KeyNode(const YamlNode& node, const YamlNode::Pair& options,
                    std::vector<TableColumn>& columns) {
     YamlNode key = node;

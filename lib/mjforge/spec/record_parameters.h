@@ -11,12 +11,12 @@
 
 namespace mjforge::spec {
 
-/// The YAML source of a parameter. A record has one for each of its columns.
+/// The YAML source of a parameter. A record parameter has a ParameterNode for each column.
 struct ParameterNode {
   std::string name;  // "leg", "style.leg"
   diag::SourceMark mark;
   YamlNode node;
-  std::string source;       // Parameter::source; empty: as the user wrote it
+  std::string source;       // Parameter::source; empty: as written in the spec
   std::string record = {};  // name of the record ("style"), only for its key, the first column
   std::string unit = {};
   FieldKind kind = FieldKind::kAnything;        // kind of the options
@@ -26,7 +26,7 @@ struct ParameterNode {
 };
 
 /// Returns the columns of a record, the key first: `style: {choice: [{name: modern, leg: 3cm},
-/// ...]}`, `cup: {rows: cups.csv}`. Returns nothing if the parameter is not a record, and an empty
+/// ...]}`, `cup: {rows: cups.csv}`. Returns nullopt if the parameter is not a record, and an empty
 /// list after a finding.
 std::optional<std::vector<ParameterNode>> ReadRecord(const YamlNode::Pair& parameter,
                                                      Context& context);

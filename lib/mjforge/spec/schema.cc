@@ -72,7 +72,7 @@ const ElementInfo* FindElement(std::string_view name) {
   return *std::ranges::find(AllElements(), name, &ElementInfo::name);
 }
 
-// --- Fields -----------------------------------------------------------------
+// --- Schemas of fields ------------------------------------------------------
 
 bool IsBounded(const FieldInfo& field) {
   return std::isfinite(field.lower) || std::isfinite(field.upper);
@@ -125,7 +125,7 @@ std::string PlainText(const FieldInfo& field) {
   return R"("anyOf": [{"type": "string"}, {"type": "number"}])";
 }
 
-// Returns the fields of the element that a key of `defaults:` names. None of them is required.
+// Returns the schema for a key of `defaults:`: all fields of the element, none of them required.
 std::string DefaultFields(const FieldInfo& defaults) {
   const ElementInfo& element = *FindElement(defaults.key);
   return Mapping(Each(element.fields, [&](const FieldInfo& field) {
@@ -183,7 +183,7 @@ std::string Property(const FieldInfo& field) {
   return Member(field.key, fmt::format(R"("description": {}, {})", Quoted(text), Taken(field)));
 }
 
-// --- Draws ------------------------------------------------------------------
+// --- Schemas of draws -------------------------------------------------------
 
 std::string DrawArguments(const DistributionInfo& info) {
   if (info.arguments < 0) return R"("type": "array", "minItems": 1)";
@@ -195,7 +195,7 @@ std::string DrawArguments(const DistributionInfo& info) {
 std::string DrawForm(const DistributionInfo& info, const JsonMembers& more_properties) {
   JsonMembers properties = {Member(info.key, DrawArguments(info))};
   if (info.option == "weights") {
-    // A text is the column of a record that contains the weights.
+    // Allow a text, too: the name of the column of a record that contains the weights.
     properties.push_back(
         Member(info.option, R"("anyOf": [{"@list number", "minItems": 1}, {"type": "string"}])"));
   } else if (!info.option.empty()) {
@@ -215,7 +215,7 @@ bool Gives(const DistributionInfo& info, std::string_view kind) {
   return info.arguments < 0 || kind == "number";
 }
 
-// --- Sections ---------------------------------------------------------------
+// --- Schemas of MJCF sections -----------------------------------------------
 
 // Returns the schema of a mapping whose only key is one of the elements.
 std::string OneOf(std::span<const ElementInfo> elements, JsonMembers properties);
@@ -245,7 +245,7 @@ std::string OneOf(std::span<const ElementInfo> elements, JsonMembers properties)
   return Mapping(properties);
 }
 
-// --- Markers ----------------------------------------------------------------
+// --- Texts for the markers in schema.json -----------------------------------
 
 std::string Fields(std::string_view element) {
   return fmt::format(R"("properties": {{{}}}, "additionalProperties": false)",
@@ -256,7 +256,7 @@ std::string Doc(std::string_view element) {
   return fmt::format(R"("description": {})", Quoted(FindElement(element)->doc));
 }
 
-// Properties of a parameter besides its value.
+// Returns the JSON properties of a parameter besides its value: doc, unit and section.
 std::string About(std::string_view /*none*/) {
   const ElementInfo& parameter = kParameterElement;
   return Joined({Property(*parameter.Find(Key::kDoc)), Property(*parameter.Find(Key::kUnit)),
@@ -283,7 +283,7 @@ std::string DrawsWithDoc(std::string_view none) {
   }));
 }
 
-// Returns one definition for each range of lengths that a field without bounds has.
+// Returns one definition for each length (min to max count) of a number list without bounds.
 std::string NumberLists(std::string_view /*none*/) {
   std::set<std::string> done;
   JsonMembers lists;

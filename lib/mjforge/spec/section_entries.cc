@@ -11,7 +11,7 @@ namespace {
 
 using diag::Code;
 
-// A section of MJCF that specs do not have, and the replacement.
+// A section of MJCF that specs do not have, and a hint at what replaces it.
 struct ForeignSection {
   std::string_view section;
   std::string_view hint;
@@ -43,7 +43,7 @@ class SectionEntryReader {
     }
   }
 
-  // Reads pairs of the forms [a, b] and {if, for, name, bodies: [a, b]}.
+  // Reads pairs of `exclude:` in the forms [a, b] and {if, for, name, bodies: [a, b]}.
   void ReadExcludes(const YamlNode& list) {
     if (!IsList(list, "pairs of bodies", context_)) return;
     for (const YamlNode& item : list.items) {

@@ -171,7 +171,7 @@ FieldInfo Parse(std::string_view word) {
   return field;
 }
 
-// The parsed lines. The spans in the table refer to lists that never move.
+// Table of the parsed lines. Its spans refer to lists in deques, which never move.
 class SchemaTable {
  public:
   explicit SchemaTable(std::span<const SchemaLine> lines) {
@@ -186,7 +186,7 @@ class SchemaTable {
   std::span<const SectionInfo> sections() const { return sections_; }
 
  private:
-  // Removes and returns the first line and all lines after it until `is_next` is true.
+  // Removes and returns the first line and all lines before the next one with is_next(line).
   template <typename IsNext>
   static std::span<const SchemaLine> TakeUntil(IsNext is_next, std::span<const SchemaLine>& lines) {
     const auto next = std::ranges::find_if(lines.subspan(1), is_next);

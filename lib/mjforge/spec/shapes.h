@@ -15,7 +15,7 @@ struct ShapeInfo {
   int sizes = 0;         // count of numbers in `size`; 0: no `size`
   int sizes_fromto = 0;  // count of numbers in `size` beside `fromto`; 0: no `fromto`
   std::span<const Key> required = {};
-  std::span<const Key> optional = {};  // without `size` and `fromto`
+  std::span<const Key> optional = {};  // besides `size` and `fromto`
   std::span<const Key> of_round = {};  // optional keys that need `round`
 
   bool Takes(Key key) const;

@@ -1,4 +1,4 @@
-// Snapshots of specs: their text form.
+// Text form of snapshots of specs: writing and reading.
 
 #include "mjforge/spec/snapshot.h"
 
@@ -16,7 +16,7 @@ using Texts = Snapshot::Texts;
 
 constexpr std::string_view kStart = R"({"mjforge_snapshot":1,)";
 static_assert(kStart.size() == kSnapshotHead);
-// Limit of the size of a snapshot: that of several specs of the largest size.
+// Maximum size of a snapshot in bytes: enough for several specs of the largest size.
 constexpr std::uint64_t kMaxBytes = std::uint64_t{64} << 20;
 
 bool IsTexts(const rapidjson::Value& list) {
@@ -31,7 +31,7 @@ std::string TextOf(const rapidjson::Value& value) {
   return {value.GetString(), value.GetStringLength()};
 }
 
-// Adds texts by path; returns false if the list has another form.
+// Adds texts by path from a list of [path, text]; returns false for a list of another form.
 bool ReadTexts(const rapidjson::Value& list, Texts& texts) {
   for (const rapidjson::Value& file : list.GetArray()) {
     if (!IsTexts(file) || file.Size() != 2) return false;

@@ -18,22 +18,22 @@ namespace mjforge::spec {
 
 struct YamlNode;
 
-/// Answers of the file system to the loads of a spec. A load with a snapshot takes the files and
-/// texts that the snapshot has from there, reads all others, and adds them.
+/// Files and texts that loads of a spec have read. A load with a snapshot takes files and texts
+/// from the snapshot if they are in it, and reads and adds the others.
 struct Snapshot {
   using Texts = std::map<std::filesystem::path, std::string>;
 
   std::string spec;                   // reference of the spec; "-": the text of `texts["-"]`
-  std::string text_name = "<stdin>";  // name of that text in findings
+  std::string text_name = "<stdin>";  // name of the text `texts["-"]` in findings
   std::filesystem::path folder;       // base of relative paths; empty: the working folder
   std::vector<std::filesystem::path> search_path;
-  /// The file of each reference, by the absolute folder of the referring file.
+  /// Files that references name; the key is the referring file's absolute folder and the reference.
   std::map<std::pair<std::filesystem::path, std::string>, std::filesystem::path> found;
-  Texts texts;  // by canonical path
-  /// Parameter files (LoadOptions::parameter_files), by canonical path. Apart from `texts`, because
-  /// other parameter files may be given with a snapshot that was written beside a batch.
+  Texts texts;  // text of each file, by canonical path
+  /// Parameter files (LoadOptions::parameter_files), by canonical path. They are not in `texts`,
+  /// because other parameter files may be given with a snapshot that was written beside a batch.
   Texts parameter_texts;
-  /// Parsed texts, by the same paths; not saved.
+  /// Parsed texts, by the same paths as in `texts`; not in SnapshotText().
   std::map<std::filesystem::path, std::shared_ptr<const YamlNode>> parsed;
 };
 
@@ -46,12 +46,12 @@ inline constexpr std::size_t kSnapshotHead = 22;
 /// Returns true for the start of a text that SnapshotText made.
 bool IsSnapshot(std::string_view start);
 
-/// Parses a text that SnapshotText made; returns nothing if the text is damaged.
+/// Parses a text that SnapshotText() made; returns nullopt if the text is damaged.
 std::optional<Snapshot> ReadSnapshot(std::string text);
 
-/// Returns the snapshot that `reference`, a file or standard input ("-"), contains. Returns nothing
-/// if `reference` is anything else; then a finding is added only if the snapshot is damaged. The
-/// snapshot of a file has no parameter files, because the settings of its batch are in the records.
+/// Reads the snapshot in `reference`, a file or standard input ("-"). Returns nullopt if
+/// `reference` contains anything else, or, after a finding, a damaged snapshot. Drops the parameter
+/// files of a snapshot in a file, because the settings of its batch are in the records.
 std::optional<Snapshot> OpenSnapshot(const std::string& reference, diag::Findings& findings);
 
 }  // namespace mjforge::spec

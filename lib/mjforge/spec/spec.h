@@ -35,8 +35,8 @@ struct Parameter {
   std::string source;  // the value as written in the YAML, on one line
   int slot = 0;
   int list = -1;  // see expr::SymbolTable::Variable::list
-  /// Name of the record, only for the key of a record. Expressions may use it instead of the key's
-  /// name ("style" for "style.name").
+  /// Name of the record, only for the key of a record. Expressions may use the record's name
+  /// instead of the key's ("style" for "style.name").
   std::string record;
 };
 
@@ -57,7 +57,7 @@ struct Material {
 
 enum class RootJoints { kFree, kNone, kList };
 enum class Placement { kCenter, kCorner };
-/// Place of the start state in the file.
+/// Form of the start state in MJCF: the zero configuration or a keyframe.
 enum class StartForm { kZero, kKeyframe };
 
 /// Values for the missing fields of parts, sites and joints.
@@ -91,11 +91,11 @@ struct ObjectSpec {
   std::vector<std::pair<std::string, std::string>> settings;
 
   expr::SymbolTable names;  // parameters, loop variables; slot 0 is `index`
-  std::vector<std::pair<std::string, diag::SourceMark>> functions;  // in `names`; in file order
+  std::vector<std::pair<std::string, diag::SourceMark>> functions;  // name and place of each
   std::vector<Parameter> parameters;                                // in file order
   std::vector<int> evaluation_order;                                // indices into parameters
-  /// Imported files with parameters. All specs that import a file share its parameters, which are
-  /// drawn by the file's name. Such a spec has only a name, parameters and requirements.
+  /// Imported files with parameters, each as a spec with only a name, parameters and requirements.
+  /// All specs that import a file share its parameters, whose draws are keyed by the file's name.
   std::vector<std::shared_ptr<const ObjectSpec>> shared;
   std::vector<Requirement> requirements;
   std::vector<Material> materials;  // own materials, then imported ones, in file order
@@ -107,23 +107,23 @@ struct ObjectSpec {
   RootJoints root_joints = RootJoints::kFree;
   std::vector<Entry> joints;
   std::vector<BodyEntry> bodies;
-  std::vector<Entry> pose;     // named by joint or actuator
+  std::vector<Entry> pose;     // starts of joints and actuators, which are the entries' names
   std::optional<Field> start;  // a word of StartForm
   std::vector<Section> sections;
   std::optional<Field> mass;   // kg, of the whole object
-  std::optional<Field> front;  // direction x, y
+  std::optional<Field> front;  // direction of the front: x, y
   Placement placement = Placement::kCenter;
   bool has_place = false;           // a body here or in a nested spec has `place:`
-  DrawKinds draws;                  // here and in nested specs
-  std::optional<Field> total_size;  // half sizes, m
+  DrawKinds draws;                  // draws here and in nested specs
+  std::optional<Field> total_size;  // half sizes of the whole object, m
   std::vector<Expectation> expectations;
-  /// Slots of `mass` and `bounds.x` for expectations; -1 if a parameter has the name.
+  /// Slots of the variables `mass` and `bounds.x` in expectations; -1 if a parameter has the name.
   int mass_slot = -1;
   int bounds_slot = -1;
   Checks checks;
   PictureView view;
 
-  /// Finds a parameter by its name, or the key of a record by the record's name.
+  /// Finds a parameter by its name, or the key of a record by the record's name; null if missing.
   const Parameter* FindParameter(std::string_view parameter) const;
   /// Returns the value of a parameter of this spec, also if an imported file declares it.
   const Value& ValueOf(const Parameter& parameter) const;
@@ -143,8 +143,8 @@ struct LoadOptions {
   std::vector<std::filesystem::path> parameter_files;
   /// Folders with specs, first match wins: MJFORGE_PATH, then the installed catalogue.
   std::vector<std::filesystem::path> search_path;
-  /// Files and texts that are taken in place of those on the disk; null: none. The load adds what
-  /// it reads. Must not be used by two loads at a time.
+  /// Snapshot whose files and texts replace those on the disk; null: none. The load adds all other
+  /// files that it reads. Two loads must not use one snapshot at the same time.
   Snapshot* snapshot = nullptr;
 };
 
@@ -165,7 +165,7 @@ std::vector<std::string> ListSpecs(const std::filesystem::path& folder);
 
 /// Returns the text of a spec for a copy in `folder` (empty: the working folder): references to
 /// files lead from there to the same files, unless the spec computes their names, and the line that
-/// tells an editor of the schema is left out. Returns nothing, after adding findings, if the spec
+/// tells an editor of the schema is left out. Returns nullopt, after adding findings, if the spec
 /// has errors.
 std::optional<std::string> CopiedText(const std::string& reference,
                                       const std::filesystem::path& folder,

@@ -19,15 +19,15 @@ namespace mjforge::spec {
 /// Returns the canonical path of a file, or `file` itself if there is none.
 std::filesystem::path Canonical(const std::filesystem::path& file);
 
-/// Returns the file that `reference` names in `folder` or in the search path of the options: the
-/// one in their snapshot, if there is one, otherwise that on the disk; nothing if there is none.
+/// Returns the file that `reference` names in `folder` or in the search path of the options: from
+/// the options' snapshot or else from the disk; nullopt if there is no such file.
 std::optional<std::filesystem::path> FindFile(const std::string& reference,
                                               const std::filesystem::path& folder,
                                               const LoadOptions& options);
 
-/// Reads a file, adds its text to `sources` and returns its number. The texts of a snapshot, unless
-/// it is null, come before the disk. Returns nothing, and adds a finding with `name`, if reading
-/// fails.
+/// Reads a file, adds its text to `sources` and returns the number of the source. Takes the text
+/// from `snapshot` if that is not null and has it, otherwise from the disk. Returns nullopt, and
+/// adds a finding with `name`, if reading fails.
 std::optional<std::uint32_t> ReadSource(const std::filesystem::path& file, std::string_view name,
                                         diag::SourceMark mark, Snapshot* snapshot,
                                         diag::Sources& sources, diag::Findings& findings,
@@ -45,16 +45,16 @@ class SpecFiles {
         files_{first},
         source_ids_{source} {}
 
-  /// Returns the file that `reference` names; nothing, and adds a finding, if there is none.
+  /// Returns the file that `reference` names; nullopt, after adding a finding, if there is none.
   std::optional<std::filesystem::path> Find(const std::string& reference,
                                             const std::filesystem::path& folder,
                                             diag::SourceMark mark);
   /// Returns true, and adds a finding, if the file is being read, because it refers to itself then.
   bool IsOpen(const std::filesystem::path& file, diag::SourceMark mark);
   /// Reads the file unless it was read before, and returns its number among the sources. Returns
-  /// nothing, and adds a finding, if reading fails.
+  /// nullopt, and adds a finding, if reading fails.
   std::optional<std::uint32_t> Open(const std::filesystem::path& file, diag::SourceMark mark);
-  /// Returns the YAML of a file with this number among the sources, like ParseYaml.
+  /// Parses the file whose text has the number `source`; returns nullopt if ParseYaml() does.
   std::optional<YamlNode> Parse(const std::filesystem::path& file, std::uint32_t source);
 
   /// Marks a file as being read during the lifetime of this object.
@@ -74,7 +74,7 @@ class SpecFiles {
 
   /// All files read so far, in the order in which they were first read.
   const std::vector<std::filesystem::path>& all() const { return files_; }
-  /// Returns the hash of the texts of all files, concatenated in this order, in hexadecimal.
+  /// Returns the hash of the texts of all files, concatenated in the order of all(), in hex.
   std::string Sha256() const;
 
  private:
@@ -83,7 +83,7 @@ class SpecFiles {
   diag::Findings& findings_;
   std::vector<std::filesystem::path> open_;  // specs and imports being read, outermost first
   std::vector<std::filesystem::path> files_;
-  std::vector<std::uint32_t> source_ids_;  // parallel to `files_`
+  std::vector<std::uint32_t> source_ids_;  // number of each of `files_` among the sources
 };
 
 }  // namespace mjforge::spec

@@ -10,7 +10,7 @@ namespace mjforge::spec {
 
 namespace {
 
-// Clears the slots of entries for whose names is_used(name) is false.
+// Sets the slot of each entry to -1 if is_used() returns false for the entry's name.
 template <typename IsUsed>
 void DropSlots(std::vector<Entry>& entries, const IsUsed& is_used) {
   for (Entry& entry : entries) {

@@ -68,7 +68,7 @@ std::optional<Dimensions> Common(const Dimensions& a, const Dimensions& b) {
   return both;
 }
 
-// Returns the different units in a direction ("in m and in kg"); nothing if they agree.
+// Returns the different units in a direction ("in m and in kg"); nullopt if the units agree.
 std::optional<std::string> Clash(const FieldInfo& field, const Value& value) {
   const auto* list = std::get_if<List>(&value.form);
   Dimension common;
@@ -84,7 +84,7 @@ std::optional<std::string> Clash(const FieldInfo& field, const Value& value) {
   return std::nullopt;
 }
 
-// Returns a hint if the number would be valid in degrees.
+// Returns a hint if the number would be valid in degrees, otherwise an empty text.
 std::string DegreesHint(const FieldInfo& field, double number) {
   const bool is_degrees = field.unit == "rad" && Holds(field, number * std::numbers::pi / 180);
   return is_degrees ? fmt::format("angles are in rad: write {}deg", expr::NumberText(number)) : "";
@@ -142,7 +142,7 @@ void ValueReader::CheckDrawBounds(const FieldInfo& field, const Draw& draw, int 
   if (draw.distribution == Distribution::kChoice || draw.distribution == Distribution::kCycle) {
     for (const Value& option : draw.arguments) CheckBounds(field, option, position);
   } else if (draw.distribution == Distribution::kUniform) {
-    // The ends of a range may be equal to an exclusive bound.
+    // Allow ends of a range that are equal to an exclusive bound.
     FieldInfo ends = field;
     ends.above = false;
     ends.kind = FieldKind::kNumber;

@@ -28,8 +28,8 @@ bool IsCutAtComma(const YamlNode& node) {
          std::ranges::count(node.text, '(') != std::ranges::count(node.text, ')');
 }
 
-// Returns the dimensions of an expression; none for a plain constant, which may have any unit (2
-// for 2 kg).
+// Returns the dimensions of an expression; an empty list for a plain constant, which may have any
+// unit (2 for 2 kg).
 expr::Dimensions MeasureOf(const expr::Expression& expression) {
   const bool is_plain = expression.constant() && expression.dimension().is_plain();
   return is_plain ? expr::Dimensions() : expr::Dimensions{expression.dimension()};

@@ -21,7 +21,7 @@ struct UsedNames {
   std::set<std::string, std::less<>> names;    // parameters, functions, loops, bodies
   std::set<std::string, std::less<>> members;  // whole names with a point: "arm.top", "size.x"
   std::set<std::string, std::less<>> materials;
-  bool any_material = false;  // a name of a material is computed and so may be any of them
+  bool any_material = false;  // a material's name is computed, so that any may be used
 
   void Add(const UsedNames& other);
   /// Adds a name in an expression: "r", "size.x", "arm.top".
@@ -37,8 +37,8 @@ class ValueReader {
   ValueReader(expr::SymbolTable& names, const diag::Sources& sources, diag::Findings& findings)
       : names_(names), sources_(sources), findings_(findings) {}
 
-  /// Reads the value of a field whose kind is a value, not structure. `motion` is that of the joint
-  /// that has the field.
+  /// Reads the value of a field whose kind is a value, not structure. `motion` is the motion of the
+  /// joint that has the field.
   Value Read(const FieldInfo& field, const YamlNode& node, Motion motion = Motion::kAny);
 
   /// Reads a value whose type follows from its form (a parameter, an option of a choice). A mapping
@@ -49,7 +49,7 @@ class ValueReader {
   /// list, not as a vector.
   Value ReadLike(const Value& wanted, const YamlNode& node,
                  std::span<const std::string_view> extra_keys = {});
-  /// Reads a list in brackets, or the name of a list or a vector. Returns nothing for other nodes.
+  /// Reads a list in brackets, or the name of a list or vector. Returns nullopt for other nodes.
   std::optional<Value> ReadListOrName(const YamlNode& node);
 
   /// Reads the mapping of a draw whose result has this kind.
@@ -67,18 +67,18 @@ class ValueReader {
   /// finding.
   bool CheckLocalName(std::string_view what, const YamlNode::Pair& pair);
 
-  /// Reads a field of kind kPosition. `motion` is as in Read().
+  /// Reads a field of kind kPosition. `motion` is the motion of the joint that has the field.
   Value ReadPosition(const FieldInfo& field, const YamlNode& node, Motion motion);
   Value ReadNumber(const YamlNode& node);
   Value ReadText(const YamlNode& node);
-  /// Reads a boolean expression. Returns nothing, and adds a finding, if it is wrong.
+  /// Reads a boolean expression. Returns nullopt, and adds a finding, if the expression is wrong.
   std::optional<expr::Expression> ReadCondition(const YamlNode& node);
   /// Reports a number whose unit is not that of the field. `position` is the index of the value's
   /// first number among the numbers of the field.
   void CheckUnits(const FieldInfo& field, const Value& value, int position = 0,
                   Motion motion = Motion::kAny);
-  /// Returns true if the value has the dimensions of `what` ("parameter 'r'"). Otherwise adds a
-  /// finding.
+  /// Returns true if the value has the dimensions `wanted`. Otherwise adds a finding about `what`
+  /// ("parameter 'r'").
   bool CheckUnit(std::string_view what, const expr::Dimensions& wanted, const Value& value);
   /// Reports a number with a unit if `what` ("a weight") must be a plain number.
   void CheckPlain(std::string_view what, const Value& value);
@@ -111,12 +111,12 @@ class ValueReader {
   Value ReadAxisOutlines(const ExpectedForm& expected, const YamlNode& map);
   Value ReadPoints(const ExpectedForm& expected, const YamlNode& node);
   Value ReadPoint(const ExpectedForm& expected, const YamlNode& node);
-  // Reads {for: loops, KEY: value}, and the value with `read`.
+  // Reads {for: loops, KEY: value}; calls `read` for the value.
   template <typename Reader>
   Value ReadPointLoop(const YamlNode& map, std::string_view key, Reader&& read);
   Value ReadArc(const ExpectedForm& expected, const YamlNode& map);
   std::vector<Value> ReadArcMeasures(const YamlNode& arc);  // radius, from, to
-  /// Reads the key `axis` of `what`, x, y or z without it, as 0, 1 or 2.
+  /// Reads the key `axis` of `what`: x, y or z (default), as 0, 1 or 2.
   Value ReadAxis(const YamlNode& map, std::string_view what, std::string_view hint);
   void AllowKeys(const YamlNode& map, std::initializer_list<std::string_view> allowed,
                  std::string_view what);
@@ -149,8 +149,8 @@ class ValueReader {
   void NoteMaterials(const Value& value);
   const expr::SymbolTable::Variable* LoneName(const YamlNode& node) const;
   bool LooksLikeText(const YamlNode& node) const;
-  // Returns the common dimensions of values. Returns nothing known, and adds a finding, if they
-  // differ.
+  // Returns the common dimensions of values. If the dimensions differ, adds a finding and returns
+  // an empty list, which means unknown dimensions.
   expr::Dimensions Agree(std::string_view what, std::span<const Value> values);
   // Returns the dimensions of a draw.
   expr::Dimensions Measured(const DistributionInfo& info, const ExpectedForm& expected,
@@ -172,7 +172,7 @@ class ValueReader {
   UsedNames uses_;
 };
 
-/// Returns the offset of the two dots in a range `lo .. hi`; nothing if the text is not a range.
+/// Returns the offset of the two dots in a range `lo .. hi`; nullopt if the text is not a range.
 std::optional<std::size_t> FindRange(std::string_view text);
 
 /// Returns true for keys of mappings that are draws: `normal`, `each`, `about`.

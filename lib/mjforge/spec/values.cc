@@ -43,7 +43,7 @@ bool HasDraw(const Value& value) {
       [&](const Arc& arc) {
         return has_draws(arc.measures) || HasDraw(*arc.center) || HasDraw(*arc.steps);
       },
-      [](const auto&) { return true; }};  // draws
+      [](const auto&) { return true; }};  // all other forms are draws
   return std::visit(has_draw, value.form);
 }
 

@@ -162,7 +162,7 @@ bool IsSameKind(const Value& a, const Value& b);
 std::string UnitText(const expr::Dimensions& dimensions);
 /// Returns true if any of the dimensions is not that of a plain number.
 bool IsMeasured(const expr::Dimensions& dimensions);
-/// Returns the dimensions of units such as "m" or "s, 1"; nothing for any other text.
+/// Returns the dimensions of units such as "m" or "s, 1"; nullopt for any other text.
 std::optional<expr::Dimensions> DimensionsOf(std::string_view units);
 
 /// Declares the variable `index`, the number of a variant.
@@ -173,10 +173,10 @@ const expr::SymbolTable::Variable& Declare(expr::SymbolTable& names, const std::
 
 /// Returns true if any part of the value is drawn.
 bool HasDraw(const Value& value);
-/// Returns the number of a literal or of an expression without variables; nothing for other values.
+/// Returns the number of a literal or of an expression without variables; nullopt for other values.
 std::optional<double> ConstantOf(const Value& value);
 
-/// Returns the text if it has no interpolation; nothing for other values.
+/// Returns the text if it has no interpolation; nullopt for other values.
 std::optional<std::string_view> LiteralText(const Value& value);
 
 /// Returns the kind of a parameter or a value for messages: "a number", "3 numbers", "text", "true

@@ -11,8 +11,8 @@ namespace {
 
 using diag::Code;
 
-// Returns the number of a fixed value. Returns nothing, and adds a finding unless there is one, for
-// other values, because pictures of all variants are taken in the same way.
+// Returns the number of a constant. Otherwise returns nullopt, and adds a finding unless there is
+// one already, because pictures of all variants are taken in the same way.
 std::optional<double> FixedNumber(std::string_view name, diag::SourceMark mark, const Value& value,
                                   Context& context) {
   const std::optional<double> number = ConstantOf(value);

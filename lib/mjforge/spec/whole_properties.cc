@@ -1,4 +1,4 @@
-// Properties that expressions can read when all bodies are there: of subtrees, joints and sites.
+// Properties of subtrees, joints and sites, which expressions can use after all bodies are read.
 
 #include <algorithm>
 #include <map>
@@ -16,10 +16,10 @@ using diag::Code;
 // The dimension of a torque, N m.
 constexpr expr::Dimension kTorque{2, 1, -2};
 
-// Keys of a joint from which torques are computed.
+// Keys of a joint that cannot use torque(), because torques are computed from these keys.
 constexpr std::string_view kGeometry[] = {"type", "pos", "axis", "for", "if", "let"};
 
-// Joints with these types have a torque.
+// Types of the joints that have a torque.
 constexpr std::string_view kTurning[] = {"hinge", "ball"};
 
 // Returns the type that `defaults:` gives joints.
@@ -39,8 +39,8 @@ void DeclareTorque(const YamlNode& joint, Context& context) {
   if (names.Find(torque) == nullptr) names.Declare(torque, expr::Type::kNumber, 1, {kTorque});
 }
 
-// Slots by name. A name is declared once, although entries with different conditions may have it,
-// and not at all where a parameter of a nested spec has the name already.
+// Slots by name. A name is declared only once, because entries with different conditions may share
+// it, and not at all if a parameter of a nested spec has it.
 using Declared = std::map<std::string, int>;
 
 void DeclarePositions(std::vector<Entry>& sites, expr::SymbolTable& names, Declared& declared) {
@@ -75,7 +75,7 @@ void DeclareWholeProperties(std::span<const YamlNode* const> joint_lists, Contex
   Declared declared;
   for (BodyEntry& body : context.spec.bodies) {
     DeclareSubtree(body, names, declared);
-    // The pose of a placed body is not known yet.
+    // Skip sites of a body with `place:`, because its pose is not known yet.
     if (!body.place) DeclarePositions(body.sites, names, declared);
   }
   DeclarePositions(context.spec.sites, names, declared);
@@ -88,7 +88,7 @@ void ReadTorqueUse(const YamlNode& joint, Entry& entry, Context& context) {
   const auto name = LiteralText(entry.name);
   const auto* torque = context.spec.names.Find(expr::TorqueVariable(name.value_or("")));
   if (torque != nullptr) entry.slot = torque->slot;
-  if (context.spec.names.Find("torque") != nullptr) return;  // a parameter of this name
+  if (context.spec.names.Find("torque") != nullptr) return;  // a parameter is named `torque`
   for (const std::string_view key : kGeometry) {
     const YamlNode* value = joint.Find(key);
     if (value == nullptr) continue;

@@ -22,11 +22,11 @@ struct YamlNode {
 
   Kind kind = Kind::kNull;
   diag::SourceMark mark;        // an empty value has its key's mark
-  std::string text;             // kScalar
+  std::string text;             // text of a kScalar
   bool quoted = false;          // kScalar: in quotes, so never a number
   bool flow = false;            // kScalar: an item of a [list, in brackets]
-  std::vector<YamlNode> items;  // kList
-  std::vector<Pair> pairs;      // kMap, in file order, keys unique
+  std::vector<YamlNode> items;  // items of a kList
+  std::vector<Pair> pairs;      // pairs of a kMap in file order; keys are unique
 
   static YamlNode Scalar(std::string text, diag::SourceMark mark);
   static YamlNode List(std::vector<YamlNode> items, diag::SourceMark mark);
@@ -42,10 +42,10 @@ struct YamlNode::Pair {
   YamlNode value;
 };
 
-/// Longer texts are rejected. A spec of a hundred thousand parts is far shorter.
+/// Maximum size of a YAML text in bytes. A spec of a hundred thousand parts is far shorter.
 inline constexpr std::size_t kMaxYamlBytes = 8u << 20;
 
-/// Parses the text of a source. Returns nothing, and adds findings, if the text is empty, binary,
+/// Parses the text of a source. Returns nullopt, and adds findings, if the text is empty, binary,
 /// too long, not exactly one YAML document, nested too deeply, or expands too many aliases. Reports
 /// repeated keys and tags, too, but continues.
 std::optional<YamlNode> ParseYaml(std::uint32_t file, const diag::Sources& sources,

@@ -1,4 +1,4 @@
-// Clear words for the syntax errors of yaml-cpp.
+// Clear messages for the syntax errors of yaml-cpp.
 
 #include "mjforge/spec/yaml_syntax.h"
 
@@ -25,7 +25,7 @@ std::string_view FlowValue(std::string_view line, std::size_t begin) {
   return inside ? std::string_view() : line.substr(begin, end - begin);
 }
 
-// Returns the value at the end of a line that has the column: text behind `key: ` or `- `.
+// Returns the value that ends the line: the text after the first `key: ` or `- ` of the line.
 std::string_view LineValue(std::string_view line, std::size_t column) {
   const std::string_view before = line.substr(0, column);
   std::size_t begin = before.find(": ");
@@ -36,7 +36,7 @@ std::string_view LineValue(std::string_view line, std::size_t column) {
   return Trim(value);
 }
 
-// Returns the value in quotes that it does not contain.
+// Returns the value in quotes, of a kind that the value does not contain if possible.
 std::string Quoted(std::string_view value) {
   if (value.find('\'') == value.npos) return fmt::format("'{}'", value);
   if (value.find_first_of("\"\\") == value.npos) return fmt::format("\"{}\"", value);
@@ -50,7 +50,7 @@ std::string QuoteHint(std::string_view value) {
                        : fmt::format("write {}", Quoted(value));
 }
 
-// Returns the offset of the last `${` up to the column if no brace closes it before the column.
+// Returns the offset of the last `${` before the column; npos if a `}` between the two closes it.
 std::size_t OpenInterpolation(std::string_view line, std::size_t column) {
   const std::size_t open = line.substr(0, column).rfind("${");
   if (open == line.npos) return open;

@@ -1,4 +1,4 @@
-// Clear words for the syntax errors of yaml-cpp.
+// Clear messages for the syntax errors of yaml-cpp.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@ struct SyntaxError {
   std::string hint;  // may be empty
 };
 
-/// Explains an error that yaml-cpp found at a column (from 1) of a line. Knows the expressions of
+/// Explains an error that yaml-cpp found at a column (from 1) of a line. Recognizes expressions of
 /// specs that YAML reads as something else: `${...}` in braces, `c ? a : b`, `widths[i]`.
 SyntaxError ExplainSyntax(const std::string& error, std::string_view line, std::size_t column);
 
