@@ -19,26 +19,26 @@
 
 namespace mjforge::assemble {
 
-/// Builds the objects of variants. Keeps the mesh and texture files that it has read and the solids
-/// that it has computed, because most variants use them again.
+/// Builds the objects of variants. Caches mesh files, texture files and solids, because most
+/// variants use the same ones again.
 class Assembler {
  public:
   struct Options {
-    std::string name;       // name of the object; empty: the spec's
-    bool prefix = true;     // put `name_` before every element's name
-    std::string root = {};  // name of the root body; empty: the object's
-    /// Seed of the draws of `place:` that are not draws of the variant's other values; none: the
+    std::string name;       // name of the object; empty: that of the spec
+    bool prefix = true;     // begin each element's name with the object's and "_"
+    std::string root = {};  // name of the root body; empty: that of the object
+    /// Additional seed, for the draws of `place:` only; nullopt: these draws depend on the
     /// variant's seed alone.
     std::optional<std::uint64_t> place_seed = {};
   };
 
-  /// `attachments` reads MJCF files, `placer` searches places; without them a body with `mjcf:` or
-  /// `place:` is an error. The assembler refers to the two objects.
+  /// `attachments` reads MJCF files; if it is null, a body with `mjcf:` is an error. `placer` finds
+  /// places; if it is null, a body with `place:` is an error. Both must outlive the assembler.
   explicit Assembler(model::AttachmentSource* attachments = nullptr,
                      model::Placer* placer = nullptr)
       : attachments_(attachments), placer_(placer) {}
 
-  /// Returns the object; nothing after an error, which is added to the findings.
+  /// Returns the object; nullopt after an error, which is added to the findings.
   std::optional<model::Object> Assemble(sample::Evaluator& values, const Options& options,
                                         diag::Findings& findings);
 
@@ -46,17 +46,17 @@ class Assembler {
     bool exists = false;
     bool unreadable = false;
     std::optional<solid::TriangleMesh> mesh;
-    std::string why_not;                        // if there is no mesh
+    std::string why_not;                        // reason, if there is no mesh
     std::optional<std::string> surface_defect;  // see FindSurfaceDefect
-    bool fit_for_mujoco = true;                 // see MeshFile
+    bool fit_for_mujoco = true;                 // see MeshFile::fit_for_mujoco
   };
   /// Returns the unscaled mesh of a file, which is read only once.
   const CachedMesh& ReadMesh(const std::filesystem::path& file);
 
   struct CachedTexture {
     bool exists = false;
-    std::optional<std::uint64_t> pixels;  // nothing if the file is not PNG or cannot be read
-    std::string why_not;                  // if the file cannot be read
+    std::optional<std::uint64_t> pixels;  // nullopt if the file is not PNG or cannot be read
+    std::string why_not;                  // reason, if the file cannot be read
   };
   /// Returns the size of a picture, whose file is read only once.
   const CachedTexture& ReadTexture(const std::filesystem::path& file);

@@ -9,9 +9,9 @@
 
 namespace mjforge::assemble {
 
-// Bodies that find no room and may be left out are found only when all others stand, so the object
-// is assembled again without these bodies. All draws keep their values. After an error, a second
-// assembly would not report the failed values again.
+// Assembles the object again without the bodies for which no place was found and that may be left
+// out, because these bodies are known only at the end of an assembly. Draws keep their values.
+// Stops after an error, because a further assembly would not report the failed values again.
 std::optional<model::Object> Assembler::Assemble(sample::Evaluator& values, const Options& options,
                                                  diag::Findings& findings) {
   const std::size_t before = findings.size();

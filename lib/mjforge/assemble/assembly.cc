@@ -92,7 +92,7 @@ void Assembly::AddSpec(Scope& scope) {
   if (spec.mass) ScaleObject(scope, first_part, first_body);
   const std::size_t before = findings_.size();
   SetWholeProperties(scope);
-  // A joint without a torque would be reported again.
+  // Skips the joints after an error, because they would report the same error again.
   const bool has_all = !findings_.HasErrors(before);
   if (has_all) AddListedJoints(scope);
   if (!spec.sections.empty()) sections_.Add(scope, &spec == spec_);
@@ -101,7 +101,7 @@ void Assembly::AddSpec(Scope& scope) {
   ApplyStarts(scope, first_start, first_body);
   for (std::size_t i = first_search; i < face_searches_.size(); ++i) {
     FaceSearch& search = face_searches_[i];
-    if (search.last_body > 0) continue;  // closed by a nested spec
+    if (search.last_body > 0) continue;  // the search belongs to a nested spec
     search.root = current_body_;
     search.first_part = first_part;
     search.last_part = body().parts.size();
@@ -149,19 +149,19 @@ void Assembly::AddParts(Scope& scope, const std::vector<spec::Entry>& entries,
   }
 }
 
-// Only a frame whose pose is drawn needs a name.
+// The name of a frame is optional, because only draws of the frame's pose depend on it.
 void Assembly::AddFrame(Scope& scope, const spec::Entry& entry, const model::Pose& X_SF) {
   const sample::StreamId frames = sample::Child(scope.parts, "frames");
   const std::string name = scope.values.Text(entry.name, frames).value_or("");
   FieldReader reader(scope.values, findings_, "frame", name,
                      sample::Child(frames, std::string_view(name)));
   const std::optional<model::Pose> X_FChild = ReadPose(reader, entry);
-  // If the pose of a frame is invalid, its parts are still checked for other errors.
+  // Checks the frame's parts for other errors even if the pose of the frame is invalid.
   AddParts(scope, entry.children, X_SF * X_FChild.value_or(model::Pose()));
 }
 
-// Specs are counted even if they are empty, because their number doubles with each level if each
-// spec brings the next one twice.
+// Counts specs even if they are empty: if each spec contains the next one twice, the number of
+// specs doubles with each level of nesting.
 void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const model::Pose& X_SF) {
   if (!HasRoomFor("specs in it", spec_count_++, entry.mark)) return;
   const std::optional<std::string> name = ReadName(scope, entry, scope.parts, findings_);
@@ -183,7 +183,7 @@ void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const model::Pose
   AddSpec(inner);
   MarkRootJointsRemoved(inner);
   if (!corner) return;
-  // The spec is placed by its lower corner, which is known only now.
+  // Places the spec by the lower corner of its parts, which is known only after they were added.
   const model::Box3 box = model::BoundsOf(body().parts, before.parts).aabb;
   if (box.empty()) return;
   Move(scope.X_BS * model::Pose{.p = FromCorner(X_SW.p, *scope.total_size, box.min)}, before,
@@ -226,7 +226,7 @@ void Assembly::ScaleObject(Scope& scope, std::size_t first_part, std::size_t fir
     sum += object_.bodies[i].mass_properties.mass;
   }
   if (!(sum > 0)) {
-    if (part_count_ == 0) return;  // Finish reports it
+    if (part_count_ == 0) return;  // Finish() reports a lack of parts
     reader.Report(Code::kModelNoMass, *spec.mass, "cannot be reached: no part has mass");
     return;
   }

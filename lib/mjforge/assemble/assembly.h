@@ -27,7 +27,7 @@ namespace mjforge::assemble {
 /// The state of one assembly. An instance builds one object.
 class Assembly {
  public:
-  /// Leaves out the bodies whose full names are in `left_out`, and adds those that find no room.
+  /// Leaves out the bodies in `left_out`, and adds optional bodies to it that find no place.
   Assembly(Assembler& assembler, std::set<std::string>& left_out, diag::Findings& findings)
       : findings_(findings),
         placer_(assembler.placer()),
@@ -54,15 +54,15 @@ class Assembly {
   /// Moves the elements added since `from` was counted: parts, sites, regions and views of the
   /// current body, and children of the body `parent`.
   void Move(const model::Pose& X_BC, const ElementCounts& from, int parent);
-  /// Returns true if there are fewer than kMaxParts elements. Otherwise reports, the first time,
-  /// that there are too many; `what` is their plural.
+  /// Returns true if `count` is less than kMaxParts. Otherwise, and only once, reports that the
+  /// object has too many `what` ("bodies").
   bool HasRoomFor(std::string_view what, std::size_t count, diag::SourceMark mark);
   void ReadTotalSize(Scope& scope);
   void ReadStartForm(Scope& scope);
   void ScaleObject(Scope& scope, std::size_t first_part, std::size_t first_body);
 
   // nested_specs.cc
-  /// Returns the values of an entry's spec, with its parameters set; nothing after a finding.
+  /// Returns the values of an entry's spec, with its parameters set; nullopt after a finding.
   std::optional<sample::Evaluator> SampleNested(Scope& scope, const spec::Entry& entry,
                                                 sample::StreamId path);
 
@@ -78,11 +78,11 @@ class Assembly {
   void AddBody(Scope& scope, const spec::BodyEntry& entry, sample::StreamId bodies);
   void AddBody(Scope& scope, const spec::BodyEntry& entry, const std::string& name,
                sample::StreamId bodies, const Link& link);
-  /// Adds the entry's elements to the last body, and returns its bounds if they are needed.
+  /// Adds the entry's elements to the last body. Returns the body's bounds if the spec uses them.
   model::Bounds AddContents(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
                             const std::string& name, const Link& link);
   void AddOwnJoints(const spec::BodyEntry& entry, const Link& link);
-  /// Adds the content of the entry to the current body, the last one.
+  /// Adds the parts, nested spec or MJCF body of the entry to the current body, the last body.
   void Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
             const std::string& name, const Link& link);
   void PlaceBody(Scope& scope, FieldReader& reader, const spec::Entry& entry,
@@ -91,13 +91,13 @@ class Assembly {
   /// Returns the angle of `front:` of a spec about z, counter-clockwise from -y, rad.
   double FrontOf(Scope& scope);
   using JointedVisitor = std::function<void(const spec::BodyEntry&, std::size_t body)>;
-  /// Visits each body with a list of joints, with the variables and local values of its entry set.
+  /// Sets the variables of each body with a list of joints, then calls `visit` with the body.
   void ForEachJointed(Scope& scope, const JointedVisitor& visit);
   /// Returns the stream of the joints of a body of the spec.
   sample::StreamId JointsOf(const Scope& scope, std::size_t body) const;
-  /// Adds the listed joints of the bodies of the spec, whose expressions may use all these bodies.
+  /// Adds the listed joints of the spec. Their expressions may use properties of all its bodies.
   void AddListedJoints(Scope& scope);
-  /// Sets the values of NAME.top and the other properties of a body, and of NAME.mass.
+  /// Sets the variables for the properties of a body, such as NAME.top and NAME.mass.
   void SetProperties(Scope& scope, const spec::BodyEntry& entry, const model::Bounds& bounds,
                      std::size_t index);
 
@@ -110,8 +110,8 @@ class Assembly {
   void Finish(Scope& scope);  // finish.cc
 
   // positions.cc
-  /// Returns the position as in qpos; nothing, and a finding, if the joint cannot have it. `what`
-  /// names the key in messages.
+  /// Returns the position as numbers of qpos; nullopt, after adding a finding, if the joint cannot
+  /// have this position. `what` is the key in messages.
   std::optional<sample::Numbers> ToQpos(std::string_view what, const RequestedPosition& position,
                                         const model::Joint& joint);
   void ReportUnknownJoint(std::string_view what, const RequestedPosition& position);
@@ -134,14 +134,14 @@ class Assembly {
   /// Evaluates the conditions of `expect:`, and reads its other entries.
   void AddExpectations(Scope& scope);
   void AddExpectation(Scope& scope, const spec::Expectation& entry);
-  /// Returns the full name of a body or a part; nothing, and a finding, if there is none.
+  /// Returns the full name of a body or part; nullopt, after adding a finding, if none exists.
   std::optional<std::string> FullName(Scope& scope, const spec::Value& value);
   void CheckCondition(Scope& scope, const spec::Expectation& entry);
 
   // parts.cc
   void AddPart(Scope& scope, const spec::Entry& entry, const model::Pose& X_SF);
-  /// Adds the part to the current body. A part with pieces becomes the visual part, and its pieces,
-  /// whose poses are in its frame, collide.
+  /// Adds the part to the current body. A part with convex pieces becomes visual; its pieces, with
+  /// poses in the part's frame, collide.
   void AddWithPieces(model::Part part, std::vector<model::Part> pieces);
   bool ReadMaterial(Scope& scope, FieldReader& reader, const spec::Entry& entry, model::Part& part,
                     const MaterialState*& material);
@@ -187,12 +187,12 @@ class Assembly {
   Attacher attacher_;
   const spec::ObjectSpec* spec_ = nullptr;       // the outermost spec
   std::size_t current_body_ = 0;                 // index of the body that elements are added to
-  std::size_t part_count_ = 0;                   // in all bodies
-  std::size_t spec_count_ = 0;                   // welded specs
+  std::size_t part_count_ = 0;                   // number of parts in all bodies
+  std::size_t spec_count_ = 0;                   // number of welded specs
   bool is_full_ = false;                         // kMaxParts was exceeded and reported
-  std::unordered_map<std::string, int> bodies_;  // indices by full name
-  std::vector<RequestedStart> starts_;           // starts of incomplete specs
-  std::vector<RequestedStart> lost_starts_;      // without a joint or actuator
+  std::unordered_map<std::string, int> bodies_;  // body indices by full name
+  std::vector<RequestedStart> starts_;           // starts of specs that are not complete
+  std::vector<RequestedStart> lost_starts_;      // starts of missing joints or actuators
   std::vector<FaceSearch> face_searches_;
 };
 

@@ -24,29 +24,29 @@ inline sample::StreamId MaterialPath(const sample::Evaluator& values,
   return sample::Child(sample::Child(values.root(), "materials"), material.name);
 }
 
-/// An outline of a shape in findings.
+/// Name and places of an outline of a shape, for findings.
 struct OutlinePlace {
   std::string name = {};                     // "hole 1 along x"; empty for the outer outline
-  std::vector<diag::SourceMark> marks = {};  // places of its points, or empty
+  std::vector<diag::SourceMark> marks = {};  // places of the outline's points, or empty
 };
 
 /// A shape of the room `solid`, and its places in the spec for findings.
 struct SolidInput {
   const solid::SolidShape& shape;
-  const spec::Field& field;  // the outer outline, the path or the size
+  const spec::Field& field;  // field with the outer outline, the path or the size
   /// Indexed by solid::Fault::loop: the outer outline, then the holes.
   const std::vector<OutlinePlace>& outlines;
 };
 
-/// Returns `count` factors from `scale`, all 1 without this field; nothing after a finding.
+/// Returns `count` factors from `scale`, all 1 without this field; nullopt after a finding.
 std::optional<sample::Numbers> ReadScale(FieldReader& reader, const spec::Entry& entry,
                                          std::size_t count);
 
-/// Returns the field; null, and a finding, if the entry does not have it.
+/// Returns the field; null, after adding a finding, if the entry does not have the field.
 const spec::Field* Required(FieldReader& reader, const spec::Entry& entry, spec::Key id,
                             std::string_view key, diag::SourceMark mark);
 
-/// Adds meshes and textures to one object. Equal ones are shared.
+/// Adds meshes and textures to one object. Parts share equal meshes, materials equal textures.
 class Assets {
  public:
   Assets(Assembler& assembler, model::Object& object, diag::Findings& findings)
@@ -59,12 +59,12 @@ class Assets {
   /// Sets the part's mesh and shape from `file` and `scale`. File names are relative to `folder`.
   bool ReadMesh(FieldReader& reader, const spec::Entry& entry, const std::filesystem::path& folder,
                 model::Part& part);
-  /// Returns the mass properties at density 1, in the shape's frame; nothing for a mesh whose
-  /// surface is not closed. `mesh` is its index in Object::meshes.
+  /// Returns the mass properties at density 1, in the shape's frame; nullopt for a mesh whose
+  /// surface is not closed. `mesh` is the mesh's index in Object::meshes.
   std::optional<model::MassProperties> UnitMassOf(const model::Shape& shape, int mesh);
   /// Sets a body's mass properties to the sum of its parts, unless an attached file gave them.
   void SumMass(model::Body& body);
-  /// Adds a material's texture. Returns its index; nothing after a finding.
+  /// Adds a material's texture. Returns its index; nullopt after a finding.
   std::optional<int> AddTexture(sample::Evaluator& values, const spec::Material& material,
                                 const std::string& name);
   /// Returns the index of an equal texture whose name in its spec or file is `own_name`. Adds the
@@ -90,7 +90,7 @@ class Assets {
   void Report(const FieldReader& reader, const SolidInput& input, const solid::Fault& fault);
   std::vector<model::Part> AddSolid(const std::shared_ptr<const solid::Solid>& made,
                                     model::Part& part);
-  /// Adds a mesh that is written inline. Without normals it is the convex hull of its vertices.
+  /// Adds a mesh that is written inline. A mesh without normals stands for its convex hull.
   void AddInline(const model::TriangleMesh& mesh, model::Part& part);
   void AddFile(const std::filesystem::path& file, const Eigen::Vector3d& scale,
                const Assembler::CachedMesh& content, model::Part& part);
@@ -105,7 +105,7 @@ class Assets {
   diag::Findings& findings_;
   std::vector<MeshSource> sources_;                     // parallel to Object::meshes
   std::unordered_multimap<std::size_t, int> meshes_;    // indices by hash
-  std::unordered_multimap<std::string, int> textures_;  // indices by own name
+  std::unordered_multimap<std::string, int> textures_;  // indices by name in the spec or file
   std::map<std::filesystem::path, std::string> output_names_;
   std::set<std::string> taken_names_;
 };

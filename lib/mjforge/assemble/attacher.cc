@@ -1,4 +1,4 @@
-// Copies of attached bodies: names, references, materials and meshes as the object has them.
+// Copies attached bodies into the object, and adapts their names, references and indices.
 
 #include "mjforge/assemble/attacher.h"
 
@@ -54,7 +54,7 @@ class Renamer {
 
   const model::Attachment& attachment_;
   std::string prefix_;
-  std::string root_;  // copied, because Object::bodies grows meanwhile
+  std::string root_;  // a copy, because Object::bodies grows meanwhile
 };
 
 std::size_t Attacher::Add(Scope& scope, FieldReader& reader, const spec::Entry& entry,
@@ -66,7 +66,7 @@ std::size_t Attacher::Add(Scope& scope, FieldReader& reader, const spec::Entry& 
   if (!file || !body_name) return 0;
   const spec::Field* asked = entry.Find(Key::kBody) != nullptr ? entry.Find(Key::kBody) : &field;
   const std::filesystem::path path = (scope.values.spec().folder / *file).lexically_normal();
-  // The source is asked once per object and body, because it adds its findings every time.
+  // Calls Attach() once per file and body, because each call adds the findings of the file again.
   const auto [found, is_new] = attached_.try_emplace({path, *body_name}, nullptr);
   if (is_new && source_ == nullptr) {
     reader.Report(Code::kAttachNoBody, field,

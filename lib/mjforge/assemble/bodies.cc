@@ -1,4 +1,4 @@
-// `bodies:`: inline bodies, other specs, and bodies of MJCF files.
+// Adds the bodies of `bodies:`: inline bodies, other specs, and bodies of MJCF files.
 
 #include <cmath>
 #include <utility>
@@ -17,7 +17,8 @@ namespace {
 using diag::Code;
 using spec::Key;
 
-// Properties have no value until their body exists, because `if` may leave the body out.
+// Clears the variables of a body's properties: `if` may leave the body out, and then these
+// variables must have no value.
 void ClearProperties(const spec::BodyEntry& entry, sample::Evaluator& values) {
   ClearSlots(entry.first_property, spec::BodyPropertyNames().size(), values);
   for (std::size_t i = 0; i < entry.parameter_slots.size(); ++i) {
@@ -26,8 +27,8 @@ void ClearProperties(const spec::BodyEntry& entry, sample::Evaluator& values) {
   }
 }
 
-// For `placement: corner`: returns the position of a body's origin if the lower corner of its
-// rotated bounding box is at `p`, relative to the lower corner of the declared box.
+// Returns, for `placement: corner`, the position of the origin of a body. The lower corner of the
+// body's rotated bounding box is at `p`, relative to the lower corner of the declared box.
 Eigen::Vector3d OriginFromCorner(const Eigen::Vector3d& p, const Eigen::Quaterniond& q,
                                  const Eigen::Vector3d& total_size, const Eigen::Vector3d& min,
                                  const Eigen::Vector3d& max) {
@@ -38,7 +39,7 @@ Eigen::Vector3d OriginFromCorner(const Eigen::Vector3d& p, const Eigen::Quaterni
   return p - (total_size + lower);
 }
 
-// The names of parts, sites and views of a link begin with the link's name.
+// Begins the names of a link's parts, sites and views with the link's name.
 void EnterLink(Scope& scope, const Link& link, const std::string& name) {
   if (link.chain == nullptr) return;
   scope.link = name + "_";
@@ -160,8 +161,8 @@ model::Bounds Assembly::AddContents(Scope& scope, const spec::BodyEntry& entry, 
   return bounds;
 }
 
-// Adds the joints that no list says. The first link of a chain has the joints of the entry, if that
-// says any, or `none`.
+// Adds the joints of a chain's link, or the free joint of a free body. The first link of a chain
+// has the joints of its entry instead if the entry has the key `joints:`, even with `none`.
 void Assembly::AddOwnJoints(const spec::BodyEntry& entry, const Link& link) {
   if (link.chain != nullptr && (link.number > 0 || !entry.has_joints))
     body().joints = JointsOfLink(*link.chain, body().name, entry.head.mark);

@@ -13,8 +13,8 @@ namespace mjforge::assemble {
 using spec::Key;
 namespace {
 
-// Impedance of the limits, in place of MuJoCo's "0.9 0.95 ...". MuJoCo makes a limit as soft as a
-// link alone needs, but the limit also carries the links below.
+// Impedance of the joints' limits, in place of MuJoCo's "0.9 0.95 ...". MuJoCo chooses the softness
+// of a limit by the inertia of one link, but the limit also carries the links below.
 constexpr double kLimitImpedance[] = {0.99, 0.999, 0.001, 0.5, 2};
 
 }  // namespace

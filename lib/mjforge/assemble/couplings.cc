@@ -1,4 +1,4 @@
-// Couplings of joints: how far one follows another, and which of the two comes first.
+// Couplings of joints: reads `couple:` and `screw:`, and builds equalities of joints.
 
 #include "mjforge/assemble/couplings.h"
 
@@ -17,10 +17,12 @@ namespace {
 using diag::Code;
 using spec::Key;
 
-// Impedance of couplings, in place of MuJoCo's "0.9 0.95 ...": a gear or a thread hardly gives way.
+// Impedance (solimp) of linear couplings, in place of MuJoCo's "0.9 0.95 ...", because gears and
+// threads hardly give way.
 constexpr double kImpedance[] = {0.99, 0.999, 0.001, 0.5, 2};
-// A curve cannot be turned round, so that its light joint may come second, and MuJoCo then makes it
-// far too soft. These are the largest values that MuJoCo uses (mjMAXIMP).
+// Impedance of nonlinear couplings: the largest values that MuJoCo uses (mjMAXIMP). EqualityOf
+// cannot swap the joints of a nonlinear coupling, and MuJoCo makes its equality far too soft if
+// joint 2 is light.
 constexpr double kImpedanceOfCurve[] = {0.9999, 0.9999, 0.001, 0.5, 2};
 
 model::Attribute TextAttribute(std::string_view name, std::string text) {
@@ -31,9 +33,9 @@ bool IsLinear(const sample::Numbers& c) {
   return std::all_of(c.begin() + 2, c.end(), [](double x) { return x == 0; });
 }
 
-// Returns the equality in which `follower` is at c[0] + c[1] x + ... and `leader` at x. The joint
-// that moves by larger numbers becomes joint 1: MuJoCo scales the softness of an equality by the
-// sum of the inverse inertias of its joints, without the slope of the polynomial (mj_diagApprox in
+// Returns the equality that keeps `follower` at c[0] + c[1] x + ... if `leader` is at x. The joint
+// that moves farther becomes joint 1, because MuJoCo scales the softness of an equality by the sum
+// of the inverse inertias of its joints, without the slope of the polynomial (mj_diagApprox in
 // src/engine/engine_core_constraint.c). The sum is too large, and the equality too soft, if joint 2
 // is light and the slope below 1.
 model::Element EqualityOf(std::string follower, std::string leader, sample::Numbers c) {
@@ -55,7 +57,7 @@ model::Element EqualityOf(std::string follower, std::string leader, sample::Numb
   return equality;
 }
 
-// Reads the range in turns, if there is one. Returns false after a finding.
+// Reads `turns:`, the range of a screw, if the entry has it. Returns false after a finding.
 bool ReadTurns(FieldReader& reader, const spec::Entry& screw,
                std::optional<Eigen::Vector2d>& range) {
   const spec::Field* field = screw.Find(Key::kTurns);
@@ -71,7 +73,7 @@ bool ReadTurns(FieldReader& reader, const spec::Entry& screw,
   return false;
 }
 
-// Returns how far a full turn moves, m; nothing after a finding.
+// Returns the travel per full turn of a screw, m; nullopt after a finding.
 std::optional<double> ReadLead(FieldReader& reader, const spec::Field& field) {
   const std::optional<double> lead = reader.Number(field);
   if (!lead || std::isfinite(2 * std::numbers::pi / *lead)) return lead;
@@ -80,7 +82,7 @@ std::optional<double> ReadLead(FieldReader& reader, const spec::Field& field) {
   return std::nullopt;
 }
 
-// Returns the five coefficients of `couple:`; nothing after a finding.
+// Returns the five coefficients of `couple:`; nullopt after a finding.
 std::optional<sample::Numbers> ReadPolynomial(FieldReader& reader, const spec::Entry& couple) {
   sample::Numbers c = {0, 0};
   if (const spec::Field* field = couple.Find(Key::kPolycoef)) {

@@ -12,11 +12,11 @@
 
 namespace mjforge::assemble {
 
-/// Endings of the names of the slide and the hinge of a thread.
+/// Endings of the names of the slide and the hinge that form the thread of `screw:`.
 inline constexpr std::string_view kRiseEnding = "_rise";
 inline constexpr std::string_view kTurnEnding = "_turn";
 
-/// Adds equalities of joints to one object, in the form in which MuJoCo makes them hold.
+/// Adds equalities of joints to one object, with parameters that make MuJoCo hold them stiffly.
 class Couplings {
  public:
   Couplings(Sections& sections, References& references)
@@ -30,16 +30,16 @@ class Couplings {
   void AddCouple(const Scope& scope, const FieldReader& reader, const spec::Entry& couple,
                  const model::Joint& follower);
 
-  /// Reports joints that others follow and that are no hinges or slides, or, where `lead` is given,
-  /// no hinges. All joints must exist.
+  /// Reports each leading joint that is neither a hinge nor a slide or, if the coupling has a
+  /// `lead`, not a hinge. All joints must exist.
   void CheckLeaders(const model::Object& object, diag::Findings& findings) const;
 
  private:
   /// A joint that another one follows.
   struct Leader {
     std::string name;
-    std::string shown;   // in the spec
-    bool turns = false;  // true if only a hinge can lead, because of a `lead`
+    std::string shown;   // name in the spec
+    bool turns = false;  // must be a hinge, because the coupling has a `lead`
     diag::SourceMark mark;
   };
   /// Adds the equality with this name and the solver parameters of the entry.

@@ -37,7 +37,7 @@ void FieldReader::ReportElement(Code code, diag::SourceMark mark, std::string_vi
   findings_.Add(code, mark, fmt::format("{} {}", Owner(), what), std::move(hint));
 }
 
-// Numbers that are not finite were reported when they were computed.
+// Ignores numbers that are not finite, because they were reported when they were computed.
 void FieldReader::ReportNumber(const spec::Field& field, double number, std::size_t position,
                                std::size_t count) {
   if (!std::isfinite(number)) return;

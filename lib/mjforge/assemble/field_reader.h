@@ -10,10 +10,10 @@
 
 namespace mjforge::assemble {
 
-/// Reads the fields of one element. A function that returns nothing or false has added a finding.
+/// Reads the fields of one element. A function that returns nullopt or false has added a finding.
 class FieldReader {
  public:
-  /// `path` is the stream of the element; a field's stream is its child named by the key.
+  /// `path` is the random stream of the element; each field draws from the child named by its key.
   FieldReader(sample::Evaluator& values, diag::Findings& findings, std::string_view element,
               std::string_view name, sample::StreamId path)
       : values_(values), findings_(findings), element_(element), name_(name), path_(path) {}
@@ -42,12 +42,12 @@ class FieldReader {
   std::optional<sample::PointList> Points(const spec::Field& field);
   std::optional<std::vector<sample::HoleOutline>> Outlines(const spec::Field& field);
   std::optional<std::string> Text(const spec::Field& field);
-  /// Returns one of the words that the field table lists.
+  /// Returns the field's value, which must be one of the words that the field table lists.
   std::optional<std::string> Word(const spec::Field& field);
   std::optional<bool> Boolean(const spec::Field& field);
   bool ReadAttribute(const spec::Field& field, model::Attribute& out);
 
-  /// Returns the element in messages: "part 'head'".
+  /// Returns the element's name in messages: "part 'head'".
   std::string Owner() const;
   /// Adds the finding "KEY of OWNER <what>".
   void Report(diag::Code code, const spec::Field& field, std::string_view what,
@@ -58,7 +58,7 @@ class FieldReader {
   diag::Findings& findings() { return findings_; }
 
  private:
-  /// Returns the stream of the field, or, without hashing, of the element if nothing is drawn.
+  /// Returns the stream of the field; to save a hash, that of the element if the field has no draw.
   sample::StreamId PathOf(const spec::Field& field) const {
     return spec::HasDraw(field.value) ? sample::Child(path_, field.info->key) : path_;
   }

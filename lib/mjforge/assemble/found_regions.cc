@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Adds the colliding parts of a body, from `first` to `last`, in the root frame.
+// Adds the colliding parts with indices from `first` to `last` - 1 of a body, in the root frame.
 void AddColliding(const model::Body& body, const model::Pose& X_RootB, std::size_t first,
                   std::size_t last, std::vector<PlacedShape>& out) {
   for (std::size_t i = first; i < std::min(last, body.parts.size()); ++i) {
@@ -25,8 +25,8 @@ void AddColliding(const model::Body& body, const model::Pose& X_RootB, std::size
   }
 }
 
-// Returns true if the body, or one above it, moves freely or waits for its place: such a body is no
-// part of a fixture.
+// Returns true if a body, or a body above it, has a free joint or waits for its place. A loose body
+// does not limit the regions of other bodies.
 bool IsLoose(const model::Object& object, std::size_t index) {
   auto i = static_cast<int>(index);
   while (i > 0) {
@@ -49,7 +49,7 @@ class FaceFinder {
     return shapes;
   }
 
-  // Returns the colliding parts of the whole spec.
+  // Returns the colliding parts of the spec's bodies that are not loose, and of the searched body.
   std::vector<PlacedShape> AllShapes() const {
     std::vector<PlacedShape> shapes;
     Add(search_.root, shapes);
@@ -92,7 +92,7 @@ class FaceFinder {
                  is_root ? search_.last_part : object_.bodies[body].parts.size(), shapes);
   }
 
-  // Returns the sides of a rectangle, the one closest to the x axis first; nothing for other
+  // Returns the sides of a rectangle, the one closest to the x axis first; nullopt for other
   // polygons.
   static std::optional<std::pair<Vector2d, Vector2d>> SidesOf(
       const std::vector<Vector2d>& corners) {
@@ -111,7 +111,7 @@ class FaceFinder {
 
   const FaceSearch& search_;
   const model::Object& object_;
-  std::vector<model::Pose> poses_;  // in the root frame
+  std::vector<model::Pose> poses_;  // of all bodies, in the root frame
 };
 
 }  // namespace

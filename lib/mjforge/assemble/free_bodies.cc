@@ -28,7 +28,7 @@ bool MayBeFree(const std::vector<model::Body>& bodies, const model::Body& body,
     return false;
   }
   const model::Body* moving = MovingParent(bodies, body.parent);
-  // A body that was placed only starts there.
+  // Allows a moving support for a body with `place:`, which only starts there.
   if (moving == nullptr || !body.stands_at.empty()) return true;
   findings
       .Add(diag::Code::kModelBadValue, mark,

@@ -12,7 +12,7 @@ namespace {
 
 using Unit = solid::TextureMapping::Unit;
 
-// A cross section whose shorter side is more than this share of the longer one is that of a post.
+// Ratio of the sides of a box's cross section above which the box is a post, not a board.
 constexpr double kPost = 0.5;
 
 }  // namespace
@@ -23,7 +23,7 @@ PartTexture TextureOf(const model::Object& object, int material) {
   const model::Material& its = object.materials[static_cast<std::size_t>(material)];
   if (its.texture < 0) return texture;
   const model::Texture& image = object.textures[static_cast<std::size_t>(its.texture)];
-  // MuJoCo computes the coordinates of cube textures itself.
+  // Skips cube textures, whose coordinates MuJoCo computes itself.
   const auto is_2d = [](const model::Attribute& a) { return a.name == "type" && a.text == "2d"; };
   if (std::ranges::none_of(image.attributes, is_2d)) return texture;
   texture.is_turned = model::FindAttribute(image.attributes, "builtin") != nullptr;
@@ -35,7 +35,7 @@ PartTexture TextureOf(const model::Object& object, int material) {
     const std::size_t last = attribute.numbers.size() - 1;
     texture.mapping.repeat = {attribute.numbers[0], attribute.numbers[last]};
   }
-  // MuJoCo repeats uniform textures on its own geoms half as often as `texrepeat`, too.
+  // Agrees with MuJoCo, which repeats uniform textures on primitive geoms half as often, too.
   if (texture.mapping.unit == Unit::kMetre) texture.mapping.repeat /= 2;
   return texture;
 }

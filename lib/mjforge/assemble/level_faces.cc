@@ -1,4 +1,4 @@
-// Level upper faces: top faces of convex shapes, joined, and cut back to what is free.
+// Level upper faces: top faces of convex shapes, joined, and cut back where shapes are on them.
 
 #include "mjforge/assemble/level_faces.h"
 
@@ -18,10 +18,10 @@ using Polygon = std::vector<Vector2d>;
 // Tolerance for the same height and for contact, m: below any clearance that matters, above the
 // rounding errors of poses.
 constexpr double kTouching = 1e-6;
-constexpr double kStraight = 1e-9;  // sine of the angle between edges that are one
+constexpr double kStraight = 1e-9;  // sine of the angle between edges that count as one
 constexpr std::size_t kDiscCorners = 64;
-// The number of faces that are compared with all shapes is limited, because an object may have
-// 40,000 parts.
+// Largest number of faces that are compared with all shapes, because an object may have 40,000
+// parts.
 constexpr std::size_t kMostFaces = 64;
 
 // Returns the convex hull without corners on straight lines.
@@ -47,8 +47,8 @@ void MakePolygon(LevelFace& face) {
   face.radius.reset();
 }
 
-// Returns the highest face of the shape's convex hull if this face is level; without corners, if it
-// is a point or an edge.
+// Returns the top face of the shape's convex hull if the face is level. Otherwise the top is a
+// point or an edge, and the returned face has fewer than three corners.
 LevelFace TopOf(const PlacedShape& placed) {
   LevelFace face{.corners = {}, .z = placed.box.max.z(), .radius = std::nullopt};
   const Vector3d axis = placed.X_WG.q * Vector3d::UnitZ();
@@ -71,8 +71,8 @@ double AreaOfFace(const LevelFace& face) {
   return face.radius ? std::numbers::pi * *face.radius * *face.radius : solid::AreaOf(face.corners);
 }
 
-// Joins faces at the same height if their convex hull has no gaps. The pieces of a shape do not
-// overlap, so that their areas add up.
+// Joins faces of a shape's pieces at the same height if they fill their convex hull. Compares the
+// sum of their areas with that of the hull, because the pieces do not overlap.
 std::vector<LevelFace> Joined(std::vector<LevelFace> faces) {
   if (faces.size() < 2) return faces;
   LevelFace whole{.corners = {}, .z = faces.front().z, .radius = std::nullopt};
@@ -87,7 +87,7 @@ std::vector<LevelFace> Joined(std::vector<LevelFace> faces) {
   return {whole};
 }
 
-// Returns the top faces of all shapes, those of pieces of one shape joined.
+// Returns the top faces of all shapes, after joining the faces of the pieces of one shape.
 std::vector<LevelFace> TopFaces(std::span<const PlacedShape> shapes) {
   std::vector<LevelFace> faces;
   std::vector<LevelFace> pieces;
@@ -130,7 +130,7 @@ bool IsBeside(const PlacedShape& placed, const Polygon& corners) {
   return false;
 }
 
-// Cuts the shape's place off, along the edge that leaves the largest area.
+// Cuts off the part of the face below the shape, parallel to the edge that leaves the largest area.
 void CutOff(const PlacedShape& placed, LevelFace& face) {
   if (IsBeside(placed, face.corners)) return;
   MakePolygon(face);
@@ -157,7 +157,7 @@ void CutBack(std::span<const PlacedShape> shapes, double height, double area, Le
   }
 }
 
-// Sorts the faces: the largest first, of equal ones the highest first.
+// Sorts the faces by decreasing area; faces of equal area by decreasing height.
 void SortBySize(std::vector<LevelFace>& faces) {
   std::ranges::stable_sort(faces, {}, [](const LevelFace& face) {
     return std::tuple(-std::llround(AreaOfFace(face) * 1e9), -std::llround(face.z * 1e9));

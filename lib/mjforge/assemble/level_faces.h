@@ -18,16 +18,16 @@ namespace mjforge::assemble {
 struct PlacedShape {
   model::Shape shape;
   model::Pose X_WG;
-  model::Box3 box;                 // its bounds in W
+  model::Box3 box;                 // bounds of the shape in W
   std::string_view piece_of = {};  // see Part::piece_of
 };
 
 /// A level upper face of one shape or of several adjacent pieces of one shape.
 struct LevelFace {
-  /// Corners of a convex polygon, counter-clockwise, in W. For a disc, a polygon around it.
+  /// Corners of a convex polygon, counter-clockwise, in W. For a disc, a polygon around the disc.
   std::vector<Eigen::Vector2d> corners;
-  double z = 0;                                             // in W, m
-  std::optional<double> radius;                             // m, only for a disc
+  double z = 0;                                             // height of the face in W, m
+  std::optional<double> radius;                             // of a disc, m; nullopt for a polygon
   double height = std::numeric_limits<double>::infinity();  // free height above, m
 };
 

@@ -1,4 +1,4 @@
-// Materials of an object: evaluation on first use, and sharing of equal ones.
+// Materials of an object: evaluation on first use, and sharing of equal materials.
 
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace mjforge::assemble {
 
-/// Adds materials to one object. Equal ones are shared.
+/// Adds materials to one object. Equal materials are added once.
 class Materials {
  public:
   Materials(model::Object& object, Assets& assets, diag::Findings& findings)
@@ -30,7 +30,7 @@ class Materials {
   model::Object& object_;
   Assets& assets_;
   diag::Findings& findings_;
-  std::unordered_multimap<std::string, int> by_name_;  // indices by own name
+  std::unordered_multimap<std::string, int> by_name_;  // indices by name in the spec or file
 };
 
 }  // namespace mjforge::assemble

@@ -1,4 +1,4 @@
-// Meshes of an object: inline meshes and files, shared if they are equal, and names of copies.
+// Meshes of an object: inline meshes and files, shared if they are equal, and names of the files.
 
 #include <algorithm>
 #include <functional>
@@ -18,7 +18,7 @@ namespace {
 using diag::Code;
 using spec::Key;
 
-// Meshes with equal vertices seldom differ otherwise.
+// Hashes the vertices only, because meshes with equal vertices seldom differ otherwise.
 std::size_t HashOf(const model::TriangleMesh& mesh) {
   const std::string_view bytes(reinterpret_cast<const char*>(mesh.vertices.data()),
                                mesh.vertices.size() * sizeof(Eigen::Vector3d));
@@ -194,10 +194,11 @@ std::string Assets::OutputName(const std::filesystem::path& file) {
   const auto [found, is_new] = output_names_.try_emplace(file);
   if (!is_new) return found->second;
   std::string name = file.filename().string();
-  // Archives are unpacked on any system, and MuJoCo treats a backslash like a slash.
+  // Replaces characters that are invalid on systems where archives may be unpacked, and the
+  // backslash, which MuJoCo treats like a slash.
   std::ranges::replace_if(name, IsUnportable, '_');
   const std::filesystem::path safe = name;
-  // MuJoCo 2.2 ignores the case of file names.
+  // Compares names in lower case, because MuJoCo 2.2 ignores the case of file names.
   for (int i = 2; !taken_names_.insert(diag::LowerCase(name)).second; ++i) {
     name = fmt::format("{}_{}{}", safe.stem().string(), i, safe.extension().string());
   }

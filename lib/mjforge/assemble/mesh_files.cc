@@ -158,7 +158,7 @@ std::optional<Eigen::Vector3d> StlVertex(std::span<const std::string_view> words
 }
 
 // Reads text STL line by line. Names of solids may be any words, and normals are ignored. Returns
-// false and sets `why_not` if a line does not belong in such a text.
+// false and sets `why_not` if a line is not valid in text STL.
 bool AddTextStl(std::string_view content, MeshBuilder& builder, std::string& why_not) {
   constexpr std::string_view kIgnored[] = {"solid", "facet", "outer", "endfacet", "endsolid"};
   std::array<Eigen::Vector3d, 3> corners;
@@ -187,7 +187,7 @@ bool AddTextStl(std::string_view content, MeshBuilder& builder, std::string& why
   return count == 0;
 }
 
-// Returns the result of `parse`. If it throws, returns nothing and sets `why_not`.
+// Returns the result of `parse`. If it throws, returns nullopt and sets `why_not`.
 template <typename Parse>
 std::optional<MeshFile> CatchExceptions(Parse parse, std::string& why_not) {
   try {

@@ -66,7 +66,7 @@ class NameTable {
         first = &element;
       }
     }
-    std::map<std::string_view, diag::SourceMark> reported;  // last place of a kind
+    std::map<std::string_view, diag::SourceMark> reported;  // place reported last, by kind
     for (const auto& [position, pair] : duplicates) {
       const auto& [element, earlier] = pair;
       diag::SourceMark& last = reported[element->kind];
@@ -102,7 +102,7 @@ void CheckVisualNames(const model::Object& object, const NameTable& names,
       const NamedElement* twin = names.Find("part", stem);
       if (twin == nullptr || twin->part->role == model::Role::kCollision || twin->part->as_is)
         continue;
-      // The only geom of a visual part has the suffix, too.
+      // Skips visual parts, whose only geom gets the suffix a second time.
       if (!part.as_is && part.role == model::Role::kVisual) continue;
       ReportTwice("part", part.name, part.mark, twin->mark,
                   fmt::format("part '{}' has a visual twin of that name", stem), findings);

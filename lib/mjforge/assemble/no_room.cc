@@ -1,4 +1,4 @@
-// Messages about bodies for which no place was found: sizes, and what took the room.
+// Messages about bodies for which no place was found: sizes, and the bodies in the way.
 
 #include "mjforge/assemble/no_room.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 using diag::Code;
 
-// Most bodies in the way that a message names.
+// Largest number of bodies in the way that a message names.
 constexpr std::size_t kMostNamed = 3;
 
 // Returns a length in cm, to a tenth of a millimetre.

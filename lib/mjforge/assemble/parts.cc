@@ -32,10 +32,10 @@ bool ReadRole(FieldReader& reader, const spec::Entry& entry, model::Part& part) 
 // Returns true for fields that are written to the MJCF element unchanged.
 bool IsAttribute(Key id) { return id == Key::kAttribute || id == Key::kRgba || id == Key::kGroup; }
 
-// Hardens the contacts of a shape's pieces, because things would sink through its thin
-// walls with MuJoCo's default parameters. With these values a ball of 5 mm that falls 10 cm stays
-// on a floor of 1.5 mm. A time constant below two steps of 2 ms would not be stable.
-// docs/physics.md shows how the values were found.
+// Hardens the contacts of a shape's convex pieces, because with MuJoCo's default parameters objects
+// would sink through thin walls. With these values a ball of 5 mm that falls 10 cm stays on a floor
+// of 1.5 mm. A time constant below two steps of 2 ms would not be stable. docs/physics.md shows how
+// the values were found.
 void HardenContacts(std::vector<model::Attribute>& attributes) {
   if (model::FindAttribute(attributes, "solref") != nullptr) return;
   const auto add = [&](std::string_view name, sample::Numbers numbers) {

@@ -14,7 +14,7 @@ namespace {
 
 using diag::Code;
 
-// Most names that a hint lists.
+// Largest number of names that a hint lists.
 constexpr std::size_t kMostListed = 8;
 
 template <typename List, typename Condition>
@@ -40,7 +40,7 @@ std::optional<PlaceTarget> FindOn(const model::Object& object, int body,
   return target;
 }
 
-// Returns the full name without the longest of the prefixes that it has.
+// Returns the full name without the first of `prefixes` with which the name begins.
 std::string_view Without(std::string_view full, std::initializer_list<std::string_view> prefixes) {
   for (const std::string_view prefix : prefixes) {
     if (full.starts_with(prefix)) return full.substr(prefix.size());
@@ -75,8 +75,8 @@ std::optional<PlaceTarget> PlaceNames::Find(std::string_view name) const {
   std::vector<std::string_view> path = PathOf(name);
   const std::string last(path.back());
   path.pop_back();
-  // An element of the body BODY.INNER has the prefix of the spec in which its entry is: this spec,
-  // that of BODY, or that of INNER.
+  // Collects the possible full names of an element of the body BODY.INNER, because its entry may be
+  // in this spec, in the spec of BODY or in the spec of INNER.
   std::string prefix = scope_.prefix;
   std::vector<std::string> names = {prefix + last};
   for (const std::string_view part : path) {
@@ -88,7 +88,7 @@ std::optional<PlaceTarget> PlaceNames::Find(std::string_view name) const {
   if (body) {
     if (auto target = FindOn(object_, *body, names)) return target;
   }
-  // The elements of a spec in `parts:` belong to the body that it is welded to.
+  // Searches all bodies, because elements of a welded spec (`parts:`) belong to the outer body.
   for (int i = 0; i < static_cast<int>(object_.bodies.size()); ++i) {
     if (auto target = FindOn(object_, i, {names.back()})) return target;
   }
@@ -127,7 +127,7 @@ std::vector<std::string_view> PlaceNames::TargetsOn(int index) const {
   for (const model::Site& site : body.sites)
     names.push_back(Without(site.name, {body.name + "_", scope_.prefix}));
   std::ranges::sort(names);
-  names.erase(std::unique(names.begin(), names.end()), names.end());  // regions are sites, too
+  names.erase(std::unique(names.begin(), names.end()), names.end());  // each region has a site
   return names;
 }
 

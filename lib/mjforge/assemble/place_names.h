@@ -1,4 +1,4 @@
-// Names in `place:`: bodies, regions and sites of the spec that places.
+// Names in `place:`: bodies, regions and sites of the spec that contains the entry.
 
 #pragma once
 
@@ -31,16 +31,16 @@ class PlaceNames {
              const Scope& scope)
       : object_(object), bodies_(bodies), scope_(scope) {}
 
-  /// Returns the index of the body BODY or BODY.INNER.
+  /// Returns the index of the body BODY or BODY.INNER; nullopt if it does not exist.
   std::optional<int> FindBody(std::string_view name) const;
-  /// Returns the region or the site, regions first.
+  /// Returns the region or site with this name; nullopt if neither exists.
   std::optional<PlaceTarget> Find(std::string_view name) const;
   /// Returns the full name of a body.
   std::string FullName(std::string_view body) const;
-  /// Returns the name that the spec has for a body: that of its entry, or of the spec itself.
+  /// Returns the name of a body without the scope's prefix; for the root body, the spec's name.
   std::string NameOf(int body) const;
 
-  /// Adds a finding about a name that no body has; `owner` has the place.
+  /// Adds a finding about a name that no body has; `owner` is the element with the `place:`.
   void ReportBody(std::string_view owner, std::string_view name, diag::SourceMark mark,
                   diag::Findings& findings) const;
   /// Adds a finding about a name that no region and no site has.
@@ -48,10 +48,10 @@ class PlaceNames {
                     diag::Findings& findings) const;
 
  private:
-  /// Returns the names of the regions and sites of a body, without its own name.
+  /// Returns the names of the regions and sites of a body, without the body's name in front.
   std::vector<std::string_view> TargetsOn(int index) const;
 
-  /// Returns the names between dots, without that of the spec itself in front.
+  /// Splits the name at its dots, and removes the spec's own name from the front.
   std::vector<std::string_view> PathOf(std::string_view name) const;
 
   const model::Object& object_;

@@ -23,7 +23,7 @@ void AddUnlessStated(std::string_view name, sample::Numbers numbers, std::string
   attribute.text = std::move(text);
 }
 
-// Sets the options with which a pile rests in MuJoCo, unless the spec states its own. With a
+// Sets the options with which a pile rests in MuJoCo, unless the spec sets them itself. With a
 // pyramidal cone and impratio 1, bodies glide on each other for ever; without noslip iterations
 // they creep by some millimetres per second. Without multiccd, releases before 4.0 let a convex
 // piece rest on a single point.

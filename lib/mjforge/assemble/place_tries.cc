@@ -32,7 +32,7 @@ const spec::BodyEntry* FindEntry(const spec::ObjectSpec& spec, std::string_view 
   return found == spec.bodies.end() ? nullptr : &*found;
 }
 
-// Returns a field that places at a site do not have; null if there is none.
+// Returns a field of `place:` that has no meaning at a site; null if there is none.
 const spec::Field* WithoutMeaningAtSites(const spec::PlaceEntry& place) {
   constexpr Key kOfSites[] = {Key::kAt, Key::kBy, Key::kYaw, Key::kClear};
   if (!place.beside.empty()) return &place.beside.front();
@@ -42,7 +42,7 @@ const spec::Field* WithoutMeaningAtSites(const spec::PlaceEntry& place) {
   return found == place.fields.end() ? nullptr : &*found;
 }
 
-// Returns one of the poses, by their probabilities; u is in (0, 1).
+// Returns the pose that the uniform number `u`, in (0, 1), selects by the poses' probabilities.
 const model::StablePose& DrawPose(const std::vector<model::StablePose>& poses, double u) {
   for (const model::StablePose& pose : poses) {
     u -= pose.probability;
@@ -181,7 +181,7 @@ bool Placements::ReadBeside(const Request& request, sample::StreamId path, Trial
   beside.body = *body;
   beside.front = BodyAt(*body).front;
   const std::vector<std::string_view> sides =
-      expr::WordsOf(spec::kBesideElement.Find(Key::kSide)->words);  // in the order of Side
+      expr::WordsOf(spec::kBesideElement.Find(Key::kSide)->words);  // in the order of model::Side
   beside.side = static_cast<model::Side>(std::ranges::find(sides, *side) - sides.begin());
   if (const spec::Field* gap = place.FindBeside(Key::kGap)) {
     const std::optional<double> distance = reader.Number(*gap);
@@ -261,13 +261,13 @@ std::optional<int> Placements::ReadBody(const Request& request, FieldReader& rea
 
 bool Placements::MustStand(const Request& request, int body, diag::SourceMark mark) {
   if (IsPiled(request, body, mark)) return false;
-  // The body of this spec that `body` is on, or the root.
+  // Ancestor of `body`, or `body` itself, that is a child of the spec's root; or the root itself.
   int top = body;
   while (top != scope_.body && BodyAt(top).parent >= 0 && BodyAt(top).parent != scope_.body)
     top = BodyAt(top).parent;
   const bool stands = top == scope_.body || BodyAt(top).parent == scope_.body;
   if (stands && body < request.body) return true;
-  if (top < request.body) {  // there was no room for it, which has been reported
+  if (top < request.body) {  // no place was found for `top`, which was reported
     if (context_.left_out.contains(BodyAt(top).name)) LeaveOut(request);
     return false;
   }

@@ -1,4 +1,4 @@
-// Placing of bodies: tries until one stands, start of the search, and results in the object.
+// Placing of bodies: tries a body at drawn places until it stands, and stores the pose.
 
 #include "mjforge/assemble/placements.h"
 
@@ -15,10 +15,10 @@ namespace {
 using diag::Code;
 using spec::Key;
 
-// Number of tries after which there is no room.
+// Largest number of tries for one body.
 constexpr std::size_t kMaxTries = 1000;
-// Number of tries after which a body that never fitted into the region, whatever stands there,
-// never will.
+// Number of tries after which the search ends if all tries failed because of the region alone, not
+// because of other bodies.
 constexpr std::size_t kHopelessTries = 200;
 
 bool IsHopeless(const Misses& misses) {
@@ -28,8 +28,8 @@ bool IsHopeless(const Misses& misses) {
   return never_fits && misses.count >= kHopelessTries;
 }
 
-// Returns the joint that tilts what stands on a body, which is below the body `top`; null if none
-// does. A free body carries what stands on it as well as the floor does.
+// Returns a joint between a body and its ancestor `top` that can tilt objects on the body; null if
+// there is none. Free joints do not count: a free body carries objects as well as the floor does.
 const model::Joint* TiltingJoint(const std::vector<model::Body>& bodies,
                                  const std::vector<model::Pose>& X_WB, int body, int top) {
   constexpr double kVertical = 1e-6;  // sine of the angle, for rounding
@@ -59,8 +59,8 @@ void Assembly::PlaceBodies(Scope& scope) {
 }
 
 void Placements::Run() {
-  // The body of the spec has no pose yet. Until then, its frame is that of the world, so that
-  // bodies stand upright in the spec's own frame.
+  // Makes the spec's root body, which has no pose yet, a child of the world during the search, so
+  // that bodies stand upright in the spec's own frame.
   model::Body& root = context_.object.bodies[static_cast<std::size_t>(scope_.body)];
   const int parent = std::exchange(root.parent, -1);
   context_.placer.Begin(context_.object);
@@ -82,7 +82,7 @@ void Placements::Run() {
 void Placements::Place(const spec::BodyEntry& entry, sample::StreamId bodies) {
   const std::optional<std::string> name = scope_.values.Text(entry.head.name, bodies);
   const auto found = name ? context_.bodies.find(scope_.prefix + *name) : context_.bodies.end();
-  if (found == context_.bodies.end()) return;  // left out, or reported
+  if (found == context_.bodies.end()) return;  // the body was left out, or an error reported
   const Request request = {entry, *name, found->second};
   sample::StreamId places = sample::Child(sample::Child(bodies, std::string_view(*name)), "place");
   if (context_.seed) places = sample::Child(places, std::size_t{*context_.seed});

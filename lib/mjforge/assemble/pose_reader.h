@@ -8,7 +8,7 @@
 
 namespace mjforge::assemble {
 
-/// Returns the pose given by pos and one of quat, euler, axisangle, xyaxes and zaxis; nothing after
+/// Returns the pose given by pos and one of quat, euler, axisangle, xyaxes and zaxis; nullopt after
 /// a finding.
 std::optional<model::Pose> ReadPose(FieldReader& reader, const spec::Entry& entry);
 
@@ -22,7 +22,7 @@ struct Segment {
 std::optional<Segment> ReadFromTo(FieldReader& reader, const spec::Field& field,
                                   const spec::Field* up);
 
-/// Returns the unit vector along a field's three numbers.
+/// Returns the unit vector along a field's three numbers; nullopt after a finding.
 std::optional<Eigen::Vector3d> ReadDirection(FieldReader& reader, const spec::Field& field);
 
 }  // namespace mjforge::assemble

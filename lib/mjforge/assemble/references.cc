@@ -14,7 +14,7 @@ namespace {
 
 using diag::Code;
 
-// In MJCF `xbody` is a body's own frame and `body` its inertial frame.
+// Returns "body" for "xbody": in MJCF both are bodies, by their inertial or by their own frame.
 std::string_view Canonical(std::string_view kind) { return kind == "xbody" ? "body" : kind; }
 
 }  // namespace
@@ -70,7 +70,7 @@ bool References::IsRemoved(const std::string& joint) const {
 
 void References::Check() {
   if (references_.empty()) return;
-  // Other elements may refer to a dropped one.
+  // Repeats until nothing changes, because elements may refer to dropped elements.
   for (bool changed = true; changed;) {
     changed = false;
     for (const NameReference& reference : references_) changed |= DropIfRemoved(reference);
@@ -113,7 +113,7 @@ bool References::DropIfRemoved(const NameReference& reference) {
 }
 
 void References::Report(const NameReference& reference, const Set& names) {
-  // Suggest names as in the spec, without the prefix.
+  // Suggests names as in the spec, without the prefix.
   const std::size_t prefix = reference.name.size() >= reference.shown.size()
                                  ? reference.name.size() - reference.shown.size()
                                  : 0;

@@ -25,8 +25,8 @@ class References {
     const spec::SectionInfo* section = nullptr;
     std::size_t position = 0;
   };
-  /// Adds a reference of the element at `place` to an element of this kind. Messages have the name
-  /// as `shown`, and the attribute and its element as `owner`.
+  /// Adds a reference of the element at `place` to an element of this kind. Messages show the name
+  /// as `shown`, and the attribute with its element as `owner`.
   void Add(ElementPlace place, std::string_view kind, std::string full_name, std::string shown,
            std::string owner, diag::SourceMark mark);
   /// Notes that attaching the spec or file `origin` removed a joint.
@@ -47,10 +47,10 @@ class References {
     diag::SourceMark mark;
   };
   using Set = std::unordered_set<std::string_view>;
-  using Names = std::map<std::string_view, Set>;  // sets by kind
+  using Names = std::map<std::string_view, Set>;  // names by kind
 
-  /// Returns the names of all elements of the kinds that are referred to. `geoms` stores names that
-  /// the object does not contain as texts.
+  /// Returns the names of all elements of the kinds that are referred to. `geoms` gets the
+  /// names of geoms, because the object does not contain all of them as texts to refer to.
   Names CollectNames(std::vector<std::string>& geoms) const;
   /// Drops the element if it refers to a removed one. Returns true if it was dropped now.
   bool DropIfRemoved(const NameReference& reference);
@@ -64,7 +64,7 @@ class References {
   std::vector<NameReference> references_;
   // Removed elements: reasons by kind and name.
   std::map<std::string, std::map<std::string, std::string>, std::less<>> removed_;
-  std::set<std::pair<const spec::SectionInfo*, std::size_t>> dropped_;  // elements of sections
+  std::set<std::pair<const spec::SectionInfo*, std::size_t>> dropped_;  // dropped elements
 };
 
 }  // namespace mjforge::assemble

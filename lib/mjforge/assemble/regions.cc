@@ -23,7 +23,7 @@ constexpr double kHalfThickness = 0.0005;
 // Returns the key that gives the extent of a region of this type.
 Key ExtentKey(std::string_view type) { return type == "polygon" ? Key::kPolygon : Key::kSize; }
 
-// Reports keys that have no meaning for the type, which may be drawn.
+// Reports keys that have no meaning for the region's type; returns true if it reported any.
 bool HasStrayRegionKeys(FieldReader& reader, const spec::Entry& entry, std::string_view type) {
   const bool is_auto = type == "auto";
   bool stray = false;
@@ -43,7 +43,7 @@ bool HasStrayRegionKeys(FieldReader& reader, const spec::Entry& entry, std::stri
   return stray;
 }
 
-// Returns the index of a corner at which a counter-clockwise polygon is not convex; nothing if the
+// Returns the index of a corner at which a counter-clockwise polygon is not convex; nullopt if the
 // polygon is convex.
 std::optional<std::size_t> ConcaveCorner(const std::vector<Eigen::Vector2d>& corners) {
   const std::size_t n = corners.size();
@@ -56,7 +56,7 @@ std::optional<std::size_t> ConcaveCorner(const std::vector<Eigen::Vector2d>& cor
     if (!(turn > 0)) return i;
     turned += turn;
   }
-  // A star turns to the left at each corner, too, but more than once around.
+  // Rejects stars (pentagrams), which turn left at each corner, too, but more than once around.
   if (turned > 3 * std::numbers::pi) return 0;
   return std::nullopt;
 }
@@ -108,7 +108,7 @@ bool ReadExtent(FieldReader& reader, const spec::Entry& entry, std::string_view 
   return half_size.has_value();
 }
 
-// Reads a number that the region has a default for.
+// Reads a length into `out`, which keeps its default if the entry does not have the key.
 bool ReadLength(FieldReader& reader, const spec::Entry& entry, Key key, double& out) {
   const spec::Field* field = entry.Find(key);
   if (field == nullptr) return true;
@@ -137,7 +137,7 @@ bool HasRoomWithin(const model::Region& region) {
     const Eigen::Vector2d normal = solid::OutwardNormal(region.corners, i);
     rest = solid::Clipped(rest, normal, normal.dot(region.corners[i]) - region.margin);
   }
-  constexpr double kStraight = 1e-9;  // a rest as thin as that is rounding
+  constexpr double kStraight = 1e-9;  // sine of an angle; thinner remainders are rounding errors
   return solid::AreaOf(solid::ConvexPolygonOf(std::move(rest), kStraight)) > 0;
 }
 

@@ -8,8 +8,8 @@
 
 namespace mjforge::assemble {
 
-/// Largest angle of a region to the horizontal, rad: an object 30 cm long that lies on it is less
-/// than 0.1 mm off.
+/// Largest angle of a region to the horizontal, rad: one end of an object 30 cm long is less than
+/// 0.1 mm higher than the other.
 inline constexpr double kLevelAngle = 3e-4;
 
 /// A request to find regions on a body: `type: auto`.
@@ -38,8 +38,8 @@ void AddRegionTo(model::Body& body, model::Region region);
 /// Finds the level faces of one search, at the start state, and adds them as regions.
 void AddFoundRegions(const FaceSearch& search, model::Object& object);
 
-/// Reports the regions declared in the file of `spec` that are not level at the start. The regions
-/// of nested specs are not reported, because a bowl may hang on a hook.
+/// Reports the regions declared in the file of `spec` that are not level at the start. Ignores the
+/// regions of nested specs, which may be tilted on purpose, like a bowl that hangs on a hook.
 void CheckLevelRegions(const model::Object& object, diag::SourceMark spec,
                        diag::Findings& findings);
 

@@ -38,7 +38,7 @@ long Repetition::CountInstances(const spec::Entry& entry, std::size_t depth,
   if (depth + 1 == entry.loops.size()) return times;
   long sum = 0;
   for (long i = 0; i < times && sum <= limit; ++i) {
-    // Outer loops take time even if the inner loops have no instances.
+    // Limits outer loops, too, which take time even if the inner loops have no instances.
     if (i > kMaxSteps) return limit + 1;
     values.SetVariable(loop, *range, static_cast<std::size_t>(i));
     const long inner = CountInstances(entry, depth + 1, values, limit - sum);

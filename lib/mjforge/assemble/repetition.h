@@ -14,7 +14,7 @@ class Repetition {
  public:
   explicit Repetition(diag::Findings& findings) : findings_(findings) {}
 
-  /// Returns the number of instances, ignoring conditions; nothing after a finding, for instance if
+  /// Returns the number of instances, ignoring conditions; nullopt after a finding, for instance if
   /// there are too many together with the `existing` elements.
   std::optional<std::size_t> Count(const spec::Entry& entry, sample::Evaluator& values,
                                    std::size_t existing);
@@ -24,7 +24,7 @@ class Repetition {
   template <typename Visit>
   void ForEach(const spec::Entry& entry, sample::Evaluator& values, sample::StreamId list,
                const Visit& visit) {
-    Walk(entry, 0, values, list, std::cref(visit));  // a reference needs no memory of its own
+    Walk(entry, 0, values, list, std::cref(visit));  // a reference allocates no memory
   }
 
  private:

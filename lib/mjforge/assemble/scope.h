@@ -28,14 +28,14 @@ struct Scope {
         const model::Pose& X_BodyS);
 
   sample::Evaluator& values;
-  std::string prefix;      // prefix of the full names of the spec's elements, with `link`
-  std::string link;        // in a link of a chain its name and "_"
+  std::string prefix;      // prefix of the full names of the spec's elements; ends with `link`
+  std::string link;        // name of the current link of a chain and "_"; otherwise empty
   int body;                // index in Object::bodies of the body that contains the spec's root
   model::Pose X_BS;        // pose of the spec's root S in the current body B
   sample::StreamId parts;  // stream of the current list of parts
   std::vector<MaterialState> materials;  // parallel to values.spec().materials
-  /// Scope of the spec that brings this one, and substitutes from there: pairs of the name of a
-  /// material of this spec and of the outer spec's material that replaces it.
+  /// Scope of the spec that contains this one, or null; and pairs of names: a material of this
+  /// spec, and the material of the outer spec that replaces it.
   Scope* outer = nullptr;
   std::vector<std::pair<std::string, std::string>> substitutes;
   std::optional<Eigen::Vector3d> total_size;
@@ -46,7 +46,8 @@ struct Scope {
     sample::SavedVariables variables;
   };
   std::vector<Jointed> jointed = {};
-  /// Slot and value, kg, of NAME.mass of each body, because the spec's `mass:` scales these masses.
+  /// Slots and values, kg, of the variables NAME.mass of all bodies, which the spec's `mass:`
+  /// scales.
   std::vector<std::pair<int, double>> body_masses;
 
   /// Returns the prefix without `link`.
@@ -60,12 +61,12 @@ struct Scope {
 /// Sets the materials that replace materials of a nested spec (`materials:` of its entry).
 void SetSubstitutes(Scope& scope, const spec::Entry& entry, sample::StreamId path, Scope& inner);
 
-/// Returns the name of an entry's instance in its spec; nothing after a finding.
+/// Returns the name of an entry's instance in its spec; nullopt after a finding.
 std::optional<std::string> ReadName(Scope& scope, const spec::Entry& entry, sample::StreamId list,
                                     diag::Findings& findings);
 
-/// Reads an element's attributes into `out`, which is empty: its own ones, then those of its
-/// material and of the defaults that are still missing. Returns false after a finding.
+/// Reads an element's attributes into `out`, which is empty: first those of the element's entry,
+/// then missing ones from the material, then from the defaults. Returns false after a finding.
 bool ReadAttributes(FieldReader& reader, const spec::Entry& entry,
                     std::vector<model::Attribute>& out,
                     std::span<const model::Attribute> of_material = {});

@@ -14,8 +14,8 @@ namespace {
 
 using diag::Code;
 
-// A range and its switch. A range applies unless the switch is false. The switch is always written,
-// because its default differs between releases of MuJoCo.
+// Names of a range and of its switch. A range applies unless the switch is false. The switch is
+// always written, because its default differs between releases of MuJoCo.
 struct LimitAttributes {
   std::string_view range;
   std::string_view limited;
@@ -39,7 +39,7 @@ void SetLimited(const spec::ElementInfo& info, std::vector<model::Attribute>& at
 }
 
 // Gives a list of numbers the length that MuJoCo 2.2 requires: appends the defaults of missing
-// numbers, and removes surplus numbers that are all equal to the only one.
+// numbers, and reduces several equal numbers to one if MuJoCo reads only one.
 void SetLength(const spec::FieldInfo& info, sample::Numbers& numbers) {
   if (info.default_text.empty()) return;
   std::vector<double> usual;

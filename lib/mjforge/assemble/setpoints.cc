@@ -26,7 +26,7 @@ std::string_view TextOf(const model::Element& element, std::string_view name,
   return attribute == nullptr ? otherwise : std::string_view(attribute->text);
 }
 
-// Returns the hinge or slide of an actuator if it has a start position; otherwise null.
+// Returns the hinge or slide that an actuator moves if the joint has a start position; or null.
 const model::Joint* StartedJoint(const model::Object& object, const model::Element& actuator) {
   const std::string_view name =
       TextOf(actuator, "joint", TextOf(actuator, "jointinparent", std::string_view()));
@@ -38,7 +38,7 @@ const model::Joint* StartedJoint(const model::Object& object, const model::Eleme
 }
 
 // Returns the input at which a position servo exerts no force if its transmission has this length;
-// nothing for other actuators. Source: mj_fwdActuation of MuJoCo 2.2
+// nullopt for other actuators. Source: mj_fwdActuation of MuJoCo 2.2
 // (src/engine/engine_forward.c).
 std::optional<double> HoldingInput(const model::Element& actuator, double length) {
   if (actuator.tag == "position" || actuator.tag == "intvelocity") return length;

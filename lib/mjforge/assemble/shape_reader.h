@@ -12,12 +12,12 @@
 
 namespace mjforge::assemble {
 
-/// Pose of a part's shape, and convex pieces in G if it is a shape of the room `solid`.
+/// Pose of the frame G of a part's shape; convex pieces in G if the room `solid` makes the shape.
 struct ShapePlacement {
   model::Pose X_FG;
   std::vector<model::Part> pieces;
 };
-/// Sets the part's shape and mesh. Returns nothing after a finding.
+/// Sets the part's shape and mesh. Returns nullopt after a finding.
 std::optional<ShapePlacement> ReadShape(FieldReader& reader, const spec::Entry& entry,
                                         const std::filesystem::path& folder, PartTexture texture,
                                         Assets& assets, model::Part& part);

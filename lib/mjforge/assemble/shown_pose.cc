@@ -23,7 +23,7 @@ bool EndAlike(std::string_view a, std::string_view b) {
   return a.ends_with(b) && (a.size() == b.size() || a[a.size() - b.size() - 1] == '_');
 }
 
-// Returns true if the text of a name may be this one: that of an expression may be any.
+// Returns true if a name of the spec may be the joint's: an expression in it may give any text.
 bool MayBe(const spec::Value& name, std::string_view joint) {
   if (const auto literal = spec::LiteralText(name)) return EndAlike(*literal, joint);
   const auto* text = std::get_if<spec::Text>(&name.form);
@@ -31,8 +31,8 @@ bool MayBe(const spec::Value& name, std::string_view joint) {
          joint.ends_with(text->pieces.back().literal);
 }
 
-// Returns true if the spec, or one of its bodies, lists a joint that may have this name, in
-// variants in which `if` or `for` does not leave it out.
+// Returns true if the spec, or one of its bodies, lists a joint that may have this name, even if
+// `if` or `for` leaves the joint out in some variants.
 bool MayHave(const spec::ObjectSpec& spec, std::string_view joint) {
   const auto may_be = [&](const spec::Entry& entry) { return MayBe(entry.name, joint); };
   return std::ranges::any_of(spec.joints, may_be) ||
@@ -50,7 +50,7 @@ std::string_view OwnName(const model::Object& object, std::string_view name) {
   return name.starts_with(object.name + "_") ? name.substr(prefix) : name;
 }
 
-// Returns the joints with this name or else with further words in front of it, as commands do.
+// Returns the joint with this name or, if there is none, the joints whose names end with "_NAME".
 std::vector<std::string_view> FindJoints(std::span<const std::string_view> joints,
                                          std::string_view name) {
   if (std::ranges::find(joints, name) != joints.end()) return {name};
@@ -69,7 +69,7 @@ void CheckShownPose(const spec::ObjectSpec& spec, const model::Object& object,
   std::vector<std::string_view> joints;
   for (const model::Body& body : object.bodies) {
     for (const model::Joint& joint : body.joints) {
-      // The position of other joints is not a number.
+      // Skips ball and free joints, whose positions have several numbers.
       if (joint.type == "hinge" || joint.type == "slide") joints.push_back(joint.name);
     }
   }

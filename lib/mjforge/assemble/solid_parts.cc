@@ -16,7 +16,7 @@ using spec::Key;
 
 constexpr std::size_t kManyPieces = 100;  // more cause a warning
 
-// In the order of solid::ConvexPiece::Type.
+// Geom types in the order of solid::ConvexPiece::Type.
 constexpr model::GeomType kGeomTypes[] = {model::GeomType::kMesh, model::GeomType::kSphere,
                                           model::GeomType::kCapsule, model::GeomType::kCylinder,
                                           model::GeomType::kBox};
@@ -25,8 +25,8 @@ model::MassProperties PropertiesOf(const solid::Mass& mass) {
   return {.mass = mass.volume, .p_FCm = mass.center, .I_Cm_F = mass.inertia};
 }
 
-/// Gives the part and one of its pieces the hull of the solid, and the other pieces one without
-/// curves. A piece at the part's own pose is preferred, because inverse poses have rounding errors.
+/// Gives the part and one of its pieces the extent of the solid, and the other pieces an empty one.
+/// Prefers a piece at the part's own pose, because inverse poses have rounding errors.
 void SetExtents(const std::shared_ptr<const solid::Solid>& made, model::Part& part,
                 std::vector<model::Part>& pieces) {
   if (made->extent.empty()) return;
@@ -48,7 +48,7 @@ void SetExtents(const std::shared_ptr<const solid::Solid>& made, model::Part& pa
 std::vector<model::Part> Assets::AddSolid(const std::shared_ptr<const solid::Solid>& made,
                                           model::Part& part) {
   const solid::Solid& solid = *made;
-  // A convex solid with a single mesh is a single part, like MuJoCo's own shapes.
+  // Adds a convex solid with a single mesh as a single part, like MuJoCo's own shapes.
   if (solid.pieces.empty() || solid.render_mesh.vertices.empty()) {
     AddInline(solid.pieces.empty() ? solid.render_mesh : solid.pieces.back().mesh, part);
     return {};
@@ -71,7 +71,7 @@ std::vector<model::Part> Assets::AddSolid(const std::shared_ptr<const solid::Sol
                        .size = convex.size};
         piece.X_BG = {convex.p, convex.q};
       } else {
-        if (piece.mesh < 0) AddInline(convex.mesh, piece);  // shared by all turns
+        if (piece.mesh < 0) AddInline(convex.mesh, piece);  // all turns of the piece share the mesh
         piece.X_BG.q = Eigen::Quaterniond(Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()));
       }
       pieces.push_back(piece);

@@ -100,7 +100,7 @@ class SolidReader {
     is_good_ = false;
   }
 
-  /// Returns the factors of x and y.
+  /// Returns the factors of x and y from the field `scale`.
   Eigen::Vector2d Scale() {
     const std::optional<sample::Numbers> scale = ReadScale(reader_, entry_, 2);
     is_good_ &= scale.has_value();
@@ -143,7 +143,7 @@ solid::Lathe ReadLathe(SolidReader& read, const PartTexture& texture) {
   return lathe;
 }
 
-// Size of a prism's polygon.
+// Returns the size of a prism's polygon along x and y.
 Eigen::Vector2d SizeOf(const std::vector<Eigen::Vector2d>& polygon) {
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector2d& p : polygon) box.extend(p);
@@ -166,7 +166,7 @@ solid::Prism ReadPrism(SolidReader& read, const PartTexture& texture) {
   read.Refuse(Key::kRound, kWhy,
               "round the polygon by arcs of points, as in {arc: [[x, y], radius, 0, 90deg]}");
   read.Refuse(Key::kBevel, kWhy, "leave it out");
-  prism.round = prism.bevel = 0;  // defaults
+  prism.round = prism.bevel = 0;  // ignores values from defaults
   return prism;
 }
 

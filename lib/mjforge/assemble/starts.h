@@ -1,4 +1,4 @@
-// Positions and start states of joints as a spec asks for them.
+// Positions and start states of joints, as requested by a spec.
 
 #pragma once
 
@@ -21,7 +21,7 @@ struct RequestedPosition {
 /// A start state in `pose:`, or `start:` of a joint.
 struct RequestedStart {
   std::string_view key = "pose";
-  RequestedPosition position;           // its joint may be the name of an actuator
+  RequestedPosition position;           // `joint` may be the name of an actuator
   std::optional<Eigen::Vector3d> p;     // only for a free body
   std::optional<Eigen::Quaterniond> q;  // only for a free body
   sample::Numbers velocity = {};

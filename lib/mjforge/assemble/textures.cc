@@ -66,7 +66,7 @@ std::optional<int> Assets::AddTexture(sample::Evaluator& values, const spec::Mat
   model::Texture texture;
   texture.name = name;
   texture.mark = material.texture.front().mark;
-  texture.attributes.reserve(material.texture.size() + 2);  // width and height
+  texture.attributes.reserve(material.texture.size() + 2);  // room for width and height
   bool good = true;
   bool generated = false;
   for (const spec::Field& field : material.texture) {

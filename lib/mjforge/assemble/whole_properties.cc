@@ -30,8 +30,8 @@ std::pair<std::size_t, const model::Site*> FindSite(const model::Object& object,
   return {0, nullptr};
 }
 
-// Returns true if a body does not hang on the root, because `place:` puts it or a parent of it
-// somewhere later.
+// Returns true if a body is not below the root yet, because `place:` of the body or of an ancestor
+// finds the parent later.
 bool IsPlacedLater(const model::Object& object, std::size_t body, std::size_t root) {
   while (body != root && object.bodies[body].parent >= 0)
     body = static_cast<std::size_t>(object.bodies[body].parent);
@@ -84,7 +84,7 @@ void WholeProperties::SetSubtrees(const std::unordered_map<std::string, int>& bo
     if (entry.first_subtree_property < 0) continue;
     const auto name = spec::LiteralText(entry.head.name);
     std::string full = scope_.prefix + std::string(name.value_or(""));
-    if (entry.head.FindChild(spec::kChainElement) != nullptr) full += "_0";  // its first link
+    if (entry.head.FindChild(spec::kChainElement) != nullptr) full += "_0";  // first link
     const auto found = bodies.find(full);
     if (found == bodies.end()) continue;  // left out by `if`
     const auto index = static_cast<std::size_t>(found->second);

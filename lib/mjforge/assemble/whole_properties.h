@@ -12,7 +12,7 @@
 
 namespace mjforge::assemble {
 
-/// Clears `count` variables from `slot` on, unless that is negative: they have no value.
+/// Removes the values of `count` variables from `slot` on; does nothing if `slot` is negative.
 void ClearSlots(int slot, std::size_t count, sample::Evaluator& values);
 /// Sets the variables from `slot` on to the properties of a body, in the order of
 /// spec::BodyProperty. `mass` is in kg.
@@ -25,9 +25,9 @@ class WholeProperties {
                   diag::Findings& findings)
       : scope_(scope), object_(object), repetition_(repetition), findings_(findings) {}
 
-  /// Clears all, because `if` may leave out bodies, sites and joints.
+  /// Removes the values of all variables, because `if` may leave out bodies, sites and joints.
   void Clear();
-  /// Sets NAME.subtree_top and the others. `bodies` has the index of each body by its full name.
+  /// Sets NAME.subtree_top and the like. `bodies` has the index of each body by its full name.
   void SetSubtrees(const std::unordered_map<std::string, int>& bodies);
   /// Sets NAME.pos of sites, in the frame of the spec, whose root is in the body with this index.
   void SetPositions(std::size_t root);
