@@ -11,8 +11,8 @@ const model::Body& BodyAt(const model::Object& object, int body) {
   return object.bodies[static_cast<std::size_t>(body)];
 }
 
-// Returns X_AB if B is the body A or below it. A body may come before its parent, because bodies
-// are placed one after the other.
+// Returns the pose X_AB of body B if B is body A or below A. Climbs from B to its parents, because
+// the index of a body may be less than that of its parent: placing changes parents.
 std::optional<model::Pose> PoseBelow(const model::Object& object, int a, int b) {
   if (b == a) return model::Pose();
   if (b < 0) return std::nullopt;
@@ -21,7 +21,7 @@ std::optional<model::Pose> PoseBelow(const model::Object& object, int a, int b) 
   return X_AB;
 }
 
-// Calls visit(index, X_AB) for a body A and for all bodies below it.
+// Calls visit(index, X_AB) for a body A and for each body B below A.
 template <typename Visit>
 void VisitBelow(const model::Object& object, int body, const Visit& visit) {
   for (int i = 0; i < static_cast<int>(object.bodies.size()); ++i) {

@@ -8,17 +8,17 @@
 
 namespace mjforge::placing {
 
-/// A shape of the body with the index `body`, or of a body below a body A.
+/// A shape of a body that is a given body A or below A.
 struct BodyShape {
   int body = -1;
   model::Shape shape;
   model::Pose X_AG;
 };
 
-/// Returns the colliding shapes of a body A and of all bodies below it; if none collides, all.
+/// Returns the colliding shapes of a body A and of all bodies below A; all shapes if none collides.
 std::vector<BodyShape> ShapesBelow(const model::Object& object, int body);
 
-/// Returns the mass properties of a body A and all bodies below it, in A.
+/// Returns the mass properties of a body A with all bodies below A, in the frame of A.
 model::MassProperties MassBelow(const model::Object& object, int body);
 
 /// Returns the pose of a body in the frame W of the object.

@@ -36,15 +36,15 @@ Disc Around(const Disc& a, const Disc& b) {
   return {a.center + way * ((radius - a.radius) / distance), radius};
 }
 
-// Returns the smallest disc that touches three discs from outside (problem of Apollonius), if there
-// is one: |x - c_i| = R - r_i. The differences of the squared equations are linear in x and R.
+// Returns the smallest disc that contains three discs and touches each (problem of Apollonius), if
+// one exists: |x - c_i| = R - r_i. Differences of the squared equations are linear in x and R.
 std::optional<Disc> Around(const Disc& a, const Disc& b, const Disc& c) {
   Eigen::Matrix2d edges;
   edges.row(0) = b.center - a.center;
   edges.row(1) = c.center - a.center;
   const double area = edges.determinant();
   if (std::abs(area) <= kRelativeRounding * edges.squaredNorm()) return std::nullopt;
-  // With S = R - r_a and y = x - c_a: |y| = S and edges y = constant + slope S.
+  // Substitutes S = R - r_a and y = x - c_a: |y| = S and edges y = constant + slope S.
   const Vector2d grow(b.radius - a.radius, c.radius - a.radius);
   Vector2d constant;
   constant << edges.row(0).squaredNorm() - grow.x() * grow.x(),
@@ -53,7 +53,7 @@ std::optional<Disc> Around(const Disc& a, const Disc& b, const Disc& c) {
   inverse << edges(1, 1), -edges(0, 1), -edges(1, 0), edges(0, 0);
   const Vector2d base = inverse * constant / (2 * area);
   const Vector2d slope = inverse * grow / area;
-  // |base + slope S|^2 = S^2
+  // Solves |base + slope S|^2 = S^2 for S.
   const double p = slope.squaredNorm() - 1;
   const double q = base.dot(slope);
   const double s = base.squaredNorm();
@@ -71,8 +71,8 @@ std::optional<Disc> Around(const Disc& a, const Disc& b, const Disc& c) {
   return smallest;
 }
 
-// Adds a disc to the basis, whose enclosing disc does not contain it; removes the discs that are
-// not needed, and returns the new enclosing disc.
+// Adds a disc that is not inside the enclosing disc of the basis, and removes the discs that the
+// basis no longer needs. Returns the new enclosing disc.
 Disc Extend(std::vector<Disc>& basis, const Disc& added) {
   std::vector<Disc> all = basis;
   all.push_back(added);
@@ -106,11 +106,11 @@ Disc EnclosingDisc(std::span<const Disc> discs) {
     if (reach <= around.radius * (1 + kRelativeRounding)) return around;
     std::vector<Disc> larger = basis;
     const Disc next = Extend(larger, *farthest);
-    if (!std::isfinite(next.radius) || next.radius <= around.radius) break;  // rounding
+    if (!std::isfinite(next.radius) || next.radius <= around.radius) break;  // stopped by rounding
     around = next;
     basis = std::move(larger);
   }
-  // Contains all discs in spite of rounding.
+  // Widens the disc so that it contains all discs in spite of rounding.
   for (const Disc& disc : discs)
     around.radius = std::max(around.radius, Reach(around.center, disc));
   return around;

@@ -1,4 +1,4 @@
-// Footprints by slicing convex shapes below a level plane.
+// Footprints of convex shapes, cut off at a level plane.
 
 #include "mjforge/placing/footprint.h"
 
@@ -16,12 +16,12 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int kOutlinePoints = 64;  // per whole turn
+constexpr int kOutlinePoints = 64;  // of a circle or ellipsoid
 constexpr int kGenerators = 256;    // lines on the side of a tilted cylinder
 constexpr int kCapsuleSteps = 32;
-constexpr double kLevel = 1e-9;  // tolerance of level axes: rad, or m over the length
-// Vertices below and above the plane are joined pairwise up to this number of pairs; larger meshes
-// are sliced at the edges of their convex hulls.
+constexpr double kLevel = 1e-9;  // tolerance of level axes: sine of the tilt, or rise in m
+// Largest number of pairs of a vertex below and one above the plane for which all connecting lines
+// are sliced; of larger meshes, only the edges of the convex hull are.
 constexpr std::size_t kMostPairs = 100'000;
 
 Vector2d UnitAt(int i) {
@@ -29,8 +29,8 @@ Vector2d UnitAt(int i) {
   return {std::cos(angle), std::sin(angle)};
 }
 
-// Collects the discs and points whose hull is the shadow of all points of convex shapes below a
-// level plane.
+// Collects the discs and points whose convex hull is, seen from above, that of all points of convex
+// shapes below a level plane.
 class Slicer {
  public:
   explicit Slicer(double level) : level_(level) {}
@@ -63,7 +63,8 @@ class Slicer {
     }
   }
 
-  // Returns the discs; discs inside another disc and points inside the hull of points are omitted.
+  // Returns the discs, and points as discs of radius 0; omits discs inside another disc, and points
+  // inside the hull of all points.
   std::vector<Disc> Discs() {
     std::vector<Disc> discs;
     for (const Disc& disc : discs_) {
@@ -87,7 +88,7 @@ class Slicer {
     discs_.push_back({center.head<2>(), std::sqrt((radius - above) * (radius + above))});
   }
 
-  // Adds the balls of a capsule, from its lower end to the last one that meets the plane.
+  // Adds balls of a capsule, from its lower end to the last ball that reaches below the plane.
   void AddCapsule(const Vector3d& center, const Vector3d& half, double radius) {
     const Vector3d low = center - half;
     const double rise = 2 * half.z();
@@ -95,7 +96,8 @@ class Slicer {
     const double end = is_level ? 1 : std::min(1.0, (level_ + radius - low.z()) / rise);
     const int steps = is_level ? 1 : kCapsuleSteps;
     for (int i = 0; i <= steps; ++i) {
-      // Denser towards the end, where the discs shrink like the square root of the distance to it.
+      // Sets the balls closer towards the end, where the discs shrink fastest: like the square root
+      // of the distance to the end.
       const double rest = 1 - static_cast<double>(i) / steps;
       AddBall(low + 2 * half * (end * (1 - rest * rest)), radius);
     }
@@ -107,7 +109,7 @@ class Slicer {
       discs_.push_back({center.head<2>(), size.x()});
       return;
     }
-    // The extreme points of the slice are on the rims, and on the lines along the side.
+    // Adds points on the rims and on the lines along the side, which are the extreme points.
     const Vector3d across = Vector3d(-tilt.y(), tilt.x(), 0).normalized();
     const Vector3d steep = across.cross(axis);
     for (int i = 0; i < kGenerators; ++i) {
@@ -120,7 +122,7 @@ class Slicer {
       if ((a.z() <= level_) != (b.z() <= level_)) AddCrossing(a, b);
     }
     for (const double end : {-size.y(), size.y()}) {
-      // Points at which the rim crosses the plane.
+      // Adds the points at which the rim crosses the plane.
       const Vector3d middle = center + end * axis;
       const double cosine = (level_ - middle.z()) / (size.x() * steep.z());
       if (!(std::abs(cosine) < 1)) continue;
@@ -148,8 +150,8 @@ class Slicer {
     }
   }
 
-  // The extreme points of a hull below a plane are vertices, or points at which the segment between
-  // two vertices crosses the plane.
+  // Adds the extreme points of a hull below the plane: vertices, and points at which the segment
+  // between two vertices crosses the plane.
   void AddHull(std::span<const Vector3d> vertices) {
     std::vector<Vector3d> below;
     std::vector<Vector3d> above;

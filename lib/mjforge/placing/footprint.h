@@ -27,22 +27,22 @@ class Footprint {
   const std::vector<Disc>& discs() const { return discs_; }
   /// Returns the footprint turned about the origin by an angle, rad.
   Footprint Turned(double angle) const;
-  /// Support function: the largest dot(direction, point).
+  /// Support function: returns the largest dot(direction, point) over all points.
   double Support(const Eigen::Vector2d& direction) const;
   Eigen::AlignedBox2d Box() const;
-  /// Returns the outline; arcs become chords.
+  /// Returns the outline as a polygon; arcs become chords.
   Polygon Outline() const;
 
  private:
   std::vector<Disc> discs_;
 };
 
-constexpr double kFootprintHeight = 1e-3;  // m, of the slice whose shadow is a footprint
+constexpr double kFootprintHeight = 1e-3;  // m; a footprint contains points up to this height
 
-/// Returns the footprint of shapes in a frame whose z axis points up: the points within `height` of
-/// the lowest. Boxes, meshes, spheres, upright cylinders and level capsules are exact; other curved
-/// shapes have points of their outline, less than 0.1 mm inside of it for objects of everyday size.
-/// Without shapes, the footprint is the origin.
+/// Returns the footprint of shapes in a frame whose z axis points up: the points at most `height`,
+/// m, above the lowest point. Boxes, meshes, spheres, upright cylinders and level capsules are
+/// exact; other curved shapes have points of their outline, less than 0.1 mm inside of it for
+/// objects of everyday size. Without shapes, the footprint is the origin.
 Footprint FootprintOf(std::span<const distance::PlacedShape> shapes,
                       double height = kFootprintHeight);
 

@@ -16,12 +16,12 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kFitTolerance = 1e-9;  // m; a footprint as large as its region fits
+constexpr double kFitTolerance = 1e-9;  // m, so that a footprint as large as its region fits
 constexpr int kTangents = 64;           // sides of the polygon that replaces a disc, for areas
 constexpr int kBisections = 50;
 constexpr double kLeastArea = 1e-12;  // m^2; smaller footprints are points or lines
 
-// Points p with normal . p <= limit; the normal has length 1.
+// Half plane of the points p with normal . p <= limit; the normal has length 1.
 struct HalfPlane {
   Vector2d normal;
   double limit;
@@ -29,7 +29,8 @@ struct HalfPlane {
 
 bool IsDisc(const model::Region& region) { return region.type == model::RegionType::kDisc; }
 
-// Returns the half planes whose intersection is the region without its margin; a disc has tangents.
+// Returns the half planes whose intersection is the region without its margin; for a disc, half
+// planes at kTangents tangents.
 std::vector<HalfPlane> BordersOf(const model::Region& region) {
   std::vector<HalfPlane> borders;
   const Vector2d half = region.half_size.array() - region.margin;
@@ -60,8 +61,8 @@ double ShareOutside(const std::vector<HalfPlane>& borders, const Polygon& outlin
 
 double Between(double low, double high, double u) { return low + (high - low) * (u + 1) / 2; }
 
-// Returns the point of a convex polygon at the share u of its extent along x and, there, at the
-// share v of its extent along y.
+// Returns the point of a convex polygon that belongs to (u, v), each from -1 to 1: u is mapped to
+// the extent of the polygon along x, v to the extent along y at this x.
 Vector2d PointIn(const Polygon& polygon, const Vector2d& uv) {
   Eigen::AlignedBox2d box;
   for (const Vector2d& p : polygon) box.extend(p);
@@ -86,7 +87,7 @@ Vector2d PointIn(const Polygon& polygon, const Vector2d& uv) {
 std::optional<Vector2d> PositionInPolygon(const model::Region& region, const Footprint& footprint,
                                           const Vector2d& uv) {
   const std::vector<HalfPlane> borders = BordersOf(region);
-  // A square larger than all translations that keep the footprint within the region.
+  // Begins with a square that contains all translations that keep the footprint in the region.
   const Eigen::AlignedBox2d box = footprint.Box();
   const double reach = 4 * (region.half_size.norm() + box.center().norm() + box.diagonal().norm());
   const Vector2d middle = model::MiddleOf(region);
@@ -102,8 +103,8 @@ std::optional<Vector2d> PositionInPolygon(const model::Region& region, const Foo
   return PointIn(play, uv);
 }
 
-// The translations t that keep the footprint within a disc of radius R are the intersection of
-// discs: |t + c_i| <= R - r_i. A ray from the position in the middle leaves each disc once.
+// Returns a translation t that keeps the footprint within a disc of radius R. These translations
+// are an intersection of discs, |t + c_i| <= R - r_i; a ray from the middle leaves each disc once.
 std::optional<Vector2d> PositionInDisc(const model::Region& region, const Footprint& footprint,
                                        const Vector2d& uv) {
   const double radius = region.half_size.x() - region.margin;
@@ -123,8 +124,9 @@ std::optional<Vector2d> PositionInDisc(const model::Region& region, const Footpr
   return -around.center + std::min(share, 1.0) * std::max(farthest, 0.0) * way;
 }
 
-// The share of the area outside does not decrease along a ray from the middle, because the area of
-// the intersection of convex sets is a log-concave function of the translation (Brunn-Minkowski).
+// Finds, by bisection, how far the footprint can be moved from the middle. The share of its area
+// outside does not decrease on the way, because the area of the intersection of convex sets is a
+// log-concave function of the translation (Brunn-Minkowski).
 std::optional<Vector2d> PositionWithOverhang(const model::Region& region,
                                              const Footprint& footprint, const Polygon& outline,
                                              const Vector2d& uv, double overhang) {
@@ -170,7 +172,7 @@ bool FitsAt(const model::Region& region, const Footprint& footprint, const Vecto
   } else {
     const auto is_inside = [&](const HalfPlane& border) {
       return border.normal.dot(translation) + footprint.Support(border.normal) <=
-             border.limit + 2 * kFitTolerance;  // more than PositionIn(), because of rounding
+             border.limit + 2 * kFitTolerance;  // twice that of PositionIn(), for rounding
     };
     if (std::ranges::all_of(BordersOf(region), is_inside)) return true;
   }

@@ -1,4 +1,4 @@
-// Positions of a footprint in a region: where it fits, and the one that belongs to given numbers.
+// Positions of a footprint in a region: tests if it fits, and maps drawn numbers to positions.
 
 #pragma once
 
@@ -14,8 +14,8 @@ namespace mjforge::placing {
 /// numbers `uv`, each from -1 to 1 or, in a disc, within the unit disc. The numbers are mapped onto
 /// all translations that keep the footprint within the region and its margin (Minkowski erosion of
 /// the region by the footprint). With an `overhang`, the share of the footprint's area that may be
-/// outside, they are mapped onto all translations that keep this share. Returns nothing if there is
-/// no such translation.
+/// outside, the numbers are mapped onto all translations that keep this share. Returns nullopt if
+/// there is no such translation.
 std::optional<Eigen::Vector2d> PositionIn(const model::Region& region, const Footprint& footprint,
                                           const Eigen::Vector2d& uv, double overhang);
 

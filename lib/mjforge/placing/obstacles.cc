@@ -12,7 +12,7 @@ using distance::PlacedShape;
 using Eigen::Vector3d;
 
 constexpr double kLengthRounding = 1e-9;  // m
-constexpr double kTouch = 1e-7;           // m; nearer shapes touch
+constexpr double kTouch = 1e-7;           // m; shapes within this distance touch
 constexpr int kMostSteps = 200;
 
 Eigen::AlignedBox3d BoxOf(std::span<const PlacedShape> shapes) {
@@ -23,7 +23,7 @@ Eigen::AlignedBox3d BoxOf(std::span<const PlacedShape> shapes) {
 
 // Returns true if the boxes are farther apart than a distance.
 bool AreFarther(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b, double distance) {
-  // Most are apart along one axis.
+  // Tests single axes first, because most boxes are far apart along one axis.
   for (Eigen::Index i = 0; i < 3; ++i) {
     if (a.min()(i) - b.max()(i) > distance || b.min()(i) - a.max()(i) > distance) return true;
   }
@@ -36,7 +36,8 @@ bool IsBelow(const PlacedShape& placed, const Support& support) {
   return support.up_W.dot(top - support.p_W) <= kLengthRounding;
 }
 
-// Returns how far a shape can be moved against `up_W` until it touches another, at most `most`.
+// Returns the distance by which a shape can be moved against `up_W` until it touches another shape,
+// at most `most`, m.
 //
 // Conservative advancement along a line: the plane through the nearest point of the fixed shape,
 // perpendicular to the shortest connection, separates both shapes until the moving one reaches it
@@ -48,7 +49,7 @@ double DropOf(PlacedShape moving, const PlacedShape& fixed, const Vector3d& up_W
     const Vector3d apart = distance::Separation(moving, fixed);
     const double distance = apart.norm();
     if (distance <= kTouch) return drop;
-    const double approach = apart.dot(up_W) / distance;  // per length of the way
+    const double approach = apart.dot(up_W) / distance;  // per length of the motion
     if (approach * (most - drop) <= distance) return most;
     const double step = distance / approach;
     drop += step;
@@ -62,8 +63,8 @@ PlacedShape CylinderAt(const model::Pose& X_WG, double radius, double half_heigh
   return {{.type = model::GeomType::kCylinder, .size = {radius, half_height, 0}}, X_WG};
 }
 
-// Returns the radius to which a cylinder can be widened until it touches a shape, at most `most`:
-// conservative advancement, because the distance shrinks by no more than the radius grows.
+// Returns the radius to which a cylinder can be widened until it touches a shape, at most `most`,
+// m. Uses conservative advancement: the distance shrinks by no more than the radius grows.
 double FreeRadiusBeside(const PlacedShape& fixed, const model::Pose& X_WCylinder,
                         double half_height, double most) {
   constexpr double kNear = 1e-5;   // m

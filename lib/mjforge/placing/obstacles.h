@@ -1,4 +1,4 @@
-// Bodies that stand already: distances to them, and how far an object can be lowered onto them.
+// Obstacles, the placed bodies: distances to them, and lowering of objects onto them.
 
 #pragma once
 
@@ -20,17 +20,17 @@ using PlacedShapes = std::vector<distance::PlacedShape>;
 /// Returns shapes of a body A at the pose X_WA.
 PlacedShapes ShapesAt(std::span<const BodyShape> shapes, const model::Pose& X_WA);
 
-/// A plane on which an object is put, and the body that has it.
+/// A plane on which a body is placed, and the supporting body, to which the plane belongs.
 struct Support {
   int body = -1;
   Eigen::Vector3d p_W;      // a point of the plane
-  Eigen::Vector3d up_W;     // its normal
-  bool is_ignored = false;  // the body may overlap
-  /// Placed bodies that the body stands on, directly or not, such as the lower bowls of a stack.
+  Eigen::Vector3d up_W;     // normal of the plane
+  bool is_ignored = false;  // the supporting body may overlap
+  /// Placed bodies under the supporting body, such as the lower bowls of a stack, and that body.
   std::vector<int> below = {};
 };
 
-/// An obstacle that is too near.
+/// An obstacle that is too near to a body.
 struct Blocker {
   int body = -1;
   double distance = 0;  // m
@@ -40,22 +40,23 @@ class Obstacles {
  public:
   void Clear() { groups_.clear(); }
 
-  /// Adds a body and all bodies below it, to which others must keep the distance `clear`.
+  /// Adds a body and its subtree, to which bodies placed later must keep the distance `clear`, m.
   void Add(const model::Object& object, int body, double clear);
 
-  /// Returns the first obstacle that overlaps the shapes, or is nearer than `clear` or its own
-  /// distance. The supporting body, and what is wholly below the support, must only not overlap.
+  /// Returns the first obstacle that overlaps the shapes, or is nearer than `clear` or than the
+  /// obstacle's own `clear`. No distance is required to the supporting body, the bodies under it
+  /// and shapes wholly below the support: these must only not overlap.
   std::optional<Blocker> FindBlocker(std::span<const distance::PlacedShape> shapes, double clear,
                                      const Support& support) const;
 
   /// Returns the radius to which a cylinder can be widened until it touches an obstacle, at most
-  /// `most`, m; 0 if one is nearer than 1 mm to its axis. The supporting body, and what is wholly
-  /// below the support, are no obstacles.
+  /// `most`, m; 0 if an obstacle is nearer than 1 mm to the axis. The supporting body, and shapes
+  /// wholly below the support, are no obstacles.
   double FreeRadius(const model::Pose& X_WCylinder, double half_height, double most,
                     const Support& support) const;
 
-  /// Returns how far the shapes can be moved against `up_W` until they touch an obstacle, at most
-  /// `most`, m; 0 if they overlap one.
+  /// Returns the distance by which the shapes can be moved against `up_W` until they touch an
+  /// obstacle, at most `most`, m; 0 if they overlap an obstacle.
   double Drop(PlacedShapes shapes, const Eigen::Vector3d& up_W, double most) const;
 
   /// Returns the heights of a body's lowest and highest point above a support, m; 0 and 0 if the

@@ -1,4 +1,4 @@
-// Tries of places: heading, position, contact, overlap.
+// Placer: finds heading, position and contact of a body at a place, and tests for overlap.
 
 #include <algorithm>
 #include <array>
@@ -29,19 +29,19 @@ constexpr int kMostTurns = 20;
 
 Eigen::Quaterniond AboutZ(double angle) { return model::FromAxisAngle(Vector3d::UnitZ(), angle); }
 
-// Returns the angle from the -y axis to a direction.
+// Returns the angle from the -y axis to a direction, counter-clockwise, rad.
 double AngleOf(const Vector2d& direction) { return std::atan2(direction.x(), -direction.y()); }
 
 // Returns the direction at an angle from the -y axis.
 Vector2d DirectionAt(double angle) { return {std::sin(angle), -std::cos(angle)}; }
 
-// A body in one orientation, which may be turned about the vertical: frame L has the origin of the
-// body, and its z axis points up.
+// A body in one orientation, except for a rotation about the vertical. Frame L has the origin of
+// the body, and the z axis of L points up.
 struct Orientation {
   int body;
-  std::optional<Eigen::Quaterniond> asked;  // none: upright
+  std::optional<Eigen::Quaterniond> asked;  // nullopt: as modelled, if stable
   Eigen::Quaterniond q_LB;
-  std::vector<BodyShape> shapes;  // in B
+  std::vector<BodyShape> shapes;  // in the body's frame B
   Footprint footprint;            // in L
   double bottom = 0;              // least z in L, m
   double height = 0;              // m
@@ -59,9 +59,10 @@ Orientation Oriented(const model::Object& object, int body, const Eigen::Quatern
   return orientation;
 }
 
-// Returns true if a body as it is modelled has its centre of mass above what touches the ground.
+// Returns true if, in the modelled orientation, the centre of mass of the body is above the convex
+// hull of its points that touch the ground.
 bool IsStable(const model::Object& object, const Orientation& upright) {
-  constexpr double kTouching = 1e-4;  // m; a body tips onto parts that are higher
+  constexpr double kTouching = 1e-4;  // m; higher points do not touch the ground
   const Vector2d center = MassBelow(object, upright.body).p_FCm.head<2>();
   const Polygon outline =
       FootprintOf(ShapesAt(upright.shapes, {Vector3d::Zero(), upright.q_LB}), kTouching).Outline();
@@ -73,8 +74,8 @@ bool IsStable(const model::Object& object, const Orientation& upright) {
   return outline.size() > 2;
 }
 
-// Returns the orientation that is asked for or, if none is, the modelled one. If the body would tip
-// over in that, returns the stable pose with the least rotation from it.
+// Returns the orientation `asked`. If it is nullopt, returns the modelled orientation or, if the
+// body would tip over, the stable pose with the smallest rotation from the modelled orientation.
 Orientation OrientationOf(const model::Object& object, int body,
                           const std::optional<Eigen::Quaterniond>& asked) {
   Orientation orientation = Oriented(object, body, asked.value_or(Eigen::Quaterniond::Identity()));
@@ -109,8 +110,8 @@ Extent ExtentOf(std::span<const distance::PlacedShape> shapes, const Vector2d& d
 // The heading and position of a body in its region's frame R.
 struct Stance {
   double yaw;
-  Footprint footprint;         // turned
-  std::optional<Vector2d> at;  // none: the footprint does not fit into the region
+  Footprint footprint;         // turned by `yaw`
+  std::optional<Vector2d> at;  // nullopt: the footprint does not fit into the region
 };
 
 // A try at a place in a region.
@@ -158,7 +159,7 @@ class RegionTry {
     return support;
   }
 
-  // If the body faces a point, its heading depends on its position, which depends on its heading.
+  // Iterates if the body faces a point, because its heading and its position depend on each other.
   Stance FindStance() const {
     double yaw = YawAt(Vector2d::Zero());
     for (int i = 0;; ++i) {
@@ -172,7 +173,8 @@ class RegionTry {
     }
   }
 
-  // Returns the angle of the body's front in L; if its front is up or down, as if it were upright.
+  // Returns the angle of the body's front in L, rad; that of the upright body if the front points
+  // up or down.
   double FrontAngle() const {
     constexpr double kSteep = 0.1;
     const Vector2d front = DirectionAt(where_.front);
@@ -202,8 +204,8 @@ class RegionTry {
     return (NeighbourPose().q * Vector3d(front.x(), front.y(), 0)).head<2>();
   }
 
-  // Returns the position next to the neighbour, by the bounding boxes of both along the neighbour's
-  // front and across it.
+  // Returns the position next to the neighbour, by the bounding boxes of both bodies along the
+  // neighbour's front and across it.
   Vector2d NextTo(double yaw) const {
     const model::Beside& beside = *where_.beside;
     const Vector2d front = NeighbourFront().normalized();
@@ -222,7 +224,7 @@ class RegionTry {
     return distance * away + (along_other.Middle() - along_own.Middle() + shift) * across;
   }
 
-  // Puts the body onto the region and looks for what is too near.
+  // Puts the body onto the region, and stores the first obstacle that is too near in `result`.
   void Put(const Stance& stance, const Obstacles& obstacles, PlaceResult& result) const {
     const Support support = SupportPlane();
     Pose X_RB{{stance.at->x(), stance.at->y(), kContactGap - of_.bottom},
@@ -239,7 +241,7 @@ class RegionTry {
   }
 
   // Returns the height above the region's plane at which the body, lowered from above an interior,
-  // touches something; 0 if it touches nothing. The start is below the interior's ceiling or,
+  // touches an obstacle; 0 if it touches none. The start is below the interior's ceiling or,
   // without a ceiling, above the body that has the region.
   double Rise(const Pose& X_RB, const Support& support, const Obstacles& obstacles) const {
     const auto [lowest, highest] = obstacles.HeightsOf(where_.support, support);
@@ -256,7 +258,7 @@ class RegionTry {
   const model::Object& object_;
   const Orientation& of_;
   const PlaceTry& where_;
-  model::Region region_;  // with a margin to its walls
+  model::Region region_;  // region of the try, with a margin to its walls
   Pose X_WR_;
 };
 
@@ -295,8 +297,8 @@ class ExactPlacer : public model::Placer {
     return *orientation;
   }
 
-  // Matches the frames of two sites, except for the yaw about their z axis. Bodies touch at their
-  // sites, so that the support is no obstacle.
+  // Places the body so that the frames of two sites match, except for the yaw about their z axis.
+  // The support is no obstacle, because bodies touch at their sites.
   PlaceResult TryAtSite(int body, const PlaceTry& where) const {
     Pose X_SiteSite;
     X_SiteSite.q = AboutZ(where.yaw);
@@ -317,7 +319,7 @@ class ExactPlacer : public model::Placer {
     return result;
   }
 
-  // Forgets what is known about the last body if another one is tried.
+  // Clears the cached orientations if `body` is not the body of the last try.
   void TryBody(int body) {
     if (body == body_) return;
     body_ = body;

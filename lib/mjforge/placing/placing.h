@@ -9,7 +9,7 @@
 namespace mjforge::placing {
 
 /// Height of a placed object above its support, m: less than the 0.1 mm that an object may fall,
-/// and larger than the rounding of any number in MJCF, so that nothing overlaps. The `margin`
+/// and larger than rounding errors of numbers in MJCF, so that objects do not overlap. The `margin`
 /// of a geom, at which MuJoCo makes contacts without force, is ignored.
 inline constexpr double kContactGap = 5e-5;
 

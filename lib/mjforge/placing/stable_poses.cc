@@ -21,16 +21,16 @@ namespace {
 using Eigen::Vector3d;
 using solid::Polytope;
 
-constexpr int kAround = 64;            // points of a round shape around its axis
-constexpr int kAlong = 8;              // circles of points from its equator to its pole
-constexpr double kCoplanar = 1e-4;     // rad; such faces are one
-constexpr double kRolling = 0.55;      // rad; neighbouring faces of a round side, of 12 or more
-constexpr double kUpright = 1e-6;      // rad; the modelled pose itself
+constexpr int kAround = 64;         // points of a round shape per circle around its axis
+constexpr int kAlong = 8;           // circles of points from the equator to the pole
+constexpr double kCoplanar = 1e-4;  // rad; faces at smaller angles count as one
+constexpr double kRolling = 0.55;   // rad; angle between faces of a round side (12 or more faces)
+constexpr double kUpright = 1e-6;   // rad; smaller rotations from the modelled pose are ignored
 constexpr double kLeastMargin = 1e-3;  // rad; poses that tip more easily are omitted
 constexpr double kProbability = 1e-6;  // smaller differences do not change the order of poses
-constexpr double kTie = 1e-9;          // differences of cosines that are rounding
+constexpr double kTie = 1e-9;          // smaller differences of cosines are rounding errors
 
-// Returns a point of the unit sphere. Flat faces between such points are perpendicular to the axes.
+// Returns a point of the unit sphere. The hull of all points has faces perpendicular to the axes.
 Vector3d OnSphere(int around, int along) {
   const double longitude = 2 * std::numbers::pi * (around + 0.5) / kAround;
   const double latitude = std::numbers::pi / 2 * along / kAlong;
@@ -71,8 +71,8 @@ void AddPoints(const BodyShape& of, std::vector<Vector3d>& points_A) {
   }
 }
 
-// Solid angle of a triangle seen from the origin (van Oosterom and Strackee, "The solid angle of a
-// plane triangle", 1983).
+// Returns the solid angle of a triangle seen from the origin (van Oosterom and Strackee, "The solid
+// angle of a plane triangle", 1983).
 double SolidAngle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   const double la = a.norm();
   const double lb = b.norm();
@@ -81,7 +81,7 @@ double SolidAngle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
                         la * lb * lc + a.dot(b) * lc + a.dot(c) * lb + b.dot(c) * la);
 }
 
-// Smallest rotation that turns a direction down; for +z a half turn about x.
+// Returns the smallest rotation that turns a direction down; for +z a half turn about x.
 Eigen::Quaterniond TurnDown(const Vector3d& direction) {
   if (direction.z() <= -std::cos(kUpright)) return Eigen::Quaterniond::Identity();
   const Vector3d axis = direction.cross(-Vector3d::UnitZ());
@@ -89,17 +89,18 @@ Eigen::Quaterniond TurnDown(const Vector3d& direction) {
   return model::FromAxisAngle(axis.norm() > kUpright ? axis : Vector3d(Vector3d::UnitX()), angle);
 }
 
-// Faces of a hull that are one stable pose.
+// Faces of a hull that form one stable pose.
 struct Rest {
   Vector3d down = Vector3d::Zero();  // normal of the representative face
   double margin = std::numbers::pi;
   double solid_angle = 0;
-  std::size_t side = 0;   // index of the nearest of the sides
+  std::size_t side = 0;   // index of the side that is nearest to `down`
   double alignment = -1;  // cosine of the angle between `down` and that side
   bool is_stable = false;
 };
 
-// Names of the six sides. A pose whose lower side is nearly the modelled one leans.
+// Names of poses by the side that is down. The modelled lower side has the name "leaning", for
+// poses that differ a little from the modelled one, which is "upright".
 constexpr std::array<std::string_view, 6> kNames = {"leaning", "upside_down", "on_front",
                                                     "on_back", "on_right",    "on_left"};
 
@@ -160,8 +161,8 @@ class RestFinder {
       visit(corners[i], corners[(i + 1) % corners.size()]);
   }
 
-  // Returns the angle by which a body that rests on a face is tilted to tip over an edge; negative
-  // if its centre of mass is beyond the edge.
+  // Returns the angle, rad, by which a body that rests on a face must be tilted to tip over the
+  // edge ab; negative if the centre of mass is beyond the edge.
   double TipAngle(std::size_t face, int a, int b) const {
     const Vector3d& normal = hull_.faces[face].normal;
     const Vector3d inwards = normal.cross(FromCenter(b) - FromCenter(a)).normalized();
@@ -186,7 +187,8 @@ class RestFinder {
     return face;
   }
 
-  // Makes a face the representative if it is nearer to one of the sides, or to an earlier side.
+  // Makes a face the representative of the pose if its normal is nearer to one of the six sides or,
+  // if equally near, to an earlier side.
   void Represent(const Vector3d& normal, Rest& rest) const {
     rest.is_stable = true;
     for (std::size_t side = 0; side < sides_.size(); ++side) {
@@ -202,9 +204,9 @@ class RestFinder {
   const Polytope& hull_;
   Vector3d center_;
   std::array<Vector3d, 6> sides_;
-  std::vector<std::size_t> leaders_;  // union-find
+  std::vector<std::size_t> leaders_;  // union-find parents of the faces
   std::vector<bool> is_stable_;
-  std::map<std::pair<int, int>, std::size_t> faces_at_;  // by the corners of an edge
+  std::map<std::pair<int, int>, std::size_t> faces_at_;  // faces by the corners of an edge
 };
 
 }  // namespace
@@ -216,7 +218,7 @@ std::vector<model::StablePose> StablePosesOf(const model::Object& object, int bo
   const std::optional<Polytope> hull = solid::HullOf(points, fault);
   if (!hull) return {};
   std::vector<Rest> rests = RestFinder(*hull, MassBelow(object, body).p_FCm, front).Find();
-  // Rounded, because rounding errors must not decide the order.
+  // Rounds the solid angles, because rounding errors must not decide the order of poses.
   const auto key = [](const Rest& rest) {
     return std::pair(-std::round(rest.solid_angle / kProbability), rest.side);
   };

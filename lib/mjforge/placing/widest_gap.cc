@@ -1,5 +1,5 @@
-// Branch and bound over squares of a region: the distance to what limits a disc changes by no more
-// than the disc is moved.
+// Search for the widest gap: branch and bound over squares of a region, because the radius of the
+// largest free disc changes by no more than its centre is moved.
 
 #include "mjforge/placing/widest_gap.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kPrecision = 5e-4;  // m, of the radius
+constexpr double kPrecision = 5e-4;  // m, error of the radius
 constexpr int kMostSquares = 1'000;
 const std::array kCorners = {Vector2d(-1, -1), Vector2d(1, -1), Vector2d(1, 1), Vector2d(-1, 1)};
 
@@ -27,7 +27,7 @@ struct Square {
   double half;
   double radius;
 
-  // No disc whose middle is in the square is larger.
+  // Returns an upper bound of the radius of free discs whose middle is in the square.
   double Most() const { return radius + std::numbers::sqrt2 * half; }
   bool operator<(const Square& other) const { return Most() < other.Most(); }
 };
@@ -44,7 +44,7 @@ Eigen::AlignedBox2d BoxOf(const model::Region& region) {
 struct Place {
   const model::Region& region;
   const model::Pose& X_WR;
-  double half_height;  // m, of what shall stand on the disc
+  double half_height;  // m, of the body that shall stand on the disc
   const Obstacles& obstacles;
   const Support& support;
 };

@@ -7,9 +7,9 @@
 
 namespace mjforge::placing {
 
-/// Returns the diameter of the largest disc within the region and its margin above which nothing
-/// stands up to `height`, m, to a millimetre; 0 if there is none. X_WR is the pose of the region.
-/// The body that has the region is no obstacle.
+/// Returns the diameter, m, to a millimetre, of the largest disc within the region and its margin
+/// above which no body is up to `height`, m; 0 if there is no such disc. X_WR is the pose of the
+/// region. The body that has the region is no obstacle.
 double WidestGap(const model::Region& region, const model::Pose& X_WR, double height,
                  const Obstacles& obstacles, const Support& support);
 
