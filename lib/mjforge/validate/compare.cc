@@ -15,9 +15,9 @@
 namespace mjforge::validate {
 namespace {
 
-// mju_eig3 (2.2.2) stops at off-diagonal terms of 1e-12 kg m^2, or when the next rotation is below
-// 1.4e-6 rad (cosine within 1e-12 of 1). The former limits the error of the principal moments, the
-// latter that of the axes.
+// Errors of MuJoCo's principal moments, kg m^2, and axes, rad: mju_eig3 (2.2.2) stops at
+// off-diagonal terms of 1e-12 kg m^2, or when the next rotation is below 1.4e-6 rad (cosine within
+// 1e-12 of 1).
 constexpr double kMomentCutoff = 2e-12;
 constexpr double kAxesRelative = 3e-6;
 
@@ -45,7 +45,8 @@ double ScaleOf(const model::Object& object) {
   return scale;
 }
 
-/// Returns the number of elements on the world, which a scene may have; their ids come first.
+/// Returns the number of elements whose body is the world. A scene may have such elements; their
+/// ids come before those of the object.
 int CountOfWorld(const int* bodies, int count) {
   return static_cast<int>(std::count(bodies, bodies + count, 0));
 }
@@ -90,7 +91,7 @@ void Comparison::Run(double lift) {
   next_site_ = 0;
   next_camera_ = CountOfWorld(m_.cam_bodyid, m_.ncam);
   next_light_ = CountOfWorld(m_.light_bodyid, m_.nlight);
-  int id = 0;  // id of the world
+  int id = 0;  // MuJoCo's id of the world
   for (const int i : mjcf::DepthFirstOrder(object_)) {
     CompareBody(++id, object_.bodies[static_cast<std::size_t>(i)], lift);
   }
@@ -121,13 +122,14 @@ void Comparison::CompareStart(double lift) {
   CompareStartPoses(lift);
 }
 
-// Record and bounds describe the poses that the object computes for the start state.
+// Compares the poses in the start state with those that the object computes, because the record and
+// the bounds depend on the latter.
 void Comparison::CompareStartPoses(double lift) {
   const compiled::Data d = compiled::MakeData(m_);
   std::copy_n(m_.key_qpos, m_.nq, d->qpos);
   mj_kinematics(&m_, d.get());
   const std::vector<model::Pose> X_WB = model::BodyPoses(object_);
-  // Rounding errors add up along a chain of bodies.
+  // Multiplies tolerances by this number, because rounding errors add up along a chain of bodies.
   const double chain = static_cast<double>(X_WB.size());
   int id = 0;
   for (const int i : mjcf::DepthFirstOrder(object_)) {
@@ -153,7 +155,7 @@ bool Comparison::SameCounts() {
     geoms += model::GeomCount(body);
     for (const model::Element& element : body.elements) ++(IsCamera(element) ? cameras : lights);
   }
-  // Geoms, cameras and lights of the world belong to a scene.
+  // Subtracts geoms, cameras and lights of the world, because they belong to a scene.
   bool same = true;
   const auto count = [&](std::string_view what, int compiled, std::size_t meant) {
     same &= SameCount(what, compiled, meant, mark, findings_);
@@ -199,7 +201,7 @@ void Comparison::CompareElement(const model::Element& element) {
 void Comparison::CompareMass(int id, const model::Body& body) {
   const ComparedElement subject{"body", body.name, {}, body.mark};
   const model::MassProperties& meant = body.mass_properties;
-  // Bodies with several massless geoms are written with the mass mjMINVAL.
+  // Allows mjMINVAL more, the mass with which bodies with several massless geoms are written.
   Number(subject, "mass", -1, m_.body_mass[id], meant.mass, kRelative * meant.mass + mjMINVAL);
   if (meant.mass == 0) return;  // without mass there is no centre and no inertia
   Vector(subject, "centre of mass", m_.body_ipos + 3 * id, meant.p_FCm, length_tolerance_);
@@ -209,7 +211,8 @@ void Comparison::CompareMass(int id, const model::Body& body) {
 void Comparison::CompareInertia(int id, const model::Body& body) {
   const ComparedElement subject{"body", body.name, {}, body.mark};
   const model::MassProperties& meant = body.mass_properties;
-  // Errors of lengths change moments in proportion to mass times length squared.
+  // Rounding error of moments, kg m^2: an error of a length changes them by mass times length
+  // squared.
   const double rounding = kRelative * meant.mass * scale_ * scale_;
   const Eigen::Matrix3d tensor = compiled::MassOf(m_, id).I_Cm_F;
   constexpr std::string_view kTerms[] = {"inertia xx", "inertia yy", "inertia zz",
@@ -235,7 +238,7 @@ void Comparison::CompareInertia(int id, const model::Body& body) {
 
 void Comparison::Number(const ComparedElement& subject, std::string_view what, int position,
                         double compiled, double meant, double tolerance) {
-  // Not `>`, because NaN must be a difference.
+  // Uses !(x <= y) instead of x > y, because NaN must be a difference.
   if (!(std::abs(compiled - meant) <= tolerance)) {
     Difference(subject, what, position, compiled, meant);
   }

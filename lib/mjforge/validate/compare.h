@@ -1,8 +1,8 @@
 // Comparison of a compiled model with the object from which its MJCF was written.
 //
-// A file has 10 significant digits, so that each number is off by at most a share of 5e-11. Lengths
-// are compared to 1e-9 of the object's scale (its largest distance from a body's origin), masses to
-// 1e-9 of themselves.
+// Numbers in a file have 10 significant digits, so that their relative error is at most 5e-11.
+// Tolerances are 1e-9 of the object's scale (largest distance of an element from its body's origin)
+// for lengths, and relative 1e-9 for masses.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ namespace mjforge::validate {
 /// Relative tolerance of numbers.
 inline constexpr double kRelative = 1e-9;
 
-/// Element to compare. Its full name is `name` followed by `suffix`.
+/// Element to compare, for messages. The element's full name is `name` followed by `suffix`.
 struct ComparedElement {
   std::string_view kind;  // "geom"
   std::string_view name;
@@ -30,7 +30,7 @@ struct ComparedElement {
 
 /// Adds a finding about a difference.
 void AddMismatch(diag::SourceMark mark, std::string message, diag::Findings& findings);
-/// Returns true if the numbers of elements are equal; otherwise adds a finding.
+/// Returns true if the two counts of elements are equal; otherwise adds a finding.
 bool SameCount(std::string_view what, int compiled, std::size_t meant, diag::SourceMark mark,
                diag::Findings& findings);
 /// Returns true if a compiled name is that of the element; otherwise adds a finding.
@@ -45,7 +45,7 @@ class Comparison {
  public:
   Comparison(const mjModel& compiled, const model::Object& object, diag::Findings& findings);
 
-  /// Adds a finding for each difference. `lift` is that of the MjcfDocument, m.
+  /// Adds a finding for each difference. `lift` is MjcfDocument::lift, m.
   void Run(double lift);
 
  private:

@@ -99,8 +99,8 @@ void Comparison::CompareJoint(int id, const model::Joint& joint) {
       Number(subject, "range", i, m_.jnt_range[2 * id + i], meant, kRelative * std::abs(meant));
     }
   }
-  // MuJoCo computes stiffness and damping from `springdamper`, so that those in the spec need not
-  // be those of the model.
+  // Skips joints with `springdamper`, from which MuJoCo computes stiffness and damping in place of
+  // those in the spec.
   if (std::ranges::count(joint.attributes, "springdamper", &model::Attribute::name) > 0) return;
   for (const model::Attribute& attribute : joint.attributes) {
     CompareAttribute(mjOBJ_JOINT, id, attribute, subject);

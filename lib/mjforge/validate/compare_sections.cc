@@ -106,7 +106,7 @@ class SectionComparison {
     int at = m_.tendon_adr[id];
     for (const Element& child : element.children) {
       const compiled::Wrap wrap = compiled::WrapAt(m_, at++);
-      // The attribute has the tag's name: <joint joint="..."/>.
+      // Reads the reference from the attribute named like the tag: <joint joint="..."/>.
       if (child.tag != "pulley") {
         Reference(element, child.tag, TextOf(child, child.tag), NameOf(wrap.kind, wrap.object));
       }
@@ -116,7 +116,7 @@ class SectionComparison {
 
   void Equality(int id, const Element& element) {
     for (const auto& [tag, kind, first, second] : compiled::kEqualities) {
-      if (tag == "weld") continue;  // its attributes are those of `connect`
+      if (tag == "weld") continue;  // has the attributes of `connect`
       ReferenceIfAny(element, first, TextOf(element, first), NameOf(kind, m_.eq_obj1id[id]));
       ReferenceIfAny(element, second, TextOf(element, second), NameOf(kind, m_.eq_obj2id[id]));
     }

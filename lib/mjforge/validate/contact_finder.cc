@@ -10,7 +10,7 @@
 namespace mjforge::validate {
 namespace {
 
-// Limits the memory to about 120 MB, because a contact has about 600 bytes.
+// Largest room for contacts: about 120 MB, because a contact has about 600 bytes.
 constexpr int kMostContacts = 200'000;
 
 /// Returns the stack size, in numbers, that the functions from mj_kinematics to mj_collision
@@ -24,7 +24,7 @@ double StackSize(const mjModel& m) {
 }  // namespace
 
 ContactFinder::ContactFinder(mjModel& model) : model_(model) {
-  // Constraint rows, which are most of the memory, are not needed for collision detection.
+  // Reserves no constraint rows, which need most memory: collision detection does not use them.
   engine::SetBufferSizes(model_, {.contacts = room_, .rows = 0, .numbers = StackSize(model)});
   data_ = compiled::MakeData(model_);
   Move();
@@ -50,12 +50,13 @@ void ContactFinder::Collide() {
 
 const std::vector<BodyContact>& ContactFinder::Find() {
   contacts_.clear();
-  // With fewer bodies there are only contacts with the world.
+  // Skips models with a single body, whose only contacts are with the world.
   if (model_.nbody <= 2) return contacts_;
   Collide();
   for (int i = 0; i < data_->ncon; ++i) {
     const mjContact& contact = data_->contact[i];
-    // Skip contacts within the gap. MuJoCo also excludes contacts at distance 0, which count here.
+    // Skips contacts within the gap, which MuJoCo excludes. Contacts at distance 0 count here,
+    // although MuJoCo excludes them, too.
     if (contact.dist > 0 && contact.exclude != 0) continue;
     BodyContact found = {model_.geom_bodyid[contact.geom1],
                          model_.geom_bodyid[contact.geom2],

@@ -8,7 +8,7 @@
 
 namespace mjforge::validate {
 
-/// The deepest contact of two bodies, which have MuJoCo's ids.
+/// The deepest contact of two bodies. All ids are MuJoCo's.
 struct BodyContact {
   int body1 = 0;  // less than body2
   int body2 = 0;
@@ -23,8 +23,8 @@ struct BodyContact {
 /// if MuJoCo fails.
 class ContactFinder {
  public:
-  /// Changes the model's room for contacts. The joints start at zero. The model must outlive this
-  /// object.
+  /// Changes the size of the model's contact buffer. Joints start at zero. The model must outlive
+  /// this object.
   explicit ContactFinder(mjModel& model);
 
   /// The joint positions in MuJoCo's format. Call Move() after a change.
@@ -33,16 +33,16 @@ class ContactFinder {
   void Move();
   const mjData& data() const { return *data_; }
 
-  /// Returns the deepest contact of each pair of bodies that touch, in the order of their ids.
-  /// Bodies touch if they penetrate, are at distance 0, or are within a margin in which MuJoCo
-  /// applies forces. Contacts with the world are left out. Valid until the next call.
+  /// Returns the deepest contact of each pair of bodies that touch, in the order of the bodies'
+  /// ids. Bodies touch if they penetrate, are at distance 0, or are within a margin in which MuJoCo
+  /// applies forces. Contacts with the world are left out. The result is valid until the next call.
   const std::vector<BodyContact>& Find();
 
  private:
   void Collide();
 
   mjModel& model_;
-  int room_ = 25;  // for contacts; grows when needed
+  int room_ = 25;  // number of contacts in the buffer; grows when needed
   compiled::Data data_;
   std::vector<BodyContact> contacts_;
 };

@@ -1,4 +1,4 @@
-// Joint sweep: one joint after the other, and low-discrepancy combinations of all joints.
+// Joint sweep: moves one joint after the other, then all joints to low-discrepancy combinations.
 #include "mjforge/validate/joint_sweep.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 namespace mjforge::validate {
 namespace {
 
-// Stands for several joints at once; sorts after all joint ids.
+// Joint id for contacts found while several joints move; sorts after all other joint ids.
 constexpr int kTogether = std::numeric_limits<int>::max();
 // Largest number of dimensions for which all combinations of the ends of ranges are tried.
 constexpr std::size_t kMostCorners = 8;
@@ -40,7 +40,7 @@ struct MovedJoint {
   bool ball = false;
   double low = 0;  // rad or m; 0 for a ball joint
   double high = 0;
-  /// Number of coordinates of a point that determine its position.
+  /// Returns the number of coordinates, from 0 to 1, that determine the joint's position.
   std::size_t dimensions() const { return ball ? 3 : 1; }
 };
 
@@ -61,7 +61,7 @@ class Sweeper {
  public:
   Sweeper(mjModel& m, int frame) : m_(m), finder_(m), joints_(JointsToMove(m, sweep_.held)) {
     X_AW_ = compiled::PoseAt(finder_.data().xpos, finder_.data().xquat, frame).Inverse();
-    // If nothing collides, visual geoms count, as for model::Bounds.
+    // Without any colliding geom, bounds include visual geoms, like model::Bounds.
     for (int i = 0; i < m.ngeom; ++i) {
       any_collides_ |= m.geom_bodyid[i] != 0 && compiled::Collides(m, i);
     }
@@ -101,7 +101,8 @@ class Sweeper {
 
   void Reset() { std::copy_n(m_.qpos0, m_.nq, finder_.qpos().begin()); }
 
-  /// Bodies moved by a joint have consecutive ids, because MuJoCo numbers bodies depth first.
+  /// Returns true if the joint moves the body. Bodies moved by a joint have consecutive ids,
+  /// because MuJoCo numbers bodies depth first.
   bool Moves(int joint, int body) const {
     const int first = m_.jnt_bodyid[joint];
     return body >= first && body < body_end_[static_cast<std::size_t>(first)];
@@ -153,7 +154,8 @@ class Sweeper {
     std::vector<double> point(std::min(dimensions, kMostDimensions));
     boost::random::sobol sequence(point.size());
     for (int i = 0; i < Sweep::kCombinations; ++i) {
-      // Scale the points so that some reach 0 and 1, from which the sequence keeps this distance.
+      // Stretches the sequence, whose points keep the distance kEdge from 0 and 1, so that some
+      // points reach 0 and 1.
       constexpr double kEdge = 0.5 / Sweep::kCombinations;
       for (double& number : point) {
         const double share = std::ldexp(static_cast<double>(sequence()), -64);
@@ -170,14 +172,14 @@ class Sweeper {
     }
   }
 
-  /// Adds boxes and contacts at the present joint positions.
+  /// Adds the geoms' boxes and the contacts at the present joint positions to the results.
   void Measure(int joint, double value) {
     finder_.Move();
     const int first = joint == kTogether ? 1 : m_.jnt_bodyid[joint];
     const int end = joint == kTogether ? m_.nbody : body_end_[static_cast<std::size_t>(first)];
     for (int body = first; body < end; ++body) AddBoxOf(body);
     for (const BodyContact& contact : finder_.Find()) {
-      // Skip pairs whose relative pose this joint does not change.
+      // Skips pairs whose relative pose this joint does not change.
       if (joint != kTogether && Moves(joint, contact.body1) == Moves(joint, contact.body2)) {
         continue;
       }
@@ -228,8 +230,8 @@ class Sweeper {
   std::vector<MovedJoint> joints_;
   model::Pose X_AW_;
   bool any_collides_ = false;
-  std::vector<int> body_end_;  // end of each body's subtree, which is a range of ids
-  std::map<std::tuple<int, int, int>, DeepestContact> deepest_;  // joint, bodies
+  std::vector<int> body_end_;  // end of the range of ids of each body's subtree
+  std::map<std::tuple<int, int, int>, DeepestContact> deepest_;  // by joint and bodies
 };
 
 }  // namespace

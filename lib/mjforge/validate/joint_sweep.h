@@ -7,8 +7,8 @@
 
 namespace mjforge::validate {
 
-/// Returns the sweep of a model, with the box in the frame of the body `frame` with all joints at
-/// zero (0: the world). The model is unusable afterwards. May throw std::exception.
+/// Returns the sweep of a model. The sweep's box is in the frame that the body `frame` (0: the
+/// world) has with all joints at zero. The model is unusable afterwards. May throw std::exception.
 Sweep SweepModel(mjModel& m, int frame);
 
 }  // namespace mjforge::validate

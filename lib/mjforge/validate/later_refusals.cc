@@ -21,7 +21,7 @@ constexpr std::string_view kMesh = "mesh";
 
 struct Triangle {
   Eigen::Vector3d centre;
-  Eigen::Vector3d normal;  // its length is the area
+  Eigen::Vector3d normal;  // the length is the triangle's area
 };
 
 std::vector<Triangle> TrianglesOf(const mjModel& m, int mesh) {
@@ -41,9 +41,9 @@ std::vector<Triangle> TrianglesOf(const mjModel& m, int mesh) {
   return triangles;
 }
 
-// Adds up the volumes of the pyramids from the centroid of the surface to each face, like
-// mjCMesh::ComputeVolume. The vertices are those of the file, because MuJoCo 2.2 does not move the
-// vertices of meshes without a volume.
+// Returns the sum of the volumes of the pyramids from the centroid of the surface to each face,
+// like mjCMesh::ComputeVolume. The vertices are those of the file, because MuJoCo 2.2 does not move
+// the vertices of meshes without a volume.
 double VolumeOf(const std::vector<Triangle>& triangles) {
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
   double area = 0;
@@ -91,7 +91,8 @@ void ForEachRefused(const mjModel& m, const Report& report) {
   }
 }
 
-// Adds an error for each attribute that later releases reject, of an element and those inside it.
+// Adds an error for each attribute of an element, or of an element inside, that later releases
+// reject.
 void CheckAttributes(std::string_view parent, const model::Element& element,
                      diag::Findings& findings) {
   for (const model::Attribute& attribute : element.attributes) {

@@ -17,7 +17,7 @@
 namespace mjforge::validate {
 namespace {
 
-// Only this many pairs of bodies are reported.
+// Largest number of pairs of bodies that are reported one by one.
 constexpr std::size_t kMostPairs = 50;
 constexpr double kRounding = 1e-12;  // m, rounding error of a distance
 
@@ -74,7 +74,7 @@ class SelfCollisions {
     return object_.bodies[static_cast<std::size_t>(order_[static_cast<std::size_t>(id - 1)])];
   }
 
-  /// Returns the first body that is rigidly connected with a body.
+  /// Returns the highest ancestor of a body (or the body itself) that is rigidly connected with it.
   int RigidGroup(int id) const {
     while (m_.body_jntnum[id] == 0 && m_.body_parentid[id] != 0) id = m_.body_parentid[id];
     return id;
@@ -93,7 +93,7 @@ class SelfCollisions {
   bool InHost() const { return object_.bodies.front().name.empty(); }
 
   /// Returns a body's name as written in the spec: without the object's prefix. The root has the
-  /// object's name, whatever a host calls it.
+  /// object's name, whatever name it gets from a host, the model that includes the object.
   std::string_view AuthorsName(const model::Body& body) const {
     if (InHost() && body.parent == 0) return object_.name;
     std::string_view name = body.name;
@@ -122,7 +122,7 @@ class SelfCollisions {
                     second->name, when, m_.names + m_.name_geomadr[first_geom],
                     m_.names + m_.name_geomadr[second_geom], DepthText(contact.distance));
     if (related) message += "; MuJoCo lets parent and child collide because the parent is fixed";
-    // An exclude would let free bodies pass through each other.
+    // Suggests an exclude only within one tree, because free bodies would pass through each other.
     std::string hint =
         m_.body_rootid[contact.body1] != m_.body_rootid[contact.body2]
             ? "move them apart"

@@ -49,8 +49,8 @@ int CountConstraints(const model::Body& body) {
 
 /// Returns a size element with small buffers, because clearing buffers of default size takes most
 /// of the time of a load, and the size of MuJoCo's stack depends on njmax. A single body has no
-/// contacts, and several bodies seldom have more than a few; if they have, MuJoCo warns. Contains
-/// no line end, so that line numbers stay the same. Empty if the object has a size element.
+/// contacts, and several bodies seldom have many; if they do, MuJoCo warns. The text has no line
+/// end, so that line numbers stay the same. It is empty if the object has a size element.
 std::string SizeHint(const model::Object& object) {
   constexpr int kContacts = 12;
   constexpr int kRowsOfContact = 10;  // condim 6, pyramidal
@@ -69,12 +69,12 @@ int LineOf(std::string_view text, std::string_view needle) {
   return 1 + static_cast<int>(std::ranges::count(text.substr(0, at), '\n'));
 }
 
-/// Returns true for a warning that does not question the model.
+/// Returns true for a warning after which the model can still be used.
 bool IsMinor(std::string_view warning) { return warning.starts_with(engine::kHullWarning); }
 
-/// Adds a finding for each warning and each shortage of memory in MuJoCo 2.2. If `crowded`, ignores
-/// shortages, because findings about bodies that touch explain these. Returns true if it added an
-/// error.
+/// Adds a finding for each warning and each shortage of memory in MuJoCo 2.2. Ignores shortages if
+/// `crowded`, because findings about bodies that touch explain the shortages. Returns true if a
+/// finding is an error.
 bool AddWarnings(const Loaded& loaded, bool crowded, diag::SourceMark mark,
                  diag::Findings& findings) {
   for (const std::string& warning : loaded.warnings) {
@@ -92,13 +92,13 @@ bool AddWarnings(const Loaded& loaded, bool crowded, diag::SourceMark mark,
   return !std::ranges::all_of(loaded.warnings, IsMinor);
 }
 
-/// Returns the result of `compute`; adds a finding and returns nothing if MuJoCo fails.
+/// Returns the result of `compute`; adds a finding and returns nullopt if MuJoCo fails.
 template <typename Compute>
 auto Computed(const Compute& compute, diag::SourceMark mark, diag::Findings& findings) {
   try {
     return std::optional(compute());
   } catch (const std::bad_alloc&) {
-    throw;  // MuJoCo did not fail
+    throw;  // not a failure of MuJoCo
   } catch (const std::exception& error) {
     findings.Add(Code::kMujocoError, mark,
                  fmt::format("MuJoCo cannot place the bodies: {}", OneLine(error.what())));
@@ -129,7 +129,7 @@ void AddRefusal(std::string_view element, const Loaded& loaded, diag::SourceMark
   finding.notes.push_back({{}, fmt::format("MuJoCo said: {}", OneLine(loaded.error))});
 }
 
-/// Adds a finding for each kind of number that is not finite: MuJoCo silently loads "nan".
+/// Adds a finding for each kind of number that is not finite, because MuJoCo loads "nan" silently.
 void CheckFinite(const mjModel& m, diag::SourceMark mark, diag::Findings& findings) {
   struct Numbers {
     std::string_view kind;
@@ -151,7 +151,7 @@ void CheckFinite(const mjModel& m, diag::SourceMark mark, diag::Findings& findin
                          {"joint", "axis", m.jnt_axis, 3, m.njnt, m.name_jntadr},
                          {"joint", "range", m.jnt_range, 2, m.njnt, m.name_jntadr},
                          {"site", "pos", m.site_pos, 3, m.nsite, m.name_siteadr}};
-  // Returns the index of the first number that is not finite.
+  // Returns the index of the first number that is not finite, or `count`.
   const auto first_bad = [](const mjtNum* first, int count) {
     return std::find_if(first, first + count, [](mjtNum n) { return !std::isfinite(n); }) - first;
   };
@@ -168,7 +168,7 @@ void CheckFinite(const mjModel& m, diag::SourceMark mark, diag::Findings& findin
 }
 
 /// Adds a warning if MuJoCo 2.2 gives bodies other masses than later releases, or rejects the file.
-/// `as_is` is the file as 2.2 reads it.
+/// `as_is` is the unchanged file, loaded by MuJoCo 2.2; `m` is the model with later masses.
 void CompareMasses(const mjModel& m, const Loaded& as_is, diag::SourceMark mark,
                    diag::Findings& findings) {
   constexpr double kRounding = 1e-6;
@@ -236,8 +236,8 @@ struct Loader::Impl {
   /// MuJoCo reports errors or warnings with it.
   Loaded LoadDocument(const mjcf::MjcfDocument& document, const std::string& hint,
                       const model::Object& object, diag::Findings& findings);
-  /// Loads a file. Adds a finding and returns null if MuJoCo rejects it. Sets `start` to the start
-  /// of the file once it is read.
+  /// Loads a file. Adds a finding and returns null if MuJoCo rejects the file. Sets `start` to the
+  /// place of the file's first character if the file can be read.
   engine::Model LoadFile(const std::filesystem::path& file, diag::Sources& sources,
                          diag::SourceMark& start, diag::Findings& findings);
 };
@@ -343,11 +343,11 @@ std::optional<Sweep> Loader::SweepJoints(const std::filesystem::path& file, diag
   diag::SourceMark start;
   diag::Findings of_loading;
   const engine::Model model = impl_->LoadFile(file, sources, start, of_loading);
-  diag::Findings found;  // Load() reports the warnings, too
+  diag::Findings found;  // only errors, because Load() reports warnings
   for (const diag::Finding& finding : of_loading) {
     if (finding.severity == diag::Severity::kError) found.Add(finding);
   }
-  // Do not move joints of a model with warnings: some of its numbers may not be finite.
+  // Stops after an error, because some numbers of the model may not be finite.
   const bool clean = found.empty();
   findings.Append(std::move(found));
   if (!model || !clean) return std::nullopt;

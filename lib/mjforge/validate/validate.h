@@ -20,12 +20,12 @@ namespace mjforge::validate {
 /// Contents of a compiled model.
 struct CompiledModel {
   struct Element {
-    std::string kind;  // camera light pair exclude equality tendon actuator sensor
-    std::string name;  // empty: the element has none
+    std::string kind;  // camera, light, pair, exclude, equality, tendon, actuator, sensor
+    std::string name;  // empty if the element has no name
   };
   model::Object object;         // read by compiled::ObjectOf()
   std::vector<int> body_geoms;  // number of geoms of each body, including planes and height fields
-  // Elements of the whole model, including the world.
+  // Elements of the whole model, including those of the world.
   std::vector<Element> elements;
   int joints = 0;
   int geoms = 0;
@@ -52,7 +52,7 @@ struct Sweep {
     std::string geom2;
     double depth = 0;  // m
   };
-  std::vector<Contact> contacts;  // by joint, then body; those of several joints are last
+  std::vector<Contact> contacts;  // by joint, then body; contacts of several joints last
   /// Names of unlimited slides, which do not move because they have no range.
   std::vector<std::string> held;
   /// Box around all colliding geoms (all geoms if none collides) in all poses, in the frame of an
@@ -63,8 +63,8 @@ struct Sweep {
 /// Returns the version of the MuJoCo library in use: "2.2.2".
 std::string MujocoVersion();
 
-/// Loads models. Owns MuJoCo's virtual file system (2 MB) and the process-wide error handlers; make
-/// one per process.
+/// Loads models. Owns MuJoCo's virtual file system (2 MB) and the process-wide error handlers, so
+/// that a process can have only one Loader.
 class Loader {
  public:
   Loader();
@@ -81,16 +81,16 @@ class Loader {
                 diag::Findings& findings, structure::Structure* structure = nullptr,
                 family::Numbers* numbers = nullptr);
 
-  /// Loads any MJCF file; findings point into the XML. Returns nothing if MuJoCo rejects the file.
+  /// Loads any MJCF file; findings point into the XML. Returns nullopt if MuJoCo rejects the file.
   std::optional<CompiledModel> Load(const std::filesystem::path& file, diag::Sources& sources,
                                     diag::Findings& findings);
 
-  /// Returns the text that MuJoCo reads instead of a file that was written for a later version, or
-  /// whose meshes would have other masses there, valid in any folder; nothing if MuJoCo reads the
-  /// file itself.
+  /// Returns the text that MuJoCo reads instead of a file that was written for a later version or
+  /// whose meshes would have other masses in that version. The text is valid in any folder. Returns
+  /// nullopt if MuJoCo reads the file itself.
   static std::optional<std::string> AdaptedText(const std::filesystem::path& file);
 
-  /// Loads a document or a file and moves its joints. Adds a finding and returns nothing if MuJoCo
+  /// Loads a document or a file and moves its joints. Adds a finding and returns nullopt if MuJoCo
   /// rejects the model or warns.
   std::optional<Sweep> SweepJoints(const mjcf::MjcfDocument& document, const model::Object& object,
                                    diag::Findings& findings);
