@@ -18,13 +18,13 @@ class AssetReader {
               model::Attachment& out)
       : file_(file), meshes_(meshes), scope_(scope), out_(out) {}
 
-  /// Returns the index of a compiled material in Attachment::materials; -1 for -1.
+  /// Returns the index of a compiled material in Attachment::materials; -1 if `id` is -1 (none).
   int Material(int id);
-  /// Returns the material's name in Attachment::materials; empty for -1.
+  /// Returns the material's name in Attachment::materials; an empty text if `id` is -1.
   std::string MaterialName(int id);
   /// Returns the index of a compiled mesh in Attachment::meshes.
   int Mesh(int id);
-  /// Returns the pose of MuJoCo's frame of a mesh in the frame of its asset.
+  /// Returns the pose, in the frame of a mesh asset, of the frame that MuJoCo gives to the mesh.
   const model::Pose& FrameOf(int mesh) const { return meshes_.FrameOf(mesh); }
 
  private:

@@ -1,4 +1,4 @@
-// Reads MJCF files and attaches bodies of them.
+// Reads MJCF files, and makes attachments of their bodies.
 #include "mjforge/attach/attach.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using diag::Code;
 
-/// A file as far as it could be read, and the findings about it.
+/// An MJCF file and the findings about the file. Pointers are null after an error.
 struct File {
   std::unique_ptr<CompiledFile> compiled;
   std::unique_ptr<MeshReader> meshes;
@@ -30,10 +30,10 @@ struct File {
 
 struct Result {
   std::unique_ptr<model::Attachment> attachment;
-  diag::Findings findings;  // without those of the file
+  diag::Findings findings;  // without findings about the whole file
 };
 
-/// Adds findings about a file at the place in the spec that attaches the file.
+/// Adds copies of findings about a file at `mark`, the place in the spec that attaches the file.
 void AddAt(const diag::Findings& stored, diag::SourceMark mark, diag::Findings& findings) {
   for (const diag::Finding& finding : stored) {
     diag::Finding& shown = finding.severity == diag::Severity::kError
@@ -43,14 +43,15 @@ void AddAt(const diag::Findings& stored, diag::SourceMark mark, diag::Findings& 
   }
 }
 
-/// Returns true if the file has the body, which MuJoCo then fused with its parent.
+/// Returns true if the XML contains a body of this name. If the compiled model does not, MuJoCo
+/// fused the body with its parent.
 bool IsFused(const XmlElement& element, const std::string& body) {
   if (element.tag == "body" && element.Name() == body) return true;
   return std::ranges::any_of(element.children,
                              [&](const XmlElement& child) { return IsFused(child, body); });
 }
 
-/// Returns the id of the body; nothing after a finding.
+/// Returns MuJoCo's id of the body; nullopt after a finding.
 std::optional<int> FindBody(const CompiledFile& file, const std::string& body,
                             diag::Findings& findings) {
   const mjModel& m = file.model();
@@ -144,7 +145,7 @@ struct MjcfReader::State {
 
   diag::Sources& sources;
   engine::Engine engine;
-  std::map<std::string, File> files;  // by the canonical path
+  std::map<std::string, File> files;  // by canonical path
   std::map<std::pair<std::string, std::string>, Result> results;
 
   File& Read(const std::string& key, const fs::path& file) {

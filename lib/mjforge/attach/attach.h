@@ -11,8 +11,8 @@
 
 namespace mjforge::attach {
 
-/// Reads MJCF files, each once, and stores the results. Installs MuJoCo's error handlers in the
-/// whole process. Not thread-safe.
+/// Reads MJCF files, each only once, and stores the results. Replaces MuJoCo's error handlers,
+/// which the whole process shares. Not thread-safe.
 class MjcfReader : public model::AttachmentSource {
  public:
   /// The reader adds the XML files to `sources`, so that findings can quote them.

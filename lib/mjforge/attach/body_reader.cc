@@ -124,7 +124,8 @@ class BodyReader {
     Attributes(spec::kSiteElement, site.attributes).Read(m_, mjOBJ_SITE, id);
   }
 
-  /// Reads a camera or light, unless its target is a body that is not attached.
+  /// Reads a camera or light. If its target is a body that is not attached, adds a warning and
+  /// drops the camera or light.
   void ReadTargeted(mjtObj kind, int id, int body, int mode, int target) {
     if (target >= 0 && !scope_.Contains(mjOBJ_BODY, target)) {
       AddWarning(findings_, Code::kAttachNotCarried, file_.MarkOf(kind, id),

@@ -1,4 +1,4 @@
-// Compiles an MJCF file and maps its XML elements to the compiled things.
+// Compiles an MJCF file, and maps its XML elements to the elements of the compiled model.
 #include "mjforge/attach/compiled_file.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 using diag::Code;
 
-/// The kind of thing that MuJoCo compiles from an element.
+/// The kind of object (mjtObj) that MuJoCo compiles from an XML element.
 struct CompiledKind {
   std::string_view section;
   std::string_view tag;  // empty if all elements of the section have this kind
@@ -30,7 +30,7 @@ constexpr CompiledKind kKinds[] = {
     {"worldbody", "site", mjOBJ_SITE},
     {"worldbody", "camera", mjOBJ_CAMERA},
     {"worldbody", "light", mjOBJ_LIGHT},
-    {"worldbody", "composite", mjOBJ_UNKNOWN},  // many kinds of things
+    {"worldbody", "composite", mjOBJ_UNKNOWN},  // compiled to objects of many kinds
     {"asset", "mesh", mjOBJ_MESH},
     {"asset", "skin", mjOBJ_SKIN},
     {"asset", "hfield", mjOBJ_HFIELD},
@@ -63,8 +63,8 @@ bool AnyNameBeginsWith(const std::string& prefix, const XmlElement& element) {
                              [&](const auto& child) { return AnyNameBeginsWith(prefix, child); });
 }
 
-/// Gives each element without a name a unique one, to find the element in the compiled model.
-/// MuJoCo itself gives names to assets.
+/// Generates a unique name for each element without a name, so that the element can be found in the
+/// compiled model. Skips assets, which MuJoCo itself names.
 void NameElements(XmlElement& root) {
   std::string prefix = "~";
   while (AnyNameBeginsWith(prefix, root)) prefix += '~';
@@ -84,8 +84,8 @@ void Replace(std::string& text, const std::string& from, const std::string& to) 
   }
 }
 
-/// Backports the tree to MuJoCo 2.2, the release that objects are written for, whatever the MuJoCo
-/// of this build.
+/// Backports the tree to MuJoCo 2.2, the release that objects are written for, even if this build
+/// uses a later MuJoCo.
 void Backport(XmlElement& root, const diag::Sources& sources, diag::Findings& findings) {
   diag::Findings found;
   backport::BackportMjcf(root, backport::kPortable, backport::Use::kBodies, sources, found);
@@ -169,7 +169,7 @@ void CompiledFile::MapElements() {
       }
       std::string name = element.generated_name.empty() ? element.Name() : element.generated_name;
       const std::string* file = element.Find("file");
-      // MuJoCo's name for an asset without one: the file name without folders and extension.
+      // Names an asset without a name like MuJoCo: by the file name without folders and extension.
       if (name.empty() && file != nullptr) {
         name = file->substr(file->find_last_of("/\\") + 1);
         name.erase(std::min(name.find_last_of('.'), name.size()));

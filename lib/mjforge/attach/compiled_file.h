@@ -1,4 +1,4 @@
-// An MJCF file, compiled by MuJoCo, and the XML elements of the compiled things.
+// An MJCF file, its model as compiled by MuJoCo, and the XML elements of the compiled objects.
 #pragma once
 
 #include <map>
@@ -17,7 +17,7 @@ using xml::AddWarning;
 using xml::XmlElement;
 
 /// An MJCF file: its elements, the model that MuJoCo compiled from it, and a map between the two.
-/// Kinds are MuJoCo's (mjOBJ_GEOM, ...).
+/// Kinds are values of mjtObj (mjOBJ_GEOM, ...).
 class CompiledFile {
  public:
   /// Reads and compiles a file. Returns null after an error.
@@ -30,25 +30,26 @@ class CompiledFile {
   const mjModel& model() const { return *model_; }
   engine::Engine& engine() const { return *engine_; }
 
-  /// Returns the element from which MuJoCo compiled only this thing; null if a composite or a
-  /// replicate made the thing.
+  /// Returns the element from which MuJoCo compiled this object and no other; null if a composite
+  /// or a replicate made the object.
   const XmlElement* ElementOf(mjtObj kind, int id) const;
-  /// Returns the element from which MuJoCo compiled a thing. If a composite or a replicate made it,
-  /// returns the composite or the replicated element with the longest name that the thing's name
-  /// begins with, or else the first composite or the root.
+  /// Returns the element from which MuJoCo compiled an object. For an object of a composite or a
+  /// replicate, returns the composite or the replicated element with the longest name with which
+  /// the object's name begins, or else the first composite or the root.
   const XmlElement& OriginOf(mjtObj kind, int id) const;
-  /// Returns the name of a compiled thing; empty if it has none in the file.
+  /// Returns the name of a compiled object; an empty text if the object has no name in the file.
   std::string NameOf(mjtObj kind, int id) const;
-  /// Returns the place of OriginOf().
+  /// Returns the place in the file of the element that OriginOf() returns.
   diag::SourceMark MarkOf(mjtObj kind, int id) const { return OriginOf(kind, id).mark; }
   /// Returns "geom 'head'" or "the geom on line 7".
   std::string Description(mjtObj kind, int id) const;
 
  private:
   CompiledFile() = default;
-  /// Compiles the file. If MuJoCo rejects it, adds an error and leaves model_ null.
+  /// Compiles the file. If MuJoCo rejects the file, adds an error and leaves model_ null.
   void Load(diag::Findings& findings);
-  /// Returns a message of MuJoCo with the file's names of files and elements.
+  /// Returns a message of MuJoCo with the original names of files and elements, in place of
+  /// absolute paths and generated names.
   std::string WithOriginalNames(std::string text) const;
   void MapElements();
 

@@ -57,7 +57,7 @@ class FiniteCheck {
                          file_.string(), what));
   }
 
-  /// Checks these numbers and the attributes of a thing.
+  /// Checks the numbers `all` and all attributes of a body, joint, geom or other element.
   template <typename Thing>
   void CheckThing(std::string_view kind, const Thing& thing,
                   std::initializer_list<Named> all = {}) {

@@ -23,8 +23,8 @@ XmlElement& AddChild(XmlElement& parent, std::string_view tag) {
   return child;
 }
 
-/// Copies only the meshes of a file, with everything their frames depend on: `scale`, and the
-/// density of the default class, which determines when MuJoCo stops diagonalising the inertia.
+/// Copies only the meshes of a file, with all attributes on which the meshes' frames depend:
+/// `scale`, and the default density, which determines when MuJoCo stops diagonalising the inertia.
 void CopyMeshes(const XmlElement& from, XmlElement& to) {
   const auto copy = [&](const XmlElement& child, std::string_view attribute) {
     XmlElement& copied = AddChild(to, child.tag);
@@ -42,7 +42,7 @@ void CopyMeshes(const XmlElement& from, XmlElement& to) {
   }
 }
 
-/// Returns the attribute `scale`; nothing if it is not three numbers.
+/// Returns the attribute `scale`; nullopt if the attribute is not three numbers.
 std::optional<Eigen::Vector3d> ParseScale(const XmlElement& mesh) {
   const std::string* text = mesh.Find("scale");
   if (text == nullptr) return std::nullopt;
@@ -80,7 +80,7 @@ void MeshReader::FindFrames(diag::Findings& findings) {
     XmlElement& geom = AddChild(world, "geom");
     geom.Set("type", "mesh");
     geom.Set("mesh", m.names + m.name_meshadr[mesh]);
-    geom.Set("mass", "0");  // MuJoCo cannot compute the mass of every mesh
+    geom.Set("mass", "0");  // because MuJoCo cannot compute the mass of every mesh
   }
   const engine::Loaded loaded = file_.engine().LoadText(xml::Flatten(probe).text);
   if (!loaded.model) {
@@ -95,8 +95,8 @@ void MeshReader::FindFrames(diag::Findings& findings) {
   }
 }
 
-// Reads default classes like MuJoCo: a class begins as a copy of its parent without the classes
-// inside, and all top-level sections belong to the same class.
+// Reads `scale` of default classes like MuJoCo: a class inherits the value of its parent class, and
+// all top-level default sections belong to the same class.
 void MeshReader::ReadDefaults(const XmlElement& section, const Eigen::Vector3d& inherited) {
   Eigen::Vector3d scale = inherited;
   for (const XmlElement& child : section.children) {
@@ -124,7 +124,7 @@ model::MeshAsset MeshReader::Read(int mesh) const {
   if (const std::string* file = element->Find("file")) asset.file = *file;
   asset.scale = ScaleOf(*element);
   CopyAttributes(*element, kData, asset.attributes);
-  // The only attribute that is not a list of numbers is `smoothnormal`.
+  // Removes smoothnormal="false", the default. All other attributes are lists of numbers.
   std::erase_if(asset.attributes, [](const auto& attribute) { return attribute.text == "false"; });
   return asset;
 }

@@ -10,8 +10,8 @@
 
 namespace mjforge::attach {
 
-/// Reads the meshes of a file. MuJoCo moves a mesh and its geoms into the frame of the mesh's
-/// inertia; this class finds that frame, to undo the move.
+/// Reads the meshes of a file. MuJoCo moves a mesh and its geoms into the inertial frame of the
+/// mesh; this class finds the inertial frame, to undo the move.
 class MeshReader {
  public:
   /// Adds a finding if MuJoCo rejects the meshes on their own.
@@ -19,7 +19,7 @@ class MeshReader {
 
   /// Returns X_AM of a compiled mesh: the pose of MuJoCo's frame M in the asset's frame A.
   const model::Pose& FrameOf(int mesh) const { return frames_.at(mesh); }
-  /// Returns the asset, without a name.
+  /// Returns a compiled mesh as an asset without a name.
   model::MeshAsset Read(int mesh) const;
 
  private:
@@ -29,7 +29,7 @@ class MeshReader {
 
   const CompiledFile& file_;
   std::map<int, model::Pose> frames_;
-  std::map<std::string, Eigen::Vector3d> scales_;  // by default class
+  std::map<std::string, Eigen::Vector3d> scales_;  // `scale` by default class
 };
 
 }  // namespace mjforge::attach

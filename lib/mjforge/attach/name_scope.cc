@@ -72,7 +72,7 @@ void NameScope::MarkDropped(mjtObj kind, int id) {
 }
 
 void NameScope::NameUnnamed() {
-  // Bodies are first in the list, because other elements get names from their bodies.
+  // Names bodies first, because the names of other elements begin with those of their bodies.
   for (const Unnamed& element : unnamed_) {
     const std::string start =
         element.kind == mjOBJ_BODY

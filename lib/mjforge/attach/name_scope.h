@@ -12,18 +12,18 @@
 
 namespace mjforge::attach {
 
-/// The contents of one attachment and their names: a body with everything below it and, once added,
-/// assets and elements of sections.
+/// The contents of one attachment and their names: a body with all bodies and elements below that
+/// body and, once added, assets and elements of sections. `kind` and `id` are MuJoCo's.
 class NameScope {
  public:
-  /// Adds the body `root` and everything below it. Reports names that become equal when invalid
-  /// characters are replaced.
+  /// Adds the body `root` with all bodies and elements below. Reports names that become equal when
+  /// invalid characters are replaced.
   NameScope(const CompiledFile& file, int root, diag::Findings& findings);
 
   bool Contains(mjtObj kind, int id) const { return names_.contains({kind, id}); }
-  /// Returns the name in the attachment; empty for an element of a section without a name.
+  /// Returns the name in the attachment; an empty text for an element of a section without a name.
   const std::string& Name(mjtObj kind, int id) const { return names_.at({kind, id}); }
-  /// Sets name and place of a thing.
+  /// Sets the name and the place of `thing`, an element of the attachment.
   template <typename Thing>
   void Label(mjtObj kind, int id, Thing& thing) const {
     thing.name = Name(kind, id);
@@ -37,7 +37,7 @@ class NameScope {
   /// Adds an asset or an element of a section.
   void Add(mjtObj kind, int id);
 
-  /// Removes something that refers to things outside the attachment.
+  /// Removes an element that refers to elements outside the attachment.
   void MarkDropped(mjtObj kind, int id);
   bool IsDropped(mjtObj kind, int id) const { return dropped_.contains({kind, id}); }
 

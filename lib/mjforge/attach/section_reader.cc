@@ -1,4 +1,4 @@
-// Carries contacts and equalities over, and references of all sections.
+// Copies contacts and equalities into an attachment, and references of all sections.
 #include "mjforge/attach/section_reader.h"
 
 #include <algorithm>
@@ -104,7 +104,7 @@ void ReadContacts(SectionReader& sections) {
 void ReadEqualities(SectionReader& sections) {
   const mjModel& m = sections.model();
   for (int i = 0; i < m.neq; ++i) {
-    if (m.eq_type[i] > mjEQ_TENDON) continue;  // MuJoCo rejects `distance` since 2.2.2
+    if (m.eq_type[i] > mjEQ_TENDON) continue;  // `distance`, which MuJoCo rejects since 2.2.2
     const compiled::Equality& type = compiled::kEqualities[m.eq_type[i]];
     auto equality = sections.Add(
         "equality", type.tag, mjOBJ_EQUALITY, i,

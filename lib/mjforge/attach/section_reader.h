@@ -1,4 +1,4 @@
-// Carries elements of sections over to an attachment.
+// Copies elements of sections from a compiled model into an attachment.
 #pragma once
 
 #include <optional>
@@ -13,15 +13,15 @@
 
 namespace mjforge::attach {
 
-/// A reference from an element of a section to a compiled thing; id -1 if there is none.
+/// A reference from an element of a section to a compiled object; `id` is -1 if there is none.
 struct Reference {
   mjtObj kind = mjOBJ_UNKNOWN;
   int id = -1;
-  std::string_view attribute = {};       // has the name; empty if a child element has it
-  std::string_view kind_attribute = {};  // has the kind; empty if there is none
+  std::string_view attribute = {};       // attribute with the name; empty: in a child element
+  std::string_view kind_attribute = {};  // attribute with the kind (objtype); empty: none
 };
 
-/// Carries elements of sections (contact, tendon, ...) over to an attachment.
+/// Copies elements of sections (contact, tendon, ...) into an attachment.
 class SectionReader {
  public:
   SectionReader(const CompiledFile& file, NameScope& scope, model::Attachment& out,
@@ -30,17 +30,17 @@ class SectionReader {
 
   const mjModel& model() const { return file_.model(); }
 
-  /// An element that was added, and its attributes; valid until the next one is added.
+  /// An added element and its attributes; valid until the next element is added.
   struct Added {
     model::Element& element;
     Attributes attributes;
   };
-  /// Adds an element with name, place and references if the attachment contains all things that the
-  /// element refers to. If it contains only some of them, warns that the element is left out.
+  /// Adds an element with name, place and references if the attachment contains all targets of the
+  /// references. Otherwise returns nullopt, and warns if the attachment contains some targets.
   std::optional<Added> Add(std::string_view section, std::string_view tag, mjtObj kind, int id,
                            const std::vector<Reference>& references);
 
-  /// Returns the name in the attachment of something that it contains.
+  /// Returns the name that the target of a reference has in the attachment.
   std::string NameOf(Reference reference) const;
 
   /// Sorts the sections in the order of spec::Sections().

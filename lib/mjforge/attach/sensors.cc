@@ -1,4 +1,4 @@
-// Carries sensors over to an attachment.
+// Copies sensors from a compiled model into an attachment.
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -48,7 +48,7 @@ constexpr Sensor kSensors[] = {{mjSENS_TOUCH, "touch", "site"},
                                {mjSENS_SUBTREECOM, "subtreecom", "body"},
                                {mjSENS_SUBTREELINVEL, "subtreelinvel", "body"},
                                {mjSENS_SUBTREEANGMOM, "subtreeangmom", "body"},
-                               {mjSENS_USER, "user", "objname"}};  // a clock has no target
+                               {mjSENS_USER, "user", "objname"}};  // mjSENS_CLOCK has no target
 
 // Keywords in the order of mjtDataType and mjtStage.
 constexpr std::string_view kDataTypes[] = {"real", "positive", "axis", "quaternion"};

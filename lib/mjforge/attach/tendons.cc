@@ -1,4 +1,4 @@
-// Carries tendons over to an attachment.
+// Copies tendons from a compiled model into an attachment.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 namespace mjforge::attach {
 namespace {
 
-// Colour of spatial tendons.
+// Colour of spatial tendons, with MuJoCo's default.
 constexpr compiled::ArrayField kRgba[] = {{"rgba", &mjModel::tendon_rgba, 4, {{0.5, 0.5, 0.5, 1}}}};
 
 /// Adds an element for each joint, site, geom or pulley on the path of a tendon.
