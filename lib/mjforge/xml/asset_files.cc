@@ -34,7 +34,7 @@ Folders TakeFolders(XmlElement& root) {
     if (const std::string* dir = section.Find("meshdir")) folders.mesh = WithEnd(*dir);
     if (const std::string* dir = section.Find("texturedir")) folders.texture = WithEnd(*dir);
     if (const std::string* strip = section.Find("strippath")) {
-      // MuJoCo rejects other values.
+      // Keeps other values, so that MuJoCo rejects them.
       if (*strip != "true" && *strip != "false") continue;
       folders.strip = *strip == "true";
     }
@@ -43,8 +43,8 @@ Folders TakeFolders(XmlElement& root) {
   return folders;
 }
 
-/// Returns an absolute path: links in the folder are resolved, but the file keeps its own name,
-/// because MuJoCo depends on its extension.
+/// Returns an absolute path. Resolves links in the folder, but not a link that is the file itself,
+/// because MuJoCo chooses the format by the extension of the file's name.
 fs::path Absolute(const fs::path& file) {
   std::error_code error;
   const fs::path whole = fs::absolute(file, error);

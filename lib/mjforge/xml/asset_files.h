@@ -16,8 +16,8 @@ inline constexpr std::string_view kFileAttributes[] = {
     "file", "fileright", "fileleft", "fileup", "filedown", "filefront", "fileback"};
 /// Maps absolute paths to the paths by which messages name the files.
 using FileNames = std::map<std::string, std::string>;
-/// Makes file names absolute by MuJoCo's rules (meshdir, texturedir, strippath) and removes those
-/// settings. Adds a finding for each missing file.
+/// Makes file names absolute by MuJoCo's rules, and removes the settings of these rules (meshdir,
+/// texturedir, strippath). Adds a finding for each file that cannot be read.
 FileNames ResolveFiles(XmlElement& root, const std::filesystem::path& folder,
                        diag::Findings& findings);
 

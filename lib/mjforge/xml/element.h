@@ -23,13 +23,14 @@ struct XmlElement {
   const std::string* Find(std::string_view attribute) const;
   void Set(std::string_view attribute, std::string value);
   void Remove(std::string_view attribute);
-  /// Returns the element's name in the file; empty if it has none.
+  /// Returns the element's name in the file; an empty text if the element has no name.
   std::string Name() const;
   /// Returns "geom 'head'", or "the geom on line 7" if the element has no name.
   std::string Description() const;
 };
 
-/// Adds a finding with a note at `place`. The caller sets the place of the finding itself.
+/// Adds a finding with a note at `place` in the MJCF file, and returns the finding, so that the
+/// caller can set the place in the spec.
 diag::Finding& AddError(diag::Findings& findings, diag::Code code, diag::SourceMark place,
                         std::string message, std::string hint = {});
 diag::Finding& AddWarning(diag::Findings& findings, diag::Code code, diag::SourceMark place,

@@ -14,7 +14,7 @@ namespace {
 constexpr int kMaxElementDepth = 100;
 constexpr std::string_view kDigits = "0123456789";
 
-// Removes the digits at the start of the text; returns false if there are none.
+// Removes the digits at the start of the text; returns false if it starts with no digit.
 bool SkipDigits(std::string_view& text) {
   const std::size_t end = std::min(text.find_first_not_of(kDigits), text.size());
   text.remove_prefix(end);
@@ -68,7 +68,7 @@ void WriteValue(std::string_view value, diag::Json& json) {
   if (numbers > 1) json.EndArray();
 }
 
-// Returns false if elements are nested too deep.
+// Appends an element to `json`. Returns false if elements are nested too deep.
 bool WriteElement(const pugi::xml_node& element, int depth, diag::Json& json) {
   if (depth > kMaxElementDepth) return false;
   json.StartArray();

@@ -16,7 +16,7 @@ void Write(const XmlElement& element, std::string& out, const Start& start) {
   out += '<';
   out += element.tag;
   const auto write = [&](std::string_view name, const std::string& value) {
-    // XML attributes cannot contain control characters.
+    // Replaces control characters, which XML attributes cannot contain.
     const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' '; };
     std::string text = value;
     std::ranges::replace_if(text, is_control, ' ');

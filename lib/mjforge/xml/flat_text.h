@@ -12,7 +12,7 @@ namespace mjforge::xml {
 /// A tree of elements as one text for MuJoCo, in which each element starts on a line of its own.
 struct FlatText {
   std::string text;
-  std::vector<const XmlElement*> lines;  // the elements that start on lines 1, 2, ...
+  std::vector<const XmlElement*> lines;  // elements that start on lines 1, 2, ... of `text`
 };
 FlatText Flatten(const XmlElement& root);
 /// Returns a text in which the elements of the root's file are on the same lines as in the file, at

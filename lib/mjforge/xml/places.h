@@ -10,10 +10,10 @@
 
 namespace mjforge::xml {
 
-/// Returns the place of a byte of a source.
+/// Returns the place of the byte at `offset` of a source text.
 diag::SourceMark MarkAt(const diag::Sources& sources, std::uint32_t source, std::size_t offset);
 
-/// Returns the place of the first character on a line of a source that is not blank.
+/// Returns the place of the first character that is not blank on a line of a source text.
 diag::SourceMark MarkOfLine(const diag::Sources& sources, std::uint32_t source, int line);
 
 /// Returns the place of an attribute in the text of its element, or the place of the element if the

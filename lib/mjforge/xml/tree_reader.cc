@@ -1,4 +1,4 @@
-// Reads an MJCF file and puts included files in their places.
+// Reads an MJCF file, and replaces each include by the contents of the included file.
 #include "mjforge/xml/tree_reader.h"
 
 #include <algorithm>
@@ -19,8 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 using diag::Code;
 
-/// Deepest nesting of elements, a limit that keeps recursive functions from exhausting the stack.
-/// (The XML reader of MuJoCo 2.2 stops at 100.)
+/// Deepest allowed nesting of elements, so that recursive functions do not exhaust the stack. (The
+/// XML reader of MuJoCo 2.2 stops at 100.)
 constexpr int kMaxDepth = 1000;
 
 /// Offsets of the lines of a text, to find the places of elements.
@@ -32,7 +32,7 @@ class Lines {
     }
   }
 
-  /// Returns the place of the element's '<'. The offset from pugixml is that of the tag.
+  /// Returns the place of the element's '<', one byte before the tag, whose offset pugixml returns.
   diag::SourceMark MarkOf(const pugi::xml_node& node) const {
     const auto offset =
         static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug() - 1, 0));
@@ -104,7 +104,7 @@ class TreeReader {
     bool good = true;
     for (const pugi::xml_node& child : node.children()) {
       if (child.type() != pugi::node_element) continue;
-      if (diag::LowerCase(child.name()) == "include") {  // MuJoCo ignores the case
+      if (diag::LowerCase(child.name()) == "include") {  // MuJoCo accepts <Include>, too
         good = Include(child, lines.MarkOf(child), depth, out) && good;
       } else {
         good = Convert(child, lines, depth + 1, out.children.emplace_back()) && good;
@@ -113,7 +113,7 @@ class TreeReader {
     return good;
   }
 
-  /// Reports a bad include, with a second place in `note`. Returns false.
+  /// Reports an invalid include; `note` may add a second place. Returns false.
   bool ReportInclude(diag::SourceMark place, const std::string& what, std::string hint = {},
                      const diag::Note& note = {}) {
     diag::Finding& finding =
@@ -182,7 +182,7 @@ class TreeReader {
   diag::Sources& sources_;
   diag::Findings& findings_;
   std::vector<fs::path> open_;
-  std::map<std::string, diag::SourceMark> read_;  // the places of the includes, by canonical path
+  std::map<std::string, diag::SourceMark> read_;  // places of the includes, by file
 };
 
 }  // namespace

@@ -10,11 +10,11 @@
 
 namespace mjforge::xml {
 
-/// Returns the canonical path of a file, which is the same for all names of the file.
+/// Returns the canonical path of a file, which is the same for all paths to the file.
 std::string CanonicalName(const std::filesystem::path& file);
 
-/// Reads the file and all files that it includes into `sources`. Returns nothing after an error.
-/// Findings have notes with places; the caller sets the places of the findings themselves.
+/// Reads the file and all files that it includes into `sources`. Returns nullopt after an error.
+/// Findings have notes with places in the XML; the caller sets the findings' own places.
 std::optional<XmlElement> ReadXml(const std::filesystem::path& file, diag::Sources& sources,
                                   diag::Findings& findings);
 

@@ -11,14 +11,15 @@
 
 namespace mjforge::xml {
 
-/// The reason why a text is not XML or not MJCF, and the byte where this was found.
+/// The reason why a text is not XML or not MJCF, and the offset of the faulty byte.
 struct XmlFault {
   std::size_t offset = 0;
   std::string message;
   std::string hint;
 };
 std::optional<XmlFault> FindXmlFault(std::string_view text);
-/// Checks also that the root element is `<mujoco>`, and whether the text includes other files.
+/// Returns the fault of a text that is not XML or whose root element is not `<mujoco>`; nullopt for
+/// MJCF. Sets `has_includes`, unless null, if the text is XML: true if it includes other files.
 std::optional<XmlFault> FindMjcfFault(std::string_view text, bool* has_includes = nullptr);
 
 /// Returns the code for a file that cannot be read: model/file-not-found if it does not exist,
