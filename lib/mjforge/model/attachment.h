@@ -13,8 +13,8 @@
 namespace mjforge::model {
 
 /// A body of an MJCF file and everything below it, with the numbers that MuJoCo compiled
-/// (autolimits, classes, angles and inertia options are resolved). Names are those of the file,
-/// changed if they have characters that a name cannot have; references use the changed names.
+/// (autolimits, classes, angles and inertia options are resolved). Names come from the file;
+/// characters that a spec does not allow in names are replaced, also in references.
 struct Attachment {
   /// The requested body first, with parent -1; parents before children. Every body has an explicit
   /// inertia (explicit_inertial, mass_properties).
@@ -23,19 +23,19 @@ struct Attachment {
   std::vector<Texture> textures;
   std::vector<std::unique_ptr<MeshAsset>> meshes;
   /// Elements of contact, equality, tendon, actuator and sensor that refer only to elements of the
-  /// attachment. Elements without a name have none here either.
+  /// attachment. The name of an element is empty if the element has no name in the file.
   std::vector<Section> sections;
   /// Names of the first body's joints, which attaching removes.
   std::vector<std::string> root_joints;
 };
 
-/// Reads MJCF files; implemented in a room that uses MuJoCo.
+/// Interface to the reader of MJCF files, which a library that uses MuJoCo implements.
 class AttachmentSource {
  public:
   virtual ~AttachmentSource() = default;
-  /// Returns the body called `body` of `file` (if empty, the first body); null after an error.
-  /// Every call adds all findings, including warnings, at `mark`, with notes in the XML. Each file
-  /// is read once; the result lives as long as the source.
+  /// Returns the body called `body` of `file` (the first body if `body` is empty); null after an
+  /// error. Every call adds all findings, including warnings, at `mark`, with notes that point into
+  /// the XML. Each file is read once; the result lives as long as this source.
   virtual const Attachment* Attach(const std::filesystem::path& file, const std::string& body,
                                    diag::SourceMark mark, diag::Findings& findings) = 0;
 };

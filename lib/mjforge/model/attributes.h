@@ -13,11 +13,11 @@
 
 namespace mjforge::model {
 
-using spec::Applies;  // for rooms that may not name `spec`
+using spec::Applies;  // alias for libraries that must not use namespace `spec`
 
-/// An MJCF attribute: its numbers or, if there are none, its text.
+/// An MJCF attribute and its value: `numbers` or, if `numbers` is empty, `text`.
 struct Attribute {
-  std::string_view name;  // static storage: the field table
+  std::string_view name;  // points into the static field table
   Applies applies = Applies::kBoth;
   sample::Numbers numbers;
   std::string text;
@@ -26,24 +26,24 @@ struct Attribute {
   bool operator==(const Attribute&) const = default;
 };
 
-/// Returns a pointer to the attribute of that name, or null.
+/// Returns the attribute called `name`; null if there is none.
 template <typename Attributes>
 auto* FindAttribute(Attributes& attributes, std::string_view name) {
   const auto found = std::ranges::find(attributes, name, &Attribute::name);
   return found == attributes.end() ? nullptr : &*found;
 }
 
-/// An MJCF element that is carried whole, such as a sensor or a camera.
+/// An MJCF element that is copied without interpretation, such as a sensor or a camera.
 struct Element {
-  std::string_view tag;  // static storage: the section table
-  std::string name;      // empty if it has none
+  std::string_view tag;  // points into the static section table
+  std::string name;      // empty if the element has no name
   std::vector<Attribute> attributes;
   std::vector<Element> children;
   diag::SourceMark mark;
 };
 
-/// Returns the kind of element that an attribute of `element` refers to; for `@objtype`, the value
-/// of the attribute objtype.
+/// Returns the kind of element that an attribute of `element` refers to: `refers` or, if `refers`
+/// is "@objtype", the value of the attribute objtype of `element`.
 std::string_view KindOf(const Attribute& attribute, const Element& element);
 
 /// The elements of one section of MJCF (contact, sensor, ...).

@@ -43,7 +43,8 @@ Pose JointMotion(const Joint& joint, const sample::Numbers& from, const sample::
 
 namespace {
 
-// Returns the pose of a body in its parent; joints without a position are at their start.
+// Returns the pose of a body in its parent; joints that `positions` does not contain are at their
+// start.
 Pose PoseInParent(const Body& body, JointPositions positions) {
   Pose X_PB = body.X_PB;
   for (const Joint& joint : body.joints) {

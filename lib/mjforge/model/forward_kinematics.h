@@ -12,11 +12,11 @@
 
 namespace mjforge::model {
 
-/// Returns the value of a joint in qpos0, with which its body has the pose that the spec states:
-/// `ref` of a hinge or slide, the identity of a ball joint; empty for a free joint.
+/// Returns the qpos0 of a joint, at which the joint's body has the pose X_PB: `ref` for a hinge or
+/// slide, the identity for a ball joint; empty for a free joint.
 sample::Numbers ZeroPosition(const Joint& joint);
 
-/// Returns the count of numbers that a joint has in qvel.
+/// Returns the number of values that a joint has in qvel.
 std::size_t VelocityCount(const Joint& joint);
 
 /// Returns the free joint of a body; null if the body has none.
@@ -24,20 +24,22 @@ const Joint* FreeJointOf(const Body& body);
 
 /// Returns the motion of the body of a hinge, slide or ball joint when the joint moves from one
 /// position to another: X_B0B1, the pose of the body after the motion in its frame before the
-/// motion. Positions are as in qpos; an empty one is ZeroPosition().
+/// motion. Positions are as in qpos; an empty position stands for ZeroPosition().
 Pose JointMotion(const Joint& joint, const sample::Numbers& from, const sample::Numbers& to);
 
 /// Positions of some joints, by their full names, as in qpos.
 using JointPositions = std::span<const std::pair<std::string, sample::Numbers>>;
 
-/// Returns X_FB of the bodies from `first` on; other joints than `positions` are at their start
-/// positions. F is the body `first`, but for the root the object's frame W, in which X_PB of the
-/// root and of free bodies is given. Bodies that are not below `first` have the identity; the
-/// world's children count as below the root. Equalities between joints are ignored.
+/// Returns the poses X_FB of all bodies with an index from `first` on. Joints that `positions` does
+/// not contain are at their start positions. Frame F is the body `first` or, if `first` is 0, the
+/// object's frame W, in which X_PB of the root and of free bodies is given. Bodies that do not
+/// descend from `first` get the identity; all bodies count as descendants of body 0. Equalities
+/// between joints are ignored.
 std::vector<Pose> SubtreePoses(const std::vector<Body>& bodies, std::size_t first,
                                JointPositions positions = {});
 
-/// Returns whether each body from `first` on is `first` or below it, parallel to SubtreePoses().
+/// Returns a flag for each body with an index from `first` on, parallel to SubtreePoses(): true for
+/// the body `first` and its descendants.
 std::vector<bool> InSubtree(const std::vector<Body>& bodies, std::size_t first);
 
 /// Returns the pose of a body in its parent with its joints at their start: X_PB after the motions

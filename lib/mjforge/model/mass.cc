@@ -51,8 +51,8 @@ Eigen::Vector3d Middle(const TriangleMesh& mesh) {
   return mesh.vertices.empty() ? sum : Eigen::Vector3d(sum / double(mesh.vertices.size()));
 }
 
-// The moments of a tetrahedron or a triangle (a, b, c) with weight w and s = a + b + c: mass
-// w / `mass`, centre of mass s / `first`, second moments w / `second` (aa' + bb' + cc' + ss').
+// Divisors in the moments of a tetrahedron or a triangle (a, b, c) with weight w and s = a + b + c:
+// mass w / `mass`, centre of mass s / `first`, second moments w / `second` (aa' + bb' + cc' + ss').
 struct Divisors {
   double mass = 1;
   double first = 1;
@@ -88,8 +88,8 @@ MassProperties SumOf(const TriangleMesh& mesh, double density, const Divisors& d
   return result;
 }
 
-// The weight of a tetrahedron between M and a triangle is d = det(a b c). Source: Tonon, "Explicit
-// exact formulas for the 3-D tetrahedron inertia tensor", 2004.
+// Sums over the tetrahedra between M and each triangle, with weights det(a b c). Source: Tonon,
+// "Explicit exact formulas for the 3-D tetrahedron inertia tensor", 2004.
 MassProperties MeshMass(const TriangleMesh& mesh, double density) {
   return SumOf(mesh, density, {.mass = 6, .first = 4, .second = 120},
                [](const auto& a, const auto& b, const auto& c) { return a.dot(b.cross(c)); });

@@ -27,20 +27,19 @@
 
 namespace mjforge::model {
 
-/// Objects with more parts are rejected: MuJoCo's loading time grows with the square of their
-/// number, and this number loads within the default time limit on a machine half as fast as ours.
+/// Maximum number of parts of an object. MuJoCo's loading time grows with its square, and is within
+/// the default time limit for this number even on a machine half as fast as ours.
 inline constexpr int kMaxParts = 40'000;
 
-/// A part that collides and is visible has two geoms: the visual one is named after the part, with
-/// this suffix.
+/// Suffix of the visual geom if a part has two geoms; the collision geom has the name of the part.
 inline constexpr std::string_view kVisualSuffix = "_vis";
 
 /// A mesh, written inline (for the shapes of `solid`) or as a file that is copied into the output.
 struct MeshAsset {
   std::string name;
-  TriangleMesh mesh;           // scaled
+  TriangleMesh mesh;           // surface after scaling
   std::filesystem::path file;  // empty for inline meshes
-  /// The surface is the convex hull of the vertices; MuJoCo computes the triangles itself.
+  /// True if the surface is the hull of the vertices, for which MuJoCo computes the triangles.
   bool is_hull = false;
   std::string output_file;  // file name in assets/
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();
@@ -75,7 +74,7 @@ struct Material {
 enum class Role { kBoth, kCollision, kVisual };
 
 /// A rigid solid of a body B, written as a collision geom, a visual geom or both. A shape of the
-/// room `solid` becomes several parts: its render mesh, with its name, and the convex pieces
+/// library `solid` becomes several parts: its render mesh, with its name, and the convex pieces
 /// NAME_0, NAME_1, ..., which collide.
 struct Part {
   std::string name;
@@ -92,16 +91,17 @@ struct Part {
   /// instead, so that MuJoCo computes the mass from the number in the spec.
   double mass = 0;
   double density = 0;
-  /// Mass properties at density 1, in G, of the exact solid if it differs from `shape`.
+  /// Mass properties of the exact solid at 1 kg/m^3, in the geom's frame G; nullopt if `shape` is
+  /// exact.
   std::optional<MassProperties> solid;
-  /// Convex hull of the exact solid for bounds, in S, if it differs from that of `shape`. A
-  /// single piece of a solid has it; the other pieces have a hull without curves.
+  /// Convex hull of the exact solid, in the solid's frame S; null if `shape` has the same hull. One
+  /// piece of a solid has the hull of the whole solid, the others have an empty hull.
   std::shared_ptr<const solid::Extent> extent;
   Pose X_GS;
-  bool is_shell = false;  // the mass is on the surface of a mesh; `solid` has its area as mass
+  bool is_shell = false;  // the mass is on the mesh's surface; `solid->mass` is the mesh's area
   int material = -1;      // index in Object::materials
-  /// A geom of an attached file, which is written under its own name and with only the attributes
-  /// that it has. The role then only decides if it collides.
+  /// True for a geom of an attached file, which is written with its own name and no attributes but
+  /// its own. `role` then only decides if the geom collides.
   bool as_is = false;
   std::vector<Attribute> attributes;
   diag::SourceMark mark;
@@ -112,7 +112,7 @@ struct Joint {
   std::string_view type = "free";  // free ball slide hinge
   Eigen::Vector3d pos = Eigen::Vector3d::Zero();
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
-  std::optional<Eigen::Vector2d> range;  // none: not limited
+  std::optional<Eigen::Vector2d> range;  // nullopt: not limited
   /// Start position as in qpos: m or rad, for a ball joint w, x, y, z. Empty: the joint's zero.
   sample::Numbers start;
   /// Velocity at the start as in qvel, m/s or rad/s; the linear velocity of a free joint is in the
@@ -140,17 +140,17 @@ struct Body {
   std::vector<Part> parts;
   std::vector<Site> sites;
   std::vector<Region> regions;
-  double front = 0;  // angle of its front about z, counter-clockwise from -y, rad
+  double front = 0;  // angle of the body's front about z, counter-clockwise from -y, rad
   /// Region or site that the body was placed at, as in the spec: "table.surface"; empty: the body
   /// was not placed.
   std::string stands_at;
   std::vector<Element> elements;      // cameras and lights
   std::vector<Attribute> attributes;  // attributes of <body>
   MassProperties mass_properties;     // in B
-  /// MJCF has an <inertial> element instead of leaving the inertia to MuJoCo: for bodies with mesh
-  /// parts, because releases of MuJoCo compute the mass of meshes differently, for bodies whose
-  /// geoms differ from the exact solid, and for attached bodies, which keep the inertia of their
-  /// file.
+  /// True if an <inertial> element is written, so that MuJoCo does not compute the inertia: for
+  /// bodies with mesh parts, because releases of MuJoCo compute the mass of meshes differently, for
+  /// bodies whose geoms differ from the exact solid, and for attached bodies, which keep the
+  /// inertia of their file.
   bool explicit_inertial = false;
   /// Index of the first body of the same attached file; -1 for other bodies.
   int attached = -1;
@@ -168,24 +168,24 @@ struct Setpoint {
 struct Object {
   std::string name;
   std::vector<Body> bodies;         // the root first, parents before children
-  std::vector<Material> materials;  // used ones only
+  std::vector<Material> materials;  // only materials in use
   std::vector<Texture> textures;
-  std::vector<std::unique_ptr<MeshAsset>> meshes;  // equal ones are shared
+  std::vector<std::unique_ptr<MeshAsset>> meshes;  // equal meshes are stored once
   std::vector<Section> sections;                   // in the order of spec::Sections()
   /// Empty if all actuators start at 0; otherwise one for each actuator, in the order of actuators.
   std::vector<Setpoint> setpoints;
   Bounds bounds;
   MassProperties mass_properties;       // in W, at the start state
-  std::optional<StartForm> start_form;  // empty: depends on the target
+  std::optional<StartForm> start_form;  // nullopt: depends on the target
   Checks checks;
   std::vector<Expectation> expectations;
   std::vector<Pile> piles;
-  std::vector<std::string> left_out;  // full names of bodies that found no room, for `fewer: true`
+  std::vector<std::string> left_out;  // full names of bodies without room (`fewer: true`)
   std::vector<diag::Finding> unmet;  // a finding for each condition of `expect:` that does not hold
 };
 
 /// Returns X_WB of every body at the start state. W is the object's frame, in which X_PB of the
-/// root and of free bodies is given; for most objects it is that of the root.
+/// root and of free bodies is given; for most objects W is the frame of the root.
 std::vector<Pose> BodyPoses(const Object& object);
 
 /// Returns the number of geoms in MJCF; a part that is both collision and visual has two.

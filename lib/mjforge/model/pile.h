@@ -12,24 +12,25 @@
 
 namespace mjforge::model {
 
-/// Bodies that a simulation of MuJoCo brings to rest in a region. Their rest is their start.
+/// Bodies that fall into a region in a simulation with MuJoCo. Their poses at rest become their
+/// start poses.
 struct Pile {
-  /// Greatest depth of contacts at rest, m: MuJoCo's contacts are soft.
+  /// Largest penetration depth at rest, m. The depth is not 0, because MuJoCo's contacts are soft.
   static constexpr double kMostDepth = 0.002;
 
   struct Item {
     int body = -1;  // index in Object::bodies; a free body
-    /// Orientation at its release, in the object's frame.
+    /// Orientation of the body at its release, in the object's frame.
     Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
-    /// Position of its centre of mass at its release, from -1 to 1, within the free play of its
-    /// bounding sphere in the region; in a disc, within the unit disc.
+    /// Position of the body's centre of mass at its release: numbers from -1 to 1 within the free
+    /// play of the body's bounding sphere in the region; in a disc, a point of the unit disc.
     Eigen::Vector2d uv = Eigen::Vector2d::Zero();
   };
   std::string at;    // the region, as in the spec: "crate.inside"
   int support = -1;  // index of the body that has the region
   Region region;
-  bool is_big_first = true;  // sorted by size; otherwise in the order of `items`
-  double time = 3;           // s, that the bodies may take to come to rest after the last release
+  bool is_big_first = true;  // largest body first; otherwise in the order of `items`
+  double time = 3;           // s, time limit for coming to rest after the last release
   std::vector<Item> items;
   diag::SourceMark mark;
 };

@@ -11,7 +11,7 @@ struct Pose {
   Eigen::Vector3d p = Eigen::Vector3d::Zero();            // m
   Eigen::Quaterniond q = Eigen::Quaterniond::Identity();  // unit
 
-  /// X_AC = X_AB * X_BC.
+  /// Returns X_AC = X_AB * X_BC.
   Pose operator*(const Pose& X_BC) const;
   Eigen::Vector3d operator*(const Eigen::Vector3d& p_B) const { return q * p_B + p; }
   Pose Inverse() const { return {q.conjugate() * -p, q.conjugate()}; }

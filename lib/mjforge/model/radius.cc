@@ -22,7 +22,8 @@ double FarthestOnEllipse(double u, double v, double a, double b) {
   u = std::abs(u);
   v = std::abs(v);
   const double gap = (a - b) * (a + b);
-  // A centre this close to the minor axis is put on it: the error is below the last bit of a.
+  // A centre this close to the minor axis is treated as on the axis; the error is below the last
+  // bit of a.
   if (u < 1e-18 * a) {
     const double t2 = b * v >= gap ? 1 : b * v / gap;
     return Eigen::Vector2d(a * std::sqrt(1 - t2 * t2), v + b * t2).norm();
@@ -88,9 +89,10 @@ double EllipsoidRadius(const Eigen::Vector3d& size, const Pose& X_AG) {
   return EllipseRadius(scaled.row(0), scaled.row(1), X_AG.p.head<2>());
 }
 
-// Returns the largest distance from the z axis of a point within an arc, at which the distance is
-// stationary; 0 if there is none. On the arc q = p + cos(t) u + sin(t) v the derivative of the
-// squared distance has at most four roots. Roots at which it falls are bracketed, then bisected.
+// Returns the largest local maximum, within an arc, of the distance from the z axis; 0 if there is
+// none. On the arc q = p + cos(t) u + sin(t) v the derivative of the squared distance has at most
+// four roots. Roots at which the derivative falls are the maxima; they are bracketed, then
+// bisected.
 double ArcRadius(const Eigen::Vector2d& p, const Eigen::Vector2d& u, const Eigen::Vector2d& v,
                  double angle) {
   constexpr int kSteps = 32;

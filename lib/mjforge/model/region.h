@@ -19,24 +19,24 @@ inline constexpr int kRegionGroup = 5;
 
 enum class RegionType { kBox, kDisc, kPolygon };
 
-/// Returns the word of a spec: "box", "disc" or "polygon".
+/// Returns the name of a type in specs: "box", "disc" or "polygon".
 std::string_view RegionTypeName(RegionType type);
 
 /// A level area of a body B, or the interior of a container, with the space above it. The area is
 /// in the xy plane of its frame R, whose z axis points up when the object is in its start state.
 struct Region {
   std::string name;  // name in the spec: "surface"
-  std::string site;  // full name of its site in MJCF
+  std::string site;  // full name of the region's site in MJCF
   RegionType type = RegionType::kBox;
-  /// Half lengths along x and y, m; for a disc, its radius twice. For a polygon, of its bounding
-  /// box.
+  /// Half lengths of a box, or of a polygon's bounding box, along x and y, m; for a disc, both
+  /// numbers are the radius.
   Eigen::Vector2d half_size = Eigen::Vector2d::Zero();
   std::vector<Eigen::Vector2d> corners;  // corners of a convex polygon, counter-clockwise, m
   Pose X_BR;
   double height = std::numeric_limits<double>::infinity();  // free height above the area, m
   double margin = 0;   // least distance of footprints from the edge, m
-  double clear = 0;    // least distance that the owner asks for between what stands here, m
-  bool walls = false;  // an interior, whose floor need not be level: objects are lowered into it
+  double clear = 0;    // least distance between bodies that stand in the region, m
+  bool walls = false;  // true for an interior: bodies are lowered in, the floor may be uneven
   diag::SourceMark mark;
 };
 
@@ -46,12 +46,14 @@ double TiltOf(const Pose& X_WR);
 /// Returns the mean of a polygon's corners, in the plane of R; for other regions the origin.
 Eigen::Vector2d MiddleOf(const Region& region);
 
-/// Returns the position, in the plane of R, of a disc of this radius: `uv`, from -1 to 1, within
-/// the positions at which the disc is inside; in a disc, and in the largest disc of a polygon,
-/// within the unit disc. If the disc is too large, the middle of the region.
+/// Returns a centre, in the plane of R, at which a disc of this radius is inside the region. In a
+/// box, `uv` (from -1 to 1) covers all such centres; in a disc, and in the largest disc about the
+/// middle of a polygon, `uv` is a point of the unit disc. Returns the middle of the region if the
+/// disc is too large.
 Eigen::Vector2d PositionOfDisc(const Region& region, double radius, const Eigen::Vector2d& uv);
 
-/// Returns how far a point in the plane of R is outside of the region, m; at most 0 inside.
+/// Returns how far a point in the plane of R is outside of the region, m; at most 0 if the point is
+/// inside.
 double DistanceOutside(const Region& region, const Eigen::Vector2d& p);
 
 }  // namespace mjforge::model

@@ -53,7 +53,7 @@ int SizeCount(GeomType type) {
   return 0;
 }
 
-// Support functions of convex bodies: Ericson, "Real-Time Collision Detection", 2005, 9.5.
+// Source of the support functions: Ericson, "Real-Time Collision Detection", 2005, 9.5.
 std::vector<Eigen::Vector3d> VerticesOf(const Shape& shape) {
   if (shape.type == GeomType::kMesh) return shape.mesh->vertices;
   if (shape.type != GeomType::kBox) return {};

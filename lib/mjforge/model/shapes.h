@@ -30,7 +30,7 @@ int SizeCount(GeomType type);
 struct Shape {
   GeomType type = GeomType::kSphere;
   Eigen::Vector3d size = Eigen::Vector3d::Zero();
-  const TriangleMesh* mesh = nullptr;  // kMesh only; closed; not owned
+  const TriangleMesh* mesh = nullptr;  // for kMesh only; a closed surface; not owned
 };
 
 /// Mass, centre of mass and inertia of a rigid body in a frame F.
@@ -52,7 +52,7 @@ MassProperties ShellMassOf(const TriangleMesh& mesh);
 
 /// Expresses mass properties in frame A instead of F.
 MassProperties InFrame(const Pose& X_AF, const MassProperties& properties_F);
-/// Adds two bodies in the same frame (parallel axis theorem).
+/// Adds the mass properties of two bodies in the same frame (parallel axis theorem).
 MassProperties Combine(const MassProperties& a, const MassProperties& b);
 /// Multiplies the density of a body by `factor`.
 MassProperties Scaled(const MassProperties& properties, double factor);
@@ -74,7 +74,7 @@ struct Box3 {
   void Add(const Box3& other);
 };
 /// Returns the exact axis-aligned bounding box of the shape, or of the hull of a solid, at a pose;
-/// an empty box for no curves.
+/// the box is empty if `extent` has no curves.
 Box3 BoundsOf(const Shape& shape, const Pose& X_AG);
 Box3 BoundsOf(const solid::Extent& extent, const Pose& X_AS);
 
@@ -87,7 +87,7 @@ double HorizontalRadius(const solid::Extent& extent, const Pose& X_AS);
 bool Contains(const Shape& shape, const Pose& X_AG, const Eigen::Vector3d& p_A);
 
 /// Returns the reason why a mesh has no well-defined inside ("edge shared by 1 triangle", "inside
-/// out"); nothing if the mesh is closed, consistently oriented and of positive volume.
+/// out"); nullopt if the mesh is closed, consistently oriented and of positive volume.
 std::optional<std::string> FindSurfaceDefect(const TriangleMesh& mesh);
 
 }  // namespace mjforge::model

@@ -10,7 +10,8 @@
 namespace mjforge::model {
 namespace {
 
-// Counts of triangles that use an edge from its smaller to its larger vertex, and the other way.
+// Numbers of triangles that use an edge from its smaller to its larger vertex (`up`) and the other
+// way (`down`).
 struct EdgeUses {
   int up = 0;
   int down = 0;
@@ -30,7 +31,8 @@ std::optional<std::string> FindSurfaceDefect(const TriangleMesh& mesh) {
       ++(from < to ? uses.up : uses.down);
     }
   }
-  // The reported edge must not depend on the order of the map.
+  // Reports the edge with the fewest triangles, so that the result does not depend on the map's
+  // order.
   int open = 0;
   bool is_reversed = false;
   for (const auto& [edge, uses] : edges) {

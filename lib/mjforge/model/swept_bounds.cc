@@ -14,12 +14,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Shapes in the object's frame, with all joints at zero. All boxes are along its axes, because a
-// box along other axes would need a larger box around it.
+// Shape and its pose in the object's frame, with all joints at zero. Boxes are parallel to the axes
+// of the object's frame, because a box along other axes would need a larger box around itself.
 struct PlacedShape {
   Shape shape;
   Pose X;
-  const solid::Extent* extent = nullptr;  // in place of the shape
+  const solid::Extent* extent = nullptr;  // replaces the shape if not null
 };
 using Shapes = std::vector<PlacedShape>;
 
@@ -37,7 +37,8 @@ Box3 BoxOf(const PlacedShape& placed, const Pose& X) {
   return placed.extent != nullptr ? BoundsOf(*placed.extent, X) : BoundsOf(placed.shape, X);
 }
 
-// Returns an upper bound of the distance of any point from `p`, exact for spheres and boxes.
+// Returns an upper bound of the distance of any point of the shapes from `p`, exact for spheres and
+// boxes.
 double RadiusAbout(const Vector3d& p, const Shapes& shapes) {
   double largest = 0;
   for (const PlacedShape& placed : shapes) {
@@ -51,10 +52,10 @@ double RadiusAbout(const Vector3d& p, const Shapes& shapes) {
   return largest;
 }
 
-// Turns of a hinge, back from both ends of its range and from angles between them.
+// Inverse rotations of a hinge: for both ends of its range and for angles between the ends.
 struct Turns {
   std::vector<Eigen::Quaterniond> back;
-  double excess = 0;  // most that a + b exceeds 1 by, see SweptSupport()
+  double excess = 0;  // upper bound of a + b - 1, see SweptSupport()
 };
 
 Turns TurnsOf(const Vector3d& axis, const Eigen::Vector2d& angles) {
@@ -98,7 +99,7 @@ Eigen::Vector2d DisplacementsOf(const Joint& joint) {
 }
 
 // Returns the lower and upper support of the shapes along a unit vector while one joint moves. The
-// origin is its anchor; `turns` are those of a hinge.
+// origin is the anchor of the joint; `turns` is used for hinges only.
 Eigen::Vector2d SweptInterval(const Shapes& shapes, const Joint& joint, const Vector3d& axis,
                               const Turns& turns, const Vector3d& unit) {
   const Eigen::Vector2d still(-SupportOf(shapes, -unit), SupportOf(shapes, unit));
@@ -146,7 +147,7 @@ Box3 SweptBounds(const Object& object) {
   const bool some_collide = std::ranges::any_of(
       bodies, [&](const Body& body) { return std::ranges::any_of(body.parts, collides); });
   const std::vector<Pose> X_WB = ZeroPoses(bodies);
-  std::vector<Shapes> shapes(bodies.size());  // for each body, with its children
+  std::vector<Shapes> shapes(bodies.size());  // of each body and its descendants
   for (std::size_t i = bodies.size(); i-- > 0;) {
     const Body& body = bodies[i];
     for (const Part& part : body.parts) {
