@@ -45,9 +45,9 @@ Content ContentOf(const TexturePixels& picture) {
 
 struct Maker::State {
   std::optional<engine::Engine> engine;     // created for the first texture
-  std::map<std::string, Content> textures;  // by MJCF element and kind of marks
+  std::map<std::string, Content> textures;  // key: MJCF element and kind of marks
 
-  // These return nothing, and add a finding, if the file cannot be made.
+  // Makers of one file; they return nullopt, after adding a finding, if the file cannot be made.
   std::optional<Content> MeshFile(const model::MeshAsset& mesh, diag::Findings& findings) const;
   std::optional<Content> TextureFile(const model::Texture& texture, diag::Findings& findings);
 };

@@ -12,16 +12,16 @@
 
 namespace mjforge::files {
 
-/// Makes the files of one document after the other, and caches textures.
+/// Generator of the mesh and texture files of documents. Textures are cached between documents.
 class Maker {
  public:
   Maker();
   ~Maker();
 
-  /// Makes the files that `document` lacks (MjcfDocument::generated_files), adds them to its
-  /// assets, and puts the hashes of their contents into their names in the text, so that files of
-  /// equal names are equal. The result depends only on the object and the text. Returns false, and
-  /// adds a finding, if a mesh has no convex hull or MuJoCo cannot make a texture.
+  /// Makes the files that `document` lacks (MjcfDocument::generated_files), adds these files to the
+  /// document's assets, and puts the hash of each content into the file's name in the text, so that
+  /// files of equal names are equal. The result depends only on the object and the text. Returns
+  /// false, and adds a finding, if a mesh has no convex hull or MuJoCo cannot make a texture.
   bool Make(const model::Object& object, mjcf::MjcfDocument& document, diag::Findings& findings);
 
  private:

@@ -62,8 +62,8 @@ std::vector<std::array<int, 3>> HullOf(const std::vector<double>& numbers, std::
   return triangles;
 }
 
-// Reads the mesh from the attributes of its element if it comes from an attached file, or else from
-// the asset's own mesh.
+// Reads the mesh from the attributes `vertex`, `face`, ... of a mesh of an attached file, or from
+// MeshAsset::mesh if the asset has no attribute `vertex`.
 ObjMesh MeshOf(const model::MeshAsset& asset, std::string& why_not) {
   ObjMesh mesh = {
       NumbersOf(asset, "vertex"), NumbersOf(asset, "normal"), NumbersOf(asset, "texcoord"), {}};
@@ -97,8 +97,8 @@ void AppendRows(std::string_view word, std::span<const double> numbers, std::siz
 std::optional<std::string> ObjOf(const model::MeshAsset& asset, std::string& why_not) {
   ObjMesh mesh = MeshOf(asset, why_not);
   if (mesh.triangles.empty()) return std::nullopt;
-  // In OBJ, v is 0 at the lower edge of the image, in MJCF at the upper edge. MuJoCo flips v when
-  // it reads OBJ.
+  // Texture coordinate v is 0 at the lower edge of the image in OBJ, at the upper edge in MJCF.
+  // MuJoCo flips v when it reads OBJ.
   for (std::size_t i = 1; i < mesh.texcoords.size(); i += 2)
     mesh.texcoords[i] = 1 - mesh.texcoords[i];
   std::string out;

@@ -10,7 +10,8 @@
 namespace mjforge::files {
 
 /// Returns the mesh in the Wavefront OBJ format, in m, with the digits of its MJCF element. A mesh
-/// without faces gets those of its convex hull. Returns nothing, and the reason, if it has no hull.
+/// without faces gets the faces of its convex hull. Returns nullopt and sets `why_not` if this hull
+/// does not exist.
 std::optional<std::string> ObjOf(const model::MeshAsset& asset, std::string& why_not);
 
 }  // namespace mjforge::files

@@ -28,7 +28,7 @@ void AddRandomMarks(const model::Texture& texture, TexturePixels& picture) {
   std::array<std::uint8_t, 3> mark = {};
   for (std::size_t i = 0; color != nullptr && i < mark.size(); ++i)
     mark[i] = static_cast<std::uint8_t>(255 * color->numbers[i]);
-  std::mt19937_64 random;  // the C++ standard fixes its numbers
+  std::mt19937_64 random;  // the C++ standard fixes the numbers of this generator
   constexpr double kUnit = 0x1p-64;
   for (std::size_t i = 0; i + 2 < picture.rgb.size(); i += 3) {
     if (static_cast<double>(random()) * kUnit < probability)

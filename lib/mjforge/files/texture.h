@@ -21,8 +21,8 @@ struct TexturePixels {
 };
 
 /// Generates a texture with MuJoCo. Random marks are made by mjforge, with the same density,
-/// because MuJoCo's own differ between releases, and between the textures of a file. Returns
-/// nothing, and the reason, if MuJoCo rejects the texture.
+/// because the marks of MuJoCo differ between releases, and between the textures of a file. Returns
+/// nullopt and sets `why_not` if MuJoCo rejects the texture.
 std::optional<TexturePixels> PixelsOf(const model::Texture& texture, engine::Engine& engine,
                                       std::string& why_not);
 
