@@ -15,42 +15,43 @@
 
 namespace mjforge::compiled {
 
-/// Attribute of an element kind.
+/// Attribute of an element kind, and the array of mjModel that contains its values.
 struct ArrayField {
   using Flags = engine::Flag* mjModel::*;
-  /// Row of the array: the element's id, or the first degree of freedom or position of a joint.
-  /// kQpos is for hinges and slides only.
+  /// Row of the array: the element's id, the first degree of freedom of a joint, or the first
+  /// number of a joint in qpos. kQpos is for hinges and slides only.
   enum class Rows { kElement, kDof, kQpos };
 
   std::string_view attribute;
   std::variant<mjtNum * mjModel::*, float * mjModel::*, int * mjModel::*, Flags> array;
   int count = 1;  // numbers per element
-  /// Default of MuJoCo; nothing if the attribute has none.
+  /// MuJoCo's default; nullopt if the attribute has no default.
   std::optional<std::array<double, 6>> usual = std::array<double, 6>{};
   Rows rows = Rows::kElement;
-  Flags needs = nullptr;                       // the attribute applies only with this flag
-  engine::Count mjModel::*variable = nullptr;  // count of user data, instead of `count`
+  Flags needs = nullptr;                       // applies only if this flag is set; null: always
+  engine::Count mjModel::*variable = nullptr;  // count of user values, instead of `count`
 
-  /// `directional` of lights is a flag too, although it is a number since MuJoCo 3.3.3.
+  /// Returns true for flags. `directional` of lights is a flag, too, although a number since 3.3.3.
   bool IsFlag() const { return std::holds_alternative<Flags>(array) || attribute == "directional"; }
   bool IsFloat() const { return std::holds_alternative<float * mjModel::*>(array); }
 };
 
 /// Returns the attributes of an element kind, in file order: of geoms, joints, sites, cameras,
-/// lights, tendons, actuators, pairs, equalities, sensors, materials and bodies; none of other
+/// lights, tendons, actuators, pairs, equalities, sensors, materials and bodies; empty for other
 /// kinds.
 std::span<const ArrayField> ArrayFields(mjtObj kind);
 
-/// Returns the numbers of an attribute; none if it does not apply to this element. Numbers in
-/// single precision are the shortest that read back as the same value. User data is without
-/// trailing zeros.
+/// Returns the numbers of an attribute; empty if the attribute does not apply to this element. A
+/// float becomes the shortest decimal that reads back as this float (0.1, not 0.100000001).
+/// Trailing zeros of user data are left out.
 sample::Numbers NumbersOf(const mjModel& m, const ArrayField& field, int id);
 
-/// Reference of an actuator to the element it acts on, in the order of mjtTrn.
+/// Attributes with which an actuator refers to its elements; kTransmissions is in the order of
+/// mjtTrn.
 struct Transmission {
   mjtObj kind;
   std::string_view first;
-  std::string_view second;  // to a site; empty: none
+  std::string_view second;  // reference to a second site; empty: none
 };
 inline constexpr Transmission kTransmissions[] = {{mjOBJ_JOINT, "joint", ""},
                                                   {mjOBJ_JOINT, "jointinparent", ""},
@@ -59,7 +60,7 @@ inline constexpr Transmission kTransmissions[] = {{mjOBJ_JOINT, "joint", ""},
                                                   {mjOBJ_SITE, "site", "refsite"},
                                                   {mjOBJ_BODY, "body", ""}};
 
-/// References of an equality to two elements, in the order of mjtEq.
+/// Attributes with which an equality refers to its elements; kEqualities is in the order of mjtEq.
 struct Equality {
   std::string_view tag;
   mjtObj kind;
@@ -73,9 +74,9 @@ inline constexpr Equality kEqualities[] = {{"connect", mjOBJ_BODY, "body1", "bod
 
 /// Element of a tendon's path.
 struct Wrap {
-  std::string_view tag;  // joint pulley site geom
+  std::string_view tag;  // joint, pulley, site or geom
   mjtObj kind = mjOBJ_UNKNOWN;
-  int object = -1;  // id; -1 for a pulley
+  int object = -1;  // id of the element; -1 for a pulley
   int side = -1;    // id of the side site; -1: none
 };
 Wrap WrapAt(const mjModel& m, int wrap);

@@ -19,8 +19,8 @@ void AddMass(const model::MassProperties& mass_W, model::MassProperties& sum) {
   sum = sum.mass > 0 ? model::Combine(sum, mass_W) : mass_W;
 }
 
-// Sets the start position of the last joint of the body, if the model has a start state, and the
-// zero that the start is relative to.
+// Sets start position and `ref` of the body's last joint, whose id is `id`, if the model has a
+// start keyframe.
 void SetStart(const mjModel& m, int id, model::Body& body) {
   const mjtNum* start = StartOf(m).data();
   if (start == m.qpos0) return;
