@@ -20,8 +20,8 @@ std::string ObjectNames::Of(std::string_view kind, const std::string& name) cons
   if (name.empty()) return name;
   if (kind.ends_with("body") && name == own_) return root_;
   std::string stem = HasPrefixOf(own_, name) ? name.substr(own_.size() + 1) : name;
-  // Hosts that add the prefix `glass_0_` leave names alone that have it: part `glass_0_glass_0`,
-  // and what they derive from `glass_0`.
+  // Begins names such as `glass_0` and `glass_0_rim` with an underscore, because hosts do not add
+  // the prefix `glass_0_` to names that have it, such as names derived from `glass_0`.
   const bool looks_prefixed = prefix_.empty() && (stem == own_ || HasPrefixOf(own_, stem));
   return (looks_prefixed ? "_" : prefix_) + stem;
 }

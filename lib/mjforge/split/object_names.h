@@ -13,12 +13,12 @@
 
 namespace mjforge::split {
 
-/// Replaces the prefix that names have in a scene, `mug_1_`, by the prefix that they have in the
-/// object's own file.
+/// Renaming of an object's elements: replaces the prefix that their names have in a scene, such as
+/// `mug_1_`, by the prefix for the object's own file.
 class ObjectNames {
  public:
-  /// `objects` are the names of all objects of the scene, `own` is the one whose elements get new
-  /// names. `root` is the new name of its root body.
+  /// `objects` are the names of all objects of the scene, `own` is the name of the renamed object.
+  /// `prefix` begins the new names; `root` is the new name of the object's root body.
   ObjectNames(const std::vector<std::string>& objects, std::string own, std::string prefix,
               std::string root)
       : objects_(objects),
@@ -26,13 +26,13 @@ class ObjectNames {
         prefix_(std::move(prefix)),
         root_(std::move(root)) {}
 
-  /// Returns the new name of an element that is not an asset; none for an element without a name.
+  /// Returns the new name of an element that is not an asset; empty for an element without a name.
   std::string Of(std::string_view kind, const std::string& name) const;
   /// Returns the new name of an asset, which may have the prefix of any object that shares it.
   std::string OfAsset(std::string_view kind, const std::string& name);
-  /// Renames an element, its children, and all elements that they refer to.
+  /// Renames an element and its children, and updates their references to other elements.
   void Rename(model::Element& element) const;
-  /// Renames everything in a body except for its assets.
+  /// Renames a body with its joints, sites, regions, parts, cameras and lights.
   void Rename(model::Body& body) const;
 
  private:
@@ -40,7 +40,7 @@ class ObjectNames {
   std::string own_;
   std::string prefix_;
   std::string root_;
-  std::map<std::pair<std::string, std::string>, std::string> assets_;  // new names
+  std::map<std::pair<std::string, std::string>, std::string> assets_;  // new, by kind and old name
   std::set<std::pair<std::string, std::string>> taken_;                // by kind and new name
 };
 

@@ -20,8 +20,8 @@ Owners::Owners(const model::Object& scene) : scene_(scene), bodies_(scene.bodies
   AddNames();
 }
 
-// A fixed body that moves with its parent stays in the parent's object: a file of its own would
-// lose the connection.
+// A fixed body that moves with its parent stays in the parent's object, because a separate file
+// would lose the connection.
 void Owners::AddRoots() {
   const std::vector<model::Body>& bodies = scene_.bodies;
   const bool has_empty_root = bodies[0].parts.empty() && bodies[0].joints.empty();

@@ -11,32 +11,33 @@
 
 namespace mjforge::split {
 
-/// Indices of objects, and what is none.
-inline constexpr int kNoOwner = -1;   // the empty root, or elements of several objects
+/// Results in place of an object's index, if an element belongs to no single object.
+inline constexpr int kNoOwner = -1;   // the empty root, or a reference to several objects
 inline constexpr int kAnyOwner = -2;  // the element refers to nothing that an object has
 
-/// The objects of a scene; see Split() for the rule where one begins.
+/// Objects of a scene, and the bodies and elements that each owns. Split() defines where an object
+/// begins.
 class Owners {
  public:
   explicit Owners(const model::Object& scene);
 
-  /// Index of the root body of each object.
+  /// Returns the indices of the root bodies, one per object.
   const std::vector<int>& roots() const { return roots_; }
-  /// Returns the object of a body, by their indices.
+  /// Returns the index of the object that a body, given by its index, belongs to.
   int OfBody(std::size_t body) const { return bodies_[body]; }
-  /// Returns the object of everything that an element, with its children, refers to.
+  /// Returns the index of the object to which all references of an element and its children lead.
   int Of(const model::Element& element) const;
 
  private:
   void AddRoots();
   void AddNames();
-  /// Returns the object that has the element of this kind and name.
+  /// Returns the index of the object that has the element of this kind and name.
   int Find(std::string_view kind, const std::string& name) const;
 
   const model::Object& scene_;
   std::vector<int> roots_;
   std::vector<int> bodies_;
-  std::map<std::pair<std::string, std::string>, int> named_;  // by kind and name
+  std::map<std::pair<std::string, std::string>, int> named_;  // owners, by kind and name
 };
 
 }  // namespace mjforge::split

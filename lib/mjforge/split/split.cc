@@ -64,7 +64,7 @@ class Extraction {
     names_.Rename(body);
   }
 
-  // Makes the frame of the object that of its root body at the start.
+  // Moves the root so that the object's frame is the frame of the root at the start.
   static void PutAtOrigin(model::Body& root) {
     root.parent = -1;
     const bool moves = !root.joints.empty() && root.joints.front().type != "free";
@@ -114,7 +114,7 @@ class Extraction {
     if (!own.elements.empty()) object_.sections.push_back(std::move(own));
   }
 
-  // Adds the material of a tendon.
+  // Adds the material that an element, such as a tendon, refers to by name.
   void AddMaterialsOf(const model::Element& element) {
     const model::Attribute* attribute = model::FindAttribute(element.attributes, "material");
     if (attribute == nullptr) return;
@@ -137,7 +137,7 @@ class Extraction {
   int owner_;
   ObjectNames names_;
   Object object_;
-  // Indices in the object, by those in the scene.
+  // Indices in the object, by indices in the scene.
   std::map<int, int> new_bodies_;
   std::map<int, int> new_meshes_;
   std::map<int, int> new_materials_;
@@ -157,7 +157,7 @@ void ReportLeftOut(const Object& scene, const Owners& owners, diag::Findings& fi
   for (const model::Section& section : scene.sections) {
     for (const model::Element& element : section.elements) {
       if (section.info->name == "option") {
-        // The options that a pile rests with are not in the spec.
+        // Options without a mark are not from the spec, but were added for a pile.
         const bool is_of_pile = !element.mark && !scene.piles.empty();
         findings.Warn(Code::kTargetDropped, is_of_pile ? scene.piles[0].mark : element.mark,
                       "option belongs to the whole scene: it is only in placement.json",
