@@ -1,4 +1,4 @@
-// Elements that a model has and that have no effect.
+// Null elements: tiny, massless, invisible and without contact forces.
 
 #include "mjforge/padding/null_elements.h"
 
@@ -19,20 +19,20 @@ Eigen::Vector3d MeanVertex(const model::TriangleMesh& mesh) {
   return sum / static_cast<double>(std::max<std::size_t>(mesh.vertices.size(), 1));
 }
 
-// The centre of a convex shape, in its body.
+// Returns the centre of a part with a convex shape, in the body's frame.
 Eigen::Vector3d CenterOf(const model::Part& part) {
   if (part.shape.type != model::GeomType::kMesh) return part.X_BG.p;
   return part.X_BG * MeanVertex(*part.shape.mesh);
 }
 
 // MuJoCo up to 3.4 takes the larger of two geoms' margins and gaps, m, and has no force at
-// distances above margin - gap; later releases add them, and find contacts below margin + gap. With
-// these numbers there is no force in either. Collision masks cannot be zero, because worlds share
-// them.
+// distances above margin - gap; later releases add both margins and both gaps, and find contacts
+// below margin + gap. With these numbers no release has a force. Collision masks cannot be zero,
+// because parallel worlds share them.
 constexpr double kNullMargin = -2000;
 constexpr double kNullGap = 1000;
 
-// Replaces a number of an element.
+// Sets an attribute; an attribute of this name is replaced.
 void Set(std::string_view name, sample::Numbers numbers,
          std::vector<model::Attribute>& attributes) {
   std::erase_if(attributes, [&](const model::Attribute& one) { return one.name == name; });
@@ -79,7 +79,8 @@ void MakeNull(const Eigen::Vector3d& center, model::Part& part) {
   part.X_GS = {};
   part.is_shell = false;
   part.material = -1;
-  // A geom with a fluid shape, however small, gives its whole body another model of the fluid.
+  // Removes the fluid shape, because a geom with a fluid shape, however small, gives its whole body
+  // another fluid model.
   std::erase_if(part.attributes, [](const model::Attribute& attribute) {
     return attribute.name == "fluidshape" || attribute.name == "fluidcoef";
   });

@@ -1,4 +1,4 @@
-// Elements that a model has and that have no effect.
+// Null elements: parts, sites and meshes that have no effect in a model.
 
 #pragma once
 
@@ -9,13 +9,14 @@
 namespace mjforge::padding {
 
 /// Returns the centre of the largest colliding shape of a body, or its origin if no part collides,
-/// m. An element there does not change the bounds of the body.
+/// m. A null element at this point does not change the bounds of the body.
 Eigen::Vector3d MiddleOf(const model::Body& body);
 
-/// Returns a mesh like this one, but tiny.
+/// Returns a tiny copy of a mesh, with as many vertices and triangles.
 std::unique_ptr<model::MeshAsset> NullMesh(const model::MeshAsset& mesh);
 
-/// Makes a part null, with its centre at a point of the body. A part with a mesh has a null one.
+/// Makes a part null, with its centre at a point of the body. The mesh of a part, if any, must
+/// already be a NullMesh().
 void MakeNull(const Eigen::Vector3d& center, model::Part& part);
 void MakeNull(const Eigen::Vector3d& center, model::Site& site);
 

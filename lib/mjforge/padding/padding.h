@@ -1,6 +1,6 @@
-// Padding: each variant of a family gets the geoms and sites that any variant has, because parallel
-// worlds share their number and their types. The additional ones are null: without mass and
-// visibility and contacts, and tiny, in the middle of their body.
+// Padding: each variant of a family gets the geoms and sites that any variant has, because all
+// worlds of a parallel simulation have geoms and sites of equal number and types. Added elements
+// are null: massless, invisible, without contacts, and tiny, in the middle of their body.
 
 #pragma once
 
@@ -18,17 +18,18 @@ namespace mjforge::padding {
 /// The parts, sites and meshes that at least one of several variants has.
 class Superset {
  public:
-  /// Adds those of a variant.
+  /// Adds the parts, sites and meshes of a variant.
   void Add(const model::Object& object);
 
-  /// Gives an object all parts, sites and meshes of the bodies that it has, in an order that is the
-  /// same for all objects. An element has another name if one of another type has its name in
-  /// another variant: "handle" is a box, "handle.cylinder" the cylinder.
+  /// Gives an object all parts, sites and meshes that the bodies of these names have in any
+  /// variant, in an order that is the same for all objects. An element is renamed if its name
+  /// belongs to an element of another type in another variant: "handle" is a box, "handle.cylinder"
+  /// the cylinder.
   void Complete(model::Object& object) const;
 
  private:
-  // Elements of a kind, each as the first variant with it has it, but with its name here. Keys are
-  // equal for elements that worlds can share.
+  // Elements of a kind, copied from the first variant that has the element, with the name in the
+  // superset. Elements with equal keys are one element in all worlds.
   template <typename Element>
   struct Slots {
     std::vector<Element> elements;
@@ -40,11 +41,11 @@ class Superset {
   };
   struct PartSlot {
     model::Part part;
-    std::string mesh;  // key of its mesh; empty: it has none
-    /// The mesh where the part is null. In each variant, a part that may be null has a mesh of its
-    /// own, with this name.
+    std::string mesh;  // key of the part's mesh; empty: no mesh
+    /// Mesh of the part in variants where the part is null. In each variant, a part that is null in
+    /// some variant has a mesh of its own, with the name of this mesh.
     std::shared_ptr<const model::MeshAsset> null_mesh;
-    std::size_t count = 0;  // variants that have the part
+    std::size_t count = 0;  // number of variants that have the part
   };
   struct BodySlots {
     Slots<PartSlot> parts;

@@ -1,4 +1,4 @@
-// The parts, sites and meshes that at least one of several variants has.
+// Collection of the parts, sites and meshes of all variants, and completion of an object.
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ namespace {
 using model::Part;
 using model::Site;
 
-// Attributes whose values worlds share.
+// Attributes whose values are shared by all worlds of a parallel simulation.
 constexpr std::array<std::string_view, 6> kShared = {"contype",  "conaffinity", "condim",
                                                      "priority", "group",       "fluidshape"};
 
@@ -53,8 +53,7 @@ std::string KeyOf(const Site& site) {
          SharedAttributes(site.attributes);
 }
 
-// Returns a name that is not taken: the name, or the name and the type of the element, and a
-// number.
+// Returns a name that is not in `taken`, and adds it: NAME, NAME.TYPE, NAME.TYPE.2 and so on.
 std::string NewName(const std::string& name, std::string_view type, std::set<std::string>& taken) {
   std::string chosen = name;
   for (int i = 1; !taken.insert(chosen).second; ++i)
@@ -126,7 +125,7 @@ Superset::PartSlot Superset::NewSlot(const Part& part, const model::Object& obje
   return slot;
 }
 
-// The completion of one object.
+// Completion of one object: adds and renames elements, and updates references and meshes.
 class Superset::Completion {
  public:
   Completion(const Superset& superset, model::Object& object)
@@ -148,8 +147,8 @@ class Superset::Completion {
   }
 
  private:
-  // Puts the elements of an object into the order of the superset. Elements that the superset does
-  // not have come last. `make` makes the element of a slot that the object has not.
+  // Puts the elements of an object into the order of the superset's slots. Elements without a slot
+  // come last. `make` returns an element for a slot that the object does not fill.
   template <typename Element, typename Item, typename Rename, typename Make>
   static void Arrange(const Slots<Element>& slots, const std::vector<std::string>& keys,
                       std::vector<Item>& items, const Rename& rename, const Make& make) {
@@ -176,14 +175,14 @@ class Superset::Completion {
     return keys;
   }
 
-  // Gives a part the mesh that it has alone.
+  // Gives a part a mesh that no other part uses.
   void OwnMesh(std::unique_ptr<model::MeshAsset> mesh, const PartSlot& slot, Part& part) {
     mesh->name = slot.null_mesh->name;
     part.shape.mesh = &mesh->mesh;
     own_meshes_.emplace(part.shape.mesh, std::move(mesh));
   }
 
-  // Replaces the meshes of the object by those of its parts, shared ones first.
+  // Keeps only meshes that parts use: first the shared meshes, then the meshes of single parts.
   void TakeSharedMeshes() {
     std::vector<std::pair<std::size_t, std::unique_ptr<model::MeshAsset>>> shared;
     for (auto& mesh : object_.meshes) {
