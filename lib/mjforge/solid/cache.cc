@@ -8,9 +8,10 @@
 namespace mjforge::solid {
 namespace {
 
-// Enough for a variant of most families; more would not fit into the processor's caches.
+// Maximum size of all cached solids, bytes: enough for a variant of most families; more would not
+// fit into the processor's caches.
 constexpr std::size_t kMostBytes = 600'000;
-// Limits the time of the linear search for a shape.
+// Maximum number of cached solids, which limits the time of the linear search for a shape.
 constexpr std::size_t kMostEntries = 64;
 
 template <typename T>

@@ -38,8 +38,8 @@ void AddNewPoint(const Vector3d& p, double near, std::vector<Vector3d>& points) 
   if (std::ranges::none_of(points, is_same)) points.push_back(p);
 }
 
-/// Returns a point near a plane that is perpendicular to an axis with the plane's own coordinate,
-/// so that boxes have the numbers of the outlines that they are cut by.
+/// Moves a point onto a nearby plane if the plane is perpendicular to a coordinate axis, so that
+/// boxes have exactly the coordinates of the outlines that cut them.
 Vector3d OnPlane(Vector3d p, const HalfSpace& half) {
   for (int i = 0; i < 3; ++i) {
     if (std::abs(half.normal[i]) == 1) p[i] = half.limit * half.normal[i];
@@ -47,7 +47,7 @@ Vector3d OnPlane(Vector3d p, const HalfSpace& half) {
   return p;
 }
 
-/// Sorts the corners of a convex polygon about its normal.
+/// Sorts the corners of a convex polygon counter-clockwise about its normal.
 void SortAround(const Vector3d& normal, SpacePolygon& corners) {
   Vector3d center = Vector3d::Zero();
   for (const Vector3d& p : corners) center += p / static_cast<double>(corners.size());
@@ -58,7 +58,7 @@ void SortAround(const Vector3d& normal, SpacePolygon& corners) {
   });
 }
 
-/// Clips a convex polyhedron, given by its faces, and closes it again.
+/// Clips a convex polyhedron, given by its faces, and closes the cut with a new face.
 void Clip(const HalfSpace& half, double near, std::vector<SpacePolygon>& faces) {
   const auto is_outside = [&](const Vector3d& p) { return half.normal.dot(p) - half.limit > near; };
   const auto reaches_out = [&](const SpacePolygon& face) {
@@ -90,7 +90,8 @@ std::vector<SpacePolygon> FacesOf(const Polytope& polytope) {
   return faces;
 }
 
-/// Returns the hull of the corners of all faces; nothing if it is thinner than `near`.
+/// Returns the hull of the corners of all faces; nullopt if the hull is thinner than about `near`,
+/// m.
 std::optional<Polytope> PolytopeOf(const std::vector<SpacePolygon>& faces, double near) {
   std::vector<Vector3d> vertices;
   for (const SpacePolygon& face : faces) {
@@ -154,7 +155,7 @@ bool IsThin(const SpacePolygon& polygon, double width) {
 
 std::vector<SpacePolygon> ClippedByCells(const std::vector<SpacePolygon>& polygons,
                                          const std::vector<Cell>& cells, const Vector3d& offset) {
-  constexpr double kOnPlane = 0.01;  // share of the offset, which polygons on a plane exceed
+  constexpr double kOnPlane = 0.01;  // tolerance as a share of the offset
   std::vector<SpacePolygon> parts;
   for (const SpacePolygon& polygon : polygons) {
     Eigen::AlignedBox3d box = BoxAround(polygon);

@@ -20,14 +20,14 @@ struct HalfSpace {
   double limit = 0;        // m
 };
 
-/// An intersection of half-spaces, which may be unbounded, within `box`.
+/// Intersection of half-spaces, which may be unbounded, and its bounding box.
 struct Cell {
   std::vector<HalfSpace> sides = {};
   Eigen::AlignedBox3d box;
 };
 
-/// The coordinate plane in which a cross section is given, and the axis perpendicular to it: 0, 1
-/// and 2 are x, y and z.
+/// The coordinate plane in which a cross section is given, and the axis perpendicular to this
+/// plane: 0, 1 and 2 are x, y and z.
 struct SectionPlane {
   int u = 0;  // first coordinate of a Point2
   int v = 1;
@@ -41,33 +41,34 @@ inline constexpr SectionPlane kSectionPlanes[] = {{1, 2, 0}, {0, 2, 1}, {0, 1, 2
 /// Returns the cells of a convex partition of an area, unbounded along the axis of `plane`.
 std::vector<Cell> CellsOf(const Area& area, const SectionPlane& plane);
 
-/// Returns the part of a polygon in a half-space; `near`, m: points at this distance from the plane
-/// are on it. Empty if there is none.
+/// Returns the part of a polygon in a half-space; empty if there is none. Points up to `near`, m,
+/// from the plane count as on the plane.
 SpacePolygon Clipped(const SpacePolygon& polygon, const HalfSpace& half, double near);
 
 /// Returns the area of a convex polygon, m^2.
 double AreaOf(const SpacePolygon& polygon);
 
-/// Returns true for polygons whose area is less than that of a strip along their sides.
+/// Returns true if the area of the polygon is at most its perimeter times `width`, m.
 bool IsThin(const SpacePolygon& polygon, double width);
 
-/// Returns the parts of the polygons that are in one of the cells after the polygons are moved by
-/// `offset`, which decides to which of two cells a polygon on their common plane belongs. Parts
-/// thinner than the offset's length are rounding errors and are removed.
+/// Returns the parts of the polygons that would be in a cell if they were moved by `offset`. The
+/// offset decides to which of two cells a polygon on their common plane belongs. Parts thinner than
+/// the offset's length are rounding errors and are removed.
 std::vector<SpacePolygon> ClippedByCells(const std::vector<SpacePolygon>& polygons,
                                          const std::vector<Cell>& cells,
                                          const Eigen::Vector3d& offset);
 
-/// Removes the inside of a cell from polyhedra. Each one that the cell meets is cut along the
-/// cell's sides, one after the other, into convex parts. Returns false if there are more than
-/// `most` parts.
+/// Removes the inside of a cell from polyhedra. Each polyhedron that the cell meets is cut into
+/// convex parts along the cell's sides, one side after the other. Parts thinner than about `near`,
+/// m, are dropped. Returns false if there are more than `most` parts.
 bool Subtract(const Cell& cell, std::vector<Polytope>& polyhedra, double near, std::size_t most);
 
 /// Joins two polyhedra with a common face if the union is convex, largest faces first, until there
 /// are no more such pairs.
 void JoinPolyhedra(std::vector<Polytope>& polyhedra, double near);
 
-/// Returns the number of groups of polyhedra that do not touch each other at a face.
+/// Returns the number of groups of polyhedra; polyhedra of different groups share no part of a
+/// face.
 std::size_t CountSeparateParts(const std::vector<Polytope>& polyhedra, double near);
 
 }  // namespace mjforge::solid

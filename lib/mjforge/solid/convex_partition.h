@@ -21,7 +21,7 @@ struct ConvexPartition {
 ConvexPartition PartitionOf(const Area& area);
 
 /// Returns a partition of an area into convex polygons, counter-clockwise: rectangles, in rows from
-/// below, if all its sides are parallel to the axes, otherwise those of PartitionOf.
+/// below, if all its sides are parallel to the axes, otherwise the convex polygons of PartitionOf.
 std::vector<std::vector<Point2>> ConvexPolygonsOf(const Area& area);
 
 /// Sine of the largest turn that counts as straight.

@@ -21,7 +21,7 @@ struct Strip {
   Point2 from = Point2::Zero();
   Point2 to = Point2::Zero();
   Point2 outward = Point2::Zero();
-  Point2 normal_from = Point2::Zero();  // blended with the neighbours' where the edge is smooth
+  Point2 normal_from = Point2::Zero();  // blended with the neighbour's at smooth edges
   Point2 normal_to = Point2::Zero();
   double along = 0;  // length of the outline up to `from`
 };
@@ -107,9 +107,10 @@ class CutMesher {
     }
   }
 
-  /// Adds the parts of a strip that are on the surface. The solid is on their inner side. A plane
-  /// in which several extrusions end belongs to the first of z, x and y: the others' parts must
-  /// also have the first ones' extrusions on their outer side.
+  /// Adds the parts of a strip that are on the surface: all other extrusions must be on the inner
+  /// side of these parts. If several extrusions end in one plane, only the first of the extrusions
+  /// along z, x and y adds the surface there: parts of a later extrusion must have the earlier
+  /// extrusions on their outer side, too.
   void AddStrip(std::size_t axis, const Strip& strip) {
     const SectionPlane& plane = kSectionPlanes[axis];
     const double low = box_.min()[plane.axis];
@@ -148,7 +149,7 @@ class CutMesher {
   const Prism& prism_;
   const CutSections& sections_;
   Eigen::AlignedBox3d box_;
-  Eigen::AlignedBox2d picture_;  // on the caps
+  Eigen::AlignedBox2d picture_;  // bounds of the picture on the caps
   double beside_ = 0;
   std::array<std::vector<Cell>, 3> cells_;
   Point2 cap_scale_;

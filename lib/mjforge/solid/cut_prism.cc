@@ -21,7 +21,7 @@ namespace mjforge::solid {
 namespace {
 
 constexpr double kNear = 1e-10;            // rounding errors, as a share of the prism's size
-constexpr std::size_t kMostPieces = 1000;  // bounds time and memory
+constexpr std::size_t kMostPieces = 1000;  // limits time and memory
 
 Eigen::AlignedBox3d BoundsOf(const Prism& prism) {
   Eigen::AlignedBox3d box;
@@ -97,8 +97,8 @@ bool CutHoles(const Area& section, const SectionPlane& plane, double near,
               std::vector<Polytope>& pieces) {
   for (std::size_t loop = 1; loop < section.ends.size(); ++loop) {
     for (Cell& cell : CellsOf(LoopOf(section, loop), plane)) {
-      // Level cuts first, so that crossing holes leave slabs. In single precision, rounding errors
-      // do not change the order.
+      // Cuts along level sides first, so that crossing holes leave slabs. Rounding errors do not
+      // change the order, because the keys have single precision.
       std::ranges::stable_sort(cell.sides, std::ranges::greater(), [](const HalfSpace& side) {
         return static_cast<float>(std::abs(side.normal.z()));
       });
@@ -122,7 +122,7 @@ Mass MassOf(const std::vector<Polytope>& pieces) {
 }
 
 /// Returns a box for a polyhedron with faces perpendicular to the axes, because boxes have more
-/// points of contact than meshes.
+/// contact points than meshes; otherwise a mesh.
 ConvexPiece PieceOf(const Polytope& polytope) {
   bool is_box = polytope.vertices.size() == 8 && polytope.faces.size() == 6;
   Eigen::AlignedBox3d box;

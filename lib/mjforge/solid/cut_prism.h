@@ -9,17 +9,16 @@
 
 namespace mjforge::solid {
 
-/// Cross sections of the three intersected extrusions of which the solid consists, by the axis
-/// along which each is extruded. The sections along x and y are rectangles around the prism, with
-/// its holes.
+/// Cross sections of three extrusions along x, y and z, whose intersection is the solid. The
+/// sections along x and y are rectangles around the prism, with the holes along this axis.
 using CutSections = std::array<Area, 3>;
 
-/// Makes a prism with holes along x or y. Its pieces fill it exactly. `base` has its polygon and
-/// the holes along z. Returns nothing and sets `fault` if the prism is rounded or bevelled, if a
-/// hole is faulty, or if the holes leave several parts that do not touch.
+/// Makes a prism with holes along x or y. The pieces fill the prism exactly. `base` has the polygon
+/// and the holes along z. Returns nullopt and sets `fault` if the prism is rounded or bevelled, if
+/// a hole is faulty, or if the holes leave several parts that do not touch.
 std::optional<Solid> MakeCutPrism(const Prism& prism, const BasePolygon& base, Fault& fault);
 
-/// Makes the render mesh.
+/// Makes the render mesh of a prism with these cross sections.
 TriangleMesh MakeCutMesh(const Prism& prism, const CutSections& sections);
 
 }  // namespace mjforge::solid

@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector3d;
 
 /// Returns true if the point of an ellipse that is farthest in a direction is on the arc. `x` and
-/// `y` are the direction's products with u and v.
+/// `y` are the dot products of the direction with u and v.
 bool IsOnArc(const ExtentCurve& curve, double x, double y) {
   if (curve.is_whole()) return true;
   const double turn = std::atan2(y, x);

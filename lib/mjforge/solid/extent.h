@@ -1,4 +1,4 @@
-// Convex hulls of true solids, as curves that support functions are computed from.
+// Convex hulls of exact solids, described by curves, and their support functions.
 
 #pragma once
 
@@ -10,9 +10,9 @@
 
 namespace mjforge::solid {
 
-/// The points center + cos(t) u + sin(t) v for t from 0 to `angle`, and all that is within `round`
-/// of them across the curve. An ellipse is a whole turn with u perpendicular to v, a point has both
-/// zero. The ends of an arc are not part of it, and are curves of their own.
+/// Arc of an ellipse: the points center + cos(t) u + sin(t) v for t from 0 to `angle`, enlarged by
+/// the distance `round` across the curve. In a whole ellipse, u is perpendicular to v; in a point,
+/// u and v are zero. An arc does not include its ends, which are separate curves.
 struct ExtentCurve {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();  // m
   Eigen::Vector3d u = Eigen::Vector3d::Zero();
@@ -22,18 +22,18 @@ struct ExtentCurve {
   bool is_whole() const { return angle == 2 * std::numbers::pi; }
 };
 
-/// The convex hull of the curves is that of the solid.
+/// Curves whose convex hull is the convex hull of the solid.
 using Extent = std::vector<ExtentCurve>;
 
 /// Support function: the largest dot(direction, point). The direction has any length.
 double Support(const Extent& extent, const Eigen::Vector3d& direction);
 
-/// Adds the arc of a circle about an axis along z, and its ends: `radius` away from `center`, from
-/// the angle `from` to from + angle.
+/// Adds a horizontal circular arc about `center`, from the angle `from` to from + angle, rad, and
+/// the ends of the arc.
 void AddLevelArc(const Eigen::Vector3d& center, double radius, double from, double angle,
                  Extent& extent);
 
-/// Returns the points, enlarged by `round`, m.
+/// Returns the extent of balls of radius `round`, m, about the points.
 Extent ExtentOf(std::span<const Eigen::Vector3d> points, double round);
 
 }  // namespace mjforge::solid

@@ -36,7 +36,7 @@ class ExtrusionMesher {
       AddBand({middle, edge}, {end, top}, std::sqrt(0.5));
     }
     AddBand({middle, -edge}, {middle, edge}, 0);
-    // Viewers draw translucent meshes in the order of their faces, so those in holes come first.
+    // Viewers draw translucent meshes in the order of their faces, so faces in holes come first.
     mesh_.triangles.insert(mesh_.triangles.begin(), in_holes_.begin(), in_holes_.end());
     return std::move(mesh_);
   }
@@ -76,7 +76,7 @@ class ExtrusionMesher {
     for (std::size_t loop = 0; loop < below.area.ends.size(); ++loop) {
       const auto before = static_cast<std::ptrdiff_t>(mesh_.triangles.size());
       AddLoop(below, above, up, loop);
-      if (loop == 0) continue;  // the outside
+      if (loop == 0) continue;  // loop 0 is the outline
       const auto begin = mesh_.triangles.begin() + before;
       in_holes_.insert(in_holes_.end(), begin, mesh_.triangles.end());
       mesh_.triangles.erase(begin, mesh_.triangles.end());
@@ -99,7 +99,7 @@ class ExtrusionMesher {
     double along = 0;
     std::pair<int, int> very_first;
     std::pair<int, int> last;
-    // With a texture, the vertices at its seam differ.
+    // Vertices at the seam of a texture differ in their texture coordinates.
     const bool joins = prism_.texture.unit == TextureMapping::Unit::kNone && is_smooth(0);
     for (std::size_t i = 0; i < count; ++i) {
       const auto add = [&, first = first, count = count](std::size_t corner, std::size_t beside) {
@@ -126,7 +126,7 @@ class ExtrusionMesher {
 
   const Prism& prism_;
   const PrismSections& sections_;
-  Eigen::AlignedBox2d picture_;  // on the caps
+  Eigen::AlignedBox2d picture_;  // bounds of the picture on the caps
   Point2 cap_scale_;
   Point2 side_scale_;
   TriangleMesh mesh_;

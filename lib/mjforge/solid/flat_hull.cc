@@ -22,14 +22,14 @@ Vector3d FarthestOf(std::span<const Vector3d> points, const Measure& measure) {
       points, [&](const Vector3d& p) { return measure(p) >= (1 - kFlat) * largest; });
 }
 
-/// Corner of a polygon of which several may be at one place, and the direction out of its side to
-/// the next corner.
+/// Corner of a polygon, and the outward normal of the side from this corner to the next. Corners
+/// may coincide.
 struct Side {
   Vector3d corner;
   Vector3d outward;
 };
 
-/// Returns the prism of height 0, `up` being the normal of its upper end.
+/// Returns a polygon as a prism of height 0, whose upper face has the normal `up`.
 Polytope FlatPrism(const std::vector<Side>& sides, const Vector3d& up) {
   Polytope flat;
   const int count = static_cast<int>(sides.size());

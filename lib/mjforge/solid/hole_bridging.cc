@@ -48,10 +48,10 @@ class HoleBridger {
     return area_.corners[static_cast<std::size_t>(ring_[i % ring_.size()])];
   }
 
-  /// Returns the position in the ring of a corner that is visible from `from`, the rightmost corner
+  /// Returns the position in `ring_` of a corner that is visible from `from`, the rightmost corner
   /// of a hole.
   std::size_t VisibleFrom(const Point2& from) const {
-    // Find the side that a ray to the right hits first.
+    // Finds the side that a ray to the right hits first.
     std::size_t side = 0;
     double x = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < ring_.size(); ++i) {
@@ -74,7 +74,7 @@ class HoleBridger {
     return x >= from.x() ? std::optional(x) : std::nullopt;
   }
 
-  /// Returns `end` or, if corners of the ring are within the triangle `from`, `hit`, `end`, the
+  /// Returns `end` or, if corners of the loop are within the triangle `from`, `hit`, `end`, the
   /// corner with the smallest angle to the ray.
   std::size_t Nearest(const Point2& from, const Point2& hit, std::size_t end) const {
     const Point2 corner = At(end);
@@ -100,7 +100,7 @@ class HoleBridger {
     return best;
   }
 
-  /// Returns true if the line from a corner of the ring to `p` begins inside the ring.
+  /// Returns true if the line from corner i of the loop to `p` begins inside the loop.
   bool IsInCone(std::size_t i, const Point2& p) const {
     const Point2& a = At(i + ring_.size() - 1);
     const Point2& b = At(i);
@@ -120,7 +120,8 @@ std::vector<int> BridgeHoles(const Area& area, std::vector<std::pair<int, int>>&
   HoleBridger bridger(area);
   std::vector<std::size_t> holes(area.ends.size() - 1);
   std::iota(holes.begin(), holes.end(), 1);
-  // Begin with the rightmost hole, so that its ray hits a side that is already in the ring.
+  // Begins with the rightmost hole, so that the ray of each hole hits a side that is already in the
+  // loop.
   std::ranges::stable_sort(holes, std::ranges::greater(), [&](std::size_t hole) {
     return area.corners[bridger.Rightmost(hole)].x();
   });

@@ -9,8 +9,8 @@
 namespace mjforge::solid {
 namespace {
 
-/// Returns nothing if the last hole is inside of `around` and meets no other hole. The loop of the
-/// fault is not set.
+/// Returns the fault of the last hole, without Fault::loop; nullopt if the hole is inside of
+/// `around` and meets no other hole.
 std::optional<Fault> FaultOfLast(const std::vector<Outline>& holes, const Outline& around,
                                  std::string_view along) {
   const Outline& hole = holes.back();

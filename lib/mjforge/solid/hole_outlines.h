@@ -11,7 +11,7 @@
 
 namespace mjforge::solid {
 
-/// Holes along one axis, as they are given.
+/// Holes along one axis, as given in the spec.
 struct HoleGroup {
   std::span<const std::vector<Point2>> outlines;
   std::size_t first_loop = 1;   // Fault::loop of the first hole
@@ -20,8 +20,8 @@ struct HoleGroup {
   std::size_t other_points = 0;
 };
 
-/// Returns the holes clockwise. Returns nothing and sets `fault` if one is no outline, is not
-/// inside of `around`, or meets another one.
+/// Returns the holes clockwise. Returns nullopt and sets `fault` if a hole is no valid outline, is
+/// not inside of `around`, or meets another hole.
 std::optional<std::vector<Outline>> HolesIn(const Outline& around, const HoleGroup& group,
                                             Fault& fault);
 

@@ -16,9 +16,10 @@ namespace mjforge::solid {
 /// Reason why a shape is rejected, and the index of the faulty point; without a point the whole
 /// outline is faulty.
 struct Fault {
-  std::string message;  // "crosses itself", as the end of a sentence
+  std::string message;  // end of a sentence about the shape, such as "crosses itself"
   std::optional<std::size_t> point = std::nullopt;
-  /// 0 for the outline, 1 for a prism's first hole; those along x and y follow those along z.
+  /// Faulty loop: 0 is the outline, 1 a prism's first hole; holes along z precede holes along x and
+  /// y.
   std::size_t loop = 0;
 };
 
@@ -35,7 +36,7 @@ struct Polytope {
 std::array<Eigen::Vector3d, 8> CornersOfBox(const Eigen::Vector3d& half_sizes);
 
 /// Returns the convex hull, computed by Qhull, which merges coplanar facets. The order of faces and
-/// vertices depends only on the order of the points. Returns nothing and sets `fault` if the hull
+/// vertices depends only on the order of the points. Returns nullopt and sets `fault` if the hull
 /// has no volume.
 std::optional<Polytope> HullOf(std::span<const Eigen::Vector3d> points, Fault& fault);
 

@@ -18,7 +18,7 @@ struct PrismSections {
 struct BasePolygon {
   /// The outline counter-clockwise, before its corners are rounded, then the holes clockwise.
   std::vector<Outline> loops;
-  double round = 0;  // radius of the outline's corners
+  double round = 0;  // radius of the outline's corners, m
 
   /// Returns quadrature nodes on the boundary after all sides are moved inwards by `inset`.
   std::vector<QuadratureNode> BoundaryAt(double inset) const;
@@ -28,7 +28,7 @@ struct BasePolygon {
   std::vector<RoundedCorner> CornersOf(std::size_t loop, double inset) const;
 };
 
-/// Returns nothing and sets `fault` if outline, holes, rounding and bevel do not make a prism.
+/// Returns nullopt and sets `fault` if outline, holes, rounding and bevel do not make a prism.
 std::optional<BasePolygon> BasePolygonOf(const Prism& prism, Fault& fault);
 
 }  // namespace mjforge::solid

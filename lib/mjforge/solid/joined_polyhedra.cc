@@ -22,7 +22,7 @@ double LimitOf(const Polytope& polytope, const Polytope::Face& face) {
   return face.normal.dot(polytope.vertices[static_cast<std::size_t>(face.corners[0])]);
 }
 
-/// A polyhedron with its bounds, which most pairs are rejected by.
+/// A polyhedron and its bounding box, which is enough to reject most pairs.
 struct Bounded {
   Polytope polytope;
   Eigen::AlignedBox3d box;
@@ -36,8 +36,8 @@ bool IsNear(const Bounded& a, const Bounded& b, double near) {
   return a.box.exteriorDistance(b.box) <= near;
 }
 
-/// Returns the faces of a and b that are in one plane, with a and b on opposite sides of this
-/// plane.
+/// Returns a face of a and a face of b that are in one plane, with a and b on opposite sides of
+/// this plane; nullopt if there are none.
 std::optional<std::pair<std::size_t, std::size_t>> CommonPlane(const Polytope& a, const Polytope& b,
                                                                double near) {
   constexpr double kOpposite = 1e-9;
@@ -52,7 +52,8 @@ std::optional<std::pair<std::size_t, std::size_t>> CommonPlane(const Polytope& a
   return std::nullopt;
 }
 
-/// Returns true if all vertices of b are on the inner side of all faces of a but one.
+/// Returns true if all vertices of b are on the inner side of all faces of a, except for the face
+/// `but`.
 bool IsWithin(const Polytope& b, const Polytope& a, std::size_t but, double near) {
   for (std::size_t i = 0; i < a.faces.size(); ++i) {
     if (i == but) continue;
@@ -64,8 +65,8 @@ bool IsWithin(const Polytope& b, const Polytope& a, std::size_t but, double near
   return true;
 }
 
-/// Returns the area of the common face if the union of a and b is convex: then each is on the inner
-/// side of all other faces.
+/// Returns the area of the common face if the union of a and b is convex, which is the case if a
+/// and b are on the inner side of all other faces of each other; otherwise nullopt.
 std::optional<double> AreaBetween(const Polytope& a, const Polytope& b, double near) {
   const auto common = CommonPlane(a, b, near);
   if (!common || !IsWithin(b, a, common->first, near) || !IsWithin(a, b, common->second, near))

@@ -16,7 +16,8 @@ namespace {
 // end of a computed arc misses the axis by a rounding error.
 constexpr double kOnAxis = 1e-9;
 
-/// Returns false and sets `fault` if a point is beyond the axis.
+/// Moves points close to the axis onto the axis. Returns false and sets `fault` if a point is
+/// beyond the axis.
 bool SnapToAxis(std::vector<Point2>& profile, Fault& fault) {
   double size = 0;
   for (const Point2& p : profile) size = std::max(size, p.cwiseAbs().maxCoeff());
@@ -30,8 +31,8 @@ bool SnapToAxis(std::vector<Point2>& profile, Fault& fault) {
   return true;
 }
 
-/// Rejects a corner that meets the axis without an edge along it, because the solid would be held
-/// together by a single point.
+/// Returns true and sets `fault` if a corner is on the axis without an edge along the axis, because
+/// a single point would hold the solid together.
 bool TouchesAxis(const Outline& outline, Fault& fault) {
   const std::vector<Point2>& p = outline.corners;
   for (std::size_t i = 0; i < p.size(); ++i) {

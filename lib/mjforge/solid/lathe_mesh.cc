@@ -26,7 +26,7 @@ struct Ring {
 struct Band {
   int from = 0;
   int to = 0;
-  int covers = 0;  // surfaces around it
+  int covers = 0;  // number of surfaces around the band, see CoversOf()
 };
 
 Point2 OutwardOf(const Point2& from, const Point2& to) {
@@ -48,7 +48,8 @@ std::vector<double> Lengths(const std::vector<Point2>& line, bool closed) {
 /// of a whole turn.
 double MapTexture(const TextureMapping& texture, const std::vector<Point2>& line,
                   std::vector<double>& along) {
-  // Rows of a picture are counted from the top.
+  // Texture coordinates begin at the line's end, because rows of a picture are counted from the
+  // top.
   const double length = along.back();
   double radius = 0;
   for (const Point2& p : line) radius = std::max(radius, p.x());
@@ -89,7 +90,8 @@ class LatheMesher {
     }
     CloseOutline();
     for (Ring& ring : rings_) AddVertices(ring);
-    // Viewers draw translucent meshes in the order of their faces, so the innermost come first.
+    // Viewers draw translucent meshes in the order of their faces, so the innermost bands come
+    // first.
     std::ranges::stable_sort(bands_, std::greater(), [&](const Band& band) { return band.covers; });
     for (const Band& band : bands_) AddBand(band.from, band.to);
     if (lathe_.angle != kWholeTurn) AddCutFaces(partition);
@@ -101,7 +103,7 @@ class LatheMesher {
 
   double TurnOf(double segments) const { return segments / segments_ * lathe_.angle; }
 
-  /// Returns false for edges on the axis.
+  /// Returns true unless the edge is on the axis.
   bool IsVisible(std::size_t edge) const {
     return At(edge).x() != 0 || At(outline_.Next(edge)).x() != 0;
   }

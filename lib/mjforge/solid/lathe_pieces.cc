@@ -109,7 +109,7 @@ class LathePieceMaker {
     return touches;
   }
 
-  /// Returns a cylinder geom for a rectangle on the axis, otherwise nothing.
+  /// Returns a cylinder geom for a rectangle on the axis, otherwise nullopt.
   static std::optional<ConvexPiece> Cylinder(const Polygon& polygon) {
     Eigen::AlignedBox2d box;
     for (const Point2& p : polygon) box.extend(p);

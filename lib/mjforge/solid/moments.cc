@@ -10,7 +10,8 @@
 namespace mjforge::solid {
 namespace {
 
-// Accurate to 1e-15 for products of up to six sines along an arc of up to a whole turn.
+// Gauss rule that is accurate to 1e-15 for products of up to six sines along an arc of up to a
+// whole turn.
 using ArcRule = boost::math::quadrature::gauss<double, 30>;
 
 void AddLine(const Point2& from, const Point2& to, std::vector<QuadratureNode>& nodes) {

@@ -97,7 +97,7 @@ Point2 Mitre(const Point2& in, const Point2& out, double distance) {
 }
 
 /// Returns the line's parallel at `distance` to its left, with mitred corners. Ends on the axis
-/// stay on it.
+/// stay on the axis.
 std::vector<Point2> ParallelOfLine(std::span<const Point2> line, double distance) {
   std::vector<Point2> parallel;
   for (std::size_t i = 0; i < line.size(); ++i) {

@@ -40,23 +40,24 @@ struct Area {
 /// Returns true and sets `fault` if there are fewer than `least` or more than kMostPoints points.
 bool HasBadCount(std::size_t count, std::size_t least, Fault& fault);
 
-/// Returns the counter-clockwise outline through points given in either direction. Returns nothing
-/// and sets `fault` if two neighbours are equal, if the outline has no area, or if it crosses or
-/// touches itself.
+/// Returns the counter-clockwise outline through points given in either direction. Returns nullopt
+/// and sets `fault` if two neighbouring points are equal, or if the outline has no area, crosses
+/// itself or touches itself.
 std::optional<Outline> OutlineOf(std::span<const Point2> points, Fault& fault);
 
 /// Returns the outline's corners after each side is moved by `distance`, m, to its left.
 std::vector<Point2> ParallelOf(const Outline& outline, double distance);
 
-/// Returns the first corner of the first side of `a` that crosses or touches a side of `b`.
+/// Returns the index of the first side of `a` that crosses or touches a side of `b`; nullopt if
+/// none does. Side i begins at corner i.
 std::optional<std::size_t> FirstContact(const Outline& a, const Outline& b);
 
-/// Returns true if the point is inside, up to rounding errors.
+/// Returns true if the point is inside the outline, up to rounding errors.
 bool Contains(const Outline& outline, const Point2& p);
 
 /// Returns the outline between a line in the half plane x >= 0 and its parallel at the distance
 /// `wall` towards the y axis. At an end on the y axis the outline follows the axis; other ends are
-/// cut perpendicular to the line. Returns nothing and sets `fault` if the wall is too thick or the
+/// cut perpendicular to the line. Returns nullopt and sets `fault` if the wall is too thick or the
 /// line is faulty.
 std::optional<Outline> WalledOutline(std::span<const Point2> line, double wall, Fault& fault);
 

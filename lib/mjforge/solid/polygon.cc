@@ -20,7 +20,7 @@ Point2 OutwardNormal(std::span<const Point2> corners, std::size_t i) {
   return Point2(along.y(), -along.x()).stableNormalized();
 }
 
-// Sutherland and Hodgman, "Reentrant polygon clipping", 1974, for one line.
+// Source: Sutherland and Hodgman, "Reentrant polygon clipping", 1974, here for one line.
 std::vector<Point2> Clipped(std::span<const Point2> corners, const Point2& normal, double limit) {
   std::vector<Point2> rest;
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -35,7 +35,7 @@ std::vector<Point2> Clipped(std::span<const Point2> corners, const Point2& norma
   return rest;
 }
 
-// Andrew's monotone chain ("Another efficient algorithm for convex hulls in two dimensions", 1979).
+// Source: Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979.
 std::vector<Point2> ConvexPolygonOf(std::vector<Point2> points, double straight) {
   std::ranges::sort(points, {}, [](const Point2& p) { return std::pair(p.x(), p.y()); });
   points.erase(std::unique(points.begin(), points.end()), points.end());

@@ -30,8 +30,8 @@ Point2 OutwardNormal(std::span<const Point2> corners, std::size_t i);
 /// Returns the part of a convex polygon in which dot(normal, p) <= limit; empty if there is none.
 std::vector<Point2> Clipped(std::span<const Point2> corners, const Point2& normal, double limit);
 
-/// Returns the convex hull, counter-clockwise, without points on straight lines: those at which the
-/// sine of the angle between the two edges is at most `straight`.
+/// Returns the convex hull, counter-clockwise, without straight corners, at which the sine of the
+/// angle between the two edges is at most `straight`.
 std::vector<Point2> ConvexPolygonOf(std::vector<Point2> points, double straight = 0);
 
 }  // namespace mjforge::solid

@@ -66,7 +66,8 @@ class Qhull {
   }
 
  private:
-  // Stream that discards Qhull's messages, because HullOf reports a fault. Qhull keeps it.
+  // Stream that discards Qhull's messages, because HullOf reports a fault. Qhull keeps a pointer to
+  // this stream.
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> nowhere_{::fopencookie(nullptr, "w", {}),
                                                            std::fclose};
   qhT state_;
@@ -88,7 +89,7 @@ std::optional<Polytope> HullOf(std::span<const Eigen::Vector3d> points, Fault& f
     return std::nullopt;
   }
   std::vector<std::vector<int>> faces = qhull.Faces(points);
-  // Sorted, because Qhull's order depends on rounding, which differs between processors.
+  // Sorts the faces, because Qhull's order depends on rounding, which differs between processors.
   for (std::vector<int>& face : faces)
     std::rotate(face.begin(), std::ranges::min_element(face), face.end());
   std::ranges::sort(faces);

@@ -13,17 +13,18 @@ namespace mjforge::solid {
 Polytope BoxOf(const Eigen::Vector3d& half_sizes);
 
 /// The hull of points in a plane as a prism of height 0: two faces, and sides with normals but
-/// without area. Several vertices are at one place.
+/// without area. Vertices of both faces coincide.
 struct FlatHull {
   Polytope core;
   /// Ends of the hull, which may be equal, if all points are on a line.
   std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> line;
 };
-/// Points at a distance from the plane are projected onto it. There is at least one point.
+/// Returns the flat hull of at least one point. Points beside the plane are projected onto the
+/// plane.
 FlatHull FlatHullOf(std::span<const Eigen::Vector3d> points);
 
-/// Joins vertices with the same place and normal, and removes the triangles without area that this
-/// makes. For meshes without texture coordinates.
+/// Merges vertices with equal position and normal, and removes triangles that lose their area. The
+/// mesh must not have texture coordinates.
 void RemoveRepeats(TriangleMesh& mesh);
 
 TriangleMesh MeshOf(const Polytope& polytope);
@@ -31,11 +32,11 @@ TriangleMesh MeshOf(const Polytope& polytope);
 /// Returns the angle between two unit vectors, rad.
 double AngleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
-/// Returns the surface at the distance `radius` > 0, with normals. Arcs have `per_turn` segments in
-/// a whole turn.
+/// Returns the surface at the distance `radius` > 0 from the polytope, with normals. Arcs have
+/// `per_turn` segments in a whole turn.
 TriangleMesh RoundedMesh(const Polytope& polytope, double radius, int per_turn);
 
-/// Returns the mass of all points within the distance `radius` >= 0.
+/// Returns the mass of the polytope enlarged by the distance `radius` >= 0.
 Mass RoundedMass(const Polytope& polytope, double radius);
 
 }  // namespace mjforge::solid

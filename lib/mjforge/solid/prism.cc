@@ -17,7 +17,7 @@
 namespace mjforge::solid {
 namespace {
 
-/// Returns the segments in a whole turn of the rounded corners of the render mesh.
+/// Returns the number of segments, in a whole turn, of the rounded corners of the render mesh.
 int CornerSegments(const Prism& prism) {
   Eigen::AlignedBox2d box;
   for (const Point2& p : prism.polygon) box.extend(p);
@@ -63,8 +63,9 @@ Mass MassOf(const BasePolygon& base, double height, double bevel) {
   return MassOf(moments, Eigen::Vector3d::Zero());
 }
 
-/// Returns the outline's arcs and corners at both ends of the vertical walls, and those of both
-/// ends of a bevelled prism. Arcs that turn right are in the hull of the others.
+/// Returns the outline's arcs and corners at both ends of the vertical walls, and at both ends of a
+/// bevelled prism. Arcs that turn right are left out, because they are in the hull of the other
+/// arcs.
 Extent PrismExtent(const BasePolygon& base, const Prism& prism) {
   Extent extent;
   const auto add = [&](double inset, double z) {
@@ -110,7 +111,7 @@ std::vector<ConvexPiece> PiecesOf(const BasePolygon& base, const Prism& prism) {
   return pieces;
 }
 
-/// Returns a convex prism with sharp edges as a single piece, nothing for any other prism.
+/// Returns a convex prism with sharp edges as a single piece, nullopt for any other prism.
 std::optional<Solid> PlainPrism(const Prism& prism) {
   if (!prism.holes.empty() || prism.round > 0 || prism.bevel > 0) return std::nullopt;
   std::optional<TriangleMesh> mesh = MakeConvexPrism(prism.polygon, prism.height);

@@ -8,7 +8,7 @@
 namespace mjforge::solid {
 namespace {
 
-// Share of an area's size within which coordinates are equal.
+// Tolerance for equal coordinates, as a share of the area's size.
 constexpr double kSame = 1e-12;
 
 struct Side {
@@ -26,7 +26,7 @@ std::vector<Side> SidesOf(const Area& area) {
   return sides;
 }
 
-/// Returns the places at which upright sides cross the row, from left to right.
+/// Returns the x, in ascending order, at which upright sides cross the row from `low` to `high`.
 std::vector<double> CrossingsOf(const std::vector<Side>& sides, double low, double high,
                                 double same) {
   std::vector<double> crossings;

@@ -32,7 +32,8 @@ TriangleMesh MakeLatheMesh(const Lathe& lathe, const Outline& outline,
 /// Makes the render mesh of a prism with these cross sections.
 TriangleMesh MakeExtrusionMesh(const Prism& prism, const PrismSections& sections);
 
-/// Returns a point on the axes of a picture that is projected from above: to its right, and down.
+/// Returns the coordinates of a point on a picture that is projected from above: to the picture's
+/// right, and down.
 inline Point2 OnPicture(const TextureMapping& texture, const Point2& p) {
   return texture.is_turned ? Point2(p.y(), p.x()) : Point2(p.x(), -p.y());
 }

@@ -54,8 +54,8 @@ class RoundedMesher {
     return static_cast<int>(mesh_.vertices.size()) - 1;
   }
 
-  /// Returns the mesh vertices around a vertex, along the arc from the normal of one face to the
-  /// normal of another.
+  /// Returns the mesh vertices around a polytope vertex, along the arc from the normal of one face
+  /// to the normal of another.
   std::vector<int> Arc(int vertex, int from, int to) {
     if (from > to) {
       std::vector<int> arc = Arc(vertex, to, from);
@@ -73,7 +73,7 @@ class RoundedMesher {
     return arc;
   }
 
-  /// Returns the mesh vertex at a vertex, in the direction of a face's normal.
+  /// Returns the mesh vertex at a polytope vertex, in the direction of a face's normal.
   int Arc(int vertex, int face) {
     const auto [at, is_new] = ends_.try_emplace({vertex, face}, 0);
     if (is_new) at->second = Add(vertex, NormalOf(face));
@@ -85,8 +85,8 @@ class RoundedMesher {
   void AddFace(int face) {
     const std::vector<int>& corners = polytope_.faces[static_cast<std::size_t>(face)].corners;
     for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-      // Separate statements, because the order in which a call's arguments add vertices depends on
-      // the processor.
+      // Calls Arc() in separate statements, because the order in which a call's arguments add
+      // vertices depends on the processor.
       const int c = Arc(corners[i + 1], face);
       const int b = Arc(corners[i], face);
       AddTriangle(Arc(corners[0], face), b, c);
@@ -125,7 +125,8 @@ class RoundedMesher {
 
   /// Adds the rounded tip at a vertex as patches around the mean normal.
   void AddTip(int vertex, const std::vector<int>& faces) {
-    // The mean normal over the spherical polygon, by the divergence theorem on the sphere.
+    // Mean normal over the spherical polygon of the face normals, by the divergence theorem on the
+    // sphere.
     Vector3d middle = Vector3d::Zero();
     const std::size_t count = faces.size();
     for (std::size_t i = 0; i < count; ++i) {

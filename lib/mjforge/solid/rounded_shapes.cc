@@ -37,12 +37,12 @@ TriangleMesh FlatMesh(const Polytope& polytope) {
   return mesh;
 }
 
-/// Returns the solid around a core, or around a flat one.
+/// Returns the solid at the distance `round` around a core, which may be flat.
 Solid Rounded(const Polytope& core, double round, const TextureMapping& texture,
               bool is_flat = false) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : core.vertices) box.extend(p);
-  // Allow a larger chord error, because the triangles at a corner grow with the square of the
+  // Allows a larger chord error, because the triangles at a corner grow with the square of the
   // segments of an edge.
   const double error = ChordError(box.sizes().maxCoeff() / 2 + round, 0.02);
   Solid solid;
@@ -58,7 +58,8 @@ Solid Rounded(const Polytope& core, double round, const TextureMapping& texture,
   return solid;
 }
 
-/// Returns a rounded slab, a capsule or a ball.
+/// Returns the solid around points in a plane (a rounded slab), on a line (a capsule) or at one
+/// place (a ball).
 Solid RoundedFlat(const ConvexHull& hull) {
   const FlatHull flat = FlatHullOf(hull.points);
   Solid solid = Rounded(flat.core, hull.round, hull.texture, true);

@@ -22,7 +22,7 @@
 
 namespace mjforge::solid {
 
-/// Shapes with more points are rejected, because outlines are compared edge by edge.
+/// Maximum number of points of a shape; limited, because outlines are compared edge by edge.
 inline constexpr std::size_t kMostPoints = 1000;
 
 /// Triangles, counter-clockwise seen from outside. A vertex on a sharp edge, or where a texture
@@ -54,10 +54,10 @@ struct Mass {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about the centre, m^5
 };
 
-/// If the render mesh is empty, there is one piece, which is also rendered. If there are no pieces,
-/// the render mesh also collides. The render mesh has normals and, with a texture, texture
-/// coordinates. Its chords are within 0.25 mm and 0.5 % of half the shape's size (2 % at the edges
-/// of boxes and hulls) of the true circle, unless that takes more than 48 chords.
+/// Result of Make(). If the render mesh is empty, the single piece is also rendered; if there are
+/// no pieces, the render mesh also collides. The render mesh has normals and, with a texture,
+/// texture coordinates. Its chords are within 0.25 mm and 0.5 % of half the shape's size (2 % at
+/// the edges of boxes and hulls) of the true circle, unless that takes more than 48 chords.
 struct Solid {
   TriangleMesh render_mesh;
   std::vector<ConvexPiece> pieces;
@@ -72,8 +72,8 @@ struct TextureMapping {
   /// (once around and along), or one metre.
   Unit unit = Unit::kWhole;
   Eigen::Vector2d repeat = Eigen::Vector2d::Ones();  // around, along
-  /// Turns the picture by 90 degrees on what it is projected to from above: its upper edge is at
-  /// the lowest x in place of the highest y.
+  /// Turns a picture that is projected from above by 90 degrees: its upper edge is at the lowest x
+  /// in place of the highest y.
   bool is_turned = false;
 
   bool operator==(const TextureMapping&) const = default;
@@ -84,7 +84,7 @@ inline constexpr double kDefaultCrease = 40 * std::numbers::pi / 180;
 /// A profile in the half plane r >= 0, revolved about z, counter-clockwise from the x axis.
 struct Lathe {
   std::vector<Eigen::Vector2d> profile;  // r, z: a closed outline, or with `wall` an open line
-  /// Thickness, from the line towards the axis.
+  /// Thickness of the wall, from the line towards the axis.
   std::optional<double> wall = std::nullopt;
   double angle = 2 * std::numbers::pi;  // above 0, up to a whole turn
   /// Sides of the pieces in a whole turn. A piece protrudes from the solid by at most
@@ -95,11 +95,11 @@ struct Lathe {
 
   bool operator==(const Lathe&) const = default;
 };
-/// Like all functions Make: returns nothing and sets `fault` if the shape is not a solid.
+/// Returns nullopt and sets `fault` if the shape is not a solid, as all functions Make do.
 std::optional<Solid> Make(const Lathe& input, Fault& fault);
 
-/// An outline in x, y with holes, extruded along z, centred on z = 0. With holes along x or y it
-/// has neither rounded corners nor bevels.
+/// An outline in x, y with holes, extruded along z, centred on z = 0. A prism with holes along x or
+/// y has neither rounded corners nor bevels.
 struct Prism {
   std::vector<Eigen::Vector2d> polygon;
   std::vector<std::vector<Eigen::Vector2d>> holes = {};    // along z
@@ -119,19 +119,19 @@ struct Prism {
 std::optional<Solid> Make(const Prism& prism, Fault& fault);
 
 /// Extrudes a convex polygon, given in either direction, along z, centred on z = 0. Repeated
-/// corners and corners on straight sides are removed. Returns nothing if the polygon is not convex
+/// corners and corners on straight sides are removed. Returns nullopt if the polygon is not convex
 /// or has no area.
 std::optional<TriangleMesh> MakeConvexPrism(std::span<const Eigen::Vector2d> polygon,
                                             double height);
 
-/// The volume swept by a disc that moves along a path, perpendicular to it.
+/// The volume swept by a disc that moves along a path, perpendicular to the path.
 struct Tube {
   std::vector<Eigen::Vector3d> path = {};
   std::vector<double> radii = {};  // radius at each point, interpolated linearly
   double bend = 0;                 // radius of the arcs in place of the corners; 0: sharp corners
   bool smooth = false;             // interpolates the points by a smooth curve
   bool closed = false;             // joins the last point to the first
-  /// Thickness of a hollow tube; its pieces are solid.
+  /// Thickness of the wall of a hollow tube, whose pieces are not hollow.
   std::optional<double> wall = std::nullopt;
   int facets = 16;  // pieces in a whole turn of an arc
   double crease = kDefaultCrease;
@@ -168,7 +168,7 @@ std::optional<Solid> Make(const RoundedBox& box, Fault& fault);
 struct RoundedCylinder {
   double radius = 0;
   double half = 0;   // half the height
-  double round = 0;  // less than both
+  double round = 0;  // less than `radius` and `half`
   bool piece_is_plain = false;
   int facets = 16;
   double crease = kDefaultCrease;

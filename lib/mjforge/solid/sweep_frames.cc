@@ -60,7 +60,7 @@ std::vector<SweepFrame> SweepFramesOf(const std::vector<PathSegment>& segments, 
     frames[i].x = (x - x.dot(frames[i].tangent) * frames[i].tangent).normalized();
   }
   if (!closed) return frames;
-  // Distribute the rotation between the last frame and the first along the path.
+  // Distributes the rotation between the last frame and the first along the path.
   const Quaterniond turn = Quaterniond::FromTwoVectors(frames.back().tangent, tangent);
   const Vector3d end = turn * frames.back().x;
   const Vector3d& x = frames.front().x;

@@ -8,8 +8,8 @@
 
 namespace mjforge::solid {
 
-/// A point of the path, with directions along and across it. Two frames share the point at which
-/// one segment ends and the next begins.
+/// A point of the path, with directions along and across the path. Two frames share the point at
+/// which one segment ends and the next begins.
 struct SweepFrame {
   Eigen::Vector3d p;
   Eigen::Vector3d tangent;  // unit vector

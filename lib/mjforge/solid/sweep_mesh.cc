@@ -50,7 +50,7 @@ class SweepMesher {
     return frame.p + across - across.dot(frame.cut) / frame.tangent.dot(frame.cut) * frame.tangent;
   }
 
-  /// Returns the number of vertices of a ring; with a texture its seam has two vertices.
+  /// Returns the number of vertices of a ring; the seam of a texture has two vertices.
   int RingSize() const { return has_texture_ ? sides_ + 1 : sides_; }
 
   static Vector3d Across(const SweepFrame& frame, double share) {
@@ -201,7 +201,7 @@ std::vector<ConvexPiece> MakeSweepPieces(const std::vector<PathSegment>& segment
     const bool is_end = !tube.closed && (i == 0 || i + 1 == steps.size());
     const bool is_round = is_even && !is_end;
     const double half = (b.p - a.p).norm() / 2;
-    // Fill the gap between two flat ends at a corner.
+    // Fills the gap between two flat ends at a corner.
     if (!is_round && !was_round && i > 0)
       pieces.push_back(Primitive(ConvexPiece::Type::kSphere, {a.radius, 0, 0}, a.p, a.p));
     if (is_even) {

@@ -14,9 +14,9 @@ TriangleMesh MakeSweepMesh(const std::vector<PathSegment>& segments, const Tube&
 std::vector<ConvexPiece> MakeSweepPieces(const std::vector<PathSegment>& segments,
                                          const Tube& tube);
 
-/// Returns the discs and ellipses at the ends of all segments, and the outer arcs of bends. Between
-/// points of a cubic curve that is 16 arcs through points of it, which are within
-/// 0.1 mm of a tube of 10 cm.
+/// Returns the extent of a tube: discs and ellipses at the ends of all segments, and outer arcs of
+/// bends. A cubic segment is replaced by 16 arcs through its points, with an error below 0.1 mm in
+/// a tube of 10 cm.
 Extent SweepExtentOf(const std::vector<PathSegment>& segments, bool closed);
 
 }  // namespace mjforge::solid

@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kSame = 1e-12;      // distance of equal points, relative to the longest line
-constexpr double kTurnsBack = 1e-6;  // 1 + cosine of the turn
+constexpr double kTurnsBack = 1e-6;  // limit of 1 + cosine of the turn
 constexpr double kFits = 1e-9;       // tolerance relative to a line's length
 
 class PathReader {
@@ -56,7 +56,7 @@ class PathReader {
  private:
   struct Corner {
     double turn = 0;   // rad
-    double taken = 0;  // length that it takes of the lines on both sides, m
+    double taken = 0;  // length that the corner removes from both lines, m
   };
 
   bool HasCorner(std::size_t i) const {

@@ -12,7 +12,7 @@
 namespace mjforge::solid {
 
 /// A line, an arc, or a cubic Hermite curve, for a parameter t from 0 to 1. The tube's radius
-/// changes linearly along it.
+/// changes linearly along the segment.
 struct PathSegment {
   enum class Type { kLine, kArc, kCubic };
   Type type = Type::kLine;
@@ -26,13 +26,13 @@ struct PathSegment {
   std::size_t point = 0;  // index of the path's point at the start, or at the arc's corner
 
   Eigen::Vector3d At(double t) const;
-  Eigen::Vector3d Derivative(double t) const;        // by t
-  Eigen::Vector3d SecondDerivative(double t) const;  // by t
+  Eigen::Vector3d Derivative(double t) const;        // with respect to t
+  Eigen::Vector3d SecondDerivative(double t) const;  // with respect to t
   double RadiusAt(double t) const { return (1 - t) * radius_a + t * radius_b; }
 };
 
-/// Returns the segments, each from the end of the previous one; at sharp corners their directions
-/// differ. Returns nothing and sets `fault` if the path does not make a tube.
+/// Returns the segments of the path; each begins at the end of the previous segment. Directions
+/// differ at sharp corners. Returns nullopt and sets `fault` if the path does not make a tube.
 std::optional<std::vector<PathSegment>> SweepPathOf(const Tube& tube, Fault& fault);
 
 }  // namespace mjforge::solid
