@@ -22,7 +22,7 @@ std::string JoinNames(std::span<const std::string_view> names) {
 void Adapt(model::Object& object, Target target, diag::Findings& findings) {
   const TargetRules& rules = RulesOf(target);
   if (object.bodies.empty()) return;
-  // First, because dropped elements are no obstacles to a start at zero.
+  // Drops sections first, because dropped elements cannot prevent a start at zero.
   AdaptSections(object, rules, findings);
   AdaptStart(object, rules, findings);
   if (!rules.adapts()) return;

@@ -1,5 +1,5 @@
-// Steps of adapting an object to its target. Each step reads its own columns of TargetRules and
-// does nothing if they require nothing.
+// Steps of adapting an object to its target, the host program that loads the file. Each step reads
+// its own columns of TargetRules and does nothing if these columns require nothing.
 #pragma once
 
 #include <span>
@@ -24,8 +24,8 @@ void CheckNames(const model::Object& object, const TargetRules& rules, diag::Fin
 void AdaptGeoms(model::Object& object, const TargetRules& rules, diag::Findings& findings);
 
 // adapt_start.cc
-/// Makes the zero configuration the start of the object, if the spec or the target wants it.
-/// Otherwise drops start positions if the host reads no keyframes.
+/// Moves the zero configuration (qpos0) to the start of the object if the spec or the target
+/// requires this. Otherwise drops start positions if the host reads no keyframes.
 void AdaptStart(model::Object& object, const TargetRules& rules, diag::Findings& findings);
 
 // adapt_bodies.cc

@@ -1,4 +1,4 @@
-// Bodies that a host requires around the object, and joints that it adds itself.
+// Bodies that a host requires around the object, and joints that the host adds itself.
 
 #include <algorithm>
 #include <array>
@@ -21,7 +21,7 @@ model::Attribute MakeAttribute(std::string_view name, std::initializer_list<doub
   return {name, model::Applies::kBoth, {numbers.begin(), numbers.end()}, {}};
 }
 
-// Makes an invisible site, as in robosuite's own objects.
+// Makes an invisible site, like the sites of robosuite's own objects.
 model::Site MakeBoundsSite(std::string name, const Eigen::Vector3d& pos, diag::SourceMark mark) {
   model::Site site;
   site.name = std::move(name);
@@ -46,7 +46,8 @@ void PutIntoOuterBody(model::Object& object) {
   object.bodies.insert(object.bodies.begin(), std::move(outer));
 }
 
-// Adds a geom that robocasa reads as a region. `reg_NAME` becomes the region NAME there.
+// Adds a geom that robocasa reads as a region. The geom `reg_NAME` becomes the region NAME in
+// robocasa.
 void AddRegionGeom(std::string_view name, const model::Shape& shape, const model::Pose& X_BG,
                    diag::SourceMark mark, model::Body& body) {
   model::Part part;
@@ -68,11 +69,11 @@ void AddRegionBox(model::Object& object) {
                 {.p = (box.min + box.max) / 2}, root.mark, root);
 }
 
-// Adds each region as the space above it, as robocasa has it. The interior of a fixture or a bowl
-// is called `int` there.
+// Adds a geom for the space above each region, which is how robocasa describes regions. robocasa
+// calls the interior of a fixture or a bowl `int`.
 void AddRegionSpaces(model::Object& object, const TargetRules& rules, diag::Findings& findings) {
   constexpr double kOpenHeight = 0.5;                   // m, for regions open above
-  std::set<std::string, std::less<>> names = {"bbox"};  // regions so far
+  std::set<std::string, std::less<>> names = {"bbox"};  // names of geoms so far
   for (model::Body& body : object.bodies) {
     for (const model::Region& region : body.regions) {
       const std::string name = region.site == "inside" ? "int" : region.site;
@@ -95,7 +96,7 @@ void AddRegionSpaces(model::Object& object, const TargetRules& rules, diag::Find
   }
 }
 
-// Drops the free joint of the root, because the host adds one without other attributes.
+// Drops the free joint of the root, because the host adds a free joint without other attributes.
 void DropFreeJoint(model::Body& root, const TargetRules& rules, diag::Findings& findings) {
   const auto free = std::ranges::find(root.joints, "free", &model::Joint::type);
   if (free == root.joints.end()) return;

@@ -15,7 +15,7 @@ using model::Applies;
 using model::Part;
 using model::Role;
 
-// Names of the parts of which the target overrides or drops an attribute.
+// Names of parts with an attribute that the target overrides or drops, for a warning.
 struct AffectedParts {
   std::vector<std::string_view> names;
   diag::SourceMark first;
@@ -37,7 +37,7 @@ bool Contradicts(const Part& part, const model::Attribute& group, const TargetRu
 void SetGroup(Part& part, const TargetRules& rules, AffectedParts& affected) {
   const auto group = std::ranges::find(part.attributes, "group", &model::Attribute::name);
   if (group != part.attributes.end()) {
-    // Do not report groups of attached files, which were set for other viewers.
+    // Skips attached files in the warning, because their groups were set for other viewers.
     if (!part.as_is && Contradicts(part, *group, rules)) affected.Add(part);
     part.attributes.erase(group);
   }
@@ -72,7 +72,7 @@ void SplitRoles(std::vector<Part>& parts) {
     second.mass = second.density = 0.0;
     if (first.material < 0 && model::FindAttribute(first.attributes, "rgba") == nullptr) {
       first.attributes.push_back(
-          {"rgba", Applies::kBoth, {0.5, 0.5, 0.5, 1}, {}});  // MuJoCo's default
+          {"rgba", Applies::kBoth, {0.5, 0.5, 0.5, 1}, {}});  // MuJoCo's default color
     }
     split.push_back(std::move(second));
   }

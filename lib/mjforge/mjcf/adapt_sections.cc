@@ -1,4 +1,4 @@
-// Sections, elements and texture files that a target does not support, and references to them.
+// Removal of sections, elements and texture files that a target does not support.
 
 #include <algorithm>
 #include <set>
@@ -64,7 +64,7 @@ class UnsupportedFilter {
 
   void Run(std::vector<Section>& sections) {
     for (Section& section : sections) DropUnsupported(section.info->name, section.elements);
-    // For example, drop the sensors of a dropped actuator.
+    // Drops elements that refer to dropped elements, such as the sensors of a dropped actuator.
     for (Section& section : sections) DropReferences(section.elements);
     std::erase_if(sections, [](const Section& section) { return section.elements.empty(); });
   }
@@ -141,7 +141,7 @@ class UnsupportedFilter {
     });
   }
 
-  // Returns a reference to a dropped element, or null if the element has none.
+  // Returns an attribute that refers to a dropped element; null if there is none.
   const Attribute* DanglingReference(const Element& element) const {
     for (const Attribute& attribute : element.attributes) {
       const std::string kind(model::KindOf(attribute, element));
@@ -158,8 +158,8 @@ class UnsupportedFilter {
   std::set<std::pair<std::string, std::string>> dropped_;  // kind, name
 };
 
-// Drops the files of single sides, because the host resolves only the attribute `file`. A texture
-// without remaining files gets a flat color.
+// Drops texture files for single sides of a cube, because the host resolves only the attribute
+// `file`. A texture without remaining files gets a flat color.
 void DropTextureSides(model::Texture& texture, const TargetRules& rules, diag::Findings& findings) {
   const auto is_side = [](const model::TextureFile& file) { return file.attribute != "file"; };
   if (std::ranges::none_of(texture.files, is_side)) return;

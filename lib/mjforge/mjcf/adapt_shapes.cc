@@ -24,10 +24,10 @@ using model::Part;
 using model::Role;
 using model::TriangleMesh;
 
-// Sides of the prism that replaces a cylinder; MJX drops half of the corners of faces with 20 or
-// more. All corners are on the true surface, some of them on the axes, so the mesh has the same
-// extents along the axes and lies inside the cylinder. The middle of a side is 2 % of the radius
-// inside.
+// Number of sides of the prism that replaces a cylinder; MJX drops half of the corners of faces
+// with 20 or more. All corners are on the cylinder, some of them on the x and y axes, so the prism
+// is inside the cylinder and has equal extents along the axes. The middle of a side is 2 % of the
+// radius inside the cylinder.
 constexpr int kSides = 16;
 
 TriangleMesh MakePrism(const Eigen::Vector3d& size) {
@@ -39,8 +39,8 @@ TriangleMesh MakePrism(const Eigen::Vector3d& size) {
   return solid::MakeConvexPrism(polygon, 2 * size.y()).value_or(TriangleMesh());
 }
 
-// Midpoints of edges, each added once to the vertices. Sums of the two vertices are stored, because
-// UnitIcosphere normalizes them.
+// Midpoints of edges, added to the vertices once per edge. The sum of an edge's two ends stands for
+// their midpoint, because UnitIcosphere normalizes all vertices.
 class EdgeMidpoints {
  public:
   explicit EdgeMidpoints(std::vector<Eigen::Vector3d>& vertices) : vertices_(vertices) {}
@@ -60,8 +60,8 @@ class EdgeMidpoints {
   std::map<std::pair<int, int>, std::size_t> indices_;
 };
 
-// Icosahedron with each face subdivided into four, projected onto the unit sphere. Six of the edge
-// midpoints are on the axes.
+// Returns an icosahedron with each face subdivided into four, projected onto the unit sphere. Six
+// of the edge midpoints are on the axes.
 TriangleMesh UnitIcosphere() {
   constexpr double kGolden = std::numbers::phi;
   TriangleMesh ball;
@@ -153,7 +153,7 @@ class RoundShapeReplacer {
   }
 
   // Makes references to a replaced geom refer to its visual copy, because tendons wrap around the
-  // true shape and sensors measure in its frame.
+  // true shape and sensors measure in the frame of the true shape.
   void Redirect(model::Element& element) {
     for (model::Attribute& attribute : element.attributes) {
       if (model::KindOf(attribute, element) != "geom") continue;
@@ -172,7 +172,7 @@ class RoundShapeReplacer {
     part.mesh = MeshOf(part);
     part.shape = {GeomType::kMesh, Eigen::Vector3d::Zero(),
                   &object_.meshes[static_cast<std::size_t>(part.mesh)]->mesh};
-    part.density = 0.0;  // the mass is that of the true shape
+    part.density = 0.0;  // the part keeps the mass of the true shape
     if (has_visual) {
       part.role = Role::kCollision;
       part.material = -1;
@@ -186,7 +186,7 @@ class RoundShapeReplacer {
     AddVisualCopy(std::move(visual_copy), parts);
   }
 
-  // Adds the true shape without contacts.
+  // Adds the true shape as a visual part, without contacts.
   void AddVisualCopy(Part copy, std::vector<Part>& parts) {
     copy.role = Role::kVisual;
     copy.mass = copy.density = 0.0;

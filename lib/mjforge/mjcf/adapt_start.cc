@@ -14,9 +14,9 @@ namespace {
 
 using diag::Code;
 
-// Returns true if the zero configuration of the object is to be its start, unless there are
-// obstacles. A keyframe has the poses of free bodies, so that it would ignore the frame to which
-// the file is attached; placed bodies would overlap at another zero; and some hosts read no
+// Returns true if the zero configuration should be the start of the object, unless there are
+// obstacles. Reasons: a keyframe contains the poses of free bodies and would ignore the frame to
+// which the file is attached; placed bodies would overlap at another zero; some hosts read no
 // keyframes.
 bool WantsStartAtZero(const model::Object& object, const TargetRules& rules) {
   if (object.start_form) return *object.start_form == model::StartForm::kZero;
@@ -26,7 +26,7 @@ bool WantsStartAtZero(const model::Object& object, const TargetRules& rules) {
   return std::ranges::any_of(object.bodies, needs_zero) || !rules.supports_sections;
 }
 
-// Errors if the spec asks for a start at zero; otherwise warnings.
+// Reports obstacles as errors if the spec asks for a start at zero; otherwise as warnings.
 void ReportObstacles(std::vector<start::Obstacle> obstacles, bool is_asked,
                      diag::Findings& findings) {
   for (start::Obstacle& obstacle : obstacles) {
@@ -44,7 +44,7 @@ void ReportObstacles(std::vector<start::Obstacle> obstacles, bool is_asked,
 
 bool StartsMoving(const model::Joint& joint) { return !joint.start_velocity.empty(); }
 
-// Returns true if the start state has more than positions.
+// Returns true if the start state has velocities or setpoints.
 bool HasMotion(const model::Object& object) {
   return !object.setpoints.empty() ||
          std::ranges::any_of(object.bodies, [](const model::Body& body) {
@@ -78,7 +78,8 @@ void WarnOfMotion(const model::Object& object, diag::Findings& findings) {
   }
 }
 
-// Returns true if the zero configuration is the start now.
+// Moves the zero configuration to the start if this is wanted and possible. Returns true if the
+// zero configuration is the start afterwards.
 bool MoveZero(model::Object& object, const TargetRules& rules, diag::Findings& findings) {
   if (!WantsStartAtZero(object, rules)) return false;
   std::vector<start::Obstacle> obstacles = start::FindObstacles(object);
@@ -91,7 +92,7 @@ bool MoveZero(model::Object& object, const TargetRules& rules, diag::Findings& f
   return true;
 }
 
-// Drops start positions and velocities. Reports those that the file then does not have.
+// Drops start positions and velocities. Warns of each joint whose start the file loses.
 void DropStart(bool is_zero, model::Object& object, const TargetRules& rules,
                diag::Findings& findings) {
   for (model::Body& body : object.bodies) {

@@ -10,7 +10,7 @@
 namespace mjforge::mjcf {
 namespace {
 
-// Attributes of a mesh that its file replaces.
+// Attributes of a mesh that are left out if a file has the mesh.
 constexpr std::string_view kMeshData[] = {"vertex", "normal", "texcoord", "face"};
 
 using NumberFormat = ElementWriter::NumberFormat;
@@ -78,7 +78,7 @@ class AssetWriter {
     const model::MeshAsset& mesh = *object_.meshes[index];
     writer_.OpenElement("mesh", mesh.mark);
     writer_.WriteText("name", mesh.name);
-    // An attached file's inline vertices are among its attributes.
+    // Inline vertices of an attached file's mesh are among the mesh's attributes.
     const bool has_vertices = model::FindAttribute(mesh.attributes, "vertex") != nullptr;
     const bool is_generated = as_files_ && mesh.file.empty();
     if (!mesh.file.empty()) {
@@ -110,11 +110,12 @@ class AssetWriter {
     const std::size_t hash = name.size();
     name.append(kHashDigits, '0').append(extension);
     writer_.WriteText("file", name);
-    file.hash_position = document_.text.size() - 1 - name.size() + hash;  // 1: closing quote
+    file.hash_position = document_.text.size() - 1 - name.size() + hash;  // 1 for the closing quote
     document_.generated_files.push_back(file);
   }
 
-  // Names the file after the pattern, because several materials may share one image.
+  // Writes a reference to a file that is named after the texture's pattern, because several
+  // materials may share one image.
   void WriteGeneratedTexture(std::size_t index) {
     std::string_view type = "cube";
     std::string_view pattern;

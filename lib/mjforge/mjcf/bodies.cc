@@ -99,7 +99,7 @@ class BodyWriter {
 
   void WritePart(const model::Part& part) {
     if (part.as_is) return WriteAttachedGeom(part);
-    std::size_t shape = 0;  // offsets in the text, bytes
+    std::size_t shape = 0;  // offsets of the shape's attributes in the text, bytes
     std::size_t shape_end = 0;
     if (part.role != Role::kVisual) {
       writer_.OpenElement("geom", part.mark);
@@ -123,8 +123,8 @@ class BodyWriter {
     writer_.CloseEmpty();
   }
 
-  // Writes a geom without mass: the region box, or a geom of an attached file, whose body has an
-  // inertial element.
+  // Writes a geom without mass: the region box, or a geom of an attached file, of which the body
+  // has an inertial element.
   void WriteAttachedGeom(const model::Part& part) {
     writer_.OpenElement("geom", part.mark);
     writer_.WriteText("name", part.name);
@@ -215,7 +215,7 @@ std::vector<int> DepthFirstOrder(const model::Object& object) {
   const std::size_t count = object.bodies.size();
   std::vector<int> order;
   // Children of each body as linked lists, built from back to front to preserve the order. One more
-  // list, after those of all bodies, has the children of the world.
+  // list at the end has the children of the world.
   std::vector<int> first_child(count + 1, -1);
   std::vector<int> next_sibling(count, -1);
   for (std::size_t i = count; i-- > 0;) {

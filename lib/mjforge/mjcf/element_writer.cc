@@ -19,7 +19,7 @@ namespace {
 // Maximum number of indentation levels; without it, deep kinematic chains would be mostly blanks.
 constexpr std::size_t kDeepest = 24;
 
-// Table by byte, because every character of every text is looked up.
+// Table of the bytes that must be escaped, for speed: every character of every text is looked up.
 constexpr auto kNeedsEscape = [] {
   std::array<bool, 256> needs{};
   for (std::size_t c = 0; c < 0x20; ++c) needs[c] = true;
@@ -77,7 +77,7 @@ void ElementWriter::FinishLine(std::string_view end) {
   ++line_;
 }
 
-// Appends single characters, because `+=` of a string is a function call.
+// Appends `="` as single characters, because `+=` of a string is a function call.
 void ElementWriter::BeginAttribute(std::string_view name) {
   text_ += ' ';
   text_ += name;

@@ -1,6 +1,6 @@
 // Streaming XML writer: one element per line, indented by two spaces per level up to a maximum
-// depth. No library is used, because writing is the hot path of a batch and a DOM costs twice as
-// much.
+// depth. No library is used, because writing is the hot path of a batch and a DOM takes twice the
+// time.
 #pragma once
 
 #include <cmath>
@@ -24,8 +24,8 @@ class ElementWriter {
  public:
   enum class NumberFormat { kExact, kFlushed, kMicrometres };
 
-  /// Appends to the document's text and origins. The text must not contain a newline yet, because
-  /// lines are counted from 1.
+  /// The writer appends to the document's text and origins. The text must not contain a newline
+  /// yet, because lines are counted from 1.
   explicit ElementWriter(MjcfDocument& document);
 
   /// Writes a line without escaping.
@@ -70,7 +70,8 @@ class ElementWriter {
   void BeginAttribute(std::string_view name);
   void FinishLine(std::string_view end);
   void AppendEscaped(std::string_view value);
-  /// Writes an attribute of numbers, separated by spaces; `write` writes one and returns its end.
+  /// Writes an attribute of numbers, separated by spaces. `write` writes a number as text and
+  /// returns the end of the text.
   template <typename T, typename Write>
   void WriteList(std::string_view name, std::span<const T> values, const Write& write);
 

@@ -1,4 +1,4 @@
-// The start state of an object in the order of MuJoCo, and the keyframe with it.
+// Start state of an object in MuJoCo's order, and the keyframe that contains this state.
 
 #include <algorithm>
 
@@ -19,7 +19,7 @@ void AddPose(const model::Pose& pose, double lift, std::vector<double>& out) {
 bool HasStart(const model::Joint& joint) { return !joint.start.empty(); }
 bool HasVelocity(const model::Joint& joint) { return !joint.start_velocity.empty(); }
 
-// Returns true if any joint of the object has the property.
+// Returns true if `has` is true for any joint of the object.
 bool AnyJoint(const model::Object& object, bool (*has)(const model::Joint&)) {
   return std::ranges::any_of(object.bodies, [&](const model::Body& body) {
     return std::ranges::any_of(body.joints, has);

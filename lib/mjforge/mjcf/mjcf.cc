@@ -17,7 +17,7 @@ diag::SourceMark MjcfDocument::Origin(int line) const {
 
 std::size_t MeshBytes(std::string_view text) {
   std::size_t bytes = 0;
-  // The writer puts each element on a line of its own.
+  // ElementWriter puts each element on a line of its own.
   while (!text.empty()) {
     const std::size_t size = std::min(text.find('\n'), text.size() - 1) + 1;
     const std::string_view line = text.substr(0, size);
@@ -44,7 +44,7 @@ void WriteMjcf(const model::Object& object, Target target, const Provenance& pro
   writer.OpenElement("mujoco");
   writer.WriteText("model", object.name);
   writer.BeginContent();
-  // For hosts that load thousands of small models, threads cost more time than they save.
+  // Compiler threads are off, because they cost more time than they save for small models.
   writer.WriteLine("<compiler angle=\"radian\" usethread=\"false\"/>");
   document.size_position = scene ? std::string::npos : document.text.size();
   WriteSizes(object, scene, writer);

@@ -22,18 +22,18 @@ struct Provenance {
   std::string version;
   std::string spec;  // name or path on the command line
   std::string spec_sha256;
-  std::vector<std::pair<std::string, std::string>> settings;  // --set
+  std::vector<std::pair<std::string, std::string>> settings;  // names and values of --set
   std::uint64_t seed = 0;
   std::optional<std::uint64_t> place_seed;  // --place-seed
   std::uint64_t index = 0;
   std::string name;  // object's name; empty: the name of the spec
   std::string part;  // object of the scene that is in this file (--each); empty: the whole scene
   std::string target;
-  std::string assets_as;    // empty: inline
+  std::string assets_as;    // form of assets (kAssetForms); empty: inline
   std::string sampler;      // empty: random
-  std::uint64_t batch = 0;  // 0: the variant does not depend on the batch's size
+  std::uint64_t batch = 0;  // variants in the batch; 0: the variant does not depend on their number
 };
-/// Reads the opening comment of a generated file; returns nothing if the file has none.
+/// Reads the opening comment of a generated file; returns nullopt if the file has no such comment.
 std::optional<Provenance> ReadProvenance(std::string_view mjcf);
 
 /// Place in the spec that produced a line of the text.
@@ -46,8 +46,8 @@ struct LineOrigin {
 
 /// Storage of meshes and textures that are generated, not copied from a file.
 enum class AssetForm {
-  kInline,  // in the text
-  kFiles    // in OBJ and PNG files beside the text, made by the room `files`
+  kInline,  // in the MJCF text
+  kFiles    // in OBJ and PNG files beside the text, made by the library `files`
 };
 inline constexpr std::string_view kAssetForms[] = {"inline", "files"};
 constexpr std::span<const std::string_view> WordsOf(AssetForm) { return kAssetForms; }
@@ -55,10 +55,10 @@ constexpr std::span<const std::string_view> WordsOf(AssetForm) { return kAssetFo
 /// Folder of all files that an object's file refers to.
 inline constexpr std::string_view kAssetFolder = "assets/";
 
-/// Digits of the hash in the name of a generated file.
+/// Number of digits of the hash in the name of a generated file.
 inline constexpr std::size_t kHashDigits = 16;
-/// A mesh or texture file that is still to be generated from the object. Its name in the text has
-/// kHashDigits zeros as a placeholder for the hash of its content.
+/// A mesh or texture file that is still to be generated from the object. The file's name in the
+/// text has kHashDigits zeros as a placeholder for the hash of the content.
 struct GeneratedFile {
   enum class Kind { kMesh, kTexture };
   Kind kind = Kind::kMesh;
@@ -88,10 +88,10 @@ struct MjcfDocument {
   diag::SourceMark Origin(int line) const;
 };
 
-/// The name of the keyframe is the object's name with this suffix.
+/// Suffix of the start keyframe's name, which begins with the object's name.
 inline constexpr std::string_view kStartSuffix = "_start";
-/// The start state in MuJoCo's order. A vector is empty if it has MuJoCo's default everywhere; qpos
-/// is empty only if all are.
+/// The start state in MuJoCo's order. A vector is empty if all its numbers are MuJoCo's defaults;
+/// qpos is empty only if all four vectors are.
 struct StartState {
   std::vector<double> qpos;
   std::vector<double> qvel;
@@ -105,16 +105,16 @@ StartState StartStateOf(const model::Object& object, double lift);
 std::vector<int> DepthFirstOrder(const model::Object& object);
 
 /// Adapts the object to the program that will load it (TargetRules). Drops elements that this
-/// program ignores, with a warning, and reports elements that it cannot load as errors. Makes the
-/// zero configuration of the object its start if the spec or the program wants it. Not a part
-/// of WriteMjcf, because the adapted object is compared with the compiled model.
+/// program ignores, with a warning, and reports elements that it cannot load as errors. Moves the
+/// zero configuration to the object's start if the spec or the program requires this. Not a part of
+/// WriteMjcf, because the adapted object is compared with the compiled model.
 void Adapt(model::Object& object, Target target, diag::Findings& findings);
 
 /// Returns the size of all <mesh> elements of the text, bytes.
 std::size_t MeshBytes(std::string_view text);
 
-/// Returns a <texture> element without random marks, because these differ between releases of
-/// MuJoCo.
+/// Returns a <texture> element without random marks, because random marks differ between releases
+/// of MuJoCo.
 std::string TextureElement(const model::Texture& texture);
 
 /// Writes the object as MJCF; replaces the content of `document`, reusing its memory.

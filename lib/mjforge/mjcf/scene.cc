@@ -9,11 +9,11 @@
 namespace mjforge::mjcf {
 namespace {
 
-// Names of elements of the scene contain a hyphen, which names of the object cannot contain.
+// Names of the floor, light and camera contain a hyphen, which names of the object cannot contain.
 
 bool IsFinite(const model::Box3& box) { return box.min.allFinite() && box.max.allFinite(); }
 
-// Orientation of an upright camera at `eye` that looks at `target`: along its -z axis, with y up.
+// Returns the orientation of an upright camera at `eye` that looks along its -z axis at `target`.
 Eigen::Quaterniond LookAt(const Eigen::Vector3d& eye, const Eigen::Vector3d& target) {
   Eigen::Matrix3d axes;
   axes.col(2) = (eye - target).normalized();
@@ -39,8 +39,8 @@ SceneView ViewOf(const Eigen::Vector3d& min, const Eigen::Vector3d& max) {
           center + 1.1 * radius / std::sin(kHalfView) * Eigen::Vector3d(1, -1.5, 1).normalized()};
 }
 
-// Returns the height of the lowest point of the geoms that collide, which may be below the bounds
-// of the solids that they stand for.
+// Returns the height of the lowest point of the geoms that collide, which may be below the exact
+// solids that these geoms approximate.
 double LowestOfGeoms(const model::Object& object) {
   model::Box3 box;
   const std::vector<model::Pose> X_WB = model::BodyPoses(object);

@@ -1,5 +1,4 @@
-// Writers of the sections that pass through from spec to MJCF: settings, contacts, tendons,
-// sensors.
+// Writers of sections that are copied from the spec to MJCF: settings, contacts, tendons, sensors.
 
 #include "mjforge/mjcf/sections.h"
 

@@ -7,9 +7,9 @@
 
 namespace mjforge::mjcf {
 
-/// Writes textures, materials and meshes without the <asset> element around them. Adds the files
-/// that they refer to to the document. If `as_files`, writes references to generated files in place
-/// of inline data.
+/// Writes textures, materials and meshes without the <asset> element around them. Adds the files of
+/// these elements to the document. If `as_files`, writes references to generated files in place of
+/// inline data.
 void WriteAssets(const model::Object& object, bool as_files, ElementWriter& writer,
                  MjcfDocument& document);
 
@@ -27,7 +27,7 @@ void WriteSettings(const model::Object& object, ElementWriter& writer);
 /// keyframe.
 void WriteSections(const model::Object& object, double lift, ElementWriter& writer);
 
-/// Writes a keyframe with the start state if it is not MuJoCo's default.
+/// Writes a keyframe with the start state, unless the start state is MuJoCo's default.
 void WriteKeyframe(const model::Object& object, double lift, ElementWriter& writer);
 
 /// Returns the height added to the object so that it rests on the floor at z = 0, m.

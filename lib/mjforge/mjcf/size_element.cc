@@ -13,21 +13,25 @@
 namespace mjforge::mjcf {
 namespace {
 
-// The default nconmax is 100 contacts; a geom flat on the floor makes at most four.
+// Number of geoms for which MuJoCo's default nconmax of 100 contacts is enough; a geom flat on the
+// floor makes at most four.
 constexpr std::size_t kGeomsThatFit = 24;
-constexpr double kContactsOfManyPairs = 300;  // in addition to two per pair
+constexpr double kContactsOfManyPairs = 300;  // limit, in addition to two per pair
 constexpr double kSpareContacts = 50;         // contacts come and go while placed bodies settle
-// The default njmax is 500 constraints, including contacts.
+// Number of constraints, without contacts, for which MuJoCo's default njmax of 500 is enough.
 constexpr std::size_t kRowsThatFit = 300;
-// MuJoCo lists pairs of bodies that might touch on a stack whose default size grows with the square
-// of the constraints, not of the bodies: 1,600 bodies fit, 1,700 do not.
+// Number of bodies for which MuJoCo's default stack is enough. The stack has a list of pairs of
+// bodies that might touch, but its size grows with the square of the constraints, not of the
+// bodies: 1,600 bodies fit, 1,700 do not.
 constexpr std::size_t kBodiesThatFit = 1'000;
-// MuJoCo allocates matrices with 12 bytes for each pair of rows and 24 bytes for each row and
-// degree of freedom, and counts these bytes in an int. This leaves a tenth for all other arrays.
+// Largest size of MuJoCo's constraint matrices, which have 12 bytes for each pair of rows and 24
+// bytes for each row and degree of freedom. MuJoCo counts bytes in an int; a tenth of its range is
+// left for other arrays.
 constexpr double kMatrixBytes = 1.9e9;
-constexpr double kMostStack = 1.2e8;  // numbers; 1 GB
+constexpr double kMostStack = 1.2e8;  // numbers of 8 bytes; 1 GB
 
-/// Returns for each body the index of the child of the world that it is or is below.
+/// Returns for each body the index of its tree: the child of the world that is the body itself or
+/// its ancestor.
 std::vector<std::size_t> TreesOf(const model::Object& object) {
   std::vector<std::size_t> trees(object.bodies.size());
   for (std::size_t i = 0; i < trees.size(); ++i) {
@@ -37,8 +41,8 @@ std::vector<std::size_t> TreesOf(const model::Object& object) {
   return trees;
 }
 
-/// Returns the number of colliding geoms that can lie on others, for each child of the world: all
-/// in a scene, and otherwise those of free bodies.
+/// Returns, for each child of the world, the number of colliding geoms that can lie on other geoms.
+/// The geoms of the first child, the root, count only in a scene, which has a floor.
 std::vector<std::size_t> CountLyingGeoms(const model::Object& object, bool scene) {
   const std::vector<std::size_t> trees = TreesOf(object);
   std::vector<std::size_t> geoms(trees.size());
@@ -50,10 +54,12 @@ std::vector<std::size_t> CountLyingGeoms(const model::Object& object, bool scene
   return geoms;
 }
 
-/// Returns room for contacts: four for a geom that lies flat. Few of the many pieces of a dish or a
-/// drawer lie flat, and each further piece has one contact, as in a stack of bowls.
+/// Returns the number of contacts to allocate: four for a geom that lies flat. Few of the many
+/// pieces of a dish or a drawer lie flat, and each further piece has one contact, as in a stack of
+/// bowls.
 double ContactsOf(const std::vector<std::size_t>& geoms) {
-  // Contacts of flat geoms, in addition to one per geom; the root may be large.
+  // Contacts of flat geoms of a child of the world, in addition to one per geom. The root has a
+  // larger limit, because it may be large.
   constexpr double kFlat = 24;
   constexpr double kFlatOfRoot = 300;
   double contacts = 0;
@@ -70,7 +76,7 @@ struct GeomBox {
   std::size_t tree;
 };
 
-// Returns the colliding geoms, sorted along x.
+// Returns the boxes of all colliding geoms, sorted along x.
 std::vector<GeomBox> GeomBoxes(const model::Object& object) {
   constexpr double kNear = 2e-4;  // m; placed bodies start at most 0.1 mm apart
   const std::vector<model::Pose> X_WB = model::BodyPoses(object);
@@ -90,9 +96,9 @@ std::vector<GeomBox> GeomBoxes(const model::Object& object) {
 }
 
 /// Returns the number of pairs of geoms of different children of the world whose bounding boxes
-/// touch at the start: a geom can lie on many others, such as a box on planks. Boxes of the pieces
-/// of nested bowls touch many others, but the pieces only about one: two children of the world have
-/// at most as many pairs as geoms.
+/// touch at the start. One geom can lie on many others, such as a box on planks. Boxes around the
+/// pieces of nested bowls touch many boxes, although each piece touches about one piece; therefore
+/// two children of the world count at most as many pairs as they have geoms.
 std::size_t CountTouchingPairs(const model::Object& object) {
   const std::vector<GeomBox> boxes = GeomBoxes(object);
   std::map<std::size_t, std::size_t> geoms;
@@ -125,7 +131,8 @@ std::size_t CountConstraints(const model::Object& object) {
          3 * model::ElementsOf(object, "tendon").size();
 }
 
-/// Returns the number of degrees of freedom, with the free joint that a host may add to the root.
+/// Returns the number of degrees of freedom, including a free joint that a host may add to the
+/// root.
 double CountDofs(const model::Object& object) {
   int dofs = 6;
   for (const model::Body& body : object.bodies) {
@@ -165,7 +172,7 @@ void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer) 
   std::vector<std::size_t> lying;
   if (scene || bodies > 1) lying = CountLyingGeoms(object, scene);
   const std::size_t geoms = std::accumulate(lying.begin(), lying.end(), std::size_t{0});
-  // Pairs in addition to one for each geom.
+  // Touching pairs of geoms in addition to one for each geom.
   std::size_t more = 0;
   const bool placed = HasPlacedBodies(object);
   if (placed) more = std::max(geoms, CountTouchingPairs(object)) - geoms;
@@ -175,21 +182,23 @@ void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer) 
   // A contact has four pyramid edges (condim 3).
   double contacts = scene ? 100 : 0;
   if (geoms + 2 * more > kGeomsThatFit) {
-    // A box on a box makes up to eight contacts; of many pairs most are pieces that barely touch.
+    // Counts up to eight contacts for a pair, as for a box on a box, but about two for each of many
+    // pairs, most of which are pieces that barely touch.
     const auto pairs = static_cast<double>(more);
     contacts = ContactsOf(lying) + std::min(8 * pairs, 2 * pairs + kContactsOfManyPairs);
     if (placed) contacts += kSpareContacts;
     contacts = std::min(contacts, most / 4);
   }
   const double njmax = std::min(4 * contacts + static_cast<double>(rows) + (scene ? 0 : 500), most);
-  // MuJoCo's default grows with the square of the rows: 6 GB for a cupboard full of dishes.
+  // MuJoCo's default nstack grows with the square of the rows: 6 GB for a cupboard full of dishes.
   const double standard = 5 * (njmax + dofs) * (njmax + dofs);
   double nstack = 0;  // 0: MuJoCo's default
   if (bodies == 1) {
-    // The unit is numbers; linear in the contacts, because one body has six degrees of freedom.
+    // Numbers of 8 bytes; linear in the contacts, because a body has at most six degrees of
+    // freedom.
     nstack = 400 * contacts + 1e6;
   } else if (bodies > kBodiesThatFit || standard > kMostStack) {
-    // Adds the pairs of bodies.
+    // Adds one number for each pair of bodies.
     nstack = std::min(standard, kMostStack) + static_cast<double>(bodies * bodies);
   }
   WriteSize(njmax, contacts, nstack, writer);

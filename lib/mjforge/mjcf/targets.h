@@ -1,4 +1,4 @@
-// Targets: the programs that read generated files, and a table of their requirements.
+// Targets: the host programs that read generated files, and a table of their requirements.
 #pragma once
 
 #include <optional>
@@ -38,12 +38,12 @@ struct TargetRules {
   std::string_view name;  // value of --target
   std::string_view doc;
 
-  // Geoms.
-  int collision_group = 3;  // MuJoCo's viewer hides it
+  // Requirements on geoms.
+  int collision_group = 3;  // MuJoCo's viewer hides this group
   int visual_group = 2;
   bool keeps_groups = true;             // a part's own `group` takes precedence
   bool shows_collision_copies = false;  // the host shows copies of collision geoms
-  bool writes_mass = false;             // in place of density, which the host overwrites
+  bool writes_mass = false;             // mass in place of density, which the host overwrites
   int sphere_sizes = 1;                 // numbers in a sphere's size
   bool supports_round_shapes = true;    // cylinders and ellipsoids collide with boxes and meshes
   bool supports_margins = true;         // geoms may have a margin
@@ -58,14 +58,14 @@ struct TargetRules {
   bool has_prefix = true;                    // the file has `NAME_` before every name
   std::string_view root = {};                // name of the root body; empty: the object's name
   bool has_free_joint = true;                // the file has the free joint of the root
-  std::string_view visual_copy_suffix = {};  // suffix of geoms that the host adds
-  std::string_view region_prefix = {};       // prefix of geoms that are regions
+  std::string_view visual_copy_suffix = {};  // suffix of visual copies that the host adds
+  std::string_view region_prefix = {};       // prefix of geoms that the host reads as regions
   std::span<const HostName> host_names = {};
 
   /// File name in a folder for each object of a scene (--each); empty: OBJECT.xml.
   std::string_view file_in_folder = {};
 
-  bool repeats_start = false;  // a start at zero is written as a keyframe, too
+  bool repeats_start = false;  // the file has a keyframe even if the start is at zero
 
   // Support for elements, which are otherwise dropped with a warning.
   bool supports_sections = true;       // contact, sensor, ...
@@ -76,7 +76,7 @@ struct TargetRules {
   bool adapts() const { return target != Target::kMujoco && target != Target::kScene; }
 };
 
-/// Returns the table, in the order of the enumeration.
+/// Returns the table of all targets, in the order of Target.
 std::span<const TargetRules> Targets();
 std::vector<std::string_view> TargetNames();
 const TargetRules& RulesOf(Target target);
