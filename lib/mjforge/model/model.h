@@ -1,5 +1,5 @@
 // Objects as numbers, and their geometry: bodies, parts, masses, bounds, poses, regions. Interfaces
-// to what adds to an object while it is assembled: attached MJCF, places.
+// to the reader of attached MJCF and to the search for places.
 
 #pragma once
 

@@ -67,9 +67,9 @@ enum class PlaceVerdict {
 
 struct PlaceResult {
   PlaceVerdict verdict = PlaceVerdict::kStands;
-  Pose X_SupportBody;   // pose of the body in its support, if it stands
+  Pose X_SupportBody;   // pose of the body in its support; set for kStands
   int blocker = -1;     // index of the body that is too near
-  double distance = 0;  // to the blocker, m; 0 if they overlap
+  double distance = 0;  // from the body to the blocker, m; 0 if both overlap
   Eigen::Vector2d footprint = Eigen::Vector2d::Zero();  // sides of its bounding rectangle, m
 };
 
@@ -96,7 +96,7 @@ class Placer {
   virtual void Begin(const Object& object) = 0;
 
   /// Makes the body, and all bodies below it, an obstacle at its present pose. Bodies that are
-  /// placed later must have at least the distance `clear` to it, m.
+  /// placed later must have at least the distance `clear`, m, to this obstacle.
   virtual void Stand(int body, double clear = 0) = 0;
 
   /// Tries a place for a body that is not an obstacle yet, with all bodies below this body.

@@ -1,5 +1,5 @@
 // Shapes in the convention of MuJoCo's geoms, and their exact geometry: volume, inertia, bounds,
-// support function, point test. To add one, see CONTRIBUTING.md, "Adding a part type".
+// support function, point test. To add a shape, see CONTRIBUTING.md, "Adding a part type".
 
 #pragma once
 
