@@ -21,7 +21,7 @@ struct Strip {
   Point2 from = Point2::Zero();
   Point2 to = Point2::Zero();
   Point2 outward = Point2::Zero();
-  Point2 normal_from = Point2::Zero();  // blended with the neighbour's at smooth edges
+  Point2 normal_from = Point2::Zero();  // blended with the neighbour's normal at smooth edges
   Point2 normal_to = Point2::Zero();
   double along = 0;  // length of the outline up to `from`
 };

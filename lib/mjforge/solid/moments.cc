@@ -39,8 +39,8 @@ void AddArc(const RoundedCorner& arc, std::vector<QuadratureNode>& nodes) {
 }
 
 /// Returns the integral of r^a (z - z0)^b over the area of an outline in r, z. By Green's theorem
-/// it equals the integral of r^(a+1) (z - z0)^b / (a+1) dz along the boundary, whose integrand is a
-/// polynomial of degree a + b + 1 along a straight side.
+/// this integral equals the integral of r^(a+1) (z - z0)^b / (a+1) dz along the boundary, whose
+/// integrand is a polynomial of degree a + b + 1 along a straight side.
 double Integral(std::span<const QuadratureNode> boundary, double z0, int a, int b) {
   double sum = 0;
   for (const QuadratureNode& node : boundary) {

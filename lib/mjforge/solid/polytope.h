@@ -19,8 +19,8 @@ struct FlatHull {
   /// Ends of the hull, which may be equal, if all points are on a line.
   std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> line;
 };
-/// Returns the flat hull of at least one point. Points beside the plane are projected onto the
-/// plane.
+/// Returns the flat hull of at least one point. Points beside the hull's plane are projected onto
+/// this plane.
 FlatHull FlatHullOf(std::span<const Eigen::Vector3d> points);
 
 /// Merges vertices with equal position and normal, and removes triangles that lose their area. The

@@ -55,8 +55,8 @@ void AddSector(const Vector3d& a, const Vector3d& b, const Vector3d& m, const Ve
 
 /// Adds the cone with apex v over the spherical polygon of the normals, the part of a ball at a
 /// vertex. The integral of 1 over the spherical polygon is the solid angle of its triangles (Van
-/// Oosterom and Strackee, 1983); those of n and n n^T follow from the divergence theorem on the
-/// sphere, along the polygon's great arcs.
+/// Oosterom and Strackee, 1983); the integrals of n and n n^T follow from the divergence theorem on
+/// the sphere, along the polygon's great arcs.
 void AddCone(const Vector3d& v, const std::vector<Vector3d>& normals, double r, Moments& sum) {
   double solid_angle = 0;
   Vector3d first = Vector3d::Zero();

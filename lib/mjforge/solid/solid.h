@@ -142,8 +142,8 @@ struct Tube {
 /// In an arc of radius R the pieces protrude by at most R (1 - cos(pi / facets)).
 std::optional<Solid> Make(const Tube& tube, Fault& fault);
 
-/// The convex hull of points, enlarged by the distance `round` (Minkowski sum with a ball); it may
-/// be flat. If `round` is 0, there is a single piece or, with a texture, a single render mesh.
+/// The convex hull of points, possibly flat, enlarged by the distance `round` (Minkowski sum with a
+/// ball). If `round` is 0, there is a single piece or, with a texture, a single render mesh.
 struct ConvexHull {
   std::vector<Eigen::Vector3d> points;
   double round = 0;
