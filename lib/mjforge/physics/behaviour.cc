@@ -1,4 +1,4 @@
-// Checks of how a model behaves in simulations, and the texts of their findings.
+// Checks of a model's behaviour in simulations, and the texts of their findings.
 #include "mjforge/physics/behaviour.h"
 
 #include <fmt/format.h>
@@ -45,8 +45,8 @@ constexpr const char* kInTheWay = "use a shorter range, make room, or add `conta
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 
-// Limits of timesteps and of their number. MuJoCo accepts any timestep, but results are useless if
-// it is longer than the fall.
+// Limits of the timestep and of the number of steps. MuJoCo accepts any timestep, but results are
+// useless if a step is longer than the fall.
 constexpr double kShortestStep = 1e-5;  // s
 constexpr double kLongestStep = 0.02;   // s; a fall of 2 mm takes 0.02 s
 constexpr double kMostSteps = 1e7;
@@ -117,7 +117,7 @@ class Behaviour {
 
   DropOutcome Drop(const Nudge& nudge, Result& result) {
     return Simulate(m_, workspace_, [&](mjData& d) {
-      result = {};  // discards a drop without room for its contacts
+      result = {};  // discards a drop whose contacts exceeded the buffers
       end_ = &d;
       if (recorder_ != nullptr) recorder_->Begin();
       return SimulateDrop(m_, d, reporter_.checks(), nudge, result, recorder_);
@@ -209,8 +209,9 @@ class Behaviour {
         "look at the axis, its sign, and the range; if it may be so, say why in `silence`");
   }
 
-  /// Reports a value above its limit. `text` has placeholders for the object's name {0}, and for
-  /// value {1} and limit {2} multiplied by `scale`, and for {3} what comes with it.
+  /// Reports a value above its limit. `text` has the placeholders {0} (the object's name), {1} and
+  /// {2} (value and limit, multiplied by `scale`), and {3} (`along`: ", as joint 'lid' moves by 90
+  /// deg").
   void ReportAbove(Code code, double value, double limit, double scale, const char* text,
                    std::string hint, const std::string& along = {}) {
     if (!(value > limit)) return;
@@ -256,7 +257,7 @@ class Behaviour {
                 "give it a level foot or more friction");
   }
 
-  /// Returns the remedy for an object that still moves after its time to settle.
+  /// Returns the remedy for an object that still moves at the end of checks.settle_time.
   std::string RestRemedy(const DropOutcome& outcome) const {
     const int body = mj_name2id(&m_, mjOBJ_BODY, outcome.fastest.c_str());
     for (int i = 0; body > 0 && i < m_.body_jntnum[body]; ++i) {
@@ -288,7 +289,8 @@ class Behaviour {
     }
   }
 
-  /// Returns the limit of the entry of checks.joints that names the joint, or else the usual limit.
+  /// Returns the limit in the entry of checks.joints that names the joint; `usual` if no entry sets
+  /// the limit.
   static double Limit(const DrivenJoint& driven, std::optional<double> model::JointCheck::*own,
                       double usual) {
     return driven.check != nullptr ? (driven.check->*own).value_or(usual) : usual;
@@ -337,7 +339,7 @@ class Behaviour {
             collide ? InTheWayHint(driven, pair) : HeldBackHint(m_, driven.joint));
   }
 
-  /// Returns the hint for two bodies that meet as a joint is driven.
+  /// Returns the hint for two bodies that collide while a joint is driven.
   std::string InTheWayHint(const DrivenJoint& driven,
                            const std::pair<std::string, std::string>& bodies) const {
     const auto id = [this](const std::string& name) {

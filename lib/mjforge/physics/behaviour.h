@@ -1,4 +1,4 @@
-// Checks of how a model behaves in simulations: drop, stability, joints that rest and are driven.
+// Checks of a model's behaviour in simulations: drop, stability, resting and driven joints.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -10,14 +10,14 @@
 
 namespace mjforge::physics {
 
-/// Simulates a model, reports what violates its checks, and fills in `result` except the overlap
-/// and the tests with probe bodies. `object` is the object from which the model was made, or which
-/// was read from it. Findings about the whole object point at `mark`. May change the model's room
-/// for contacts. May throw std::exception.
+/// Simulates a model, reports violations of its checks, and fills in `result` except the overlap
+/// and the tests with probe bodies. `object` is the object from which the model was made, or that
+/// was read from the model. Findings about the whole object point at `mark`. May enlarge the
+/// model's buffers for contacts. May throw std::exception.
 void CheckBehaviour(mjModel& m, Workspace& workspace, const model::Object& object,
                     diag::SourceMark mark, static_checks::Reporter& reporter, Result& result);
 
-/// Records the drop of these checks, with the nudge that topples the object, if there is one.
+/// Records the drop of the model and, if a nudge topples the object, also the drop with that nudge.
 void RecordDrop(mjModel& m, Workspace& workspace, const model::Object& object,
                 diag::SourceMark mark, static_checks::Reporter& reporter, FilmRecorder& recorder);
 

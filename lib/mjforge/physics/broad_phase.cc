@@ -27,8 +27,8 @@ BroadPhase::BroadPhase(const mjModel& m) : m_(m), works_(IsCovered(m)) {
   }
 }
 
-/// Returns true if all contacts can be found from bounding boxes: the file has no pairs of its own,
-/// and all unbounded geoms are planes of the world.
+/// Returns true if bounding boxes find all contacts: MuJoCo accepts lists of pairs, the model has
+/// no `<pair>` elements, and every geom is a bounded shape or a plane of the world.
 bool BroadPhase::IsCovered(const mjModel& m) const {
   if (!engine::kTakesPairs || m.npair > 0) return false;
   for (int geom = 0; geom < m.ngeom; ++geom) {

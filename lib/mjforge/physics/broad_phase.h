@@ -20,14 +20,14 @@ class BroadPhase {
 
   bool works() const { return works_; }
 
-  /// Finds all pairs that can touch before any body has moved by more than its allowance (m, one
-  /// for each body) relative to the body `frame`. Bodies are at the positions that mj_kinematics
-  /// computed.
+  /// Finds all pairs of geoms that can touch before any body has moved by more than its allowance
+  /// (m, one for each body) relative to the body `frame`. Bodies are at the positions that
+  /// mj_kinematics computed.
   engine::GeomPairs& Find(const mjData& d, const std::vector<double>& allowances, int frame);
 
   /// Bodies with colliding geoms.
   const std::vector<int>& bodies() const { return bodies_; }
-  /// Radius of the colliding geoms of a body about its origin, m.
+  /// Radius of the colliding geoms of a body about the body's origin, m.
   double Reach(int body) const { return reaches_[static_cast<std::size_t>(body)]; }
 
  private:
@@ -43,9 +43,9 @@ class BroadPhase {
   std::vector<double> reaches_;
   std::vector<std::vector<int>> geoms_;          // colliding geoms of each body
   std::vector<std::pair<int, int>> body_pairs_;  // pairs that may collide, in MuJoCo's order
-  std::vector<Box> local_;                       // each geom's, in its own frame; planes: empty
-  std::vector<Box> boxes_;       // each geom's, in `frame`, with allowance and margin
-  std::vector<Box> body_boxes_;  // around boxes_ of each body
+  std::vector<Box> local_;                       // box of each geom in its frame; planes: empty
+  std::vector<Box> boxes_;       // box of each geom in `frame`, with allowance and margin
+  std::vector<Box> body_boxes_;  // box around the boxes_ of each body's geoms
   engine::GeomPairs pairs_;
 };
 

@@ -1,4 +1,4 @@
-// Causes of what a simulation shows, and what helps against them, in the words of findings.
+// Causes of faults in a simulation, and remedies for the faults, as texts of findings.
 #include "mjforge/physics/causes.h"
 
 #include <algorithm>
@@ -21,9 +21,9 @@ namespace {
 
 using expr::RoundedText;
 
-constexpr double kFarHinge = 5 * std::numbers::pi / 180;  // rad
-constexpr double kFarSlide = 0.005;                       // m
-constexpr double kDeepStart = 0.002;                      // m, that pushes bodies apart fast
+constexpr double kFarHinge = 5 * std::numbers::pi / 180;  // rad, from which a motion is large
+constexpr double kFarSlide = 0.005;                       // m, from which a motion is large
+constexpr double kDeepStart = 0.002;  // m, depth at the start that pushes bodies apart fast
 
 // Semi-implicit Euler diverges if (timestep * frequency)^2 exceeds 4, or damping removes more than
 // twice the speed in a step.
@@ -36,7 +36,7 @@ std::string Name(const mjModel& m, mjtObj kind, int id) {
   return fmt::format("'{}'", compiled::NameOf(m, kind, id));
 }
 
-// Returns "a, b, or c".
+// Joins names to a text: "a, b, or c".
 std::string Alternatives(std::span<const std::string> items) {
   if (items.size() == 1) return items.front();
   return fmt::format("{}{} or {}", fmt::join(items.first(items.size() - 1), ", "),
@@ -47,7 +47,7 @@ bool HasStartPose(const mjModel& m) {
   return !std::ranges::equal(compiled::StartOf(m), std::span(m.qpos0, compiled::Index(m.nq)));
 }
 
-// Finds the element that is farthest beyond the limit of explicit integration.
+// Finds the spring, damper or actuator that exceeds the limit of explicit integration most.
 class Stiffest {
  public:
   explicit Stiffest(const mjModel& m) : m_(m), h_(m.opt.timestep) {
@@ -61,11 +61,12 @@ class Stiffest {
  private:
   std::string Step() const { return fmt::format("a timestep of {} ms", RoundedText(1000 * h_)); }
 
-  // Adds an element whose stability needs `excess` <= 1. The square of the timestep counts for
-  // springs.
+  // Considers an element, which is stable if `excess` is at most 1. The excess grows with the
+  // square of the timestep for springs, and with the timestep for dampers.
   void Add(double excess, bool is_spring, const std::string& what, const std::string& remedy,
            std::string joint = {}, std::string actuator = {}) {
-    // The implicit integrators take no part of a damping from the step before.
+    // Implicit integrators use the velocity after the step for damping, so that only springs
+    // diverge.
     const bool is_explicit =
         m_.opt.integrator == mjINT_EULER || m_.opt.integrator == mjINT_RK4 || is_spring;
     if (!is_explicit || !(excess > 1) || excess <= excess_) return;
@@ -124,7 +125,8 @@ class Stiffest {
   std::optional<Divergence> found_;
 };
 
-// Returns the joint of a warning about a position, a velocity or an acceleration.
+// Returns the joint in MuJoCo's warning about a bad position, velocity or acceleration; nullopt if
+// there is no such warning.
 std::optional<int> WarnedJoint(const mjModel& m, const mjData& d) {
   for (const int kind : {mjWARN_BADQACC, mjWARN_BADQVEL}) {
     const int dof = d.warning[kind].lastinfo;
@@ -137,12 +139,13 @@ std::optional<int> WarnedJoint(const mjModel& m, const mjData& d) {
   return joint;
 }
 
-// Returns true for the floor, above which the object is lifted before it falls.
+// Returns true for a floor. Contacts with the floor are no cause of a divergence, because objects
+// are lifted above the floor before the drop.
 bool IsFloor(const mjModel& m, int geom) {
   return m.geom_bodyid[geom] == 0 && m.geom_type[geom] == mjGEOM_PLANE;
 }
 
-// Returns the deepest penetration of two geoms at the start.
+// Returns the deepest penetration of two geoms at the start; nullopt if none exceeds kDeepStart.
 std::optional<Divergence> DeepStart(const mjModel& m, Workspace& workspace) {
   mjData& d = workspace.For(m);
   compiled::CopyStart(m, d);
@@ -161,7 +164,8 @@ std::optional<Divergence> DeepStart(const mjModel& m, Workspace& workspace) {
       {}};
 }
 
-// Returns the names of what couples a joint: "equality 'gear' to joint 'wheel'", "tendon 'belt'".
+// Returns the equalities and tendons that couple a joint: "equality 'gear' with joint 'wheel'",
+// "tendon 'belt'".
 std::vector<std::string> CouplingsOf(const mjModel& m, int joint) {
   std::vector<std::string> couplings;
   for (int i = 0; i < m.neq; ++i) {
@@ -169,7 +173,7 @@ std::vector<std::string> CouplingsOf(const mjModel& m, int joint) {
     const bool is_joint = m.eq_type[i] == mjEQ_JOINT;
     if (is_joint && m.eq_obj1id[i] != joint && m.eq_obj2id[i] != joint) continue;
     if (!is_joint && Moves(m, joint, m.eq_obj1id[i]) == Moves(m, joint, m.eq_obj2id[i])) continue;
-    if (m.eq_type[i] == mjEQ_TENDON) continue;  // its tendons are named
+    if (m.eq_type[i] == mjEQ_TENDON) continue;  // the tendons are named below
     couplings.push_back("equality " + Name(m, mjOBJ_EQUALITY, i));
     if (is_joint && other >= 0)
       couplings.back() += fmt::format(" with joint {}", Name(m, mjOBJ_JOINT, other));
@@ -239,7 +243,7 @@ bool MayStandElsewhere(const mjModel& m, int joint, const std::pair<int, int>& b
     if (other == joint || !compiled::HasOneNumber(m, other)) continue;
     if (couplings.SetpointOf(other, joint, {})) continue;
     const std::vector<bool> moved = BodiesMovedBy(m, other);
-    // A joint that moves both bodies does not change how they stand to each other.
+    // A joint that moves both bodies does not change the pose of one relative to the other.
     if (moved[compiled::Index(bodies.first)] != moved[compiled::Index(bodies.second)]) return true;
   }
   return false;

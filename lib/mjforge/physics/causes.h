@@ -1,4 +1,4 @@
-// Causes of what a simulation shows, and what helps against them, in the words of findings.
+// Causes of faults in a simulation, and remedies for the faults, as texts of findings.
 #pragma once
 
 #include <optional>
@@ -13,36 +13,38 @@
 
 namespace mjforge::physics {
 
-/// Element that makes a simulation diverge.
+/// Most probable cause of a simulation that diverges.
 struct Divergence {
   std::string cause;  // "the spring of joint 'lid' is too stiff for a timestep of 2 ms"
   std::string hint;
-  std::string joint;     // name; empty: none
-  std::string actuator;  // name; empty: none
+  std::string joint;     // name of the joint to blame; empty: none
+  std::string actuator;  // name of the actuator to blame; empty: none
 };
 
-/// Returns what most probably made the simulation with data `d` diverge: the spring, damper,
-/// actuator that is farthest beyond the limit of explicit integration, or the deepest
-/// penetration at the start, or else the first degree of freedom that MuJoCo named. Resets the
-/// workspace, which may own `d`.
+/// Returns the most probable cause of the divergence of the simulation with data `d`: the spring,
+/// damper or actuator that exceeds the limit of explicit integration most; otherwise the deepest
+/// penetration at the start; otherwise the joint that MuJoCo's warning names. Resets the workspace,
+/// which may own `d`.
 Divergence FindDivergence(const mjModel& m, const mjData& d, Workspace& workspace);
 
-/// Returns ", as joint 'lid' moves by 90 deg" about the hinge or slide that moved most since the
-/// start; empty if none moved by 5 deg or 5 mm.
+/// Returns ", as joint 'lid' moves by 90 deg" for the hinge or slide that moved most since the
+/// start; an empty text if none moved by 5 deg or 5 mm.
 std::string MovedJointText(const mjModel& m, const mjData& d);
 
-/// Returns what may give energy to an object as it settles, as a hint.
+/// Returns the hint that lists the possible sources of energy of a settling object.
 std::string EnergySourcesHint(const mjModel& m);
 
-/// Returns what holds back a joint that reached too little of its range without a collision, as a
-/// hint: the equalities and tendons of the joint, and the start pose.
+/// Returns the hint about a joint that reached too little of its range without a collision: it
+/// names the equalities and tendons of the joint, and the start pose.
 std::string HeldBackHint(const mjModel& m, int joint);
 
-/// Returns true if a hinge or slide other than `joint` moves one of the bodies, so that `at` of an
-/// entry of checks.joints may keep it out of the way.
+/// Returns true if a hinge or slide that is independent of `joint` moves one of the two bodies
+/// relative to the other, so that `at` in an entry of checks.joints can move that body out of the
+/// way.
 bool MayStandElsewhere(const mjModel& m, int joint, const std::pair<int, int>& bodies);
 
-/// Returns the hint for a limit that gives way by `beyond`, rad or m.
+/// Returns the hint for a joint that exceeds its range by `beyond`, rad or m: `usual`, and the
+/// advice of an armature if the joint exceeds the range far.
 std::string LimitHint(const mjModel& m, int joint, double beyond, const std::string& usual);
 
 }  // namespace mjforge::physics

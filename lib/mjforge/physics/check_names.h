@@ -15,27 +15,28 @@ namespace mjforge::physics {
 
 /// Check of a spec that names bodies or sites.
 struct NamingCheck {
-  std::string_view key;  // "fits"
+  std::string_view key;  // key of the check in the spec: "fits"
   diag::SourceMark mark;
 };
 
-/// Returns an element's name without "OBJECT_" in front of it.
+/// Returns an element's name without the prefix "OBJECT_", which is the object's name.
 std::string OwnName(const mjModel& m, mjtObj kind, int id, std::string_view object);
 
-/// Returns the names of all bodies (without the world), joints or sites, without "OBJECT_" in front
-/// of them and without those of probe bodies.
+/// Returns the names of all bodies (except the world), joints or sites of the object, without the
+/// prefix "OBJECT_". Names of probe bodies and of their elements are left out.
 std::vector<std::string> OwnNames(const mjModel& m, mjtObj kind, std::string_view object);
 
-/// Returns the id of the body, joint or site (`kind`) with this name, with or without "OBJECT_" in
-/// front of it; nothing if there is none.
+/// Returns the id of the body, joint or site (`kind`) with this name, with or without the prefix
+/// "OBJECT_"; nullopt if there is none.
 std::optional<int> IdOf(const mjModel& m, mjtObj kind, std::string_view object,
                         const std::string& name);
 
-/// Returns the id of the body or site (`kind`) as IdOf() does; nothing after a finding.
+/// Returns the id of the body or site (`kind`) like IdOf(). If the name is unknown, adds a finding
+/// and returns nullopt.
 std::optional<int> FindNamed(const ProbeTest& test, mjtObj kind, const std::string& name,
                              const NamingCheck& check);
 
-/// Returns X_WS of a site, as mj_kinematics computed it.
+/// Returns X_WS, the pose of a site in the world. Needs the poses of mj_kinematics.
 model::Pose SitePose(const mjData& d, int site);
 
 }  // namespace mjforge::physics

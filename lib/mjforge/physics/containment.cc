@@ -24,15 +24,15 @@ using diag::Code;
 using Eigen::Vector3d;
 using expr::RoundedText;
 
-constexpr double kStay = 3;        // s, for which the balls must stay
+constexpr double kStay = 3;        // s, for which the balls must stay inside
 constexpr double kTurn = 1;        // s, for half a turn
 constexpr double kPour = 3;        // s, for the balls to leave, including the turn
 constexpr double kDensity = 2500;  // kg/m^3, glass
-// Offset of a ball from the axis, as a share of its radius: large enough that balls do not balance
-// on each other, small enough that they fall through the neck of a bottle.
+// Offset of a ball from the axis of the stack, as a share of the ball's radius: large enough that
+// balls do not balance on each other, small enough that they fall through the neck of a bottle.
 constexpr double kOffAxis = 0.1;
-constexpr double kSoft = 0.001;                     // m, tolerance of soft contacts
-constexpr double kFall = 0.3;                       // s, to fall from a rim to beside the object
+constexpr double kSoft = 0.001;  // m, tolerance of soft contacts
+constexpr double kFall = 0.3;    // s, for a ball to fall from the rim to beside the object
 constexpr double kGoldenAngle = 2.399963229728653;  // rad, pi (3 - sqrt(5))
 
 std::string BallName(int ball) { return fmt::format("{}ball-{}", kProbePrefix, ball); }
@@ -41,16 +41,16 @@ enum class BallPlace { kAbove, kInside, kOutOverTheTop, kOutBelowTheTop };
 
 struct Ball {
   int index = 0;
-  int qpos = 0;       // index of its position in mjData.qpos
+  int qpos = 0;       // index of the ball's position in mjData.qpos
   double radius = 0;  // m
   BallPlace place = BallPlace::kAbove;
-  Vector3d p_W = Vector3d::Zero();  // m, its position, or that at which it left the object
-  bool was_deep = false;            // has been far below the top
-  double rose = -1;                 // s, last time at which it was near the top again
+  Vector3d p_W = Vector3d::Zero();  // m, position now, or where the ball left the object
+  bool was_deep = false;            // the ball has been far below the object's top
+  double rose = -1;                 // s, last time at which the ball was near the top again
 };
 
-/// Returns the radius of a ball, m; radii decrease by equal ratios. The largest ball is dropped
-/// first, because later it would hammer the small ones through the wall.
+/// Returns the radius of a ball, m. Radii decrease by equal ratios. The largest ball is dropped
+/// first, because on top of smaller balls it would hammer them through the wall.
 double RadiusOf(const model::HoldingCheck& holding, int ball) {
   const double share = holding.balls > 1 ? static_cast<double>(ball) / (holding.balls - 1) : 0;
   return holding.ball.y() / 2 * std::pow(holding.ball.x() / holding.ball.y(), share);
@@ -59,15 +59,16 @@ double RadiusOf(const model::HoldingCheck& holding, int ball) {
 /// Result of a containment test.
 struct ContainmentResult {
   bool has_diverged = false;
-  std::vector<Ball> lost;    // while they had to stay
-  std::vector<Ball> leaked;  // through the wall, while the object was turned over
-  std::vector<Ball> kept;    // after the object was turned over
+  std::vector<Ball> lost;    // balls that left while they had to stay inside
+  std::vector<Ball> leaked;  // balls that went through the wall while the object was turned over
+  std::vector<Ball> kept;    // balls that were still inside after the object was turned over
 };
 
 /// Simulation of balls in an object that is held in place as if fixed to the world.
 class Container {
  public:
-  /// `removed` is a body that does not collide, with all bodies on it; 0: all bodies collide.
+  /// Disables the collisions of the body `removed` and of all its descendants; 0: all bodies
+  /// collide.
   Container(mjModel& m, mjData& d, std::span<const mjtNum> start,
             const model::HoldingCheck& holding, int removed)
       : m_(m), d_(d), first_(mj_name2id(&m, mjOBJ_BODY, BallName(0).c_str())) {
@@ -104,8 +105,8 @@ class Container {
     }
     for (const Ball& ball : balls_) {
       if (ball.place == BallPlace::kInside) result.kept.push_back(ball);
-      // A ball that leaves below the top may have crossed a rim that is lower than other parts.
-      // Only in the lower half of the box it must have gone through the wall.
+      // A ball that leaves below the top may have crossed a rim that is lower than other parts. A
+      // ball in the lower half of the box must have gone through the wall.
       const bool low = 2 * ball.p_W.z() < box_.min.z() + box_.max.z();
       if (ball.place == BallPlace::kOutBelowTheTop && low) result.leaked.push_back(ball);
     }
@@ -156,7 +157,7 @@ class Container {
     }
   }
 
-  /// Updates the place of a ball.
+  /// Updates the position of a ball, and whether the ball is above, inside or outside the object.
   void Follow(Ball& ball) {
     ball.p_W = Eigen::Map<const Vector3d>(d_.qpos + ball.qpos);
     const double depth = box_.max.z() - ball.p_W.z();
@@ -178,7 +179,7 @@ class Container {
 
   mjModel& m_;
   mjData& d_;
-  int first_ = 0;  // body
+  int first_ = 0;  // body of the first ball
   std::vector<Ball> balls_;
   model::Box3 box_;  // box of the object in the world
   std::optional<Stepper> stepper_;
@@ -235,7 +236,8 @@ class ContainmentReport {
   static_checks::Reporter& reporter_;
 };
 
-/// Returns the body that does not collide in the test, 0 if there is none; nothing after a finding.
+/// Returns the body that does not collide in the test; 0 if there is none. If its name is unknown,
+/// adds a finding and returns nullopt.
 std::optional<int> RemovedBody(const ProbeTest& test) {
   const model::HoldingCheck& holding = *test.reporter.checks().holds;
   if (holding.without.empty()) return 0;

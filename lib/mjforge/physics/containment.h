@@ -1,5 +1,5 @@
-// Containment test: balls dropped into an object must stay inside, and leave when it is turned
-// over.
+// Containment test: balls dropped into an object must stay inside, and leave when the object is
+// turned over.
 #pragma once
 
 #include <string>
@@ -10,12 +10,13 @@
 
 namespace mjforge::physics {
 
-/// Returns an MJCF text with the balls of checks.holds.
+/// Returns the MJCF text of an object with the balls of checks.holds added.
 std::string WithBalls(std::string_view text, const model::HoldingCheck& holding);
 
-/// Drops the balls into the object, which is held in place, and then turns gravity around. Reports
-/// balls that the object loses or keeps, and fills in result.holds. The model is made from a text
-/// of WithBalls(). May throw std::exception.
+/// Drops the balls into the object, which is held in place, and then turns gravity around if
+/// checks.holds demands that the balls leave. Reports balls that the object loses or keeps, and
+/// fills in result.holds. `test.m` must be loaded from a text of WithBalls(). May throw
+/// std::exception.
 void CheckContainment(const ProbeTest& test);
 
 }  // namespace mjforge::physics

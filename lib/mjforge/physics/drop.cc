@@ -15,8 +15,8 @@ namespace {
 
 using compiled::VectorAt;
 
-// Time for which everything must be slow to be at rest. A pendulum is slow for a shorter time at
-// its turning points, and a falling body soon gets faster.
+// Time for which all bodies must be slow to count as at rest. A pendulum is slow for a shorter time
+// at its turning points, and a falling body soon gets faster.
 constexpr double kRestTime = 0.1;          // s
 constexpr double kMeasureInterval = 0.01;  // s
 
@@ -35,7 +35,7 @@ class DropSimulation {
     Lean();
     const Ground ground = GroundOf(m_, d_);
     result_.dropped = !roots_.empty() && ground.planes + ground.others > 0;
-    // A nudged body gets no energy from a fall.
+    // A nudged object starts on the floor, so that it gets no energy from a fall.
     const double above = IsNudged() ? LargestMargin(m_) : DropHeight(m_);
     if (result_.dropped && ground.is_level_floor())
       result_.dropped = LiftFreeBodies(m_, d_, ground.height + above);
@@ -66,8 +66,8 @@ class DropSimulation {
  private:
   struct Root {
     int body = 0;
-    Eigen::Vector3d start = Eigen::Vector3d::Zero();  // centre of mass of its tree
-    Eigen::Vector3d up_B = Eigen::Vector3d::UnitZ();  // up direction at the start
+    Eigen::Vector3d start = Eigen::Vector3d::Zero();  // m, centre of mass of the tree
+    Eigen::Vector3d up_B = Eigen::Vector3d::UnitZ();  // up before the nudge, in the body's frame
   };
 
   bool IsNudged() const { return nudge_.tilt != 0 || nudge_.speed != 0; }
@@ -89,7 +89,7 @@ class DropSimulation {
     return tilt;
   }
 
-  /// Applies the nudge.
+  /// Applies the nudge: tilts the free bodies and gives them a speed.
   void Lean() {
     if (!IsNudged()) return;
     mj_comPos(&m_, &d_);
@@ -108,14 +108,14 @@ class DropSimulation {
 
   Eigen::Quaterniond TurnOf(int body) const { return compiled::QuaternionAt(d_.xquat, body); }
 
-  /// Records the state at the start.
+  /// Stores the poses and the energy at the start.
   void Begin() {
     starts_.assign(d_.xipos, d_.xipos + 3 * m_.nbody);
     for (Root& root : roots_) {
       root.start = VectorAt(d_.subtree_com, root.body);
       root.up_B = TurnOf(root.body).conjugate() * (lean_ * Eigen::Vector3d::UnitZ());
     }
-    // Energy gains are measured in the energy that lifts the object by its own size.
+    // Unit of energy gains: the energy that lifts the object by its own size.
     double radius = 0;
     for (int i = 0; i < m_.ngeom; ++i) {
       if (m_.geom_bodyid[i] != 0) radius = std::max(radius, Reach(i));
@@ -132,8 +132,9 @@ class DropSimulation {
            (VectorAt(d_.geom_xpos, geom) - VectorAt(d_.subtree_com, root)).norm();
   }
 
-  // Computes the energy here, because MuJoCo would otherwise compute it in every step. Positions of
-  // bodies are updated first: after a step they are those before the step.
+  // Returns the energy, J. The energy flag is set only here, because MuJoCo would otherwise compute
+  // the energy in every step. Poses of bodies are updated first, because mj_step leaves the poses
+  // from before the step.
   double Energy() {
     mj_kinematics(&m_, &d_);
     mj_comPos(&m_, &d_);
@@ -173,7 +174,7 @@ class DropSimulation {
   Eigen::Quaterniond lean_ = Eigen::Quaterniond::Identity();
   std::vector<Root> roots_;
   std::vector<mjtNum> starts_;  // xipos at the start
-  int fastest_ = 0;             // body at the end
+  int fastest_ = 0;             // fastest body at the end
   double start_energy_ = 0;
   double highest_energy_ = 0;
   double energy_scale_ = 0;  // J

@@ -13,33 +13,33 @@
 
 namespace mjforge::physics {
 
-/// State at the end of a drop, besides what `Result` has.
+/// State at the end of a drop, in addition to the members of `Result`.
 struct DropOutcome {
   bool has_diverged = false;
-  std::vector<std::string> warnings;  // MuJoCo's
+  std::vector<std::string> warnings;  // MuJoCo's warnings during the drop
   std::string fastest;                // name of the fastest body
-  double way = 0;                     // m, distance of its centre of mass from the start
+  double way = 0;                     // m, displacement of the fastest body's centre of mass
 };
 
 /// Initial disturbance of free bodies: they lean, and move along the floor.
 struct Nudge {
   double tilt = 0;     // rad
   double speed = 0;    // m/s
-  double azimuth = 0;  // rad, direction of both, from x towards y
+  double azimuth = 0;  // rad, direction of tilt and speed, from x towards y
 };
 
 /// Simulates a drop with the model's own options until everything rests or checks.settle_time is
-/// over; always for all of that time if an entry of checks.joints has `rests`. If the model has a
-/// level plane and nothing else to lie on, the free bodies start DropHeight() above the plane.
-/// `d` is the model's data at its initial state, and holds the final state afterwards; the model is
-/// unchanged. Fills in the members of `result` that a drop measures, and records the drop unless
-/// `recorder` is null. The tilt is relative to the
-/// orientation before the nudge. May throw std::exception.
+/// over; if an entry of checks.joints has `rests`, always until checks.settle_time is over. If the
+/// model has a level plane and nothing else to lie on, the free bodies start DropHeight() above the
+/// plane. `d` is the model's data at its initial state, and holds the final state afterwards; the
+/// model is unchanged. Fills in the members of `result` that a drop measures, and records the drop
+/// unless `recorder` is null. `result.tilt` is relative to the orientation before the nudge. May
+/// throw std::exception.
 DropOutcome SimulateDrop(mjModel& m, mjData& d, const model::Checks& checks, const Nudge& nudge,
                          Result& result, FilmRecorder* recorder = nullptr);
 
-/// Returns the body that stands alone on a level floor, so that it can be nudged; nothing if there
-/// is none or several.
+/// Returns the only free body, which stands on a level floor and can be nudged; nullopt if there is
+/// no level floor, or not exactly one free body.
 std::optional<int> FreeStandingBody(const mjModel& m, mjData& d);
 
 }  // namespace mjforge::physics

@@ -1,4 +1,4 @@
-// Parts, joints and other elements of an object by their names, and their places in its spec.
+// Lookup of parts, joints and other elements of an object by name, and of their places in the spec.
 #include "mjforge/physics/element_marks.h"
 
 #include <algorithm>

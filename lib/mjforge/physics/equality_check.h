@@ -8,8 +8,8 @@
 namespace mjforge::physics {
 
 /// Drives the joints that equalities couple (DriveEqualities), writes result.equalities, and
-/// reports errors above checks.equality_error at the place of the equality; of one without a place
-/// at `mark`. May throw std::exception.
+/// reports errors above checks.equality_error at the place of the equality, or at `mark` if the
+/// equality has no place. May throw std::exception.
 void CheckEqualities(const mjModel& m, Workspace& workspace, const model::Object& object,
                      diag::SourceMark mark, static_checks::Reporter& reporter, Result& result);
 

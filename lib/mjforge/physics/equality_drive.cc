@@ -28,7 +28,7 @@ class Equalities {
     return IsActive(equality) && m_.eq_type[equality] == mjEQ_JOINT && m_.eq_obj2id[equality] >= 0;
   }
 
-  /// Returns true if driving a joint tells whether the equality holds.
+  /// Returns true if driving the joint tests the equality, because the equality couples the joint.
   bool IsTestedBy(int equality, int joint) const {
     if (!IsActive(equality) || !compiled::HasOneNumber(m_, joint)) return false;
     const int first = m_.eq_obj1id[equality];
@@ -46,15 +46,16 @@ class Equalities {
     }
   }
 
-  /// Returns the length that errors are compared with, m or rad: how far joint 1 moves as joint 2
-  /// goes from end to end, or the size of the model.
+  /// Returns the unit of relative errors, m or rad: the travel of joint 1 while joint 2 moves from
+  /// end to end (equality of two joints), or the size of the model (other equalities).
   double ScaleOf(int equality) const {
     if (!IsOfJoints(equality)) return m_.stat.extent;
     const auto [low, high] = PositionsOf(equality);
     return high - low;
   }
 
-  /// Fills in which joint the other one asks to leave its range.
+  /// Sets the members `outside...` of `drive`: the joint that the equality would move out of its
+  /// range.
   void FindOutside(EqualityDrive& drive) const {
     if (!IsOfJoints(drive.equality)) return;
     const JointEquality joints = JointEqualityAt(m_, drive.equality);
@@ -79,7 +80,7 @@ class Equalities {
   }
 
   /// Returns true if MuJoCo makes the equality more than twice as soft as it would be with the
-  /// joints exchanged: the inverse inertia that scales its softness leaves out the slope.
+  /// joints exchanged, because the inverse inertia that scales the softness ignores the slope.
   /// Source: mj_diagApprox of MuJoCo 2.2 (src/engine/engine_core_constraint.c).
   bool IsReversed(int equality) const {
     if (!IsOfJoints(equality) || !IsLinear(equality)) return false;
@@ -96,8 +97,8 @@ class Equalities {
 
   double InverseInertiaOf(int joint) const { return m_.dof_invweight0[m_.jnt_dofadr[joint]]; }
 
-  /// Returns the lowest and the highest position, relative to qpos0, that an equality asks of joint
-  /// 1; of a joint 2 without a range as joint 1 goes from end to end.
+  /// Returns the lowest and the highest position of joint 1, relative to qpos0, while joint 2 moves
+  /// from end to end. If joint 2 has no path, returns the ends of joint 1's own path.
   std::pair<double, double> PositionsOf(int equality) const {
     constexpr int kSteps = 50;
     const int second = m_.eq_obj2id[equality];
@@ -119,7 +120,7 @@ class Equalities {
   const mjModel& m_;
 };
 
-/// Returns the joints to drive, in order, without those that the spec says not to drive.
+/// Returns the joints that test an equality, in order of id, except joints that the spec skips.
 std::vector<int> TestingJoints(const mjModel& m, const Equalities& equalities,
                                std::string_view object, const model::Checks& checks) {
   const JointChecks entries(m, object, checks);

@@ -16,18 +16,18 @@ struct EqualityDrive {
   int equality = 0;
   Result::Equality measured;
   int driven = 0;  // the joint that was driven when the error was largest
-  /// The joint of an equality of joints that the other one asks to leave its range; -1: none.
+  /// Joint that the other joint of the equality would move out of its range; -1: none.
   int outside_joint = -1;
-  double outside = 0;        // distance, rad or m
-  double outside_error = 0;  // the error of the equality where that joint stays in its range
+  double outside = 0;        // distance of outside_joint from its range, rad or m
+  double outside_error = 0;  // error of the equality if outside_joint stays in its range
   /// The equality would be stiff if joint 1 and joint 2 were exchanged.
   bool is_reversed = false;
 };
 
-/// Drives each joint that an active equality couples and that has a range, and both joints of an
-/// equality of joints, as DriveJoints() does, but under the weight of the object and against the
-/// friction of the other joints, which only the equalities move. `object` is the object's name, `d`
-/// the model's data. May throw std::exception.
+/// Drives each limited joint that an active equality couples, and both joints of an equality of two
+/// joints, like DriveJoints(), but with gravity and with the friction of the other joints, which
+/// only the equalities move. `object` is the object's name, `d` the model's data. May throw
+/// std::exception.
 std::vector<EqualityDrive> DriveEqualities(const mjModel& m, mjData& d, std::string_view object,
                                            const model::Checks& checks);
 

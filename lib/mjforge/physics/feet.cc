@@ -1,5 +1,4 @@
-// Feet of an object that stands on a floor: parts compared with like parts that touch the floor,
-// and the friction under their load.
+// Check of an object's feet on a floor: feet that do not touch the floor, and too little friction.
 #include "mjforge/physics/feet.h"
 
 #include <algorithm>
@@ -22,10 +21,10 @@ namespace {
 
 using expr::RoundedText;
 
-constexpr double kTouches = 0.0005;  // m above the floor
-constexpr double kLifted = 0.001;    // m above the floor
-constexpr double kHalf = 0.5;        // share of its height that a lifted foot is at most above it
-constexpr double kAlike = 0.1;       // largest difference of like parts, as a share
+constexpr double kTouches = 0.0005;  // m above the floor, below which a part touches the floor
+constexpr double kLifted = 0.001;    // m above the floor, from which a part is lifted
+constexpr double kHalf = 0.5;   // highest bottom of a lifted foot, as a share of the foot's height
+constexpr double kAlike = 0.1;  // largest difference between similar parts, as a share
 
 /// A part of the object, with all its pieces.
 struct Foot {
@@ -47,10 +46,10 @@ bool AreAlike(const Foot& one, const Foot& two) {
          AreClose(one.height(), two.height());
 }
 
-/// Returns the colliding parts of a tree of bodies.
+/// Returns the colliding parts of a tree of bodies, measured from the floor at `height`, m.
 std::vector<Foot> FeetOf(const mjModel& m, const mjData& d, int root, double height,
                          const model::Object& object, diag::SourceMark mark) {
-  std::map<std::pair<int, std::string>, Foot> feet;  // by body and name
+  std::map<std::pair<int, std::string>, Foot> feet;  // key: body and part name
   for (int geom = 0; geom < m.ngeom; ++geom) {
     const int body = m.geom_bodyid[geom];
     if (m.body_rootid[body] != root || !compiled::Collides(m, geom)) continue;
@@ -75,8 +74,8 @@ std::vector<Foot> FeetOf(const mjModel& m, const mjData& d, int root, double hei
   return all;
 }
 
-/// Returns the part on the floor that a lifted one is like; null if only one is, or more like parts
-/// are in the air than on the floor, as in a curved runner.
+/// Returns a part on the floor that is similar to a lifted part; null if fewer than two similar
+/// parts are on the floor, or more are in the air than on the floor (a curved runner).
 const Foot* LikeOnFloor(const std::vector<Foot>& feet, const Foot& lifted) {
   const Foot* like = nullptr;
   int on_floor = 0;
@@ -114,11 +113,11 @@ void CheckLifted(const std::vector<Foot>& feet, const model::Object& object,
       "let all feet reach the floor: look at their `pos` and sizes");
 }
 
-/// Returns the friction of the feet on the floor, the mean by their loads; nothing if there is no
-/// load.
+/// Returns the friction coefficient of the feet on the floor, averaged by load; nullopt if there is
+/// no load.
 std::optional<double> FrictionOf(const mjModel& m, const mjData& d, int root) {
   double load = 0;
-  double most = 0;  // N, friction
+  double most = 0;  // N, largest friction force
   for (int i = 0; i < d.ncon; ++i) {
     const mjContact& contact = d.contact[i];
     const int one = m.body_rootid[m.geom_bodyid[contact.geom1]];
@@ -134,7 +133,7 @@ std::optional<double> FrictionOf(const mjModel& m, const mjData& d, int root) {
 
 void CheckGlides(const mjModel& m, const mjData& d, int root, const model::Object& object,
                  diag::SourceMark mark, static_checks::Reporter& reporter) {
-  // The friction of a floor is 1, which holds what stands on 45 degrees.
+  // The floor's own friction of 1 holds objects on slopes of up to 45 degrees.
   const double slope = std::min(reporter.checks().nudge, std::numbers::pi / 4);
   const std::optional<double> friction = FrictionOf(m, d, root);
   if (!friction || *friction >= std::tan(slope)) return;

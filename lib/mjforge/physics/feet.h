@@ -1,4 +1,4 @@
-// Feet of an object that stands on a floor: some in the air, or all of them gliding.
+// Check of an object's feet on a floor: feet in the air, and feet that slide on a slope.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -8,11 +8,11 @@
 
 namespace mjforge::physics {
 
-/// Warns of a part that is above the floor, by more than 1 mm and less than half of its own height,
-/// while a part like it, as large to a tenth, stands on the floor; and of an object that glides off
-/// a floor that leans by checks.nudge. `d` has the state at rest of the tree of bodies with this
-/// root, with poses and contacts, on a level plane at `height`, m. Findings without a place of
-/// their own point at `mark`.
+/// Warns of a part that is above the floor by more than 1 mm and less than half of its own height,
+/// while similar parts (sizes differ by at most a tenth) stand on the floor. Warns of an object
+/// that would slide on a floor with a slope of checks.nudge. `d` has the state at rest of the tree
+/// of bodies with this root, with poses and contacts, on a level plane at `height`, m. Findings
+/// about parts without a place point at `mark`.
 void CheckFeet(const mjModel& m, const mjData& d, int root, double height,
                const model::Object& object, diag::SourceMark mark,
                static_checks::Reporter& reporter);

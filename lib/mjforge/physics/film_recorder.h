@@ -9,12 +9,13 @@
 
 namespace mjforge::physics {
 
-/// Records runs of a simulation, of which only some belong to the film.
+/// Records runs of a simulation. Only runs that are kept become part of the film.
 class FilmRecorder {
  public:
-  /// Begins a run, and drops the previous one unless it was kept.
+  /// Begins a run, and discards the previous run unless it was kept.
   void Begin();
-  /// Records the positions if they are due. To be called before each step.
+  /// Records the positions if the interval since the last record is over. Must be called before
+  /// each step.
   void Note(const mjModel& m, const mjData& d);
   /// Adds the current run to the film.
   void Keep();
@@ -26,7 +27,7 @@ class FilmRecorder {
   std::vector<std::vector<double>> kept_;
   std::vector<std::vector<double>> run_;
   double time_ = 0;       // s, since the run began
-  double kept_time_ = 0;  // s, of the kept runs
+  double kept_time_ = 0;  // s, duration of the kept runs
 };
 
 }  // namespace mjforge::physics

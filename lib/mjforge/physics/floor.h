@@ -13,22 +13,22 @@ double DropHeight(const mjModel& m);
 
 /// Fixed geoms on which objects can lie.
 struct Ground {
-  int planes = 0;  // level ones
-  int others = 0;
+  int planes = 0;     // number of level planes
+  int others = 0;     // number of other fixed geoms
   double height = 0;  // height of the last level plane, m
 
   bool is_level_floor() const { return planes == 1 && others == 0; }
 };
-/// Needs the poses of mj_kinematics.
+/// Finds the colliding geoms that are fixed to the world. Needs the poses of mj_kinematics.
 Ground GroundOf(const mjModel& m, const mjData& d);
 
 /// Lifts all free bodies by the same distance, so that the lowest point of their colliding geoms is
-/// at `height`, m. Needs the poses of mj_kinematics. Returns false if they have no such geoms, so
-/// that they would fall for ever.
+/// at `height`, m. Needs the poses of mj_kinematics. Returns false if the free bodies have no
+/// colliding geoms, so that they would fall for ever.
 bool LiftFreeBodies(const mjModel& m, mjData& d, double height);
 
 /// Makes a plane of the world level, with MuJoCo's default contact parameters whatever the file's
-/// defaults are, and places it DropHeight() below all colliding geoms.
+/// defaults are, and places the plane DropHeight() below all colliding geoms.
 void LevelFloor(mjModel& m, int geom);
 
 }  // namespace mjforge::physics

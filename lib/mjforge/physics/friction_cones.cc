@@ -1,4 +1,4 @@
-// Friction that makes contacts with pyramidal cones soft.
+// Check for large friction, which makes contacts soft if MuJoCo's friction cones are pyramids.
 #include "mjforge/physics/friction_cones.h"
 
 #include <string>
@@ -29,7 +29,7 @@ void CheckFrictionCones(const mjModel& m, const model::Object& object, diag::Sou
   if (roughest < 0) return;
   const std::string name = compiled::NameOf(m, mjOBJ_GEOM, roughest);
   const model::Part* const part = PartOf(object, name);
-  // The depths are those of hammers: docs/physics.md has the table.
+  // The depths in the message were measured with hammers; docs/physics.md has the table.
   reporter.Warning(
       diag::Code::kPhysicsFriction, PartMark(part, mark),
       fmt::format("part '{}' has a friction of {}, more than {}: MuJoCo's pyramidal cones make a "

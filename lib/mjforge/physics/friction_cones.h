@@ -1,4 +1,4 @@
-// Friction that makes contacts with pyramidal cones soft.
+// Check for large friction, which makes contacts soft if MuJoCo's friction cones are pyramids.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -8,8 +8,9 @@
 
 namespace mjforge::physics {
 
-/// Warns of the colliding geom with the most sliding friction, if it is above 2 and the friction
-/// cones are pyramids. A finding without a place of its own points at `mark`.
+/// Warns of the colliding geom with the most sliding friction, if that friction is above 2 and the
+/// friction cones are pyramids. The finding points at the geom's part, or at `mark` if the part has
+/// no place.
 void CheckFrictionCones(const mjModel& m, const model::Object& object, diag::SourceMark mark,
                         static_checks::Reporter& reporter);
 

@@ -19,14 +19,14 @@ using compiled::VectorAt;
 using Eigen::Vector3d;
 
 constexpr double kMargin = 0.005;   // m, between each jaw and its face before the jaws close
-constexpr double kAside = 0.0003;   // m, from a ray to those that measure the slope of its face
-constexpr double kFriction = 1;     // tangent of the friction cone of the jaws
-constexpr double kSeam = 2e-5;      // m, from a point to its rays, which then miss seams of pieces
-constexpr double kThinnest = 5e-4;  // m
-constexpr double kOffset = 0.008;   // m, of points beside a site
-constexpr double kPerOffset = 20;   // 1/m, cost of the distance from a site; slopes cost 1
-constexpr int kApproaches = 8;      // directions of the fingers about a line
-constexpr int kPoints = 48;         // in the box of an object without sites
+constexpr double kAside = 0.0003;   // m, from a ray to the rays that measure the slope of the face
+constexpr double kFriction = 1;     // tangent of the half-angle of the jaws' friction cones
+constexpr double kSeam = 2e-5;      // m, offset of rays, so that they miss the seams between pieces
+constexpr double kThinnest = 5e-4;  // m, least distance of the two faces
+constexpr double kOffset = 0.008;   // m, from a site to the points beside it
+constexpr double kPerOffset = 20;   // 1/m, cost of the distance from a site; a slope of 1 costs 1
+constexpr int kApproaches = 8;      // directions of the fingers about the line between the faces
+constexpr int kPoints = 48;         // points that are tried in the box of an object without sites
 
 /// Returns the directions to the 26 neighbours of a cube, one of each opposite pair.
 std::vector<Vector3d> Directions() {
@@ -113,8 +113,8 @@ std::vector<GraspCandidate> GraspSearch::Anywhere(int root) const {
   return Best(std::move(lines));
 }
 
-/// Returns the distance to the nearest geom of the object along a ray, or infinity. Sets `hit` to
-/// the geom.
+/// Returns the distance to the nearest geom of the object along a ray, m, or infinity. Sets `hit`
+/// to the geom.
 double GraspSearch::Distance(const Vector3d& from, const Vector3d& way, int& hit) const {
   double nearest = std::numeric_limits<double>::infinity();
   for (const int geom : geoms_) {
@@ -133,14 +133,16 @@ double GraspSearch::Distance(const Vector3d& from, const Vector3d& way, int& hit
   return nearest;
 }
 
-/// Returns true if a geom is on a body that the grasp may be on; see AtSite().
+/// Returns true if a geom belongs to the tree of `owner` (if `owner` is a root), or else to `owner`
+/// and the bodies welded to it.
 bool GraspSearch::IsPartOf(int geom, int owner) const {
   const int body = m_.geom_bodyid[geom];
   const bool is_root = m_.body_rootid[owner] == owner;
   return is_root ? m_.body_rootid[body] == owner : m_.body_weldid[body] == m_.body_weldid[owner];
 }
 
-/// Returns the lines through a point between faces within the friction cones, in 13 directions.
+/// Returns the lines through a point, in 13 directions, between two faces of `owner` whose friction
+/// cones contain the line.
 std::vector<GraspSearch::FaceLine> GraspSearch::LinesThrough(const Vector3d& p_W,
                                                              const Eigen::Quaterniond& q_WS,
                                                              int owner) const {
@@ -183,8 +185,8 @@ bool GraspSearch::IsFree(const GraspCandidate& candidate) const {
   return !gripper_.Touches(d_);
 }
 
-/// Returns the cheapest grasps that differ by more than 20 deg or two offsets, each with the first
-/// approach on which the gripper is free.
+/// Returns the grasps of lowest cost that differ by more than 20 deg or 2 kOffset, each with the
+/// first direction of the fingers in which the open gripper touches nothing.
 std::vector<GraspCandidate> GraspSearch::Best(std::vector<FaceLine> lines) const {
   std::ranges::stable_sort(lines, {}, &FaceLine::cost);
   std::vector<GraspCandidate> best;

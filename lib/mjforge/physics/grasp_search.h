@@ -1,4 +1,4 @@
-// Search for grasps: pairs of opposite faces between which a gripper has room.
+// Search for grasps: pairs of opposite faces on which a gripper can close.
 #pragma once
 
 #include <span>
@@ -23,18 +23,18 @@ struct GraspCandidate {
 double OpeningFor(const GraspCandidate& candidate, const model::GraspingCheck& grasping);
 
 /// Finds grasps on an object whose joints are at `start`. Rays from both sides find the faces. `m`
-/// is a model of a text of WithGripper().
+/// must be loaded from a text of WithGripper().
 class GraspSearch {
  public:
   GraspSearch(const mjModel& m, mjData& d, const Gripper& gripper, std::span<const mjtNum> start,
               const model::GraspingCheck& grasping);
 
-  /// Returns grasps at a site, along lines through it or beside it, in directions of its frame.
-  /// The two faces of a grasp belong to `body` or to bodies welded to it; if `body` is a root, to
-  /// any body of its tree. At most grasping.tries, the best first.
+  /// Returns at most grasping.tries grasps, the best first, along lines through or beside a site in
+  /// directions of the site's frame. The two faces of a grasp belong to `body` or to bodies welded
+  /// to it; if `body` is a root, to any body of its tree.
   std::vector<GraspCandidate> AtSite(const model::Pose& X_WS, int body) const;
 
-  /// Returns grasps anywhere in the box of a root body; those near its centre of mass are first.
+  /// Returns grasps in the box of a root body's tree; grasps near the centre of mass are preferred.
   std::vector<GraspCandidate> Anywhere(int root) const;
 
  private:

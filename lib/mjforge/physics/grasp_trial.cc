@@ -1,5 +1,5 @@
-// Grasp test: simulates a gripper that closes on an object, and lifts and shakes it or pulls a
-// joint.
+// Grasp test: simulates a gripper that closes on an object, and then lifts and shakes the object or
+// pulls a joint.
 #include "mjforge/physics/grasp_trial.h"
 
 #include <algorithm>
@@ -25,7 +25,8 @@ using diag::Code;
 using Eigen::Vector3d;
 using expr::RoundedText;
 
-// Durations of the phases. The gripper stays in place; gravity changes as if it accelerated.
+// Durations of the phases. The gripper stays in place; gravity changes as if the gripper
+// accelerated.
 constexpr double kClose = 0.5;   // s
 constexpr double kBounce = 0.1;  // s, for which jaws may lose contact because they bounce
 constexpr double kLift = 0.3;    // s
@@ -37,10 +38,10 @@ constexpr double kOpen = 0.3;    // s
 // kGiving / kArm.
 constexpr double kGiving = 0.02;    // m/s
 constexpr double kArm = 0.05;       // m
-constexpr double kLifting = 1.5;    // multiple of gravity
-constexpr double kShaking = 0.5;    // multiple of gravity
-constexpr double kFrequency = 5;    // Hz
-constexpr double kMostSlip = 0.02;  // m, the size of the jaws' faces
+constexpr double kLifting = 1.5;    // load while lifting, as a multiple of gravity
+constexpr double kShaking = 0.5;    // amplitude of shaking, multiple of gravity
+constexpr double kFrequency = 5;    // Hz, of shaking
+constexpr double kMostSlip = 0.02;  // m, largest slip: the size of the jaws' faces
 // If nothing moves faster than kStillSpeed for kStillTime under a constant load, the object slips
 // by less than 2 mm in the rest of kHold, and the simulation stops early.
 constexpr double kStillSpeed = 0.001;  // m/s
@@ -69,7 +70,7 @@ class DampedRoots {
   std::vector<mjtNum> damping_;
 };
 
-/// Returns the nearest hinge or slide that moves the body; nothing if there is none.
+/// Returns the nearest hinge or slide that moves the body; nullopt if there is none.
 std::optional<int> JointAbove(const mjModel& m, int body) {
   for (; body > 0; body = m.body_parentid[body]) {
     for (int i = 0; i < m.body_jntnum[body]; ++i) {
@@ -84,8 +85,8 @@ bool HasFreeJoint(const mjModel& m, int root) {
   return m.body_jntnum[root] == 1 && m.jnt_type[m.body_jntadr[root]] == mjJNT_FREE;
 }
 
-/// Simulation of one grasp. With a joint the gripper holds its body and the joint is pulled both
-/// ways; without one the object is lifted and shaken.
+/// Simulation of one grasp. If `joint` is given, the gripper holds the joint's body and the joint
+/// is pulled in both directions; otherwise the object is lifted and shaken.
 class GraspSimulation {
  public:
   GraspSimulation(mjModel& m, mjData& d, const Gripper& gripper,
@@ -106,7 +107,8 @@ class GraspSimulation {
     damped.reset();
     const GraspOutcome grip = joint_ ? Pull(*joint_) : Lift();
     if (grip != GraspOutcome::kHeld) return grip;
-    // Without gravity, so that an object wider than the grip does not come to lie on the fingers.
+    // Gravity is off while the jaws open, so that an object wider than the grip does not lie on the
+    // fingers.
     Gravity().setZero();
     gripper_.Press(d_, -grasping_.force);
     if (!StepFor(kOpen)) return GraspOutcome::kDiverged;
@@ -186,7 +188,7 @@ class GraspSimulation {
   int body_ = 0;
   double apart_ = 0;                  // s, since both jaws last touched the object
   double still_ = 0;                  // s, since anything last moved faster than kStillSpeed
-  Vector3d p_BJ_ = Vector3d::Zero();  // the gripper's origin in the body, when it had closed
+  Vector3d p_BJ_ = Vector3d::Zero();  // m, gripper's origin in the body when the jaws had closed
   Vector3d p_WJ_ = Vector3d::Zero();
   Stepper stepper_;
 };
@@ -199,7 +201,7 @@ class GraspTests {
     m_.opt.impratio = kImpratio;
     engine::EnableMultipleContacts(m_.opt);
     engine::TightenTolerance(m_.opt);
-    // The object hangs in the air, so that planes do not collide.
+    // Planes do not collide, because the object hangs in the air.
     for (int geom = 0; geom < m_.ngeom; ++geom) {
       if (m_.geom_type[geom] == mjGEOM_PLANE) m_.geom_contype[geom] = m_.geom_conaffinity[geom] = 0;
     }
@@ -248,7 +250,7 @@ class GraspTests {
         [&](const GraspSearch& search, const mjData&) { return search.Anywhere(root); });
   }
 
-  /// Simulates the grasps that `find` returns; reports if none of them holds.
+  /// Simulates the grasps that `find` returns, and adds an error if no grasp holds the object.
   template <typename Find>
   void Try(const std::string& site, std::optional<int> joint, const Find& find) {
     const engine::Model copy(mj_copyModel(nullptr, &m_));

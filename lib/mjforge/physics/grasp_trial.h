@@ -1,4 +1,5 @@
-// Grasp test: a gripper with two parallel jaws closes on an object, lifts, shakes or pulls it.
+// Grasp test: a gripper with two parallel jaws closes on an object, and lifts, shakes or pulls the
+// object.
 #pragma once
 
 #include "mjforge/physics/probe_bodies.h"
@@ -6,7 +7,7 @@
 namespace mjforge::physics {
 
 /// Tries the grasps that checks.grasps asks for. Reports sites at which no grasp holds the object,
-/// and fills in result.grasps. The model is made from a text of WithGripper(). May throw
+/// and fills in result.grasps. `test.m` must be loaded from a text of WithGripper(). May throw
 /// std::exception.
 void CheckGrasps(const ProbeTest& test);
 

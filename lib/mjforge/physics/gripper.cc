@@ -17,11 +17,11 @@ using Eigen::Vector3d;
 // Half sides of a finger, m. Faces of 20 x 20 mm and a length of 55 mm are typical of robots.
 const Vector3d kFinger(0.01, 0.005, 0.0275);
 constexpr double kTip = 0.01;         // m, length of the fingers beyond the origin
-constexpr double kPalm = 0.01;        // m, half its height
-constexpr double kClearance = 0.002;  // m, between fingers and palm, against friction
+constexpr double kPalm = 0.01;        // m, half height of the palm
+constexpr double kClearance = 0.002;  // m, between fingers and palm, to avoid friction
 constexpr double kFingerMass = 0.1;   // kg
-// Armature of a finger, kg, as of a geared drive. MuJoCo's contacts are stiff in proportion to the
-// masses that they move, so that light fingers would press through a plate.
+// Armature of a finger, kg, typical of a geared drive. The stiffness of MuJoCo's contacts is
+// proportional to the masses that they move, so that light fingers would press through a plate.
 constexpr double kArmature = 0.5;
 constexpr double kSpeed = 0.1;  // m/s, at which the jaws close
 // Contact of slightly soft rubber.
@@ -74,7 +74,7 @@ void Gripper::Place(mjData& d, std::span<const mjtNum> start, const model::Pose&
   PlaceObject(m_, d, start, joint_, 2);
   const int mocap = m_.body_mocapid[base_];
   compiled::WritePose(X_WJ, d.mocap_pos + 3 * mocap, d.mocap_quat + 4 * mocap);
-  // At position 0 of their joints the faces of the fingers meet in the middle.
+  // The faces of the fingers meet in the middle if the joints of the fingers are at 0.
   for (int side = 0; side < 2; ++side)
     d.qpos[m_.jnt_qposadr[joint_ + side]] = -std::min(opening, width_) / 2;
 }

@@ -12,10 +12,10 @@
 
 namespace mjforge::physics {
 
-/// Returns an MJCF text with a gripper, whose palm is a mocap body.
+/// Returns the MJCF text of an object with a gripper added, whose palm is a mocap body.
 std::string WithGripper(std::string_view text, const model::GraspingCheck& grasping);
 
-/// The gripper in a model of a text of WithGripper().
+/// Gripper in a model that was loaded from a text of WithGripper().
 class Gripper {
  public:
   explicit Gripper(const mjModel& m);
@@ -37,8 +37,8 @@ class Gripper {
 
  private:
   const mjModel& m_;
-  int base_ = 0;      // body of the palm; the two fingers follow
-  int joint_ = 0;     // joint of the first finger; that of the second follows
+  int base_ = 0;      // body of the palm; the ids of the two fingers follow
+  int joint_ = 0;     // joint of the first finger; the next id is the second finger's
   double width_ = 0;  // m, largest opening
 };
 

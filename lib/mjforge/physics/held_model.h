@@ -5,8 +5,8 @@
 
 namespace mjforge::physics {
 
-/// Returns a copy without actuators, without level planes of the world, and with an armature for
-/// each free joint that keeps its body in place.
+/// Returns a copy of the model without actuators, in which planes of the world do not collide and a
+/// large armature keeps each free body in place.
 engine::Model HeldModel(const mjModel& model);
 
 }  // namespace mjforge::physics

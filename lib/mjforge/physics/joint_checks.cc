@@ -32,7 +32,7 @@ bool IsOutside(const compiled::JointRange& range, double position) {
   return position < range.low - rounding || position > range.high + rounding;
 }
 
-// Returns why a joint cannot have a position; nothing if it can.
+// Returns the reason why a joint cannot have a position; nullopt if the position is valid.
 std::optional<std::string> PositionProblem(const mjModel& m, int joint, const std::string& name,
                                            std::span<const double> position) {
   const std::size_t size = PositionSize(m, joint);

@@ -20,8 +20,8 @@ class JointChecks {
   JointChecks(const mjModel& m, std::string_view object, const model::Checks& checks)
       : m_(m), object_(object), checks_(checks) {}
 
-  /// Reports joints that the model does not have, and impossible positions. If it returns false, no
-  /// other function may be called.
+  /// Reports joints that the model does not have, impossible positions, and `rests` of other joints
+  /// than hinges and slides. Returns false after a report; then no other function may be called.
   bool Verify(static_checks::Reporter& reporter) const;
 
   /// Returns the joints that no entry names and that can be driven.
@@ -30,7 +30,7 @@ class JointChecks {
   /// Returns the joints of an entry that can be driven.
   std::vector<int> JointsOf(const model::JointCheck& check) const;
 
-  /// Returns true for joints with a path to be driven on.
+  /// Returns true if PathsOf() has a path for the joint from the model's start pose.
   bool CanBeDriven(int joint) const;
 
   /// Returns true if an entry names a joint.
@@ -43,7 +43,7 @@ class JointChecks {
   std::optional<int> Find(const std::string& joint) const;
 
   const mjModel& m_;
-  std::string object_;  // its name
+  std::string object_;  // name of the object
   const model::Checks& checks_;
 };
 

@@ -15,9 +15,9 @@ namespace {
 using compiled::Index;
 
 constexpr double kMoveTime = 0.5;    // s, from one end to the other
-constexpr double kFastest = 12;      // rad/s
+constexpr double kFastest = 12;      // rad/s, of a hinge
 constexpr double kLongestMove = 10;  // s
-constexpr double kHoldTime = 0.1;    // s, at the end of a move, after the joint stops coming nearer
+constexpr double kHoldTime = 0.1;    // s, for which a joint must come no nearer to end its move
 constexpr double kMostWaiting = 1;   // s, for a joint that lags behind
 // Tolerance of the end of a move: a share of the range, but at most kNearest, because the range of
 // a screw is many turns.
@@ -159,8 +159,8 @@ void JointController::Finish(const JointDrive& drive) {
   const JointPath& path = drive.path;
   const double reached = std::min(drive.highest, path.high) - std::max(drive.lowest, path.low);
   Result::Joint& measured = drive.driven->measured;
-  // A joint without a range that something couples to others, such as the rocker of a linkage, need
-  // not make the full turn that is tried.
+  // A joint without a range that is coupled to other joints, such as the rocker of a linkage, need
+  // not make the full turn of its path.
   const bool has_own_range = path.limited || !couplings_.IsCoupled(path.joint);
   if (path.range() > 0 && has_own_range)
     measured.reach = std::min(measured.reach, std::max(reached, 0.0) / path.range());
@@ -201,11 +201,11 @@ void JointController::Move(std::vector<JointDrive>& drives) {
   }
 }
 
-/// Returns the inertia that equalities and tendons add to a degree of freedom, such as the lift to
-/// that of a screw. Measures it with a test force.
+/// Returns the inertia that equalities and tendons add to a degree of freedom, kg or kg m^2, such
+/// as that of a lid which a screw lifts. Measures the inertia with a test force.
 double JointController::AddedInertiaOf(int dof) {
   const double held = engine::DofInertia(m_, d_, dof);
-  const double force = held;  // for an acceleration of about 1
+  const double force = held;  // for an acceleration of about 1 m/s^2 or rad/s^2
   mj_forward(&m_, &d_);
   const double idle = d_.qacc[dof];
   double gained = 0;
@@ -236,8 +236,9 @@ void JointController::SetForces(const std::vector<JointDrive>& drives, const Set
   ApplyForces();
 }
 
-/// Applies the forces that give the wanted accelerations to joints at rest without weight: the
-/// whole mass matrix counts, because links of a chain feel the forces on the other links.
+/// Applies the forces that give the wanted accelerations to joints at rest without gravity. The
+/// forces depend on the whole mass matrix, because each link of a chain feels the forces on other
+/// links.
 void JointController::ApplyForces() {
   mj_mulM(&m_, &d_, d_.qfrc_applied, accelerations_.data());
   for (int i = 0; i < m_.nv; ++i) {
@@ -251,7 +252,8 @@ Setpoint JointController::Target(const JointDrive& drive, const Setpoint& progre
   return {drive.from + way * progress.position, way * progress.speed, way * progress.acceleration};
 }
 
-/// Returns the setpoint of a joint that is not driven; nothing if it moves freely with others.
+/// Returns the setpoint of a joint that is not driven; nullopt if couplings to other joints move
+/// the joint.
 std::optional<Setpoint> JointController::SetpointOfOther(const std::vector<JointDrive>& drives,
                                                          int joint,
                                                          const Setpoint& progress) const {
@@ -264,8 +266,8 @@ std::optional<Setpoint> JointController::SetpointOfOther(const std::vector<Joint
   return std::nullopt;
 }
 
-/// Asks for accelerations that correct the errors, clamped to `most`. About the other axes of a
-/// ball joint the setpoint is at rest.
+/// Sets the wanted accelerations of a joint, which correct the errors, clamped to `most`. The
+/// setpoint moves about `axis`; about the other axes of a ball joint the setpoint is at rest.
 void JointController::Correct(int joint, int axis, const std::array<double, 3>& errors, double most,
                               const Setpoint& setpoint) {
   const int dofs = m_.jnt_type[joint] == mjJNT_BALL ? 3 : 1;
@@ -278,7 +280,7 @@ void JointController::Correct(int joint, int axis, const std::array<double, 3>& 
   }
 }
 
-/// Returns the position errors of the one or three degrees of freedom of a joint.
+/// Returns the position errors of the one or three degrees of freedom of a joint, m or rad.
 std::array<double, 3> JointController::Errors(int joint, int axis, double target) const {
   const int at = m_.jnt_qposadr[joint];
   if (m_.jnt_type[joint] != mjJNT_BALL) return {m_.qpos0[at] + target - d_.qpos[at], 0, 0};

@@ -17,13 +17,14 @@
 
 namespace mjforge::physics {
 
-/// Motion of joints that equalities and tendons couple to a driven one.
+/// Motion of joints that equalities and tendons couple to a driven joint.
 enum class CoupledJoints {
-  kDriven,  // along with it, where an equality says how
-  kFree,    // by nothing but the equality or tendon
+  kDriven,  // driven with that joint if an equality determines the motion
+  kFree,    // moved only by the equality or tendon
 };
 
-/// Drives joints of a model with held roots. `m` and its data `d` must outlive this object.
+/// Drives joints of a model whose free bodies are held in place (HeldModel). `m` and its data `d`
+/// must outlive this object.
 class JointController {
  public:
   JointController(mjModel& m, mjData& d, CoupledJoints coupled);
@@ -33,7 +34,7 @@ class JointController {
   /// Sets the start positions (nq), from which the joints are driven.
   void Begin(std::span<const mjtNum> start);
 
-  /// Pairs of bodies that penetrate each other at the start positions.
+  /// Returns the pairs of bodies of one tree that penetrate each other at the start positions.
   std::vector<InitialPenetration> InitialPenetrations() const;
 
   /// Records the following drives, unless `recorder` is null.
@@ -49,13 +50,13 @@ class JointController {
   struct JointDrive {
     JointPath path;
     DrivenJoint* driven = nullptr;
-    std::vector<bool> moved;  // for each body, whether the joint moves it
+    std::vector<bool> moved;  // true for each body that the joint moves
     double home = 0;          // position at which the joint must end
     double from = 0;          // ends of the present move, including the push beyond the range
     double to = 0;
     double nearest = 0;  // least distance from the end of the move so far
-    double held = 0;     // s, since the joint last came nearer
-    bool counts = true;  // positions are measured
+    double held = 0;     // s, since the joint last came nearer to the end of the move
+    bool counts = true;  // positions count for `lowest` and `highest`
     double lowest = 0;
     double highest = 0;
 
@@ -63,16 +64,16 @@ class JointController {
   };
 
   void Reset();
-  /// Penetration depths of pairs of bodies, m.
+  /// Returns the present penetration depths of pairs of bodies, m.
   std::map<Bodies, double> DepthsNow() const;
-  /// Returns false if one of two bodies is of the world or of a free body, which a drive holds in
+  /// Returns true if both bodies belong to one tree. A drive holds other trees and the world in
   /// place.
   bool AreOneTree(const Bodies& bodies) const;
   void NoteFreeBody(const Bodies& bodies, double depth, DrivenJoint& driven) const;
   void DriveAll(std::vector<JointDrive>& drives);
   void Start(JointDrive& drive);
   void Finish(const JointDrive& drive);
-  /// Makes one move of each path.
+  /// Moves each joint on its path from `from` to `to`.
   void Move(std::vector<JointDrive>& drives);
   double AddedInertiaOf(int dof);
   void SetForces(const std::vector<JointDrive>& drives, const Setpoint& progress);
@@ -96,9 +97,9 @@ class JointController {
   JointCouplings couplings_;
   std::vector<mjtNum> start_;                // nq
   std::map<Bodies, double> initial_depths_;  // m, at the start positions
-  std::vector<double> added_inertia_;        // nv, by equalities and tendons
+  std::vector<double> added_inertia_;        // nv, added by equalities and tendons
   std::vector<mjtNum> accelerations_;        // nv, wanted
-  std::vector<bool> is_pushed_;              // nv, where a force acts
+  std::vector<bool> is_pushed_;              // nv, true if the controller applies a force
   Stepper stepper_;
 };
 

@@ -1,4 +1,4 @@
-// JointCouplings of joints by equalities and tendons.
+// Couplings of joints by equalities and tendons.
 #pragma once
 
 #include <optional>
@@ -8,11 +8,11 @@
 
 namespace mjforge::physics {
 
-/// Desired motion of a joint, rad or m.
+/// Desired motion of a joint.
 struct Setpoint {
   double position = 0;
-  double speed = 0;         // 1/s
-  double acceleration = 0;  // 1/s^2
+  double speed = 0;         // rad/s or m/s
+  double acceleration = 0;  // rad/s^2 or m/s^2
 };
 
 /// Equality of two joints: y = poly(x), relative to the model's reference pose (qpos0).
@@ -26,10 +26,11 @@ struct JointEquality {
   double SlopeAt(double value) const;
 };
 
-/// Returns an equality of joints of a model, which has a joint 2.
+/// Returns the equality of two joints with this id. The equality must have a joint 2.
 JointEquality JointEqualityAt(const mjModel& m, int equality);
 
-/// Joints of a model that move along with others. `m` must outlive this object.
+/// Joints of a model that equalities and tendons couple to other joints. `m` must outlive this
+/// object.
 class JointCouplings {
  public:
   explicit JointCouplings(const mjModel& m);
@@ -38,7 +39,7 @@ class JointCouplings {
   bool IsCoupled(int joint) const { return coupled_[static_cast<std::size_t>(joint)]; }
 
   /// Returns the motion that an equality requires of a joint if another joint, which is driven, is
-  /// at `target`; nothing if no equality determines the motion. Positions are relative to the
+  /// at `target`; nullopt if no equality determines the motion. Positions are relative to the
   /// model's reference pose (qpos0).
   std::optional<Setpoint> SetpointOf(int joint, int driven, const Setpoint& target) const;
 

@@ -18,15 +18,15 @@ struct DrivenJoint {
   int joint = 0;
   double range = 0;  // rad or m, from end to end
   Result::Joint measured;
-  const model::JointCheck* check = nullptr;  // entry of checks.joints that names it; null: none
+  const model::JointCheck* check = nullptr;  // entry of checks.joints for the joint; null: none
   /// Names of the two bodies of the joint's tree with the deepest penetration; empty: none.
   std::string body1;
   std::string body2;
-  double free_depth = 1e-4;  // m, of the deepest penetration of a free body; less is touching
+  double free_depth = 1e-4;  // m, deepest penetration with another tree; 1e-4 is touching
   std::pair<std::string, std::string> free_pair;
-  double where = 0;                     // position of the joint at that penetration, rad or m
-  double outside = 0;                   // distance of the start from the range, rad or m
-  std::vector<double> equality_errors;  // for each equality constraint, the largest, m or rad
+  double where = 0;                     // rad or m, joint position when body1 is deepest in body2
+  double outside = 0;                   // rad or m, distance of the start from the range
+  std::vector<double> equality_errors;  // largest error of each equality constraint, m or rad
   bool has_diverged = false;
 };
 
@@ -35,7 +35,7 @@ struct InitialPenetration {
   int body1 = 0;
   int body2 = 0;
   double depth = 0;                          // m
-  const model::JointCheck* check = nullptr;  // entry with that pose in `at`; null: start pose
+  const model::JointCheck* check = nullptr;  // entry whose `at` is that pose; null: start pose
 };
 
 /// Results of a drive test.
@@ -44,8 +44,8 @@ struct DriveResults {
   std::vector<InitialPenetration> initial_penetrations;
 };
 
-/// Drives one joint as DriveJoints does, with the joints that the same entry of checks.joints
-/// names, and records the drive. Returns false if the joint cannot be driven.
+/// Drives one joint like DriveJoints(), together with the other joints of its entry of
+/// checks.joints, and records the drive. Returns false if the joint cannot be driven.
 bool RecordDrive(const mjModel& m, mjData& d, std::string_view object, const model::Checks& checks,
                  int joint, FilmRecorder& recorder);
 

@@ -1,4 +1,4 @@
-// Efforts that joints need: those that actuators have, and those that a person has.
+// Check of the forces that joints need, against the forces of actuators and of a person.
 #include "mjforge/physics/joint_effort.h"
 
 #include <algorithm>
@@ -23,12 +23,12 @@ using compiled::Index;
 using diag::Code;
 using expr::RoundedText;
 
-constexpr int kPositions = 9;            // tried of a joint, for its load
-constexpr double kMostSag = 0.2;         // share of the range by which a servo may give way
-constexpr double kMostBeyond = 0.5;      // share of the range by which a servo may be led beyond it
+constexpr int kPositions = 9;        // number of positions at which the load of a joint is computed
+constexpr double kMostSag = 0.2;     // share of the range by which a servo may give way
+constexpr double kMostBeyond = 0.5;  // share of the range by which a setpoint may exceed the range
 constexpr double kForceOfPerson = 400;   // N
 constexpr double kLongestPush = 10;      // s, from one end of the range to the other
-constexpr double kShortestLever = 0.02;  // m, at a knob
+constexpr double kShortestLever = 0.02;  // m, lever arm at a knob
 
 class Efforts {
  public:
@@ -44,13 +44,13 @@ class Efforts {
   }
 
  private:
-  /// A force, N or Nm, in each of the directions of a joint.
+  /// Forces, N or Nm, in the two directions of a joint.
   struct Force {
     double down = 0;
     double up = 0;
   };
 
-  /// Returns the hinge or slide that an actuator moves; nothing for other transmissions.
+  /// Returns the hinge or slide that an actuator moves; nullopt for other transmissions.
   std::optional<int> JointOf(int actuator) const {
     const int type = m_.actuator_trntype[actuator];
     const int joint = m_.actuator_trnid[2 * actuator];
@@ -61,8 +61,8 @@ class Efforts {
   double GearOf(int actuator) const { return m_.actuator_gear[6 * actuator]; }
   double GainOf(int actuator) const { return m_.actuator_gainprm[mjNGAIN * actuator]; }
 
-  /// Returns true for an actuator whose force is gain * (control - gear * position), without a
-  /// state of its own.
+  /// Returns true for an actuator whose force is gain * (control - gear * position), without
+  /// activation dynamics.
   bool IsServo(int actuator) const {
     return HasFixedGain(actuator) && m_.actuator_biastype[actuator] == mjBIAS_AFFINE &&
            GainOf(actuator) > 0 && m_.actuator_biasprm[mjNBIAS * actuator + 1] == -GainOf(actuator);
@@ -139,8 +139,8 @@ class Efforts {
                              : "a larger ctrlrange, gear or forcerange, or a lighter body");
   }
 
-  /// Returns the largest force of an actuator at its joint; nothing if it has no limit, or a law
-  /// that is not known.
+  /// Returns the largest forces of an actuator on its joint; nullopt unless the actuator is a motor
+  /// or a position servo.
   std::optional<Force> StrengthOf(int actuator, int joint) const {
     const double gear = GearOf(actuator);
     double low = -mjMAXVAL;
@@ -166,7 +166,7 @@ class Efforts {
   }
 
   /// Returns the force that holds a joint at rest at a position against weight and springs, and
-  /// overcomes its dry friction; positive if it acts in the joint's direction.
+  /// overcomes its dry friction, N or Nm; positive in the direction of the joint.
   double LoadAt(int joint, double position) {
     compiled::CopyStart(m_, d_);
     std::fill_n(d_.qvel, m_.nv, 0.0);

@@ -1,4 +1,4 @@
-// Efforts that joints need: those that actuators have, and those that a person has.
+// Check of the forces that joints need, against the forces of actuators and of a person.
 #pragma once
 
 #include "mjforge/physics/simulation.h"
@@ -6,9 +6,9 @@
 
 namespace mjforge::physics {
 
-/// Warns of actuators of hinges and slides that have no gear, that are too weak to hold their joint
-/// somewhere in its range against weight, springs and friction, or whose control range leads a
-/// position servo far beyond the joint's range; and of joints whose damping, dry friction or
+/// Warns of actuators of hinges and slides that have a gear of 0, that are too weak to hold their
+/// joint somewhere in its range against weight, springs and friction, or whose control range leads
+/// a position servo far beyond the joint's range. Warns of joints whose damping, dry friction or
 /// armature neither a person nor their actuators overcome. Findings about actuators and joints
 /// without a place point at `mark`. May throw std::exception.
 void CheckEfforts(const mjModel& m, Workspace& workspace, const model::Object& object,

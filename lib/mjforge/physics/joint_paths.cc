@@ -11,9 +11,9 @@
 namespace mjforge::physics {
 namespace {
 
-constexpr double kPush = 0.1;  // share of the range
-// Smaller, because MuJoCo's limit of a ball joint assumes the same inertia about all axes, and is
-// soft about the axis of a thin body.
+constexpr double kPush = 0.1;  // push of a hinge or slide, as a share of its range
+// Push of a ball joint, as a share of its range: smaller, because MuJoCo's limit of a ball joint
+// assumes the same inertia about all axes, and is soft about the axis of a thin body.
 constexpr double kPushOfBall = 0.02;
 constexpr double kNear = 0.001;  // m, clearance of bodies that are driven at the same time
 

@@ -21,25 +21,25 @@ struct JointPath {
   double start = 0;  // 0 for a ball joint
 
   double range() const { return high - low; }
-  /// Distance beyond its ends to which the joint is pushed, so that its limits must resist.
+  /// Distance beyond each end to which the joint is pushed to test its limits, rad or m.
   double push = 0;
 };
 
-/// Returns the paths of a joint that starts where `qpos` (nq) has it: three of a ball joint, none
-/// of a free joint or of a slide without a range.
+/// Returns the paths of a joint that starts at its position in `qpos` (nq): three for a ball joint,
+/// none for a free joint or a slide without a range, otherwise one.
 std::vector<JointPath> PathsOf(const mjModel& m, int joint, std::span<const mjtNum> qpos);
 
-/// Returns true if the joint moves the body; false for a number that is no body's.
+/// Returns true if the joint moves the body; false if `body` is not the id of a body.
 bool Moves(const mjModel& m, int joint, int body);
 
 /// Returns true if a tendon (-1: none) runs over the joint, or over a site that the joint moves.
 bool IsOnTendon(const mjModel& m, int joint, int tendon);
 
-/// Returns for each of the nbody bodies whether the joint moves it.
+/// Returns nbody flags: true for each body that the joint moves.
 std::vector<bool> BodiesMovedBy(const mjModel& m, int joint);
 
-/// Groups joints so that those of a group can be driven at the same time, because bodies moved by
-/// one of them do not come near bodies moved by another. `d` has the positions at which the joints
+/// Returns groups of joints that can be driven at the same time, because bodies moved by one joint
+/// of a group do not come near bodies moved by another. `d` has the positions at which the joints
 /// start, and results of mj_kinematics.
 std::vector<std::vector<int>> IndependentGroups(const mjModel& m, const mjData& d,
                                                 const JointCouplings& couplings,

@@ -1,4 +1,4 @@
-// Check of ranges that real joints do not have.
+// Check for joint ranges that are too large for real joints.
 #include "mjforge/physics/joint_ranges.h"
 
 #include <numbers>
@@ -17,7 +17,7 @@ namespace {
 using diag::Code;
 using expr::ExceededLimit;
 
-constexpr double kSameRange = 1e-6;  // rounding: limit and range may come from the same parameter
+constexpr double kSameRange = 1e-6;  // rounding: limit and range may depend on the same parameter
 
 }  // namespace
 

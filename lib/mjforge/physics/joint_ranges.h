@@ -1,4 +1,4 @@
-// Check of ranges that real joints do not have.
+// Check for joint ranges that are too large for real joints.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -12,7 +12,7 @@ namespace mjforge::physics {
 /// no size.
 double LongestSlide(const model::Object& object, const model::Checks& checks);
 
-/// Warns of hinges with a range above checks.hinge_range, and of slides with one above
+/// Warns of hinges with a range above checks.hinge_range, and of slides with a range above
 /// checks.slide_range times the object's longest side, unless they are coupled to other joints.
 /// Findings about joints without a place point at `mark`.
 void CheckRanges(const mjModel& m, const model::Object& object, diag::SourceMark mark,

@@ -28,12 +28,12 @@ constexpr double kSoon = 10;  // s
 /// A hinge or slide outside its range, or outside `rests`, at the end of a drop.
 struct JointOffRange {
   int joint = 0;
-  double position = 0;  // rad or m, as in qpos
+  double position = 0;  // rad or m, value in qpos
   double low = 0;       // ends of the allowed positions
   double high = 0;
   double beyond = 0;                         // distance from the allowed positions
   const model::JointCheck* check = nullptr;  // entry with the violated `rests`; null: the range
-  double speed = 0;  // rad/s or m/s, if the joint is within `rests` but leaves in 10 s; else 0
+  double speed = 0;  // rad/s or m/s, if the joint will leave `rests` within 10 s; else 0
 };
 
 std::vector<JointOffRange> FindJointsOffRange(const mjModel& m, const mjData& d,
@@ -82,7 +82,7 @@ double LoadOf(const mjModel& m, const mjData& d, int joint) {
   return std::abs(d.qfrc_bias[dof] - d.qfrc_passive[dof] - d.qfrc_actuator[dof]);
 }
 
-/// Returns "A to B", the allowed positions.
+/// Returns the allowed positions as a text: "A to B".
 std::string Allowed(const mjModel& m, const JointOffRange& off_range) {
   return fmt::format("{} to {}", PositionText(m, off_range.joint, off_range.low),
                      PositionText(m, off_range.joint, off_range.high));

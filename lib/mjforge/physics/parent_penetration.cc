@@ -17,7 +17,7 @@ namespace mjforge::physics {
 namespace {
 
 // Distance that a body moves from one tried position to the next, small enough that a lid does not
-// jump over a rim. On long paths it is larger.
+// jump over a rim. On long paths the distance is larger.
 constexpr double kSpacing = 0.002;  // m
 constexpr int kFewestPositions = 8;
 constexpr int kMostPositions = 40;
@@ -50,7 +50,8 @@ class UnfilteredModel {
     }
   }
 
-  /// Returns the penetration depth of a body, with all bodies welded to it, and its parent, m.
+  /// Returns the penetration depth of a body, with all bodies welded to the body, into its parent,
+  /// m.
   double Depth(int body, int parent) {
     for (;;) {
       mj_kinematics(m_.get(), data_);
@@ -128,13 +129,14 @@ class ParentPenetrationSearch {
   }
 
  private:
-  /// Returns the penetration at the start and the one that the joint adds, if they are too deep.
+  /// Returns the penetration at the start and the penetration that the joint adds, if these are too
+  /// deep.
   std::vector<ParentPenetration> PenetrationsOf(int joint, std::span<const mjtNum> start,
                                                 const model::JointCheck* check) {
     const int body = m_.body_weldid[m_.jnt_bodyid[joint]];
     const int parent = m_.body_weldid[m_.body_parentid[body]];
     const std::vector<JointPath> paths = PathsOf(m_, joint, start);
-    // Contacts with the world are not ignored, so that parents in the world need no check.
+    // MuJoCo does not ignore contacts with the world, so that parents in the world need no check.
     if (parent == 0 || paths.empty()) return {};
     unfiltered_.Put(start);
     ParentPenetration at_start{.joint = joint, .body = body, .parent = parent, .check = check};

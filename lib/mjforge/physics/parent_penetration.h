@@ -1,4 +1,4 @@
-// Joints that move a body into its parent, with which MuJoCo does not let it collide.
+// Search for bodies that penetrate their parents, because MuJoCo ignores such contacts.
 #pragma once
 
 #include <string_view>
@@ -17,16 +17,17 @@ struct ParentPenetration {
   int joint = 0;
   int body = 0;
   int parent = 0;
-  bool is_added = false;                     // by the motion of the joint, to that at the start
+  bool is_added = false;                     // the joint adds the depth to that at the start
   double depth = 0;                          // m
-  double where = 0;                          // position of the joint, rad or m, if it is added
+  double where = 0;                          // position of the joint, rad or m, if is_added
   const model::JointCheck* check = nullptr;  // entry of checks.joints that names the joint
 };
 
-/// Returns the bodies that are more than `joint_penetration` in their parents, and the joints that
-/// move them that much deeper. Tries 8 to 40 positions of each joint, of a ball joint about each
-/// axis, if possible 2 mm apart, with other joints at their start positions or at those of an entry
-/// of checks.joints. `object` is the object's name. May throw std::exception.
+/// Returns the bodies that penetrate their parents by more than `joint_penetration` at the start,
+/// and the joints that move a body deeper into its parent by more than this. Tries 8 to 40
+/// positions of each joint (of a ball joint, about each axis), 2 mm apart if possible. Other joints
+/// are at their start positions, or at the positions of an entry of checks.joints. `object` is the
+/// object's name. May throw std::exception.
 std::vector<ParentPenetration> FindParentPenetrations(const mjModel& m, Workspace& workspace,
                                                       std::string_view object,
                                                       const model::Checks& checks);

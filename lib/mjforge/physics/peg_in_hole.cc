@@ -31,8 +31,8 @@ constexpr double kStartDistance = 0.0002;
 constexpr double kSteel = 7850;           // kg/m^3, density of a peg
 constexpr double kLengthPerDepth = 1.5;   // length of a peg per depth of its hole
 constexpr double kLongestFall = 2;        // s; a free fall of 1 m takes 0.45 s
-constexpr double kDepthTolerance = 1e-4;  // m, softness of contacts
-constexpr double kNoHole = 0.001;         // m, less in front of a wall is no hole
+constexpr double kDepthTolerance = 1e-4;  // m, because contacts are soft
+constexpr double kNoHole = 0.001;         // m, least depth of a hole in front of a wall
 constexpr double kPushTime = 2;           // multiple of the time of a free fall
 constexpr double kLeastCosine = 0.3;  // between a push and the normal of a contact that resists it
 
@@ -69,7 +69,8 @@ class PegDrop {
     mj_kinematics(&m, &d);
   }
 
-  /// Returns nothing if the simulation diverges.
+  /// Drops a peg into a hole until its tip is at `depth`, m, and then pushes the peg sideways.
+  /// `hole` is the id of a site. Returns nullopt if the simulation diverges.
   std::optional<Insertion> Run(const Peg& peg, int hole, double depth) {
     const model::Pose X_WH = SitePose(d_, hole);
     Place(peg, X_WH);
@@ -88,7 +89,8 @@ class PegDrop {
     return Insertion{deepest, is_held};
   }
 
-  /// Returns the end of a hole on its axis; nothing if it goes through.
+  /// Returns the end of a hole on its axis; nullopt if the hole has no end. `hole` is the id of a
+  /// site.
   std::optional<HoleEnd> EndOf(int hole, int peg) const {
     const model::Pose X_WH = SitePose(d_, hole);
     const Vector3d way = ZAxis(X_WH);
@@ -98,7 +100,7 @@ class PegDrop {
       if (!is_solid || !compiled::Collides(m_, geom) || IsOf(peg, geom)) continue;
       double distance = Ray(geom, X_WH.p, way);
       if (distance < 0) continue;
-      // A convex geom that is hit to both sides contains the mouth.
+      // A convex geom contains the mouth if rays in both directions hit the geom.
       if (Ray(geom, X_WH.p, -way) >= 0) distance = 0;
       if (!end || distance < end->distance)
         end = HoleEnd{distance, compiled::NameOf(m_, mjOBJ_GEOM, geom)};
@@ -179,7 +181,7 @@ class PegDrop {
     });
   }
 
-  /// Returns the distance of a geom on a ray, m; -1 if the ray misses it.
+  /// Returns the distance to a geom along a ray, m; -1 if the ray misses the geom.
   double Ray(int geom, const Vector3d& from, const Vector3d& way) const {
     return m_.geom_type[geom] == mjGEOM_MESH
                ? engine::RayMesh(&m_, &d_, geom, from.data(), way.data())
@@ -274,7 +276,7 @@ class PegTests {
       return result;
     });
     if (insertion && insertion->is_held) return true;
-    // A body may go over something, so that its hole is not around the axis.
+    // Only for added pegs: a body of the object may be a ring that goes over a post on the axis.
     if (insertion && end && fitting.body.empty() && end->distance < kNoHole)
       ReportNoHole(fitting, *end);
     else

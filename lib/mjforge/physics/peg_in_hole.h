@@ -9,12 +9,13 @@
 
 namespace mjforge::physics {
 
-/// Returns an MJCF text with the pegs of checks.fits.
+/// Returns the MJCF text of an object with the pegs of checks.fits added.
 std::string WithPegs(std::string_view text, const model::Checks& checks);
 
 /// Drops each peg or body along the z axis of its hole's site, with everything else held in place.
-/// Reports those that do not get as deep as they should, or that could leave sideways there, and
-/// fills in result.fits. The model is made from a text of WithPegs(). May throw std::exception.
+/// Reports pegs and bodies that do not reach the required depth, or that could leave sideways at
+/// that depth, and fills in result.fits. `test.m` must be loaded from a text of WithPegs(). May
+/// throw std::exception.
 void CheckPegInHole(const ProbeTest& test);
 
 }  // namespace mjforge::physics

@@ -46,8 +46,8 @@ std::string FloorElement(std::string_view name) {
   return fmt::format(R"(<geom name="{}" type="plane" size="0 0 1"/>)", name);
 }
 
-/// Returns the document's text with the free joint that its host would add. Adds no line ends, so
-/// that line numbers stay the same; so does WithSurroundings().
+/// Returns the document's text with the free joint that its host would add. Adds no line ends, like
+/// WithSurroundings(), so that line numbers stay the same.
 std::string WithFreeRoot(const mjcf::MjcfDocument& document) {
   std::string text = document.text;
   if (document.world_position == std::string::npos || !document.host_adds_free_joint) return text;
@@ -122,20 +122,20 @@ struct Laboratory::Impl {
   engine::Engine engine;
   Workspace workspace;
 
-  /// Loads a changed text of the same model.
+  /// Function that loads a changed text of the same model.
   using Load = std::function<engine::Loaded(const std::string& text)>;
 
   std::optional<Result> Examine(mjModel& m, const model::Object& object, diag::SourceMark mark,
                                 const model::Checks& checks, diag::Findings& findings,
                                 std::string_view text, const Load& load);
-  /// Loads the model of a document with its floor. If that fails, adds a finding and returns none.
+  /// Loads the model of a document with its floor. If that fails, adds a finding and returns null.
   engine::Model LoadOnFloor(const mjcf::MjcfDocument& document, diag::SourceMark mark,
                             diag::Findings& findings);
 };
 
 namespace {
 
-/// Returns the result of a simulation; nothing, after adding a finding, if MuJoCo fails.
+/// Returns the result of a simulation. If MuJoCo fails, adds a finding and returns nullopt.
 template <typename Simulation>
 auto Guarded(const model::Object& object, diag::SourceMark mark, diag::Findings& findings,
              const Simulation& simulate) -> decltype(simulate()) {
@@ -223,7 +223,7 @@ std::optional<Film> Laboratory::Record(const mjcf::MjcfDocument& document,
   const engine::Model model = impl_->LoadOnFloor(document, mark, findings);
   if (!model) return std::nullopt;
   FilmRecorder recorder;
-  diag::Findings of_checks;  // Examine reports them
+  diag::Findings of_checks;  // discarded, because Examine() reports them
   static_checks::Reporter reporter(object.checks, of_checks);
   return Guarded(object, mark, findings, [&]() -> std::optional<Film> {
     const int id = joint.empty() ? -1 : mj_name2id(model.get(), mjOBJ_JOINT, joint.c_str());

@@ -24,16 +24,15 @@ struct Result {
     std::string name;
     double overshoot = 0;     // distance beyond its range, rad or m
     double reach = 1;         // share of its range that it reached
-    double penetration = 0;   // deepest of two bodies, more than at the start, m
+    double penetration = 0;   // m, deepest of two bodies, minus the depth at the start
     double return_error = 0;  // final distance from the start, rad or m
     bool operator==(const Joint&) const = default;
   };
-  /// An equality constraint while the joints that it couples are driven, under their weight.
+  /// An equality constraint while the joints that it couples are driven, with gravity.
   struct Equality {
     std::string name;
-    double error = 0;  // largest, m or rad
-    /// The error as a share of the way of joint 1, or, unless the equality is one of joints, of the
-    /// model's size.
+    double error = 0;  // largest error, m or rad
+    /// Error as a share of the travel of joint 1 (equality of two joints) or of the model's size.
     double share = 0;
     bool operator==(const Equality&) const = default;
   };
@@ -58,7 +57,7 @@ struct Result {
     double angle = 0;     // rad, largest rotation
     bool operator==(const Settling&) const = default;
   };
-  /// Peg-in-hole test: numbers of pegs and bodies.
+  /// Peg-in-hole test: numbers of pegs and bodies that were tried and that fit.
   struct Fitting {
     int tried = 0;
     int fit = 0;
@@ -66,14 +65,14 @@ struct Result {
   };
   /// A grasp of the object by a gripper with two parallel jaws.
   struct Grasp {
-    std::string site;  // empty: the object has no site for grasps
-    std::string body;  // with the first face
-    /// Pose of the gripper in the body's frame. The origin is the midpoint between the jaws, m;
-    /// they close along y, and the fingers point along z. A unit quaternion, w first.
+    std::string site;  // name; empty: the object has no site for grasps
+    std::string body;  // name of the body with the first face
+    /// Pose of the gripper in the body's frame. The origin is the midpoint between the jaws, m; the
+    /// jaws close along y, and the fingers point along z. `quat` is a unit quaternion, w first.
     Eigen::Vector3d pos = Eigen::Vector3d::Zero();
     std::vector<double> quat = {1, 0, 0, 0};
     double width = 0;   // m, distance of the two faces
-    bool held = false;  // while the object was lifted and shaken, or its joint pulled
+    bool held = false;  // the grasp held while the object was lifted and shaken or pulled
     bool operator==(const Grasp&) const = default;
   };
   /// Tests of the SimReady benchmark: "pass", "fail", or "skipped" if they do not apply.
@@ -90,14 +89,14 @@ struct Result {
   bool at_rest = false;
   double time = 0;         // simulated, s
   double drift = 0;        // displacement of the centre of mass along the floor, m
-  double tilt = 0;         // rad, between the up directions before and after
+  double tilt = 0;         // rad, between the object's up directions before and after
   double speed = 0;        // fastest point at the end, m/s
   double penetration = 0;  // deepest contact during the drop, usually at a landing, m
   double sink = 0;         // deepest contact at the end, m
   double energy_gain = 0;  // largest gain since the start, as a share of mass * g * size
   int ncon = 0;            // largest number of contacts in a step
   int nefc = 0;            // largest number of constraint rows in a step
-  double overlap = 0;      // share of the mass that is counted twice
+  double overlap = 0;      // share of the mass that overlapping parts count twice
   std::vector<Joint> joints;
   std::vector<Equality> equalities;
   std::optional<Stability> stability;  // only of an object that rests alone on a level floor
@@ -125,19 +124,19 @@ class Laboratory {
   Laboratory& operator=(const Laboratory&) = delete;
 
   /// Tests a valid document made from `object`. Adds a finding, at its place in the spec, for each
-  /// violation of object.checks. If MuJoCo fails, adds a finding and returns nothing.
+  /// violation of object.checks. If MuJoCo fails, adds a finding and returns nullopt.
   std::optional<Result> Examine(const mjcf::MjcfDocument& document, const model::Object& object,
                                 diag::Findings& findings);
 
   /// Simulates the drop of an object or, unless `joint` is empty, the drive of that joint, as
   /// Examine does, and returns at most `frames` positions. The document must be complete: its host
-  /// adds no joint. If this is impossible, adds a finding and returns nothing.
+  /// adds no joint. If this is impossible, adds a finding and returns nullopt.
   std::optional<Film> Record(const mjcf::MjcfDocument& document, const model::Object& object,
                              const std::string& joint, std::size_t frames,
                              diag::Findings& findings);
 
-  /// Tests any MJCF file that MuJoCo loads; findings point at its start. A model with free bodies
-  /// but without a plane gets a floor.
+  /// Tests any MJCF file that MuJoCo loads; findings point at the start of the file. A model with
+  /// free bodies but without a plane gets a floor.
   std::optional<Result> Examine(const std::filesystem::path& file, const model::Checks& checks,
                                 diag::Sources& sources, diag::Findings& findings);
 

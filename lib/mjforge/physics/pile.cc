@@ -1,4 +1,4 @@
-// Piles: releases are tried until one comes to rest without a fault, and rest becomes the start.
+// Settling of piles: tries releases until one has no fault, and makes the poses at rest the start.
 #include "mjforge/physics/pile.h"
 
 #include <fmt/format.h>
@@ -25,10 +25,11 @@ using compiled::VectorAt;
 using diag::Code;
 using expr::RoundedText;
 
-// Releases of a pile that are tried. Another release gives each body the pose of another one.
+// Largest number of releases of a pile. Each release gives the bodies another order of release
+// poses.
 constexpr std::size_t kMostTries = 4;
 constexpr double kEdge = 0.001;          // m, that a centre of mass may be outside of the region
-constexpr double kLargeMassRatio = 100;  // at which contacts of MuJoCo get soft
+constexpr double kLargeMassRatio = 100;  // ratio of masses at which contacts of MuJoCo get soft
 
 /// Returns true if a body is in the tree of a root.
 bool IsIn(const mjModel& m, int body, int root) { return m.body_rootid[body] == root; }
@@ -41,7 +42,7 @@ class PileReport {
              static_checks::Reporter& reporter)
       : m_(m), d_(d), object_(object), pile_(pile), bodies_(bodies), reporter_(reporter) {}
 
-  /// Returns true if a body left the region.
+  /// Adds an error for each body that left the region; returns true if there is one.
   bool AddLeft(const model::Pose& X_WR) {
     bool has_left = false;
     for (const PiledBody& body : bodies_) {
@@ -126,10 +127,10 @@ struct PileSettler::Impl {
   engine::Engine engine;
   Workspace workspace;
 
-  /// Tries releases until one has no fault; adds the faults of the last one.
+  /// Tries releases until one has no fault; adds the faults of the last release.
   void Settle(model::Object& object, const model::Pile& pile, diag::Findings& findings);
-  /// Simulates one release, and takes the start of the bodies from it. Returns false, and takes
-  /// nothing, if the simulation diverges.
+  /// Simulates one release, and makes the poses at its end the start of the bodies. Returns false,
+  /// and changes no start, if the simulation diverges.
   bool Try(std::size_t release, mjModel& m, const std::vector<int>& ids, model::Object& object,
            const model::Pile& pile, static_checks::Reporter& reporter);
 };
@@ -147,8 +148,8 @@ std::vector<int> IdsOf(const model::Object& object) {
   return ids;
 }
 
-/// Puts the bodies of all piles far from each other, because an object gets room for the contacts
-/// of its start, and all bodies of a pile are in each other before it is simulated.
+/// Puts the bodies of all piles far from each other, because the bodies of a pile overlap before
+/// its simulation, and MuJoCo's buffers are sized for the contacts at the start.
 void Separate(model::Object& object) {
   constexpr double kApart = 100;  // m
   double height = 0;
@@ -181,7 +182,7 @@ std::vector<PiledBody> BodiesOf(const mjModel& m, const mjData& d, const model::
   return bodies;
 }
 
-/// Makes the poses and joint positions of a simulation the start of a body and all below it.
+/// Makes the poses and joint positions of a simulation the start of a body and all its descendants.
 void TakeStart(const mjModel& m, const mjData& d, const std::vector<int>& ids, int root,
                model::Object& object) {
   for (std::size_t i = 0; i < object.bodies.size(); ++i) {
@@ -245,7 +246,7 @@ bool PileSettler::Impl::Try(std::size_t release, mjModel& m, const std::vector<i
   });
   if (HasDiverged(*end)) return false;
   PileReport report(m, *end, object, pile, bodies, reporter);
-  // A body that left may still fall.
+  // Motion is no finding if a body left the region, because that body may still fall.
   if (!report.AddLeft(X_WR) && !rests) report.AddMoving();
   report.AddDeep();
   for (const PiledBody& body : bodies) TakeStart(m, *end, ids, body.id, object);

@@ -19,8 +19,8 @@ class PileSettler {
   /// Simulates object.piles with the options of the object. Bodies are released one after the other
   /// from rest, each from a pose that touches nothing; all other bodies are held at their start. Up
   /// to four releases are tried. Replaces the start of the bodies, and of the joints below them, by
-  /// the rest. Adds a finding for each body that left its region, moves after Pile::time, or is too
-  /// deep in another. Returns false after an error.
+  /// their state at rest. Adds findings about bodies that left the region, move after Pile::time,
+  /// or are too deep in another body. Returns false after an error.
   bool Settle(model::Object& object, diag::Findings& findings);
 
  private:

@@ -14,18 +14,18 @@ namespace {
 using compiled::VectorAt;
 
 constexpr double kClearance = 0.005;  // m, between a body at its release and all below it
-// While bodies fall into their places, all are damped and steps are short: MuJoCo 2.2 takes the
-// normal of a contact of convex geoms for another one if the contact is deep and off the middle of
-// a thin plate, and then throws a body through a wall. A damped body falls at most at 1 m/s.
+// While bodies fall into their places, all bodies are damped and steps are short, because MuJoCo
+// 2.2 computes a wrong normal for a deep contact of convex geoms off the middle of a thin plate,
+// and then throws a body through a wall. A damped body falls at most at 1 m/s.
 constexpr double kDampingTime = 0.1;       // s
 constexpr double kDampedTimestep = 0.001;  // s
-// A body is released when the one before it is slower than this, because bodies that fall on fast
-// ones throw each other out; at the latest after kPatience.
+// A body is released when the previous body is slower than kSlow, because bodies that fall on fast
+// bodies throw each other out; at the latest after kPatience.
 constexpr double kSlow = 0.3;         // m/s
 constexpr double kFall = 0.05;        // s, in which a released body gets faster than kSlow
 constexpr double kPatience = 0.5;     // s
 constexpr double kSlowSpeed = 0.01;   // m/s, at which damping ends
-constexpr double kSlowTime = 0.1;     // s, for which all bodies must be that slow
+constexpr double kSlowTime = 0.1;     // s, for which all bodies must be slower than kSlowSpeed
 constexpr double kRestTime = 1;       // s, without damping; less if the pile has little time
 constexpr double kRestMotion = 5e-4;  // m, by which a body at rest may creep in kRestTime
 constexpr double kRestTurn = 0.008;   // rad, by which a body at rest may turn in kRestTime
@@ -43,7 +43,8 @@ bool PileSimulation::Run() {
     if (is_piled) m_.dof_damping[dof] += m_.dof_M0[dof] / kDampingTime;
   }
   m_.opt.timestep = std::min(m_.opt.timestep, kDampedTimestep);
-  // Damped bodies need no exact forces, which cost more than half of the time, and do not creep.
+  // Damped bodies do not creep and need no exact forces, which would cost more than half of the
+  // time.
   m_.opt.noslip_iterations = 0;
   m_.opt.solver = mjSOL_CG;
   ReleaseAll();
@@ -64,7 +65,7 @@ bool PileSimulation::CanGoOn() const {
          });
 }
 
-/// Returns true if a body is in the tree of a piled one.
+/// Returns true if a body is in the tree of a piled body.
 bool PileSimulation::IsIn(int body, const PiledBody& piled) const {
   return m_.body_rootid[body] == piled.id;
 }
@@ -133,7 +134,7 @@ void PileSimulation::Release(const PiledBody& body) {
   const Eigen::Vector2d p_R = model::PositionOfDisc(pile_.region, body.radius, body.release->uv);
   double height = top + body.radius + kClearance;
   MoveTo(body, p_R, height);
-  // Posts and sloping walls may stand in the region.
+  // Posts and sloping walls may stand in the region, so that the body must be lifted above them.
   while (Touches(body) && height < parked_) {
     height += body.radius / 2;
     MoveTo(body, p_R, height);
@@ -167,7 +168,7 @@ void PileSimulation::Step() {
   }
 }
 
-/// Simulates until all bodies are slow.
+/// Simulates until all bodies are slow, but at most until the time `end`, s.
 void PileSimulation::SlowDown(double end) {
   double slow_since = d_.time;
   while (CanGoOn() && d_.time < end && d_.time - slow_since < kSlowTime) {
@@ -176,7 +177,8 @@ void PileSimulation::SlowDown(double end) {
   }
 }
 
-/// Simulates until no body moves for a while, and returns true if that happens before the end.
+/// Simulates until no body moves for a while; returns true if that happens before the time `end`,
+/// s.
 bool PileSimulation::StaysAtRest(double end) {
   const double rest = std::min(kRestTime, pile_.time / 3);
   std::vector<model::Pose> before = Poses();
@@ -200,7 +202,8 @@ std::vector<model::Pose> PileSimulation::Poses() const {
   return poses;
 }
 
-/// Returns true if no body has moved from a pose, but for a slow creep in this share of kRestTime.
+/// Returns true if all bodies are still at their poses `before`, except for a slow creep in `share`
+/// of kRestTime.
 bool PileSimulation::AreAt(const std::vector<model::Pose>& before, double share) const {
   const std::vector<model::Pose> now = Poses();
   for (std::size_t i = 0; i < now.size(); ++i) {

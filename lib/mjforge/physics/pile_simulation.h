@@ -16,8 +16,8 @@ namespace mjforge::physics {
 /// A body of a pile in the compiled model.
 struct PiledBody {
   int id = 0;
-  double radius = 0;                                // m, sphere around the centre of mass
-  Eigen::Vector3d p_BCm = Eigen::Vector3d::Zero();  // centre of mass of its tree
+  double radius = 0;                                // m, bounding sphere around the centre of mass
+  Eigen::Vector3d p_BCm = Eigen::Vector3d::Zero();  // m, centre of mass of the tree
   const model::Pile::Item* release = nullptr;       // pose of its release
 };
 
@@ -29,8 +29,8 @@ class PileSimulation {
                  const std::vector<PiledBody>& bodies, const model::Pose& X_WR)
       : m_(m), d_(d), pile_(pile), X_WR_(X_WR), bodies_(bodies) {}
 
-  /// Returns true if the bodies came to rest. Leaves the timestep and the damping of the model
-  /// as they were.
+  /// Simulates the pile; returns true if the bodies came to rest. Restores the options and the
+  /// damping of the model.
   bool Run();
 
  private:

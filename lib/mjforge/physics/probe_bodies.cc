@@ -14,8 +14,8 @@ namespace mjforge::physics {
 namespace {
 
 // Armature of a held degree of freedom, as a multiple of the whole mass (kg or kg m^2). A larger
-// one would let small bodies tremble in MuJoCo 3.17 and 4.0, whose solver tolerance is proportional
-// to the mean inertia.
+// armature would let small bodies tremble in MuJoCo 3.17 and 4.0, whose solver tolerance is
+// proportional to the mean inertia.
 constexpr double kHeldMass = 1e6;
 
 }  // namespace
@@ -53,7 +53,8 @@ void PlaceObject(const mjModel& m, mjData& d, std::span<const mjtNum> start, int
   std::copy(start.begin() + at, start.end(), d.qpos + at + count);
 }
 
-// MuJoCo takes the diagonal of a diagonal inertia matrix (dof_simplenum) from dof_M0.
+// Sets dof_M0, too, because MuJoCo reads the diagonal of a diagonal inertia matrix (dof_simplenum)
+// from dof_M0.
 void HoldDof(mjModel& m, int dof) {
   m.dof_armature[dof] = m.dof_M0[dof] = kHeldMass * m.body_subtreemass[0];
 }

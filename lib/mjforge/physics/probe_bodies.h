@@ -13,21 +13,21 @@
 
 namespace mjforge::physics {
 
-constexpr std::string_view kProbePrefix = "mjforge-";  // names of probe bodies begin with it
+constexpr std::string_view kProbePrefix = "mjforge-";  // prefix of the names of probe bodies
 constexpr double kEarthGravity = 9.81;  // m/s^2, used whatever gravity the object has
 
 /// A test of an object with probe bodies.
 struct ProbeTest {
-  mjModel& m;  // with the probe bodies; the test may change the model
+  mjModel& m;  // model with the probe bodies; the test may change the model
   Workspace& workspace;
-  std::span<const mjtNum> start;  // positions of the object's joints: nq without probe bodies
-  const std::string& object;      // its name
+  std::span<const mjtNum> start;  // positions of the object's joints, without probe bodies
+  const std::string& object;      // name of the object
   static_checks::Reporter& reporter;
   Result& result;
 };
 
-/// Returns an MJCF text with more bodies at the end of its world, and more equalities, both MJCF.
-/// Removes keyframes, because their number of positions would be wrong.
+/// Returns an MJCF text with `bodies` added at the end of the world, and `equalities` added; both
+/// are MJCF. Removes keyframes, because their number of positions would be wrong.
 std::string WithBodies(std::string_view text, std::string_view bodies,
                        std::string_view equalities = {});
 
@@ -40,7 +40,7 @@ std::string ProbeGeom(std::string_view shape, double mass,
                       std::string_view contact = kUsualContact);
 
 /// Sets the positions of the object's joints. The probe bodies, whose first joint is `first`, have
-/// `count` positions in a row, which are not changed.
+/// `count` consecutive positions, which are not changed.
 void PlaceObject(const mjModel& m, mjData& d, std::span<const mjtNum> start, int first, int count);
 
 /// Makes a degree of freedom so heavy that nothing moves it.

@@ -21,7 +21,7 @@ namespace {
 using compiled::Index;
 using expr::RoundedText;
 
-/// Contact bits of a geom.
+/// Contact bits of a geom: contype and conaffinity.
 using Bits = std::pair<int, int>;
 
 bool Match(const Bits& one, const Bits& two) {
@@ -34,7 +34,7 @@ bool IsSolid(const mjModel& m, int geom) {
   return compiled::Collides(m, geom) && compiled::GeomTypeOf(m.geom_type[geom]).has_value();
 }
 
-/// Pairs of geoms that would collide, but for `exclude` or their contact bits.
+/// Pairs of geoms that do not collide only because of `exclude` or their contact bits.
 class IgnoredPairs {
  public:
   explicit IgnoredPairs(const mjModel& m) : m_(m) {
@@ -69,7 +69,7 @@ class IgnoredPairs {
   std::set<std::pair<int, int>> paired_;    // geoms of <pair>, the lower number first
 };
 
-/// Deepest contact of two groups of bodies that are welded to each other.
+/// Deepest contact of two groups; the bodies of each group are welded to each other.
 struct Penetration {
   double depth = 0;  // m
   int body1 = 0;     // less than body2
@@ -77,7 +77,7 @@ struct Penetration {
 };
 using Penetrations = std::map<std::pair<int, int>, Penetration>;
 
-/// Returns true if `body` hangs on `parent`, or on what `parent` is welded to. MuJoCo lets the two
+/// Returns true if the parent of `body` is `parent`, or is welded to `parent`. MuJoCo lets the two
 /// collide only if the parent is fixed to the world.
 bool IsParent(const mjModel& m, int parent, int body) {
   return m.body_weldid[m.body_parentid[m.body_weldid[body]]] == m.body_weldid[parent];
@@ -112,7 +112,7 @@ Penetrations Find(mjModel& m, const IgnoredPairs& ignored, std::span<const mjtNu
       if (!ignored.Contain(contact.geom1, contact.geom2)) continue;
       const auto [body1, body2] =
           std::minmax({m.geom_bodyid[contact.geom1], m.geom_bodyid[contact.geom2]});
-      if (IsParent(m, body1, body2)) continue;  // an axle in its wheel
+      if (IsParent(m, body1, body2)) continue;  // may overlap, like an axle and its wheel
       Penetration& deepest = found[std::minmax({m.body_weldid[body1], m.body_weldid[body2]})];
       if (-contact.dist > deepest.depth) deepest = {-contact.dist, body1, body2};
     }

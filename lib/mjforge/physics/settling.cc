@@ -20,17 +20,17 @@ namespace {
 
 using diag::Code;
 
-constexpr double kLandingTime = 0.05;  // s, in which a body gets in touch with what it stands on
+constexpr double kLandingTime = 0.05;  // s, in which a body touches down on its supports
 constexpr double kUpwards = 0.5;       // least vertical part of the normal of a supporting contact
 constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 
 /// A free body, and the trees of bodies that it stands on.
 struct FreeBody {
   int body = 0;
-  model::Pose start;       // centre of mass, with the orientation of the body
-  std::set<int> supports;  // root bodies; 0: the world
-  double distance = 0;     // m
-  double angle = 0;        // rad
+  model::Pose start;       // centre of mass, with the body's orientation
+  std::set<int> supports;  // roots of the supporting trees; 0: the world
+  double distance = 0;     // m, displacement
+  double angle = 0;        // rad, rotation
 };
 
 class SettlingSimulation {
@@ -38,7 +38,8 @@ class SettlingSimulation {
   SettlingSimulation(mjModel& m, mjData& d, const model::SettlingCheck& limits)
       : m_(m), d_(d), limits_(limits), stepper_(m, d) {
     for (const int body : FreeBodies(m)) bodies_.emplace_back().body = body;
-    // The first body of the world is the object's root. Others move relative to a free root.
+    // The first body of the world is the object's root. If the root is free, motions of other
+    // bodies are relative to the root.
     if (!bodies_.empty() && bodies_.front().body == 1) {
       reference_ = 1;
       bodies_.erase(bodies_.begin());
@@ -67,8 +68,8 @@ class SettlingSimulation {
   }
 
  private:
-  /// Returns the pose of the centre of mass of a body, without bodies that joints attach to it,
-  /// such as a lid that falls shut, in the frame of the reference body.
+  /// Returns the pose of the centre of mass of a body in the frame of the reference body. Leaves
+  /// out bodies that joints attach to the body, such as a lid that falls shut.
   model::Pose PoseOf(int body) const {
     const auto turn = [&](int of) { return compiled::QuaternionAt(d_.xquat, of); };
     const model::Pose X_WB = {compiled::VectorAt(d_.xipos, body), turn(body)};

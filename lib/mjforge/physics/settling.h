@@ -12,9 +12,9 @@
 namespace mjforge::physics {
 
 /// Simulates the model from its start for checks.settled->time, and adds a finding for each free
-/// body that moves or turns by more than the limits. If the root of the object is free, the object
-/// is put on the floor, and motions are those relative to the root. Fills in result.settled. May
-/// change the model's room for contacts. May throw std::exception.
+/// body that moves or turns by more than the limits of checks.settled. If the root of the object is
+/// free, the object is put on the floor, and motions are relative to the root. Fills in
+/// result.settled. May enlarge the model's buffers for contacts. May throw std::exception.
 void CheckSettled(mjModel& m, Workspace& workspace, const std::string& object,
                   static_checks::Reporter& reporter, Result& result);
 

@@ -32,7 +32,7 @@ constexpr double kFloorDepth = 0.1;     // m, depth of the object's box in the f
 constexpr double kExplosion = 10;       // growth of the object's box
 constexpr double kReach = 0.10;         // rad, missing range of a hinge
 constexpr double kReachOfSlide = 0.02;  // missing share of the range of a slide
-constexpr double kReturn = 0.01;        // rad or m
+constexpr double kReturn = 0.01;  // rad or m, distance of a joint from its start after the sweep
 constexpr double kSlope = std::numbers::pi / 4;
 // The benchmark states no friction. With MuJoCo's default of 1 nothing slides on such a slope; 0.5
 // is the default of PhysX.
@@ -44,10 +44,10 @@ constexpr double kStill = 0.1;      // s, for which a resting object must be slo
 constexpr const char* kPass = "pass";
 constexpr const char* kFail = "fail";
 
-/// Reason why a test fails; nothing if the object passes.
+/// Reason why a test fails; nullopt if the object passes.
 using Problem = std::optional<std::string>;
 
-/// Returns the last plane of the world; nothing if there is none.
+/// Returns the last plane of the world; nullopt if there is none.
 std::optional<int> FloorOf(const mjModel& m) {
   std::optional<int> floor;
   for (int geom = 0; geom < m.ngeom; ++geom) {
@@ -97,7 +97,7 @@ class Fall {
         kStill);
   }
 
-  /// Checks that the object slides down the slope by kSlides of its size.
+  /// Checks that the object slides down the slope by kSlides times its size.
   Problem Slide() {
     Lift(DropHeight(m_));
     const std::vector<Vector3d> starts = Centers();
@@ -184,7 +184,8 @@ void MakeSlope(mjModel& m, int floor) {
   const mjtNum quat[] = {std::cos(kSlope / 2), 0, std::sin(kSlope / 2), 0};
   mju_copy4(m.geom_quat + 4 * floor, quat);
   m.geom_sameframe[floor] = 0;
-  // The friction of a contact is the larger one of its two geoms.
+  // The friction of a contact is the larger friction of its two geoms, so that all geoms are
+  // changed.
   for (int geom = 0; geom < m.ngeom; ++geom)
     m.geom_friction[3 * geom] = std::min(m.geom_friction[3 * geom], kSlopeFriction);
 }

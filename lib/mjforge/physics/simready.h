@@ -13,9 +13,9 @@
 namespace mjforge::physics {
 
 /// Runs the tests ground_drop 3.0.0, slope_drop, and full_range_sweep 1.4.0 of the benchmark's
-/// families FET003 and FET022, and fills in result.simready. A model with free bodies has a floor.
-/// `drives` has the results of DriveJoints(). `object` is the object's name; findings point at
-/// `mark`. May throw std::exception.
+/// families FET003 and FET022, and fills in result.simready. Skips the drops if the model has no
+/// free bodies or no floor. `drives` has the results of DriveJoints(). `object` is the object's
+/// name; findings point at `mark`. May throw std::exception.
 void CheckSimReady(const mjModel& m, Workspace& workspace, const DriveResults& drives,
                    std::string_view object, diag::SourceMark mark,
                    static_checks::Reporter& reporter, Result& result);

@@ -1,4 +1,4 @@
-// Simulation data that is reused, room for contacts, and the state of a simulation.
+// Reused simulation data, sizes of the buffers for contacts, and measures of a simulation's state.
 #include "mjforge/physics/simulation.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace mjforge::physics {
 namespace {
 
 constexpr int kMostContacts = 10'000;  // 600 bytes each
-constexpr double kMostBytes = 1e9;     // constraint matrices, which MuJoCo clears in each reset
+constexpr double kMostBytes = 1e9;     // in constraint matrices, which MuJoCo clears in each reset
 
 }  // namespace
 
@@ -35,11 +35,11 @@ void MakeRoom(mjModel& m) {
   engine::BufferSizes room = engine::BufferSizesOf(m);
   room.contacts = 2 * std::max(room.contacts, 100);
   room.rows = 2 * std::max(room.rows, 500);  // four rows per contact of condim 3, and some more
-  // MuJoCo 2.2 has a square matrix for the rows, their Jacobian and its transpose, all with
-  // indices.
+  // MuJoCo 2.2 stores a square matrix of the constraint rows, and the Jacobian with its transpose,
+  // all with indices.
   const double bytes = engine::kHasFixedBuffers ? 12.0 * room.rows * (room.rows + 2.0 * m.nv) : 0;
   if (room.contacts > kMostContacts || bytes > kMostBytes) throw NoRoom("too many contacts");
-  // Stack size, in numbers: linear in the contacts for few degrees of freedom, as in
+  // Stack size, in numbers: linear in the contacts for few degrees of freedom, by the rule of
   // mjcf/size_element.cc.
   room.numbers += 4000.0 * room.contacts * std::max(1.0, static_cast<double>(m.nv) / 24.0);
   engine::SetBufferSizes(m, room);

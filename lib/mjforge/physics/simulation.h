@@ -1,4 +1,4 @@
-// Simulation data that is reused, room for contacts, and the state of a simulation.
+// Reused simulation data, sizes of the buffers for contacts, and measures of a simulation's state.
 #pragma once
 
 #include <cstddef>
@@ -20,10 +20,10 @@ class Workspace {
 
  private:
   compiled::Data data_;
-  std::vector<std::byte> sizes_;  // sizes in the model for which the data was allocated
+  std::vector<std::byte> sizes_;  // sizes in the mjModel for which `data_` was allocated
 };
 
-/// Thrown if the contacts of a model exceed the memory that MuJoCo can have here.
+/// Exception: the contacts of a model need more memory than kMostContacts or kMostBytes allow.
 struct NoRoom : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -31,11 +31,12 @@ struct NoRoom : std::runtime_error {
 /// Returns true if MuJoCo ignored contacts or constraints since the last reset, because its buffers
 /// were full.
 bool IsCrowded(const mjData& d);
-/// Makes more room for contacts and constraint rows; data must be allocated again. Throws NoRoom.
+/// Doubles the model's buffers for contacts and constraint rows; mjData must be allocated again.
+/// Throws NoRoom if the buffers would be too large.
 void MakeRoom(mjModel& m);
 
-/// Calls `simulate` with data at the initial state, again with more room as long as its contacts
-/// do not fit. Returns the result of the last call. Throws NoRoom.
+/// Calls `simulate` with data at the initial state, and again with larger buffers until all
+/// contacts fit. Returns the result of the last call. Throws NoRoom.
 template <typename Simulation>
 auto Simulate(mjModel& m, Workspace& workspace, const Simulation& simulate) {
   for (;;) {
@@ -51,7 +52,8 @@ struct FastestBody {
   double speed = 0;  // m/s
   int body = 0;
 };
-/// Assumes that each geom has a point at its bounding radius from its centre.
+/// Returns the fastest body; assumes that each geom has a point at its bounding radius from its
+/// centre.
 FastestBody FindFastestBody(const mjModel& m, const mjData& d);
 
 /// Bodies with free joints.

@@ -16,7 +16,8 @@ namespace {
 
 constexpr int kDirections = 72;
 constexpr double kStep = 0.5 * std::numbers::pi / 180;
-// Rounding error as a share of the height, because the centre of a ball does not rise.
+// Tolerance for rounding, as a share of the height, because the centre of a rolling ball does not
+// rise.
 constexpr double kFlat = 1e-9;
 constexpr double kUneven = 10 * std::numbers::pi / 180;  // largest tilt due to uneven sinking
 
@@ -47,7 +48,8 @@ class ObjectHull {
     }
   }
 
-  /// Returns the distance of the lowest point below the centre of mass, if `down` points down.
+  /// Returns the distance from the centre of mass down to the lowest point, m, if the direction
+  /// `down` points down.
   double Below(const Eigen::Vector3d& down) const {
     double lowest = -std::numeric_limits<double>::infinity();
     for (const Eigen::Vector3d& p : points_) lowest = std::max(lowest, p.dot(down));

@@ -14,7 +14,7 @@ struct StabilityMargin {
 
 /// Computes the margin from the convex hull of the colliding geoms of a tree of bodies and its
 /// centre of mass, as mj_kinematics and mj_comPos computed them. While the object tilts, its centre
-/// of mass rises up to the angle at which it topples; that height costs the energy. Tries steps of
+/// of mass rises until the object topples; the energy is the weight times this rise. Tries steps of
 /// 0.5 deg in 72 directions. Angle and energy are 0 if the object rolls or stands on a point.
 /// Contacts are up to `sink` (m) deep, more at one end than at the other, so that smaller changes
 /// of the height are ignored.

@@ -31,8 +31,9 @@ Stepper::Stepper(mjModel& m, mjData& d)
       allowances_(Index(m.nbody), 2 * kLeastAllowance),
       moved_(Index(m.nbody)) {}
 
-/// Returns the root of the only tree that moves, because the bodies of a falling tree stay near
-/// each other; else the world. Planes do not matter, because they are near everything.
+/// Returns the root of the only tree with joints, because the bodies of a falling tree stay near
+/// each other; 0 (the world) if other geoms than planes are outside of that tree. Planes do not
+/// matter, because planes are near everything.
 int Stepper::FrameOf() const {
   int root = -1;
   for (int dof = 0; dof < m_.nv; ++dof) {
@@ -53,7 +54,7 @@ int Stepper::FrameOf() const {
 
 void Stepper::Step() {
   if (recorder_ != nullptr) recorder_->Note(m_, d_);
-  // A Runge-Kutta step visits several poses.
+  // A Runge-Kutta step detects collisions at several poses.
   if (!broad_phase_.works() || m_.opt.integrator == mjINT_RK4) {
     mj_step(&m_, &d_);
     return;
@@ -89,8 +90,8 @@ void Stepper::FindPairs() {
   is_stale_ = false;
 }
 
-/// Returns true if the last step had all pairs. Poses of bodies are those before that step. Sets
-/// is_stale_.
+/// Returns true if no body had moved farther than its allowance before the last step, so that no
+/// pair was missing. mjData has the poses from before that step. Sets is_stale_.
 bool Stepper::HadAllPairs() {
   ++steps_;
   bool had_all = true;

@@ -11,14 +11,15 @@
 
 namespace mjforge::physics {
 
-/// Steps a model. The results equal those of mj_step. If many geoms are near each other, it is
-/// faster. `m` and `d` must outlive this object, and contact bits of geoms must not change.
+/// Steps a model with the same results as mj_step, but faster if many geoms are near each other.
+/// `m` and `d` must outlive this object, and contact bits of geoms must not change.
 class Stepper {
  public:
   Stepper(mjModel& m, mjData& d);
 
   void Step();
-  /// Shows the state before each step to a recorder, which must outlive this object; null: none.
+  /// Passes the state before each step to a recorder, which must outlive this object; null: no
+  /// recorder.
   void RecordTo(FilmRecorder* recorder) { recorder_ = recorder; }
 
  private:

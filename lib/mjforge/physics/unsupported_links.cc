@@ -1,4 +1,4 @@
-// Bodies on hinges and slides with nothing else of their object near them.
+// Check for bodies on hinges and slides that are far from all other bodies of their tree.
 #include "mjforge/physics/unsupported_links.h"
 
 #include <algorithm>
@@ -22,8 +22,8 @@ namespace {
 
 using compiled::Index;
 
-constexpr double kFarOff = 0.03;        // m
-constexpr double kFarOffOfSize = 0.25;  // share of the body's size
+constexpr double kFarOff = 0.03;        // m, distance from which a body hangs in the air
+constexpr double kFarOffOfSize = 0.25;  // such a distance as a share of the body's size
 
 class UnsupportedLinks {
  public:
@@ -114,16 +114,17 @@ class UnsupportedLinks {
     return box;
   }
 
-  /// Returns true if a slide moves something up, less than 45 degrees from the vertical: what is
-  /// lifted off, as a lid, is in a hand.
+  /// Returns true if a slide moves its body up, less than 45 degrees from the vertical, because a
+  /// body that is lifted off, such as a lid, is held by a hand.
   bool Lifts(int joint, double way) const {
     const Eigen::Map<const Eigen::Vector3d> gravity(m_.opt.gravity);
     const double up = -way * compiled::VectorAt(d_.xaxis, joint).dot(gravity);
     return up > std::sqrt(0.5) * std::abs(way) * gravity.norm();
   }
 
-  /// Returns the distance of all that a joint moves from the rest of its tree, m, after the joint
-  /// has moved by `way` (rad or m); at most kFarOff is some such number.
+  /// Returns the distance of the bodies that a joint moves from the rest of their tree, m, after
+  /// the joint has moved by `way` (rad or m). A distance up to kFarOff may be too large, because
+  /// the search stops at the first.
   double DistanceAfter(int joint, const std::vector<bool>& moved, double way) const {
     const Eigen::Vector3d axis = compiled::VectorAt(d_.xaxis, joint);
     const Eigen::Vector3d anchor = compiled::VectorAt(d_.xanchor, joint);
@@ -166,7 +167,7 @@ class UnsupportedLinks {
   static_checks::Reporter& reporter_;
   JointCouplings couplings_;
   std::vector<Box> boxes_;         // boxes of geoms at the start
-  std::set<int> is_far_at_start_;  // first joints of bodies
+  std::set<int> is_far_at_start_;  // first joints of bodies that are far at the start
 };
 
 }  // namespace
