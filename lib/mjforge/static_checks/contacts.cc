@@ -11,7 +11,8 @@ using diag::Code;
 
 constexpr double kMostHover = 0.001;  // m, above which a thing is seen to hover
 
-/// Returns the first number of an attribute, or MJCF's default.
+/// Returns the first number of an attribute; `usual`, which is MJCF's default, if the part does not
+/// set it.
 double NumberOf(const model::Part& part, std::string_view name, double usual) {
   const model::Attribute* attribute = model::FindAttribute(part.attributes, name);
   return attribute == nullptr || attribute->numbers.empty() ? usual : attribute->numbers[0];
@@ -41,9 +42,10 @@ void CheckPart(const model::Part& part, Reporter& reporter) {
 
 void CheckContacts(const model::Object& object, Reporter& reporter) {
   for (const model::Body& body : object.bodies) {
-    std::string_view checked;  // pieces of a part follow each other
+    std::string_view checked;  // name of the last checked part, whose pieces are adjacent
     for (const model::Part& part : body.parts) {
-      // The role of a geom of a file follows from its contact bits.
+      // Geoms read from a file (`as_is`) are skipped, because their role follows from their contact
+      // bits.
       if (part.role == model::Role::kVisual || part.as_is || part.NameInSpec() == checked) continue;
       CheckPart(part, reporter);
       checked = part.NameInSpec();

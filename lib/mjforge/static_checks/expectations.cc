@@ -21,7 +21,7 @@ using model::Expectation;
 using Kind = model::ExpectationKind;
 using PlacedParts = std::vector<PlacedPart>;
 
-constexpr double kTolerance = 1e-5;  // m, of bodies that must touch or be apart
+constexpr double kTolerance = 1e-5;  // m, for bodies that must touch or be apart
 constexpr int kDigits = 3;
 
 // Formats the absolute value of a length: "0.132 mm".
@@ -36,8 +36,8 @@ int DigitsFor(double a, double b) {
   return digits;
 }
 
-// Returns directions in a shape's frame whose farthest points sample the shape's surface: all
-// corners of a box, and points between them of round shapes.
+// Returns directions in a shape's frame whose support points sample the shape's surface: all
+// corners of a box, or a grid of points on a round shape.
 std::vector<Vector3d> MakeDirections(bool is_box) {
   const int around = is_box ? 4 : 64;
   const int up = is_box ? 3 : 16;
@@ -85,11 +85,11 @@ class ExpectationChecker {
     return placed.size() == 1 ? placed.front().part : nullptr;
   }
 
-  // Returns the parts with the name, or the parts of the body with the name and of the bodies fixed
-  // to that body, except `other`. Visual parts are ignored if any part collides.
+  // Returns the parts with the name or, if a body has the name, the parts of that body and of the
+  // bodies fixed to it, except `other`. Visual parts are ignored if any part collides.
   PlacedParts PlacedPartsOf(const std::string& name, const model::Part* other) const {
     const auto body = std::ranges::find(object_.bodies, name, &model::Body::name);
-    std::vector<std::pair<const model::Part*, std::size_t>> parts;  // and indices of their bodies
+    std::vector<std::pair<const model::Part*, std::size_t>> parts;  // parts and indices of bodies
     for (std::size_t i = 0; i < object_.bodies.size(); ++i) {
       const bool is_part = body == object_.bodies.end();
       if (!is_part && Holder(i) != static_cast<std::size_t>(body - object_.bodies.begin()))
@@ -108,8 +108,8 @@ class ExpectationChecker {
     return placed;
   }
 
-  // Returns the nearest ancestor that the expectation names and the body is fixed to; without such
-  // an ancestor, the highest one that the body is fixed to.
+  // Returns body `i` or the nearest ancestor to which it is fixed, whichever the expectation names
+  // first; without such a body, the highest ancestor to which body `i` is fixed.
   std::size_t Holder(std::size_t i) const {
     const auto is_named = [&](std::size_t at) {
       return object_.bodies[at].name == expectation_->first ||
@@ -150,7 +150,8 @@ class ExpectationChecker {
   }
 
   struct PartPair {
-    // Lower bound of the distance: that of the bounding boxes, or minus infinity if these overlap.
+    // Lower bound of the distance, m: the distance of the bounding boxes, or minus infinity if the
+    // boxes overlap.
     double least = 0;
     const PlacedPart* a = nullptr;
     const PlacedPart* b = nullptr;
@@ -171,7 +172,8 @@ class ExpectationChecker {
     return PairQueue(std::greater<>(), std::move(pairs));
   }
 
-  // `side` is "least" or "most"; `otherwise` replaces the bound in the message if there is none.
+  // Reports a gap that violates a bound. `side` is "least" or "most"; `otherwise` replaces the
+  // bound in the message if there is none.
   void ReportGap(double gap, const PartPair& nearest, std::optional<double> bound,
                  std::string_view side, std::string_view otherwise) {
     const int digits = bound ? DigitsFor(gap, *bound) : kDigits;
@@ -240,7 +242,7 @@ class ExpectationChecker {
     return (length < 0 ? "-" : "") + LengthText(length, digits);
   }
 
-  // Returns " (parts ...)", or nothing if the expectation names the parts themselves.
+  // Returns " (parts ...)", or an empty text if the expectation names the parts themselves.
   std::string PartsText(const PlacedPart& a, const PlacedPart& b) const {
     if (a.part->name == expectation_->first && b.part->name == expectation_->second) return {};
     return fmt::format(" (parts '{}' and '{}')", Shown(a.part->name), Shown(b.part->name));
@@ -260,7 +262,7 @@ class ExpectationChecker {
   const model::Object& object_;
   diag::Findings& findings_;
   const Expectation* expectation_ = nullptr;
-  std::vector<model::Pose> poses_;  // X_WB
+  std::vector<model::Pose> poses_;  // X_WB of each body
 };
 
 }  // namespace

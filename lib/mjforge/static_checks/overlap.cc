@@ -16,12 +16,14 @@ constexpr int kFewestPoints = 100;
 constexpr double kTenth = 0.1;
 // Tolerance of the convexity test, as a share of the mesh's size.
 constexpr double kBulge = 1e-9;
-// Larger meshes are not tested for convexity, because that would cost more than it saves.
+// Largest product of vertices and triangles of a mesh that is tested for convexity, because the
+// test of a larger mesh would cost more than it saves.
 constexpr std::size_t kMostComparisons = 1'000'000;
 
 using Plane = Eigen::Hyperplane<double, 3>;
 
-/// Returns the planes of a convex mesh's faces, normals outwards; none if the mesh is not convex.
+/// Returns the planes of a convex mesh's faces, normals outwards; an empty list if the mesh is not
+/// convex.
 std::vector<Plane> FacesOf(const model::TriangleMesh& mesh, const model::Pose& X_WG) {
   if (mesh.vertices.size() * mesh.triangles.size() > kMostComparisons) return {};
   std::vector<Eigen::Vector3d> corners;
@@ -82,7 +84,7 @@ class OverlapCount {
 
  private:
   bool MayOverlap(std::size_t i, std::size_t j) const {
-    // Pieces of one shape only meet at their faces.
+    // Pieces of one shape do not overlap, but only meet at their faces.
     const std::string& shape = parts_[i].part->piece_of;
     if (!shape.empty() && shape == parts_[j].part->piece_of) return false;
     return (parts_[i].box_W.intersection(parts_[j].box_W).sizes().array() > 0).all();

@@ -9,16 +9,16 @@
 namespace mjforge::static_checks {
 
 struct Overlap {
-  double mass = 0;  // kg that are counted twice
-  // Indices of the two parts that share most.
+  double mass = 0;  // kg, mass that is counted twice
+  // Indices of the two parts that share the most mass.
   std::size_t first = 0;
   std::size_t second = 0;
 };
 
 /// Estimates the overlap of parts that have a mass, by quasi-Monte Carlo: up to 2,000 points in
-/// each part that meets an earlier one. A point inside several parts is counted for all of them
-/// except the first. The error is below a hundredth of the part's mass, or of a tenth of the whole
-/// mass.
+/// each part that overlaps an earlier part. A point inside several parts is counted for all of
+/// these parts except the first. The error for a part is below 1 % of its mass, or 0.1 % of the
+/// whole mass if the part is lighter than a tenth of the whole.
 Overlap FindOverlap(std::span<const PlacedPart> parts);
 
 }  // namespace mjforge::static_checks

@@ -1,4 +1,4 @@
-// A part at a pose, as distances are measured.
+// Part at a pose, for measuring distances between parts.
 #pragma once
 
 #include "mjforge/distance/distance.h"

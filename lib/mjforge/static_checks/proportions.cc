@@ -24,13 +24,14 @@ using diag::Code;
 using expr::ExceededLimit;
 using expr::RoundedText;
 
-// Tolerances of principal moments of inertia, as shares of the largest.
+// Tolerances of principal moments of inertia, as shares of the largest moment.
 constexpr double kRounding = 1e-6;
 constexpr double kNothing = 1e-12;  // smaller moments are zero
-// Visual parts farther from all colliding parts, as a share of the body's size, are reported.
+// Distance of a visual part from all colliding parts, as a share of the body's size, above which
+// the part is reported.
 constexpr double kFar = 0.5;
-constexpr double kFaces = 1e-9;          // m, overlap of faces that only meet
-constexpr double kHullTolerance = 5e-4;  // share of the parts' size, for the centre of mass
+constexpr double kFaces = 1e-9;          // m, overlap of boxes whose faces only meet
+constexpr double kHullTolerance = 5e-4;  // of the centre of mass, per size of the parts
 
 std::string OutsideOf(double value, const Eigen::Vector2d& range, std::string_view unit) {
   const bool low = value < range.x();
@@ -73,7 +74,7 @@ std::vector<PlacedPart> Placed(const std::vector<model::Part>& parts) {
   return placed;
 }
 
-/// Returns true if a box overlaps one of `boxes` by more than faces that meet.
+/// Returns true if a box overlaps one of `boxes` by more than kFaces.
 bool Overlaps(const std::vector<Box>& boxes, const Box& box) {
   return std::ranges::any_of(
       boxes, [&](const Box& other) { return box.intersection(other).sizes().minCoeff() > kFaces; });
@@ -159,7 +160,7 @@ class Proportions {
   }
 
   /// Returns the limit `own` of the first entry of `checks.parts` that names the part and sets this
-  /// limit; `usual` if there is none.
+  /// limit; `usual` if there is no such entry.
   template <typename T>
   T Limit(const model::Part& part, std::optional<T> model::PartCheck::*own, const T& usual) const {
     for (const model::PartCheck& check : reporter_.checks().parts) {
@@ -175,7 +176,7 @@ class Proportions {
     std::set<std::string_view> thin;
     for (const model::Part& solid : solids.parts) {
       const Eigen::Vector2d sides = SidesOf(solid.shape);
-      // Report one thin piece of each shape.
+      // Only one thin piece of each shape is reported.
       const bool is_reported = !solid.piece_of.empty() && thin.contains(solid.piece_of);
       const double thickness = Limit(solid, &model::PartCheck::thickness, checks.thickness);
       if (sides.x() < thickness && !is_reported) {
@@ -224,7 +225,8 @@ class Proportions {
     }
   }
 
-  // MuJoCo also rejects such inertias, unless its compiler balances or bounds them.
+  // Reports inertias that no solid can have. MuJoCo also rejects such inertias, unless its compiler
+  // balances or bounds inertias.
   void CheckInertia(const model::Body& body) {
     // Eigenvalues in increasing order.
     const Eigen::Vector3d inertia = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(

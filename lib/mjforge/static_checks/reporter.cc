@@ -1,4 +1,4 @@
-// Findings of checks, without silenced codes.
+// Reporter of findings that omits silenced codes, and names without the object's prefix.
 #include "mjforge/static_checks/reporter.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Findings of checks: silenced codes, names without the object's prefix.
+// Reporter of findings that omits silenced codes, and names without the object's prefix.
 #pragma once
 
 #include <string>
@@ -27,7 +27,8 @@ class Reporter {
   diag::Findings& findings_;
 };
 
-/// Returns an element's name as written in the spec, without the "OBJECT_" in front of it.
+/// Returns an element's name as written in the spec, without the prefix "OBJECT_" (the object's
+/// name).
 std::string_view OwnName(std::string_view name, std::string_view object);
 
 }  // namespace mjforge::static_checks

@@ -9,7 +9,7 @@
 namespace mjforge::static_checks {
 namespace {
 
-/// Gives each piece of a shape its share of the shape's mass, in proportion to its volume.
+/// Gives each piece of a shape a share of the shape's mass, in proportion to the piece's volume.
 void ShareMasses(const model::Body& body, std::vector<model::Part>& parts) {
   std::map<std::string_view, double> volumes;
   for (const model::Part& part : parts) {

@@ -8,11 +8,11 @@
 namespace mjforge::static_checks {
 
 /// The colliding parts of a body, or all parts if none collides. If only the mass of the whole body
-/// is known, each part has a share of that mass, in proportion to its volume.
+/// is known, each part has a share of that mass, in proportion to the part's volume.
 struct SolidParts {
   std::vector<model::Part> parts;
   bool masses_known = false;
-  double mass = 0;  // kg, the sum of the parts'
+  double mass = 0;  // kg, sum of the parts' masses
 };
 
 SolidParts SolidPartsOf(const model::Body& body);

@@ -18,8 +18,8 @@ void CheckExpectations(const model::Object& object, diag::Findings& findings);
 /// twice because parts overlap. Findings about the whole object point at `mark`.
 double CheckProportions(const model::Object& object, diag::SourceMark mark, Reporter& reporter);
 
-/// Warns of parts that should collide but have contact bits of zero, and of margins that keep
-/// things visibly away.
+/// Warns of parts that should collide but have contact bits of zero, and of contact margins that
+/// keep other things visibly away from a part.
 void CheckContacts(const model::Object& object, Reporter& reporter);
 
 }  // namespace mjforge::static_checks
