@@ -25,11 +25,12 @@ struct Simplex {
 };
 
 // Returns the point of the corners' affine hull that is nearest to the origin, if that point is
-// inside the simplex; otherwise a smaller simplex contains the nearest point.
+// inside the simplex; otherwise returns nullopt, because a smaller simplex contains the nearest
+// point of the simplex.
 //
 // The barycentric coordinates of a point are ratios of lengths, areas or volumes: Ericson,
-// "Real-Time Collision Detection", 2004, 3.4. (Eigen's decompositions take longer to compile than
-// the whole room.)
+// "Real-Time Collision Detection", 2004, 3.4. (Eigen's decompositions would take longer to compile
+// than the rest of this folder.)
 std::optional<Vector3d> NearestInside(const Simplex& simplex) {
   const Vector3d& first = simplex.corners[0];
   Eigen::Matrix3d edges = Eigen::Matrix3d::Zero();
@@ -77,10 +78,10 @@ Vector3d Reduce(Simplex& simplex) {
   return nearest;
 }
 
-// Returns the point of a convex set that is nearest to the origin, or any of its points if all are
-// farther than `limit`; `farthest` is the set's support function, `middle` its approximate centre,
-// `size` its size (m). Gilbert, Johnson and Keerthi, "A fast procedure for computing the distance
-// between complex objects in three-dimensional space", 1988.
+// Returns the point of a convex set that is nearest to the origin, or any of its points if all
+// points are farther than `limit` (m); `farthest` is the set's support function, `middle` its
+// approximate centre, `size` its size (m). Gilbert, Johnson and Keerthi, "A fast procedure for
+// computing the distance between complex objects in three-dimensional space", 1988.
 template <typename Farthest>
 Vector3d NearestToOrigin(Farthest farthest, const Vector3d& middle, double size,
                          double limit = std::numeric_limits<double>::infinity()) {
@@ -92,7 +93,7 @@ Vector3d NearestToOrigin(Farthest farthest, const Vector3d& middle, double size,
     const double distance = nearest.norm();
     if (distance <= kPrecision * size) return Vector3d::Zero();
     const Vector3d next = farthest(-nearest);
-    // No point is nearer than the support plane through `next`.
+    // No point of the set is nearer to the origin than the support plane through `next`.
     const double least = nearest.dot(next) / distance;
     if (least > limit || distance - least <= kPrecision * size) return nearest;
     if (simplex.count == 4) return Vector3d::Zero();
@@ -105,7 +106,8 @@ Vector3d NearestToOrigin(Farthest farthest, const Vector3d& middle, double size,
   return nearest;
 }
 
-// Radius around the core of a shape: a sphere is a point, and a capsule a segment, with a radius.
+// Returns the radius around the core of a shape, m. The core of a sphere is its centre, the core of
+// a capsule is its segment; other shapes are their own cores, with radius 0.
 double RadiusOf(const PlacedShape& placed) {
   const model::Shape& shape = placed.shape;
   const bool is_round =
@@ -123,8 +125,8 @@ Vector3d FarthestOfCore(const PlacedShape& placed, const Vector3d& direction_W) 
   return center + (half.dot(direction_W) > 0 ? 1 : -1) * half;
 }
 
-// Penetration depth of two overlapping cores. libccd's tolerances are absolute, so that all lengths
-// are divided by the size of the two.
+// Penetration depth of two overlapping cores. All lengths are divided by the common size of the
+// shapes, because libccd's tolerances are absolute.
 class Penetration {
  public:
   Penetration(const PlacedShape& a, const PlacedShape& b, double size)
@@ -147,9 +149,10 @@ class Penetration {
   }
 
  private:
-  // For nearly concentric round shapes the depth is the same in all directions, and libccd would
-  // refine its polytope in each of them. After this many calls Support() stops the refinement by
-  // returning the origin, which is no farther than any point that libccd has.
+  // Limit of calls of Support(), which then stops libccd's refinement by returning the origin, a
+  // point that is no farther than the points that libccd has. Without a limit, libccd would refine
+  // its polytope in all directions for nearly concentric round shapes, whose depth is the same in
+  // each.
   static constexpr int kMostCalls = 1000;
 
   static void SupportOfA(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* point) {
@@ -170,12 +173,13 @@ class Penetration {
     ccdVec3Set(point, p.x(), p.y(), p.z());
   }
 
-  // Returns the translation against a direction that would separate the cores, in units of size_.
+  // Returns the distance by which A must move against a direction to separate the cores, in units
+  // of size_.
   double Reach(const Vector3d& direction) const {
     return direction.dot(FarthestOfCore(a_, direction) - FarthestOfCore(b_, -direction)) / size_;
   }
 
-  // Returns the least reach near a direction or its opposite, by pattern search.
+  // Returns the smallest Reach() near a direction or its opposite, by pattern search.
   double Refined(const Vector3d& direction) const {
     Vector3d best = Reach(direction) < Reach(-direction) ? direction : Vector3d(-direction);
     double least = Reach(best);
@@ -202,8 +206,8 @@ class Penetration {
   mutable int calls_ = 0;
 };
 
-// Vector from the nearest point of core B to that of core A, or a longer vector between two points
-// if the cores are farther apart than `limit`.
+// Returns the vector from the nearest point of core B to the nearest point of core A, m; a longer
+// vector between two points if the cores are farther apart than `limit`.
 Vector3d BetweenCores(const PlacedShape& a, const PlacedShape& b, double size,
                       double limit = std::numeric_limits<double>::infinity()) {
   const auto difference = [&](const Vector3d& direction) {

@@ -29,11 +29,12 @@ Eigen::Vector3d Separation(const PlacedShape& a, const PlacedShape& b);
 double Distance(const PlacedShape& a, const PlacedShape& b);
 
 /// Distance of two shapes, m, if it is at most `limit`; otherwise some number between `limit` and
-/// the largest distance of their points, which takes a fraction of the time.
+/// the largest distance of the shapes' points, which takes a fraction of the time of Distance().
 double DistanceUpTo(double limit, const PlacedShape& a, const PlacedShape& b);
 
-/// Distance of two shapes, m. If they overlap, minus the penetration depth: the shortest
-/// translation that separates them, to a ten-thousandth of their size.
+/// Distance of two shapes, m; if the shapes overlap, minus the penetration depth, which is the
+/// shortest translation that separates them. The error of the depth is at most a ten-thousandth of
+/// the shapes' size.
 double SignedDistance(const PlacedShape& a, const PlacedShape& b);
 
 /// Vector to a point from the nearest point of the shapes' convex hull, m; zero if the hull
