@@ -68,7 +68,7 @@ BufferSizes BufferSizesOf(const mjModel& m) {
 void SetBufferSizes(mjModel& m, const BufferSizes& sizes) {
   m.nconmax = sizes.contacts;
   m.njmax = sizes.rows;
-  // A row needs about 30 numbers and two for each degree of freedom.
+  // A constraint row needs about 30 numbers, and two more for each degree of freedom.
   const double bytes =
       sizeof(mjtNum) * (sizes.numbers + (30.0 + 2.0 * static_cast<double>(m.nv)) * sizes.rows) +
       1.0 * sizeof(mjContact) * sizes.contacts;

@@ -69,8 +69,8 @@ inline void RemoveTexture(mjvGeom& geom) {
 #endif
 }
 
-/// Returns the first geom that a ray hits, of the groups that are not 0 in `groups` (mjNGROUP
-/// numbers); -1 if there is none. Later releases also ask mj_ray for a normal.
+/// Returns the first geom that a ray hits in the groups whose number in `groups` (mjNGROUP numbers)
+/// is not 0; -1 if there is none. In later releases, mj_ray has an output for the normal.
 template <typename Ray = decltype(&mj_ray)>
 int FindGeomOnRay(const mjModel& m, const mjData& d, const mjtNum* from, const mjtNum* direction,
                   const mjtByte* groups, Ray ray = &mj_ray) {
@@ -127,8 +127,8 @@ inline int EnableFlags(const mjOption& option) {
 #endif
 }
 
-/// Makes the solver converge to the last digits. From 3.0 on, its default tolerance is too large
-/// for light bodies that are pressed between heavy ones: they shake.
+/// Makes the solver converge to the last digits. From 3.0 on, its default tolerance is so large
+/// that light bodies shake if they are pressed between heavy bodies.
 inline void TightenTolerance([[maybe_unused]] mjOption& option) {
 #if mjVERSION_HEADER >= 300
   option.tolerance = 1e-14;
@@ -191,7 +191,7 @@ struct BufferSizes {
   double numbers = 0;  // numbers on the stack
 };
 BufferSizes BufferSizesOf(const mjModel& m);
-/// Sets the sizes.
+/// Sets the sizes for the next call of mj_makeData.
 void SetBufferSizes(mjModel& m, const BufferSizes& sizes);
 
 }  // namespace mjforge::engine

@@ -1,4 +1,4 @@
-// Capture of stderr: a stream of the C library in its place, whose text goes to the capturing
+// Capture of stderr: replaces it by a stream of the C library that passes text to the capturing
 // thread.
 #include "mjforge/engine/captured_stderr.h"
 
@@ -12,16 +12,17 @@
 namespace mjforge::engine {
 namespace {
 
-// Qhull prints a few pages for each error; a thousand bad meshes are not worth more memory.
+// Limit of the captured text, bytes, because Qhull prints a few pages for each bad mesh.
 constexpr std::size_t kMaxText = std::size_t{1} << 20;
 
 std::mutex mutex;                          // protects the variables below
-std::vector<std::string*> captures;        // texts of all objects that exist
+std::vector<std::string*> captures;        // texts of all existing CapturedStderr
 std::FILE* own_stderr = nullptr;           // the stream that is replaced
-thread_local std::string* thread_capture;  // text of this thread's object; null: it has none
+thread_local std::string* thread_capture;  // text of this thread's CapturedStderr, or null
 
-// Text of a thread that has no object belongs to the newest one, because later releases of MuJoCo
-// compile meshes in threads of their own.
+// Appends text to the CapturedStderr of the calling thread or, if the thread has none, to the
+// newest one of any thread, because later releases of MuJoCo compile meshes in threads of their
+// own.
 ::ssize_t Append(void*, const char* bytes, std::size_t size) {
   const std::lock_guard lock(mutex);
   std::string* const text = thread_capture != nullptr ? thread_capture

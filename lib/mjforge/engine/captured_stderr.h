@@ -6,8 +6,9 @@
 
 namespace mjforge::engine {
 
-/// Captures the text that is printed to the C library's `stderr` while the object exists. MuJoCo's
-/// convex hulls come from Qhull, which prints its messages there. The descriptor is unchanged.
+/// Captures the text that is printed to the C library's `stderr` while the object exists, because
+/// Qhull, which computes convex hulls for MuJoCo, prints its messages there. The file descriptor 2
+/// is unchanged.
 class CapturedStderr {
  public:
   CapturedStderr();

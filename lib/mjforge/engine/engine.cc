@@ -21,13 +21,13 @@ using diag::Code;
 // Warnings of the current load. MuJoCo calls handlers on the loading thread, without user data.
 thread_local std::vector<std::string> thread_warnings;
 
-// Returns true for the errors of mju_malloc and of LodePNG if memory is not enough.
+// Returns true for the messages of mju_malloc and of LodePNG about a lack of memory.
 bool IsOutOfMemory(std::string_view message) {
   return message.find("ould not allocate memory") != std::string_view::npos ||
          message.find("memory allocation failed") != std::string_view::npos;
 }
 
-// The handler of mju_error must not return. Within a compilation MuJoCo catches its own errors
+// Handler of mju_error, which must not return. Within a compilation MuJoCo catches its own errors
 // (longjmp in mjCModel::Compile); elsewhere the exception leaves mj_loadXML, whose std::lock_guard
 // releases the mutex.
 [[noreturn]] void ThrowError(const char* message) {
@@ -48,8 +48,8 @@ void AddQhullMessages(const std::vector<std::string>& messages, Loaded& loaded) 
   }
 }
 
-/// Gives a model at least the stack that MuJoCo 2.2 reserves for models without `nstack`, and lists
-/// of all pairs of bodies.
+/// Enlarges a model's stack to what MuJoCo 2.2 reserves for models without `nstack`, plus room for
+/// a list of all pairs of bodies.
 void ReserveStack(mjModel& m) {
   if (!kHasFixedBuffers) return;
   BufferSizes sizes = BufferSizesOf(m);
@@ -83,7 +83,7 @@ Loaded Load(const char* file, const mjVFS* vfs) {
   return loaded;
 }
 
-// Shortages by the words in MuJoCo's warnings and errors.
+// Words in MuJoCo's warnings and errors, with the shortage that each reports.
 constexpr std::pair<std::string_view, Shortage> kShortages[] = {
     {"contact buffer is full", {"ignores contacts that exceed its buffer", "a larger `nconmax`"}},
     {"constraint buffer is full",
@@ -93,10 +93,10 @@ constexpr std::pair<std::string_view, Shortage> kShortages[] = {
      {"rejects the model, because it cannot address so many constraint rows",
       "a smaller `njmax`"}}};
 // Stack sizes to try, in numbers (8 bytes): lists of pairs of 4,000 and 15,000 bodies fit.
-// Untouched pages cost nothing. The buffers are small because the stack is all that a load needs.
+// Untouched pages cost nothing. The other buffers are small, because a load needs only the stack.
 constexpr std::string_view kStackSizes[] = {"10000000", "120000000"};
 
-/// Adds the shortage that a message reports; returns false if it reports none.
+/// Adds the shortage that a message reports; returns false if the message reports none.
 bool AddShortage(const std::string& message, std::vector<Shortage>& shortages) {
   const auto found = std::ranges::find_if(kShortages, [&](const auto& known) {
     return kHasFixedBuffers && message.find(known.first) != std::string::npos;
@@ -106,8 +106,8 @@ bool AddShortage(const std::string& message, std::vector<Shortage>& shortages) {
   return true;
 }
 
-/// Loads a text; again with a larger stack if the stack of MuJoCo 2.2 is too small. `load` loads
-/// the text or another text in its place.
+/// Loads a text, and again with a larger stack if the stack of MuJoCo 2.2 is too small. `load`
+/// loads the text that it is given: the original or one with another stack size.
 template <typename LoadText>
 Loaded LoadWithStack(const std::string& text, const LoadText& load) {
   const auto load_once = [&](const std::string& attempt) {

@@ -41,9 +41,9 @@ struct Loaded {
   Model model;
   std::string error;
   std::vector<std::string> warnings;
-  std::optional<FileFault> fault;  // set if MuJoCo did not get the text
-  /// Limits of memory that MuJoCo 2.2 exceeds if it loads the unchanged text. The loaded model may
-  /// have more memory. Releases from 2.3 on reserve memory as needed.
+  std::optional<FileFault> fault;  // set if MuJoCo was not called because of a bad file
+  /// Memory limits of MuJoCo 2.2 that the unchanged text exceeds. The loaded model may have larger
+  /// buffers. Releases from 2.3 on reserve memory as needed.
   std::vector<Shortage> shortages;
 };
 
@@ -62,17 +62,20 @@ class Engine {
     std::string message;
   };
   /// Puts the files into memory under the names that the text uses. Each file is read at most once;
-  /// generated files must live until the text is loaded. Returns the first problem, if any.
+  /// generated files must live until the text is loaded. Returns the first problem; nullopt if
+  /// there is none.
   std::optional<AssetProblem> SetAssets(const bytes::Assets& assets);
 
-  /// Puts the files into memory, and loads a text that may refer to them. A file that cannot be put
-  /// into memory is the error.
+  /// Puts the files into memory, and loads a text that may refer to them. If a file cannot be put
+  /// into memory, the reason is in Loaded::error.
   Loaded LoadText(const std::string& text, const bytes::Assets& assets);
-  /// Loads a text that may refer to the assets.
+  /// Loads a text that may refer to the files of the last SetAssets().
   Loaded LoadText(const std::string& text);
-  /// Loads a text as if it were a file in that folder; reads the files it refers to from the disk.
+  /// Loads a text as if it were a file in `folder`; reads the files that the text names from the
+  /// disk.
   Loaded LoadTextIn(const std::filesystem::path& folder, const std::string& text);
-  /// Loads a file or standard input as it is, and the files it refers to from the disk.
+  /// Loads an MJCF file or standard input, unchanged; reads the files that the MJCF names from the
+  /// disk.
   Loaded LoadFile(const std::filesystem::path& file);
 
  private:

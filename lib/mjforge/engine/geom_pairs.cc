@@ -1,4 +1,5 @@
-// Mixes contact parameters of geom pairs, and lends the list to a model for one call.
+// Mixes contact parameters of geom pairs, and lends the list of pairs to a model for one call of
+// MuJoCo.
 #include "mjforge/engine/geom_pairs.h"
 
 #include <algorithm>
@@ -125,7 +126,7 @@ void GeomPairs::Add(const mjModel& m, int geom1, int geom2) {
   geom1_.push_back(a);
   geom2_.push_back(b);
   dim_.push_back(dim);
-  signature_.push_back(0);  // matters only if MuJoCo also finds pairs itself
+  signature_.push_back(0);  // ignored by MuJoCo in the mode kPairsOnly
   margin_.push_back(std::max(m.geom_margin[a], m.geom_margin[b]));
   gap_.push_back(std::max(m.geom_gap[a], m.geom_gap[b]));
   Append(friction_, std::array{friction[0], friction[0], friction[1], friction[2], friction[2]});

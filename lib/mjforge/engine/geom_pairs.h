@@ -23,11 +23,13 @@ inline constexpr bool kTakesPairs = internal::TakesPairs<mjModel>();
 class GeomPairs {
  public:
   void Clear();
-  /// Adds a pair of geoms that are not height fields. Contacts equal those without the list if
-  /// pairs are added in MuJoCo's order: by the lower body, then by the higher body, then by geoms.
+  /// Adds a pair of geoms that are not height fields. Contacts equal those that MuJoCo finds
+  /// without the list if pairs are added in MuJoCo's order: by the lower body, then by the higher
+  /// body, then by geoms.
   void Add(const mjModel& m, int geom1, int geom2);
 
-  /// Calls mj_step or mj_collision with only these pairs; without the list if !kTakesPairs.
+  /// Calls mj_step or mj_collision with only these pairs; if kTakesPairs is false, MuJoCo finds all
+  /// pairs itself.
   void Step(mjModel& m, mjData& d);
   void Collide(mjModel& m, mjData& d);
 

@@ -29,7 +29,7 @@ const mjVFS* MemoryFiles::Get() {
 }
 
 void MemoryFiles::SetText(const std::string& text) {
-  // Always copy: the next text may have the address of the last one.
+  // Every text is added anew, because it may have the same address as the last text.
   mj_deleteFileVFS(vfs_.get(), kTextName);
   mj_addBufferVFS(vfs_.get(), kTextName, text.data(), static_cast<int>(text.size()));
 }

@@ -14,7 +14,8 @@ class MemoryFiles {
  public:
   MemoryFiles();
 
-  /// Returns the argument for mj_loadXML. Texts and files must live as long as it is used.
+  /// Returns the file system for mj_loadXML. Texts and files must live as long as the file system
+  /// is used.
   const mjVFS* Get();
 
   /// File name of the model's text.
@@ -24,7 +25,8 @@ class MemoryFiles {
   /// Removes all files except the text.
   void Clear();
   enum class Added { kYes, kTooMany, kNameTaken };
-  /// Adds a file. `name` has no folder and no capital letters. Equal bytes may be added twice.
+  /// Adds a file. `name` has no folder and no capital letters. The same bytes (the same address)
+  /// may be added twice.
   Added Add(const std::string& name, const std::string& bytes);
 
  private:
@@ -36,11 +38,11 @@ class MemoryFiles {
   struct Delete {
     void operator()(mjVFS* vfs) const;
   };
-  /// Files that MuJoCo has copied and keeps in memory if the next text refers to them, too.
+  /// Files that MuJoCo has copied. A file stays in memory if it is added again for the next text.
   std::map<std::string, Entry> files_;
 #else
-  // Written without MuJoCo's functions: they copy files, touch all of the 2 MB structure, and
-  // mj_deleteFileVFS (2.2.2) does not return unless the file is the last one.
+  // MuJoCo's functions are not used here, because they copy files and touch all of the 2 MB
+  // structure, and mj_deleteFileVFS (2.2.2) does not return unless the file is the last one.
   using Delete = std::default_delete<mjVFS>;
   void SetFile(int slot, const std::string& name, const std::string& bytes);
 #endif

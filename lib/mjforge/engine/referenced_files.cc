@@ -68,8 +68,8 @@ class FileScan {
     included_[name] = text ? documents_.back().get() : nullptr;
   }
 
-  /// Reads the settings of the compiler in the order of MuJoCo, for which each include is replaced
-  /// by the elements of its file. The last setting counts.
+  /// Reads the settings of `<compiler>` elements in the order of MuJoCo, which replaces each
+  /// include by the elements of its file. The last setting counts.
   void ReadSettings(const pugi::xml_node& root) {
     for (const pugi::xml_node& section : root.children()) {
       if (std::string_view(section.name()) == "compiler") Set(section);

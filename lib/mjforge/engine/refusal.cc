@@ -11,8 +11,8 @@
 namespace mjforge::engine {
 namespace {
 
-// Words before the line number in messages of the compiler (mjCError; the second from 3.0 on), the
-// reader (mjXError) and tinyxml2.
+// Words before the line number in messages of MuJoCo's compiler (mjCError; the second words from
+// 3.0 on), MuJoCo's reader (mjXError) and tinyxml2.
 constexpr std::string_view kLineWords[] = {", line = ", ", line ", "', line ",
                                            "Line number=", "on line "};
 constexpr std::string_view kPrefixes[] = {"XML Error: ", "Error: ", "XML parse error "};

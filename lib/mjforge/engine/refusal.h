@@ -6,14 +6,14 @@
 
 namespace mjforge::engine {
 
-/// Reason and place of an error.
+/// Reason and line of an error message of MuJoCo.
 struct Refusal {
-  std::string reason;  // a line without MuJoCo's "Error: " and final full stop
+  std::string reason;  // one line, without MuJoCo's "Error: " and final full stop
   int line = 0;        // line of the XML; 0 if unknown
 };
 Refusal ParseRefusal(std::string_view message);
 
-/// Returns a text on one line, for notes.
+/// Returns a text on one line, without full stops at its end.
 std::string OneLine(std::string_view text);
 
 /// Describes the element that starts on a line of an XML text: "geom 'head'", or "the geom on line
