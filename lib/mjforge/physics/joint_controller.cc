@@ -14,7 +14,7 @@ namespace {
 
 using compiled::Index;
 
-constexpr double kMoveTime = 0.5;    // s, from one end to the other
+constexpr double kMoveTime = 0.5;    // s, from one end of the range to the other
 constexpr double kFastest = 12;      // rad/s, of a hinge
 constexpr double kLongestMove = 10;  // s
 constexpr double kHoldTime = 0.1;    // s, for which a joint must come no nearer to end its move
@@ -27,7 +27,7 @@ constexpr double kNearest = 0.005;  // rad or m
 // contacts, and faster than a move.
 constexpr double kStiffness = 20;
 // Position errors are clamped, to limit the force on a blocked joint: to this share of the range of
-// a driven joint, and to kMostHeldError for a held one.
+// a driven joint, and to kMostHeldError for a held joint.
 constexpr double kMostError = 0.1;
 constexpr double kMostHeldError = 0.1;  // rad or m
 

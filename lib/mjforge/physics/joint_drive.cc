@@ -1,4 +1,4 @@
-// Drive test: holds everything but the driven joints, and drives them in groups.
+// Drive test: drives groups of joints while all other joints are held.
 #include "mjforge/physics/joint_drive.h"
 
 #include <algorithm>

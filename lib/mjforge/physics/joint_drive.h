@@ -53,10 +53,10 @@ bool RecordDrive(const mjModel& m, mjData& d, std::string_view object, const mod
 /// range and back, and a ball joint from its zero about each axis. An unlimited hinge makes a full
 /// turn; unlimited slides are left out. A force makes the joint follow smooth moves of half a
 /// second. The force accounts for the inertia that the joint moves, but not for obstacles. Free
-/// bodies are held in place, and so are other joints unless they are coupled to the driven one.
-/// There is no gravity and no floor, and joints have no friction, springs or actuators. Joints that
-/// cannot get near each other are driven at the same time, and so are joints that one entry of
-/// checks.joints names. `object` is the object's name, `d` the model's data. May throw
+/// bodies are held in place, and so are other joints unless they are coupled to the driven joint.
+/// There is no gravity and no floor, and joints have no friction, springs or actuators. Joints
+/// whose bodies cannot get near each other are driven at the same time, and so are joints that one
+/// entry of checks.joints names. `object` is the object's name, `d` the model's data. May throw
 /// std::exception.
 DriveResults DriveJoints(const mjModel& m, mjData& d, std::string_view object,
                          const model::Checks& checks);

@@ -24,7 +24,7 @@ using diag::Code;
 using expr::RoundedText;
 
 constexpr int kPositions = 9;        // number of positions at which the load of a joint is computed
-constexpr double kMostSag = 0.2;     // share of the range by which a servo may give way
+constexpr double kMostSag = 0.2;     // share of the range by which a servo may give way to a load
 constexpr double kMostBeyond = 0.5;  // share of the range by which a setpoint may exceed the range
 constexpr double kForceOfPerson = 400;   // N
 constexpr double kLongestPush = 10;      // s, from one end of the range to the other

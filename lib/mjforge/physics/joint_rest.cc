@@ -19,7 +19,7 @@ namespace {
 // Tolerances of limits, which give way under weight, by about 0.4 mm with the default solreflimit.
 constexpr double kSagOfSlide = 0.001;  // m
 constexpr double kSagOfHinge = 0.02;   // rad
-// Largest speeds of a joint that creeps. A faster one rolls or swings.
+// Largest speeds of a joint that creeps. A faster joint rolls or swings.
 constexpr double kCreepOfSlide = 0.01;  // m/s
 constexpr double kCreepOfHinge = 0.1;   // rad/s
 // A joint that creeps violates `rests` if it leaves the allowed positions within this time.

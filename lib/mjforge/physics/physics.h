@@ -22,8 +22,8 @@ struct Result {
   /// A joint driven to both ends of its range and back, with the root held and without gravity.
   struct Joint {
     std::string name;
-    double overshoot = 0;     // distance beyond its range, rad or m
-    double reach = 1;         // share of its range that it reached
+    double overshoot = 0;     // largest distance beyond its range, rad or m
+    double reach = 1;         // share of its range that the joint reached
     double penetration = 0;   // m, deepest of two bodies, minus the depth at the start
     double return_error = 0;  // final distance from the start, rad or m
     bool operator==(const Joint&) const = default;
@@ -45,7 +45,7 @@ struct Result {
   /// Containment test: balls dropped into the object, which is held and then turned over.
   struct Holding {
     int balls = 0;
-    int held = 0;     // balls that stayed for 3 s
+    int held = 0;     // balls that stayed inside for 3 s
     int emptied = 0;  // held balls that then left through the mouth; 0 if not turned over
     bool operator==(const Holding&) const = default;
   };
@@ -87,10 +87,10 @@ struct Result {
   /// to the world is not dropped, but simulated under its weight.
   bool dropped = false;
   bool at_rest = false;
-  double time = 0;         // simulated, s
+  double time = 0;         // simulated time, s
   double drift = 0;        // displacement of the centre of mass along the floor, m
   double tilt = 0;         // rad, between the object's up directions before and after
-  double speed = 0;        // fastest point at the end, m/s
+  double speed = 0;        // speed of the fastest point at the end, m/s
   double penetration = 0;  // deepest contact during the drop, usually at a landing, m
   double sink = 0;         // deepest contact at the end, m
   double energy_gain = 0;  // largest gain since the start, as a share of mass * g * size
@@ -99,12 +99,12 @@ struct Result {
   double overlap = 0;      // share of the mass that overlapping parts count twice
   std::vector<Joint> joints;
   std::vector<Equality> equalities;
-  std::optional<Stability> stability;  // only of an object that rests alone on a level floor
+  std::optional<Stability> stability;  // set if one object rests alone on a level floor
   // Results of tests that the checks ask for.
   std::optional<Holding> holds;
   std::optional<Settling> settled;
   std::optional<Fitting> fits;
-  std::vector<Grasp> grasps;  // all that were tried
+  std::vector<Grasp> grasps;  // all grasps that were tried
   std::optional<SimReady> simready;
   bool operator==(const Result&) const = default;
 };

@@ -25,8 +25,7 @@ using compiled::VectorAt;
 using diag::Code;
 using expr::RoundedText;
 
-// Largest number of releases of a pile. Each release gives the bodies another order of release
-// poses.
+// Largest number of releases of a pile. Each release assigns the release poses to other bodies.
 constexpr std::size_t kMostTries = 4;
 constexpr double kEdge = 0.001;          // m, that a centre of mass may be outside of the region
 constexpr double kLargeMassRatio = 100;  // ratio of masses at which contacts of MuJoCo get soft

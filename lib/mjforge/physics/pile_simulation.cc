@@ -26,7 +26,7 @@ constexpr double kFall = 0.05;        // s, in which a released body gets faster
 constexpr double kPatience = 0.5;     // s
 constexpr double kSlowSpeed = 0.01;   // m/s, at which damping ends
 constexpr double kSlowTime = 0.1;     // s, for which all bodies must be slower than kSlowSpeed
-constexpr double kRestTime = 1;       // s, without damping; less if the pile has little time
+constexpr double kRestTime = 1;       // s, for which no body may move; less if Pile::time is short
 constexpr double kRestMotion = 5e-4;  // m, by which a body at rest may creep in kRestTime
 constexpr double kRestTurn = 0.008;   // rad, by which a body at rest may turn in kRestTime
 

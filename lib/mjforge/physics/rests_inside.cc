@@ -65,14 +65,14 @@ class IgnoredPairs {
 
  private:
   const mjModel& m_;
-  std::set<std::pair<int, int>> excluded_;  // bodies, the lower number first
-  std::set<std::pair<int, int>> paired_;    // geoms of <pair>, the lower number first
+  std::set<std::pair<int, int>> excluded_;  // pairs of bodies, the lower id first
+  std::set<std::pair<int, int>> paired_;    // geoms of <pair>, the lower id first
 };
 
 /// Deepest contact of two groups; the bodies of each group are welded to each other.
 struct Penetration {
   double depth = 0;  // m
-  int body1 = 0;     // less than body2
+  int body1 = 0;     // lower id than body2
   int body2 = 0;
 };
 using Penetrations = std::map<std::pair<int, int>, Penetration>;

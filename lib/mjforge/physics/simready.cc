@@ -29,9 +29,9 @@ using static_checks::Reporter;
 constexpr double kDropHeights = 8;      // drop height, in heights of the object
 constexpr double kRestWithin = 8;       // s after the object touches the floor
 constexpr double kFloorDepth = 0.1;     // m, depth of the object's box in the floor
-constexpr double kExplosion = 10;       // growth of the object's box
-constexpr double kReach = 0.10;         // rad, missing range of a hinge
-constexpr double kReachOfSlide = 0.02;  // missing share of the range of a slide
+constexpr double kExplosion = 10;       // factor by which the object's box may grow
+constexpr double kReach = 0.10;         // rad, range of a hinge that may be missing
+constexpr double kReachOfSlide = 0.02;  // share of the range of a slide that may be missing
 constexpr double kReturn = 0.01;  // rad or m, distance of a joint from its start after the sweep
 constexpr double kSlope = std::numbers::pi / 4;
 // The benchmark states no friction. With MuJoCo's default of 1 nothing slides on such a slope; 0.5

@@ -14,8 +14,8 @@
 namespace mjforge::physics {
 namespace {
 
-constexpr int kDirections = 72;
-constexpr double kStep = 0.5 * std::numbers::pi / 180;
+constexpr int kDirections = 72;                         // directions of the tilt
+constexpr double kStep = 0.5 * std::numbers::pi / 180;  // rad, between two tilts
 // Tolerance for rounding, as a share of the height, because the centre of a rolling ball does not
 // rise.
 constexpr double kFlat = 1e-9;
