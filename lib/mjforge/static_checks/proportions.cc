@@ -31,7 +31,7 @@ constexpr double kNothing = 1e-12;  // smaller moments are zero
 // the part is reported.
 constexpr double kFar = 0.5;
 constexpr double kFaces = 1e-9;          // m, overlap of boxes whose faces only meet
-constexpr double kHullTolerance = 5e-4;  // of the centre of mass, per size of the parts
+constexpr double kHullTolerance = 5e-4;  // for the centre of mass, as a share of the size
 
 std::string OutsideOf(double value, const Eigen::Vector2d& range, std::string_view unit) {
   const bool low = value < range.x();
