@@ -25,8 +25,8 @@ class MemoryFiles {
   /// Removes all files except the text.
   void Clear();
   enum class Added { kYes, kTooMany, kNameTaken };
-  /// Adds a file. `name` has no folder and no capital letters. The same bytes (the same address)
-  /// may be added twice.
+  /// Adds a file. `name` has no folder and no capital letters. Adding the same bytes at the same
+  /// address again is allowed.
   Added Add(const std::string& name, const std::string& bytes);
 
  private:

@@ -8,7 +8,7 @@ namespace mjforge::engine {
 
 /// Reason and line of an error message of MuJoCo.
 struct Refusal {
-  std::string reason;  // one line, without MuJoCo's "Error: " and final full stop
+  std::string reason;  // text of one line, without MuJoCo's "Error: " and final full stop
   int line = 0;        // line of the XML; 0 if unknown
 };
 Refusal ParseRefusal(std::string_view message);
