@@ -123,9 +123,9 @@ class Maker:
 
     def view(self) -> dict[str, Any]:
         """`view:` of the spec; a copy, which the variant may change."""
-        if self._view is None:
-            self._view = self.description()["view"]
-        return {**self._view, "pose": dict(self._view["pose"])}
+        view: dict[str, Any] = self._view or self.description()["view"]
+        self._view = view
+        return {**view, "pose": dict(view["pose"])}
 
     def make(self, index: int) -> Variant:
         if self._changed:
