@@ -3,10 +3,13 @@
     check_family_files.py FOLDER
 """
 
+import io
 import pathlib
 import shutil
+import struct
 import sys
 import tempfile
+import zipfile
 
 import mjforge
 import mujoco
@@ -35,6 +38,14 @@ def check_refusals(folder):
     raises(ValueError, "it is not the base of this family", hammer.fields, on_floor(thing), PREFIX)
 
 
+def middles(whole):
+    """A position in the data of each member of an archive."""
+    with zipfile.ZipFile(io.BytesIO(whole)) as archive:
+        for member in archive.infolist():
+            lengths = struct.unpack_from("<HH", whole, member.header_offset + 26)  # of its name, and of extra fields
+            yield member.header_offset + 30 + sum(lengths) + member.compress_size // 2
+
+
 def check_files(folder):
     """Files that were cut short or changed, and files of other kinds."""
     whole = pathlib.Path(folder, "family/hammer.npz").read_bytes()
@@ -43,7 +54,7 @@ def check_files(folder):
         for size in (0, 1, 100, len(whole) // 2, len(whole) - 1):
             file.write_bytes(whole[:size])
             raises(ValueError, "hammer.npz'", mjforge.load_family, file)
-        for at in range(200, len(whole), len(whole) // 50):
+        for at in middles(whole):
             file.write_bytes(whole[:at] + bytes([whole[at] ^ 1]) + whole[at + 1:])
             expect_refused(file)
         np.savez(file, index=np.arange(3))
