@@ -33,7 +33,7 @@ class Assembler {
   };
 
   /// `attachments` reads MJCF files; if it is null, a body with `mjcf:` is an error. `placer` finds
-  /// places; if it is null, a body with `place:` is an error. Both must outlive the assembler.
+  /// places; if it is null, a body with `place:` is an error. The assembler must not outlive them.
   explicit Assembler(model::AttachmentSource* attachments = nullptr,
                      model::Placer* placer = nullptr)
       : attachments_(attachments), placer_(placer) {}

@@ -111,7 +111,7 @@ class FaceFinder {
 
   const FaceSearch& search_;
   const model::Object& object_;
-  std::vector<model::Pose> poses_;  // of all bodies, in the root frame
+  std::vector<model::Pose> poses_;  // poses of all bodies in the root frame
 };
 
 }  // namespace

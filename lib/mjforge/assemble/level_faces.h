@@ -27,7 +27,7 @@ struct LevelFace {
   /// Corners of a convex polygon, counter-clockwise, in W. For a disc, a polygon around the disc.
   std::vector<Eigen::Vector2d> corners;
   double z = 0;                                             // height of the face in W, m
-  std::optional<double> radius;                             // of a disc, m; nullopt for a polygon
+  std::optional<double> radius;                             // radius of a disc, m; nullopt: polygon
   double height = std::numeric_limits<double>::infinity();  // free height above, m
 };
 

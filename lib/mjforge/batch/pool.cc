@@ -33,7 +33,7 @@ constexpr int kBugStatus = 70;  // EX_SOFTWARE of sysexits.h
 // Limit of consecutive deaths of workers between variants, after which the batch fails.
 constexpr int kMaxIdleDeaths = 10;
 // A longer pause between two checks of the workers means that the leading process and the workers
-// were stopped (Ctrl-Z). The rest of such a pause does not count as wall time.
+// were stopped (Ctrl-Z). Wall time does not include the rest of such a pause.
 constexpr Seconds kMaxLookInterval{1};
 
 // Writes all bytes to a socket; returns false, without a signal, if the other end is closed.

@@ -98,8 +98,7 @@ class BatchRun {
     if (todo.count == 0) return;
     const std::uint64_t jobs = std::min(request_.jobs == 0 ? Cores() : request_.jobs, todo.count);
     Schedule schedule(all_, todo, request_.destination, jobs);
-    // Without validation, give workers more tasks in advance, because workers finish tasks faster
-    // than the operating system schedules the leader.
+    // Without validation, workers finish tasks faster than the system schedules the leader.
     const bool is_quick = request_.variant.validation == manifest::Validation::kNone;
     const Request request = WithSuperset();
     Pool pool(jobs, is_quick ? kMaxTasksPerWorker : 2, request_.time_limit, [&] {

@@ -104,8 +104,8 @@ std::optional<model::Part> PartOf(const mjModel& m, int id);
 /// Names given to elements that have no name: empty, or the result of NameOf().
 enum class Nameless { kEmpty, kNumbered };
 /// Reads the bodies with joints and parts as the functions above do, and also the `group` of parts.
-/// Mass and bounds of the object are in the world frame, at StartOf(). Of the bounds only `aabb` is
-/// set, the box around all colliding parts. All elements get the source mark `mark`.
+/// Mass and bounds of the object are in the world frame, at StartOf(). The bounds contain only
+/// `aabb`, the box around all colliding parts. All elements get the source mark `mark`.
 model::Object ObjectOf(const mjModel& m, diag::SourceMark mark, Nameless nameless);
 
 }  // namespace mjforge::compiled

@@ -214,8 +214,8 @@ std::string_view GroupAttribute(int group) {
 std::vector<int> DepthFirstOrder(const model::Object& object) {
   const std::size_t count = object.bodies.size();
   std::vector<int> order;
-  // Children of each body as linked lists, built from back to front to preserve the order. One more
-  // list at the end has the children of the world.
+  // Children of each body as linked lists, built from back to front to preserve the order. An
+  // additional list at the end has the children of the world.
   std::vector<int> first_child(count + 1, -1);
   std::vector<int> next_sibling(count, -1);
   for (std::size_t i = count; i-- > 0;) {

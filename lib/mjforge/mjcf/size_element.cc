@@ -96,7 +96,7 @@ std::vector<GeomBox> GeomBoxes(const model::Object& object) {
 }
 
 /// Returns the number of pairs of geoms of different children of the world whose bounding boxes
-/// touch at the start. One geom can lie on many others, such as a box on planks. Boxes around the
+/// touch at the start. A geom can lie on many others, such as a box on planks. Boxes around the
 /// pieces of nested bowls touch many boxes, although each piece touches about one piece; therefore
 /// two children of the world count at most as many pairs as they have geoms.
 std::size_t CountTouchingPairs(const model::Object& object) {

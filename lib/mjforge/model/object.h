@@ -94,8 +94,8 @@ struct Part {
   /// Mass properties of the exact solid at 1 kg/m^3, in the geom's frame G; nullopt if `shape` is
   /// exact.
   std::optional<MassProperties> solid;
-  /// Convex hull of the exact solid, in the solid's frame S; null if `shape` has the same hull. One
-  /// piece of a solid has the hull of the whole solid, the others have an empty hull.
+  /// Convex hull of the exact solid, in the solid's frame S; null if `shape` has the same hull. A
+  /// single piece of each solid has the hull of the whole solid, the others have an empty hull.
   std::shared_ptr<const solid::Extent> extent;
   Pose X_GS;
   bool is_shell = false;  // the mass is on the mesh's surface; `solid->mass` is the mesh's area

@@ -25,7 +25,7 @@ struct Beside {
   double gap = 0;    // distance of the two bounding boxes along the side's direction, m
 };
 
-/// One try to place a body, as drawn from `place:` of its spec. Points and directions are in the
+/// Try to place a body, as drawn from `place:` of its spec. Points and directions are in the
 /// frame of the object.
 struct PlaceTry {
   int support = -1;                // index of the body that has the region or the site

@@ -147,7 +147,7 @@ Box3 SweptBounds(const Object& object) {
   const bool some_collide = std::ranges::any_of(
       bodies, [&](const Body& body) { return std::ranges::any_of(body.parts, collides); });
   const std::vector<Pose> X_WB = ZeroPoses(bodies);
-  std::vector<Shapes> shapes(bodies.size());  // of each body and its descendants
+  std::vector<Shapes> shapes(bodies.size());  // shapes of each body and its descendants
   for (std::size_t i = bodies.size(); i-- > 0;) {
     const Body& body = bodies[i];
     for (const Part& part : body.parts) {

@@ -16,7 +16,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int kOutlinePoints = 64;  // of a circle or ellipsoid
+constexpr int kOutlinePoints = 64;  // points of a circle or ellipsoid
 constexpr int kGenerators = 256;    // lines on the side of a tilted cylinder
 constexpr int kCapsuleSteps = 32;
 constexpr double kLevel = 1e-9;  // tolerance of level axes: sine of the tilt, or rise in m

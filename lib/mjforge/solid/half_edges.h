@@ -24,7 +24,7 @@ class HalfEdges {
  private:
   // For each half-edge of a face: the face, and the vertex after the half-edge's end.
   std::map<std::pair<int, int>, std::pair<int, int>> next_;
-  std::vector<int> some_neighbour_;  // one neighbour of each vertex
+  std::vector<int> some_neighbour_;  // a neighbour of each vertex
 };
 
 }  // namespace mjforge::solid

@@ -30,7 +30,7 @@ struct Snapshot {
   /// Files that references name; the key is the referring file's absolute folder and the reference.
   std::map<std::pair<std::filesystem::path, std::string>, std::filesystem::path> found;
   Texts texts;  // text of each file, by canonical path
-  /// Parameter files (LoadOptions::parameter_files), by canonical path. They are not in `texts`,
+  /// Parameter files (LoadOptions::parameter_files), by canonical path; not in `texts`,
   /// because other parameter files may be given with a snapshot that was written beside a batch.
   Texts parameter_texts;
   /// Parsed texts, by the same paths as in `texts`; not in SnapshotText().

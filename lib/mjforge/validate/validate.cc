@@ -50,7 +50,7 @@ int CountConstraints(const model::Body& body) {
 /// Returns a size element with small buffers, because clearing buffers of default size takes most
 /// of the time of a load, and the size of MuJoCo's stack depends on njmax. A single body has no
 /// contacts, and several bodies seldom have many; if they do, MuJoCo warns. The text has no line
-/// end, so that line numbers stay the same. It is empty if the object has a size element.
+/// end, so that line numbers stay the same; the text is empty if the object has a size element.
 std::string SizeHint(const model::Object& object) {
   constexpr int kContacts = 12;
   constexpr int kRowsOfContact = 10;  // condim 6, pyramidal
