@@ -74,15 +74,14 @@ def compare(path: str, sha256: str, first: str) -> None:
 class Maker:
     """An open spec in the library; for one thread at a time."""
 
-    __slots__ = ("handle", "texts", "pointer", "_key_paths", "_inputs", "_changed",
-                 "_view")
+    __slots__ = ("handle", "texts", "pointer", "_key_paths", "_inputs", "_changed", "_view")
 
     def __init__(self, spec: "Spec", options: Mapping[str, Any]) -> None:
         self.handle = None
         self._key_paths = spec._key_paths
         self._inputs = spec._inputs
         self._changed = ""
-        self._view: Optional[dict[str, Any]] = None
+        self._view = spec._view
         place_seed = options["place_seed"]
         settings = [word for pair in spec.settings.items() for word in pair]
         request = Request(
@@ -121,12 +120,6 @@ class Maker:
     def description(self) -> dict[str, Any]:
         return dict(loads(bytes_of(library.MjforgeDescription(self.handle))))
 
-    def view(self) -> dict[str, Any]:
-        """`view:` of the spec; a copy, which the variant may change."""
-        view: dict[str, Any] = self._view or self.description()["view"]
-        self._view = view
-        return {**view, "pose": dict(view["pose"])}
-
     def make(self, index: int) -> Variant:
         if self._changed:
             raise OSError(self._changed)
@@ -148,7 +141,7 @@ class Maker:
         size = texts.contents_size
         contents = read(texts.contents, size) if size else b""
         return Variant(read(texts.xml, texts.xml_size), read(texts.record, texts.record_size),
-                       files, contents, findings, self.view())
+                       files, contents, findings, {**self._view, "pose": dict(self._view["pose"])})
 
     def add_rows(self, indices: range, table: "Table") -> int:
         """Adds the records of these variants up to the first that fails; returns how many."""

@@ -49,6 +49,7 @@ class Spec:
     findings: tuple[Finding, ...]  # warnings
 
     _snapshot: Snapshot
+    _view: Mapping[str, Any] = {"pose": {}}  # `view:`, once the spec is described
     _settings: dict[str, str]
     _key_paths: tuple[str, ...]  # of the lines of a mapping's text
     _inputs: dict[str, str]  # hashes of the files that variants refer to, by path
@@ -97,7 +98,7 @@ class Spec:
     def _describe(self, maker: Maker) -> None:
         self.findings = maker.check()
         members = maker.description()
-        del members["view"]
+        self._view = members.pop("view")
         parameters = [parameter_of(each) for each in members.pop("parameters")]
         self.parameters = types.MappingProxyType({each.name: each for each in parameters})
         for member, value in members.items():
