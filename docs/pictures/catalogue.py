@@ -26,8 +26,9 @@ CHAPTERS = """
 Each large picture shows variant 0 of seed {seed}, and each sheet variants 0 to {last}. Masses and sides are those of
 the first {count} variants of seed 0 (of scenes, 8 of seed {seed}) as they start: sides of the box around them, the
 longest first. Beside them is a real product or a standard, from [a table](pictures/products.csv); it was chosen for its
-likeness, so that it often lies inside. A figure that is `unverified` was not compared with its source. Joints that differ only in a number share a row, which has the least and the greatest end of
-all. Values that are computed from others are at the end of each table of parameters.
+likeness, so that it often lies inside. A figure that is `unverified` was not compared with its source. Joints that
+differ only in a number share a row, which has the least and the greatest end of all. Values that are computed from
+others are at the end of each table of parameters.
 
 How many variants pass the [physical checks](physics.md), and how many pass `--profile simready`
 ([the benchmark](physics.md#the-simready-benchmark)) as well, was [counted](pictures/shares.csv) by `./dev shares` on

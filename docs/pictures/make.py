@@ -5,8 +5,8 @@
 
 writes, beside itself, for every bundled spec the sheet NAME.webp, wall/NAME.webp, large/NAME.webp and
 moved/NAME_*.webp; materials.webp; NAME.png for the cookbook; hero.webp and ten.webp for the README; and
-catalogue.json, which says which specs they show. Also ../catalogue.md and the wall in the README. A test compares the hashes in
-catalogue.json with the specs. `./dev pictures` builds the program and runs this.
+catalogue.json, which says which specs they show. Also ../catalogue.md and the wall in the README. A test
+compares the hashes in catalogue.json with the specs. `./dev pictures` builds the program and runs this.
 """
 
 import concurrent.futures
