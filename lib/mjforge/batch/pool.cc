@@ -194,11 +194,12 @@ Pool::Pool(std::uint64_t jobs, std::size_t tasks_per_worker,
 // Ends idle workers by closing their channels; kills workers with tasks, because they may hang.
 Pool::~Pool() {
   for (const auto& worker : workers_) {
+    const bool runs = worker->process > 0;
+    // Comes before Close(), because SIGCONT would revoke the SIGSTOP with which the leak check of
+    // AddressSanitizer attaches to a process that exits, and the check would wait forever.
+    if (runs) ::kill(worker->process, worker->assigned.empty() ? SIGCONT : SIGKILL);
     worker->Close();
-    if (worker->process > 0) {
-      ::kill(worker->process, worker->assigned.empty() ? SIGCONT : SIGKILL);
-      ::waitpid(worker->process, nullptr, 0);
-    }
+    if (runs) ::waitpid(worker->process, nullptr, 0);
   }
 }
 
