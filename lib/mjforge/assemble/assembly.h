@@ -19,7 +19,7 @@
 #include "mjforge/assemble/references.h"
 #include "mjforge/assemble/regions.h"
 #include "mjforge/assemble/repetition.h"
-#include "mjforge/assemble/sections.h"
+#include "mjforge/assemble/mjcf_sections.h"
 #include "mjforge/assemble/starts.h"
 
 namespace mjforge::assemble {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "mjforge/assemble/materials.h"
-#include "mjforge/assemble/sections.h"
+#include "mjforge/assemble/mjcf_sections.h"
 
 namespace mjforge::assemble {
 

@@ -8,7 +8,7 @@
 
 #include "mjforge/assemble/references.h"
 #include "mjforge/assemble/scope.h"
-#include "mjforge/assemble/sections.h"
+#include "mjforge/assemble/mjcf_sections.h"
 
 namespace mjforge::assemble {
 

@@ -18,7 +18,7 @@
 #include "mjforge/engine/geom_pairs.h"
 #include "mjforge/engine/memory_files.h"
 #include "mjforge/engine/referenced_files.h"
-#include "mjforge/engine/refusal.h"
+#include "mjforge/engine/mujoco_error.h"
 
 namespace mjforge::engine {
 

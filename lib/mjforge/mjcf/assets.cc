@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "mjforge/mjcf/sections.h"
+#include "mjforge/mjcf/section_writers.h"
 
 namespace mjforge::mjcf {
 namespace {

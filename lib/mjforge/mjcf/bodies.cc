@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-#include "mjforge/mjcf/sections.h"
+#include "mjforge/mjcf/section_writers.h"
 
 namespace mjforge::mjcf {
 namespace {

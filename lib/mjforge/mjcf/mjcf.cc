@@ -6,7 +6,7 @@
 
 #include "mjforge/mjcf/element_writer.h"
 #include "mjforge/mjcf/provenance.h"
-#include "mjforge/mjcf/sections.h"
+#include "mjforge/mjcf/section_writers.h"
 
 namespace mjforge::mjcf {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mjforge/mjcf/sections.h"
+#include "mjforge/mjcf/section_writers.h"
 
 namespace mjforge::mjcf {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "mjforge/mjcf/sections.h"
+#include "mjforge/mjcf/section_writers.h"
 
 namespace mjforge::mjcf {
 namespace {

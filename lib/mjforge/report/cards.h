@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mjforge/report/report.h"
-#include "mjforge/report/sections.h"
+#include "mjforge/report/page_sections.h"
 
 namespace mjforge::report {
 

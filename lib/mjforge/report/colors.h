@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "mjforge/report/sections.h"
+#include "mjforge/report/page_sections.h"
 
 namespace mjforge::report {
 

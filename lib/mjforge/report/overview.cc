@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "mjforge/report/sections.h"
+#include "mjforge/report/page_sections.h"
 
 namespace mjforge::report {
 namespace {

@@ -7,7 +7,7 @@
 #include "mjforge/output/output.h"
 #include "mjforge/report/cards.h"
 #include "mjforge/report/report.h"
-#include "mjforge/report/sections.h"
+#include "mjforge/report/page_sections.h"
 
 namespace mjforge::report {
 

@@ -7,7 +7,7 @@
 #include "mjforge/output/output.h"
 #include "mjforge/report/gallery.h"
 #include "mjforge/report/gallery_head.h"
-#include "mjforge/report/sections.h"
+#include "mjforge/report/page_sections.h"
 
 namespace mjforge::report {
 namespace {

@@ -13,7 +13,7 @@
 #include "mjforge/diag/diag.h"
 #include "mjforge/expr/expr.h"
 #include "mjforge/spec/fields.h"
-#include "mjforge/spec/sections.h"
+#include "mjforge/spec/mjcf_sections.h"
 #include "mjforge/spec/values.h"
 
 namespace mjforge::spec {

@@ -14,7 +14,7 @@
 #include <yaml-cpp/parser.h>
 
 #include "mjforge/bytes/bytes.h"
-#include "mjforge/spec/yaml_syntax.h"
+#include "mjforge/spec/yaml_errors.h"
 
 namespace mjforge::spec {
 namespace {

@@ -5,7 +5,7 @@
 #include "mjforge/xml/attribute_numbers.h"
 #include "mjforge/xml/element.h"
 #include "mjforge/xml/elements_json.h"
-#include "mjforge/xml/flat_text.h"
+#include "mjforge/xml/element_text.h"
 #include "mjforge/xml/places.h"
 #include "mjforge/xml/tree_reader.h"
 #include "mjforge/xml/well_formed.h"

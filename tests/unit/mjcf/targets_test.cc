@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "mjforge/mjcf/sections.h"
+#include "mjforge/mjcf/section_writers.h"
 
 namespace mjforge::mjcf {
 namespace {

@@ -1,4 +1,4 @@
-#include "mjforge/report/sections.h"
+#include "mjforge/report/page_sections.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-// Parses MuJoCo's error messages.
+// The reason and the line in an error message of MuJoCo.
 #pragma once
 
 #include <string>

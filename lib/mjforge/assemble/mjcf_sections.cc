@@ -1,6 +1,6 @@
 // Elements of sections: repetition, attributes, references and limits.
 
-#include "mjforge/assemble/sections.h"
+#include "mjforge/assemble/mjcf_sections.h"
 
 #include <algorithm>
 #include <utility>

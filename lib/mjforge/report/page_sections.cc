@@ -1,6 +1,6 @@
 // Sections of a page: findings, parameters, mass and size, physics.
 
-#include "mjforge/report/sections.h"
+#include "mjforge/report/page_sections.h"
 
 #include <fmt/format.h>
 

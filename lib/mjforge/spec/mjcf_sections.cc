@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "mjforge/expr/expr.h"
-#include "mjforge/spec/sections.h"
+#include "mjforge/spec/mjcf_sections.h"
 
 namespace mjforge::spec {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <mujoco/mujoco.h>
 
-#include "mjforge/spec/sections.h"
+#include "mjforge/spec/mjcf_sections.h"
 
 namespace mjforge::spec {
 namespace {

@@ -1,5 +1,5 @@
-// Parses MuJoCo's error messages.
-#include "mjforge/engine/refusal.h"
+// The reason and the line in an error message of MuJoCo.
+#include "mjforge/engine/mujoco_error.h"
 
 #include <algorithm>
 #include <charconv>

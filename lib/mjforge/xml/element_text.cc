@@ -1,5 +1,5 @@
 // Writes a tree of elements as XML text.
-#include "mjforge/xml/flat_text.h"
+#include "mjforge/xml/element_text.h"
 
 #include <algorithm>
 #include <string_view>

@@ -1,6 +1,6 @@
 // Clear messages for the syntax errors of yaml-cpp.
 
-#include "mjforge/spec/yaml_syntax.h"
+#include "mjforge/spec/yaml_errors.h"
 
 #include <algorithm>
 

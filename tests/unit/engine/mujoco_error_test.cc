@@ -1,4 +1,4 @@
-#include "mjforge/engine/refusal.h"
+#include "mjforge/engine/mujoco_error.h"
 
 #include <catch2/catch.hpp>
 

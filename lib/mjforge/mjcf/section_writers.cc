@@ -1,6 +1,6 @@
 // Writers of sections that are copied from the spec to MJCF: settings, contacts, tendons, sensors.
 
-#include "mjforge/mjcf/sections.h"
+#include "mjforge/mjcf/section_writers.h"
 
 namespace mjforge::mjcf {
 namespace {
