@@ -78,10 +78,10 @@ HOSTS = {
                                             "check_family_files.py"],
                        MUJOCO + "; families, row by row; couplings, driven; attached to a scene in Python; "
                        "files with `<frame>` and `<replicate>`, expanded and attached"),
-    "mujoco-newest": Host(["mujoco"], ["check_mujoco.py", "check_couplings.py", "check_files.py",
-                                       "check_python.py", "check_reset.py", "check_family.py", "check_family_files.py"],
+    "mujoco-newest": Host(["mujoco"], ["check_mujoco.py", "check_couplings.py", "check_python.py", "check_reset.py",
+                                       "check_family.py", "check_family_files.py"],
                           MUJOCO + "; families, row by row; couplings, driven; attached to a scene in Python; "
-                          "the same with `--assets files`"),
+                          "the same with `--assets files`", long=["check_files.py"]),
     "robosuite": Host(["mujoco"] + ROBOSUITE,
                       ["check_robosuite.py", "check_robocasa.py", "check_attached.py"],
                       "`MujocoXMLObject`, its sampler, rest on a table; robocasa's rules for an object; "
