@@ -32,6 +32,8 @@ def _boolean(value: str) -> bool:
     return {"true": True, "false": False}[value]
 
 
+# Arguments of MuJoCo that are names of elements.
+_NAMES = {"name", "material", "meshname"}
 _SOLIMP = _padded(0.9, 0.95, 0.001, 0.5, 2)
 
 
@@ -72,42 +74,44 @@ class _Tables:
         self.mesh = _Table("name scale", {
             "vertex": ("uservert", _list), "normal": ("usernormal", _list), "texcoord": ("usertexcoord", _list),
             "face": ("userface", _list), "smoothnormal": ("smoothnormal", _boolean)})
-        self.equality = _Table("name solref", {"joint1": ("name1", None), "joint2": ("name2", None),
-                                               "polycoef": ("data", None), "solimp": ("solimp", _SOLIMP)})
-        self.exclude = _Table("name", {"body1": ("bodyname1", None), "body2": ("bodyname2", None)})
         self.rgb = mujoco.mjtTextureRole.mjTEXROLE_RGB
-        self.equality_data = list(mujoco.MjSpec().add_equality().data)
-        self.joints = mujoco.mjtEq.mjEQ_JOINT
 
 
-def _arguments(attributes: dict[str, Any], table: _Table) -> dict[str, Any]:
-    """Changes the attributes to arguments for MuJoCo, and returns them."""
+def _arguments(attributes: dict[str, Any], table: _Table, prefix: str) -> dict[str, Any]:
+    """Changes the attributes to arguments for MuJoCo, and returns them. Names get the prefix."""
     if not table.known.issuperset(attributes):
         raise KeyError(str(attributes))
     for name, (known, convert) in table.others.items():
         if name in attributes:
             value = attributes.pop(name)
             attributes[known] = value if convert is None else convert(value)
+    for name in _NAMES.intersection(attributes):
+        attributes[name] = prefix + attributes[name]
     return attributes
 
 
 class ByHand:
     """The calls of MjSpec that make the object of a variant, with all numbers at hand: a lower bound
     for a program that draws and computes them. It adds to the scene itself, without an attachment.
+    The object stands at a place, and its names have a prefix, as those of Variant.attach.
     """
 
-    def __init__(self, variant):
-        self.assets, self.bodies = [], []
+    def __init__(self, variant, prefix, place):
+        self.assets, self.bodies, self.prefix = [], [], prefix
         tables = _Tables()
         root = elements(variant.xml_bytes)
         for tag, attributes, children in root[2]:
             if tag == "asset":
                 for kind, its, _ in children:
-                    texture = its.pop("texture", None)
-                    self.assets.append((kind, _arguments(its, getattr(tables, kind)), texture))
+                    texture = prefix + its.pop("texture") if "texture" in its else None
+                    self.assets.append((kind, _arguments(its, getattr(tables, kind), prefix), texture))
             elif tag == "worldbody":
                 self.bodies = [self._body(tables, *child) for child in children]
+            elif tag not in ("compiler", "keyframe"):  # keyframes do not come into a scene
+                raise KeyError(tag)
         self.rgb = tables.rgb
+        for body in self.bodies:
+            body[0]["pos"] = [a + b for a, b in zip(body[0]["pos"], place)]
 
     def _body(self, tables, _, attributes, children):
         inertial, elements, inner = {}, [], []
@@ -115,10 +119,10 @@ class ByHand:
             if tag == "body":
                 inner.append(self._body(tables, tag, its, below))
             elif tag == "inertial":
-                inertial = _arguments(its, tables.inertial)
+                inertial = _arguments(its, tables.inertial, self.prefix)
             else:
-                elements.append((tag, _arguments(its, getattr(tables, tag))))
-        return _arguments(attributes, tables.body), inertial, elements, inner
+                elements.append((tag, _arguments(its, getattr(tables, tag), self.prefix)))
+        return _arguments(attributes, tables.body, self.prefix), inertial, elements, inner
 
     def add_to(self, scene):
         for kind, arguments, texture in self.assets:
