@@ -12,6 +12,7 @@ import pathlib
 import tempfile
 from typing import TYPE_CHECKING, Any, Iterator, Mapping, Optional, Sequence, Union
 
+from . import _attach
 from ._findings import Finding, MismatchError, VariantError
 from ._json import loads, members_of_record
 from ._members import Joint, Members, Position, Site, elements, members_of
@@ -193,9 +194,11 @@ class Variant:
         with `assets="files"` all others as OBJ and PNG. Written under these names beside the XML,
         they are what the command writes. Most objects have none with `assets="inline"`.
         """
-        files = {}
+        files: dict[str, bytes] = {}
+        if not self._files_bytes:
+            return files
         start = 0
-        for name, path, size in loads(self._files_bytes or b"[]"):
+        for name, path, size in loads(self._files_bytes):
             if path:
                 with open(os.fsencode(path), "rb") as file:
                     files[name] = file.read()
@@ -226,18 +229,14 @@ class Variant:
         scene resets to its start, unless that is in a keyframe, as for objects without a free body
         (Spec(set={"root.start": "zero"}) has none). Keyframes stay out of the scene: call `start`.
         """
-        from ._attach import attach
-
-        return attach(self, scene, prefix, pos, quat, stand)
+        return _attach.attach(self, scene, prefix, pos, quat, stand)
 
     def start(self, model: "MjModel", data: "MjData", prefix: str = "") -> None:
         """Sets its joints, velocities, activations and controls in a simulation to its start state.
         Its first body stays where it is, and loose bodies are placed beside it. `prefix`: as it was
         attached.
         """
-        from ._attach import start
-
-        start(self, model, data, prefix)
+        _attach.start(self, model, data, prefix)
 
     def save(self, path: Union[str, "os.PathLike[str]"]) -> pathlib.Path:
         """Writes the file, and beside it the meshes and textures in `files`. `path`: the file, or an
