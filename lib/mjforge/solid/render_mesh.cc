@@ -4,9 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 namespace mjforge::solid {
+namespace {
+
+// Rounds halves away from zero, as std::round, which is a call of the C library. Numbers from 2^52
+// on are whole. A sum of 0.5 and the number below 0.5 would be rounded to 1.
+double RoundToWhole(double number) {
+  constexpr double kBelowHalf = 0x1.fffffffffffffp-2;
+  if (!(std::abs(number) < 0x1p52)) return number;
+  return static_cast<double>(static_cast<std::int64_t>(number + std::copysign(kBelowHalf, number)));
+}
+
+}  // namespace
 
 double ChordError(double half_size, double share) { return std::min(0.25e-3, share * half_size); }
 
@@ -49,7 +61,9 @@ void RoundCoordinates(TriangleMesh& mesh) {
   mesh.in_micrometres = size >= 2e-3 && size <= 10;
   const auto round = [](auto& vectors, double per_unit) {
     // Division gives the double nearest to the decimal number; adding 0 turns -0 into 0.
-    for (auto& v : vectors) v = (v.array() * per_unit).round() / per_unit + 0.0;
+    for (auto& v : vectors) {
+      for (double& number : v) number = RoundToWhole(number * per_unit) / per_unit + 0.0;
+    }
   };
   round(mesh.vertices, mesh.in_micrometres ? 1e6 : std::pow(10, 6 - std::floor(std::log10(size))));
   round(mesh.normals, 1e4);
