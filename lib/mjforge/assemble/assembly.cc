@@ -133,6 +133,7 @@ void Assembly::ReadStartForm(Scope& scope) {
 
 void Assembly::AddParts(Scope& scope, const std::vector<spec::Entry>& entries,
                         const model::Pose& X_SF) {
+  if (body().parts.empty()) body().parts.reserve(entries.size());
   for (const spec::Entry& entry : entries) {
     if (!repetition_.Count(entry, scope.values, part_count_)) continue;
     const sample::StreamId list =
