@@ -102,6 +102,8 @@ Eigen::Vector2d DisplacementsOf(const Joint& joint) {
 // origin is the anchor of the joint; `turns` is used for hinges only.
 Eigen::Vector2d SweptInterval(const Shapes& shapes, const Joint& joint, const Vector3d& axis,
                               const Turns& turns, const Vector3d& unit) {
+  if (joint.type == "hinge")
+    return {-SweptSupport(shapes, axis, turns, -unit), SweptSupport(shapes, axis, turns, unit)};
   const Eigen::Vector2d still(-SupportOf(shapes, -unit), SupportOf(shapes, unit));
   if (joint.type == "ball") {
     const double radius = RadiusAbout(Vector3d::Zero(), shapes);
@@ -109,9 +111,6 @@ Eigen::Vector2d SweptInterval(const Shapes& shapes, const Joint& joint, const Ve
         joint.range ? std::min((*joint.range)[1], std::numbers::pi) : std::numbers::pi;
     const double way = 2 * radius * std::sin(angle / 2);
     return {std::max(still[0] - way, -radius), std::min(still[1] + way, radius)};
-  }
-  if (joint.type == "hinge") {
-    return {-SweptSupport(shapes, axis, turns, -unit), SweptSupport(shapes, axis, turns, unit)};
   }
   const Eigen::Vector2d ways = DisplacementsOf(joint) * axis.dot(unit);
   return {still[0] + ways.minCoeff(), still[1] + ways.maxCoeff()};
