@@ -16,10 +16,10 @@
 #include "mjforge/assemble/chains.h"
 #include "mjforge/assemble/couplings.h"
 #include "mjforge/assemble/materials.h"
+#include "mjforge/assemble/mjcf_sections.h"
 #include "mjforge/assemble/references.h"
 #include "mjforge/assemble/regions.h"
 #include "mjforge/assemble/repetition.h"
-#include "mjforge/assemble/mjcf_sections.h"
 #include "mjforge/assemble/starts.h"
 
 namespace mjforge::assemble {

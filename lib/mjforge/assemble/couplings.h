@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "mjforge/assemble/mjcf_sections.h"
 #include "mjforge/assemble/references.h"
 #include "mjforge/assemble/scope.h"
-#include "mjforge/assemble/mjcf_sections.h"
 
 namespace mjforge::assemble {
 

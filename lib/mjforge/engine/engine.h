@@ -17,8 +17,8 @@
 #include "mjforge/engine/api.h"
 #include "mjforge/engine/geom_pairs.h"
 #include "mjforge/engine/memory_files.h"
-#include "mjforge/engine/referenced_files.h"
 #include "mjforge/engine/mujoco_error.h"
+#include "mjforge/engine/referenced_files.h"
 
 namespace mjforge::engine {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "mjforge/report/report.h"
 #include "mjforge/report/page_sections.h"
+#include "mjforge/report/report.h"
 
 namespace mjforge::report {
 

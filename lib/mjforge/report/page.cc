@@ -6,8 +6,8 @@
 
 #include "mjforge/output/output.h"
 #include "mjforge/report/cards.h"
-#include "mjforge/report/report.h"
 #include "mjforge/report/page_sections.h"
+#include "mjforge/report/report.h"
 
 namespace mjforge::report {
 
