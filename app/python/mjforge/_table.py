@@ -16,7 +16,7 @@ _RECORDED = {"bounds": "aabb", "swept_bounds": "swept_aabb"}
 _AXES: dict[str, list[str]] = {"com": ["x", "y", "z"], "inertia": ["xx", "yy", "zz", "xy", "xz", "yz"]}
 _KNOWN = ("index", "params", "mass", "com", "inertia", "bounds", "swept_bounds", "physics")
 # Kinds of values in app/python/interface.h.
-_ABSENT, _WHOLE, _NATURAL, _NUMBER, _FLAG, _TEXT, _LIST, _OBJECT = " iufbtlo"
+_ABSENT, _WHOLE, _NATURAL, _NUMBER, _FLAG, _TEXT, _LIST, _OBJECT = " ", "i", "u", "f", "b", "t", "l", "o"
 CHUNK = 1000  # variants that are made together
 
 
