@@ -64,7 +64,7 @@ def _name_of_root(parent: MjsBody) -> str:
 
 
 def _without_keyframe(xml: str) -> str:
-    """A file that mjforge wrote, in which the keyframe is the last section."""
+    """Returns the text of a file without its keyframe, which is the last section of what mjforge writes."""
     start = xml.rfind("\n  <keyframe>")
     return xml if start < 0 else xml[:start] + "\n</mujoco>\n"
 

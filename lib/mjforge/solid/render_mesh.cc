@@ -10,8 +10,8 @@
 namespace mjforge::solid {
 namespace {
 
-// Rounds halves away from zero, as std::round, which is a call of the C library. Numbers from 2^52
-// on are whole. A sum of 0.5 and the number below 0.5 would be rounded to 1.
+// Rounds halves away from zero, as std::round (which is a call of the C library), but never to -0.
+// Numbers from 2^52 on are whole. If 0.5 were added, the number just below 0.5 would become 1.
 double RoundToWhole(double number) {
   constexpr double kBelowHalf = 0x1.fffffffffffffp-2;
   if (!(std::abs(number) < 0x1p52)) return number;

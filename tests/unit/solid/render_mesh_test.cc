@@ -2,9 +2,11 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <map>
 #include <set>
 
+#include "mjforge/solid/render_mesh.h"
 #include "reference_geometry.h"
 
 namespace mjforge::solid {
@@ -229,6 +231,31 @@ TEST_CASE("vertices are at whole micrometres, those of very small or large shape
       CHECK((p * 1e6 - whole).norm() < 1e-6);
     }
   }
+}
+
+TEST_CASE("coordinates are rounded to the nearest, halves away from zero") {
+  TriangleMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 1, 1}};  // 1 m: rounded to whole micrometres
+  for (int i = -40; i <= 40; ++i) {
+    const double half = 0.5e-6 * i;
+    for (const double number : {half, std::nextafter(half, -1), std::nextafter(half, 1)}) {
+      mesh.vertices.emplace_back(number, -number, 0.25 + number);
+    }
+  }
+  TriangleMesh rounded = mesh;
+  RoundCoordinates(rounded);
+  REQUIRE(rounded.in_micrometres);
+  int halves = 0;
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    for (int k = 0; k < 3; ++k) {
+      const double number = mesh.vertices[i][k];
+      CAPTURE(number);
+      CHECK(rounded.vertices[i][k] == std::round(number * 1e6) / 1e6);
+      CHECK((rounded.vertices[i][k] != 0 || !std::signbit(rounded.vertices[i][k])));
+      halves += std::abs(std::fmod(number * 1e6, 1)) == 0.5 ? 1 : 0;
+    }
+  }
+  CHECK(halves > 40);
 }
 
 /// Returns the largest distance of a point of the mesh from the surface, of which `distance` is the
