@@ -69,9 +69,7 @@ bool ReadAttributes(FieldReader& reader, const spec::Entry& entry,
                     std::vector<model::Attribute>& out,
                     std::span<const model::Attribute> of_material) {
   bool good = true;
-  const auto own = std::ranges::count_if(
-      entry.fields, [](const spec::Field& field) { return IsAttribute(field.info->id); });
-  out.reserve(static_cast<std::size_t>(own) + of_material.size());
+  out.reserve(entry.fields.size() + of_material.size());
   auto field = entry.fields.begin();
   const auto read = [&](bool defaults) {
     for (; field != entry.fields.end() && field->is_default == defaults; ++field) {

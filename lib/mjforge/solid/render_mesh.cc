@@ -60,9 +60,9 @@ void RoundCoordinates(TriangleMesh& mesh) {
   if (!(size > 0)) return;
   mesh.in_micrometres = size >= 2e-3 && size <= 10;
   const auto round = [](auto& vectors, double per_unit) {
-    // Division gives the double nearest to the decimal number; adding 0 turns -0 into 0.
+    // Division gives the double nearest to the decimal number.
     for (auto& v : vectors) {
-      for (double& number : v) number = RoundToWhole(number * per_unit) / per_unit + 0.0;
+      for (double& number : v) number = RoundToWhole(number * per_unit) / per_unit;
     }
   };
   round(mesh.vertices, mesh.in_micrometres ? 1e6 : std::pow(10, 6 - std::floor(std::log10(size))));
