@@ -16,8 +16,16 @@ namespace {
 // Number of geoms for which MuJoCo's default nconmax of 100 contacts is enough; a geom flat on the
 // floor makes at most four.
 constexpr std::size_t kGeomsThatFit = 24;
-constexpr double kContactsOfManyPairs = 300;  // limit, in addition to two per pair
-constexpr double kSpareContacts = 50;         // contacts come and go while placed bodies settle
+constexpr double kContactsThatFit = 100;
+// Contacts of a box that lies on a box, or of two convex geoms with the flag multiccd. Boxes can
+// have up to eight; in the bundled scenes, a pair has at most 4.2 on average.
+constexpr double kContactsOfFaces = 4;
+// Contacts of the flat geoms of a body, in addition to one for each of its geoms.
+constexpr double kFlatContacts = 24;
+// Contacts come and go while placed bodies settle: in the bundled scenes, there are at most 1.1
+// times as many contacts as at the start.
+constexpr double kSpareShare = 1.5;
+constexpr double kSpareContacts = 50;
 // Number of constraints, without contacts, for which MuJoCo's default njmax of 500 is enough.
 constexpr std::size_t kRowsThatFit = 300;
 // Number of bodies for which MuJoCo's default stack is enough. The stack has a list of pairs of
@@ -42,12 +50,14 @@ std::vector<std::size_t> TreesOf(const model::Object& object) {
 }
 
 /// Returns, for each child of the world, the number of colliding geoms that can lie on other geoms.
-/// The geoms of the first child, the root, count only in a scene, which has a floor.
+/// The geoms of the first child, the root, count only in a scene, which has a floor. Bodies that
+/// were placed have none, because CountContactsAtStart() counts their contacts.
 std::vector<std::size_t> CountLyingGeoms(const model::Object& object, bool scene) {
   const std::vector<std::size_t> trees = TreesOf(object);
   std::vector<std::size_t> geoms(trees.size());
   for (std::size_t i = 0; i < trees.size(); ++i) {
-    if (trees[i] == 0 && !scene) continue;
+    const bool is_placed = !object.bodies[trees[i]].stands_at.empty();
+    if (is_placed || (trees[i] == 0 && !scene)) continue;
     for (const model::Part& part : object.bodies[i].parts)
       geoms[trees[i]] += part.role != model::Role::kVisual;
   }
@@ -58,62 +68,104 @@ std::vector<std::size_t> CountLyingGeoms(const model::Object& object, bool scene
 /// pieces of a dish or a drawer lie flat, and each further piece has one contact, as in a stack of
 /// bowls.
 double ContactsOf(const std::vector<std::size_t>& geoms) {
-  // Contacts of flat geoms of a child of the world, in addition to one per geom. The root has a
-  // larger limit, because it may be large.
-  constexpr double kFlat = 24;
-  constexpr double kFlatOfRoot = 300;
+  constexpr double kFlatContactsOfRoot = 300;  // more than of others, because it may be large
   double contacts = 0;
   for (std::size_t i = 0; i < geoms.size(); ++i) {
     const auto count = static_cast<double>(geoms[i]);
-    contacts += std::min(4 * count, count + (i == 0 ? kFlatOfRoot : kFlat));
+    contacts += std::min(4 * count, count + (i == 0 ? kFlatContactsOfRoot : kFlatContacts));
   }
   return contacts;
 }
 
-// Bounding box of a colliding geom, and the child of the world that its body belongs to.
-struct GeomBox {
-  model::Box3 box;
+constexpr double kNear = 2e-4;  // m; placed bodies start at most 0.1 mm apart
+
+// A colliding geom, its pose and bounding box in the world, and the child of the world that its
+// body belongs to.
+struct PlacedGeom {
+  const model::Shape* shape;
+  model::Pose X_WG;
+  model::Box3 box_W;
   std::size_t tree;
 };
 
-// Returns the boxes of all colliding geoms, sorted along x.
-std::vector<GeomBox> GeomBoxes(const model::Object& object) {
-  constexpr double kNear = 2e-4;  // m; placed bodies start at most 0.1 mm apart
+// Returns all colliding geoms, sorted along x.
+std::vector<PlacedGeom> PlaceGeoms(const model::Object& object) {
   const std::vector<model::Pose> X_WB = model::BodyPoses(object);
   const std::vector<std::size_t> trees = TreesOf(object);
-  std::vector<GeomBox> boxes;
+  std::vector<PlacedGeom> geoms;
   for (std::size_t i = 0; i < trees.size(); ++i) {
     for (const model::Part& part : object.bodies[i].parts) {
       if (part.role == model::Role::kVisual) continue;
-      model::Box3 box = model::BoundsOf(part.shape, X_WB[i] * part.X_BG);
-      box.min.array() -= kNear / 2;
-      box.max.array() += kNear / 2;
-      boxes.push_back({box, trees[i]});
+      const model::Pose X_WG = X_WB[i] * part.X_BG;
+      geoms.push_back({&part.shape, X_WG, model::BoundsOf(part.shape, X_WG), trees[i]});
     }
   }
-  std::ranges::sort(boxes, {}, [](const GeomBox& geom) { return geom.box.min.x(); });
-  return boxes;
+  std::ranges::sort(geoms, {}, [](const PlacedGeom& geom) { return geom.box_W.min.x(); });
+  return geoms;
 }
 
-/// Returns the number of pairs of geoms of different children of the world whose bounding boxes
-/// touch at the start. A geom can lie on many others, such as a box on planks. Boxes around the
-/// pieces of nested bowls touch many boxes, although each piece touches about one piece; therefore
-/// two children of the world count at most as many pairs as they have geoms.
-std::size_t CountTouchingPairs(const model::Object& object) {
-  const std::vector<GeomBox> boxes = GeomBoxes(object);
-  std::map<std::size_t, std::size_t> geoms;
-  for (const GeomBox& geom : boxes) ++geoms[geom.tree];
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> pairs;
-  for (auto a = boxes.begin(); a != boxes.end(); ++a) {
-    for (auto b = a + 1; b != boxes.end() && b->box.min.x() <= a->box.max.x(); ++b) {
-      const bool touch = (a->box.min.array() <= b->box.max.array()).all() &&
-                         (b->box.min.array() <= a->box.max.array()).all();
-      if (a->tree != b->tree && touch) ++pairs[std::minmax(a->tree, b->tree)];
+bool AreNear(const model::Box3& a, const model::Box3& b) {
+  return (a.min.array() <= b.max.array() + kNear).all() &&
+         (b.min.array() <= a.max.array() + kNear).all();
+}
+
+// Returns true if the geoms' bounding boxes in the frame of `a` touch.
+bool AreNearInFrameOf(const PlacedGeom& a, const PlacedGeom& b) {
+  return AreNear(model::BoundsOf(*a.shape, {}),
+                 model::BoundsOf(*b.shape, a.X_WG.Inverse() * b.X_WG));
+}
+
+// Returns true if the object sets the flag with which two convex geoms have several contacts.
+bool HasMultipleContacts(const model::Object& object) {
+  for (const model::Element& option : model::ElementsOf(object, "option")) {
+    for (const model::Element& flag : option.children) {
+      const model::Attribute* multiccd = model::FindAttribute(flag.attributes, "multiccd");
+      if (multiccd != nullptr && multiccd->text == "enable") return true;
     }
   }
-  std::size_t sum = 0;
-  for (const auto& [trees, count] : pairs)
-    sum += std::min(count, geoms[trees.first] + geoms[trees.second]);
+  return false;
+}
+
+// Geoms of two children of the world that may touch each other.
+struct TouchingGeoms {
+  std::vector<std::size_t> of_first, of_second;  // indices, once for each pair
+  double flat_pairs = 0;                         // pairs that may have several contacts
+};
+
+std::size_t CountDistinct(std::vector<std::size_t>& indices) {
+  std::ranges::sort(indices);
+  return indices.size() - std::ranges::unique(indices).size();
+}
+
+/// Returns the number of contacts between different children of the world at the start: the sum
+/// over pairs of geoms whose bounding boxes touch. Boxes around the pieces of nested bowls touch
+/// many boxes, although each piece touches about one piece; therefore two children of the world
+/// count at most as many pairs as either of them has geoms that touch the other.
+double CountContactsAtStart(const model::Object& object) {
+  const bool many = HasMultipleContacts(object);
+  const std::vector<PlacedGeom> geoms = PlaceGeoms(object);
+  std::map<std::pair<std::size_t, std::size_t>, TouchingGeoms> pairs;
+  for (auto a = geoms.begin(); a != geoms.end(); ++a) {
+    for (auto b = a + 1; b != geoms.end() && b->box_W.min.x() <= a->box_W.max.x() + kNear; ++b) {
+      if (a->tree == b->tree || !AreNear(a->box_W, b->box_W) || !AreNearInFrameOf(*a, *b) ||
+          !AreNearInFrameOf(*b, *a))
+        continue;
+      const auto& [first, second] = a->tree < b->tree ? std::pair(a, b) : std::pair(b, a);
+      TouchingGeoms& touching = pairs[{first->tree, second->tree}];
+      touching.of_first.push_back(static_cast<std::size_t>(first - geoms.begin()));
+      touching.of_second.push_back(static_cast<std::size_t>(second - geoms.begin()));
+      const bool boxes =
+          a->shape->type == model::GeomType::kBox && b->shape->type == model::GeomType::kBox;
+      touching.flat_pairs += many || boxes ? 1 : 0;
+    }
+  }
+  double sum = 0;
+  for (auto& [trees, touching] : pairs) {
+    const auto count = static_cast<double>(
+        std::min(touching.of_first.size(),
+                 std::max(CountDistinct(touching.of_first), CountDistinct(touching.of_second))));
+    sum += count + std::min((kContactsOfFaces - 1) * touching.flat_pairs, kFlatContacts);
+  }
   return sum;
 }
 
@@ -148,10 +200,12 @@ double MostRows(double dofs) {
   return 4 * std::floor(rows / 4);
 }
 
-// Returns true if any body was placed on others, which it touches at the start.
-bool HasPlacedBodies(const model::Object& object) {
-  return std::ranges::any_of(object.bodies,
-                             [](const model::Body& body) { return !body.stands_at.empty(); });
+/// Returns the number of contacts that bodies placed on others need, which touch at the start.
+double ContactsOfPlacedBodies(const model::Object& object) {
+  const bool any = std::ranges::any_of(
+      object.bodies, [](const model::Body& body) { return !body.stands_at.empty(); });
+  if (!any) return 0;
+  return std::ceil(kSpareShare * CountContactsAtStart(object)) + kSpareContacts;
 }
 
 void WriteSize(double njmax, double nconmax, double nstack, ElementWriter& writer) {
@@ -172,23 +226,14 @@ void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer) 
   std::vector<std::size_t> lying;
   if (scene || bodies > 1) lying = CountLyingGeoms(object, scene);
   const std::size_t geoms = std::accumulate(lying.begin(), lying.end(), std::size_t{0});
-  // Touching pairs of geoms in addition to one for each geom.
-  std::size_t more = 0;
-  const bool placed = HasPlacedBodies(object);
-  if (placed) more = std::max(geoms, CountTouchingPairs(object)) - geoms;
-  if (geoms + 2 * more <= kGeomsThatFit && rows <= kRowsThatFit && bodies <= kBodiesThatFit) return;
+  const double needed = ContactsOf(lying) + ContactsOfPlacedBodies(object);
+  const bool contacts_fit = geoms <= kGeomsThatFit && needed <= kContactsThatFit;
+  if (contacts_fit && rows <= kRowsThatFit && bodies <= kBodiesThatFit) return;
   const double dofs = CountDofs(object);
   const double most = MostRows(dofs);
   // A contact has four pyramid edges (condim 3).
-  double contacts = scene ? 100 : 0;
-  if (geoms + 2 * more > kGeomsThatFit) {
-    // Counts up to eight contacts for a pair, as for a box on a box, but about two for each of many
-    // pairs, most of which are pieces that barely touch.
-    const auto pairs = static_cast<double>(more);
-    contacts = ContactsOf(lying) + std::min(8 * pairs, 2 * pairs + kContactsOfManyPairs);
-    if (placed) contacts += kSpareContacts;
-    contacts = std::min(contacts, most / 4);
-  }
+  double contacts = scene ? kContactsThatFit : 0;
+  if (!contacts_fit) contacts = std::min(needed, most / 4);
   const double njmax = std::min(4 * contacts + static_cast<double>(rows) + (scene ? 0 : 500), most);
   // MuJoCo's default nstack grows with the square of the rows: 6 GB for a cupboard full of dishes.
   const double standard = 5 * (njmax + dofs) * (njmax + dofs);

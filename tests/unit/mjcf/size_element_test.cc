@@ -1,8 +1,10 @@
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <pugixml.hpp>
 
 #include "hand_made.h"
 #include "mjforge/mjcf/mjcf.h"
+#include "mjforge/spec/mjcf_sections.h"
 
 namespace mjforge::mjcf {
 namespace {
@@ -64,23 +66,57 @@ TEST_CASE("free bodies that lie on an object need room for their contacts, its o
   CHECK_FALSE(SizeOf(object, Target::kMujoco, parsed));
 }
 
+/// Returns the number of contacts in the size element; 0 if there is none.
+int ContactsIn(const model::Object& object) {
+  pugi::xml_document parsed;
+  return SizeOf(object, Target::kMujoco, parsed).attribute("nconmax").as_int();
+}
+
 TEST_CASE("a placed geom that lies on many others needs room for all of these contacts") {
-  model::Object object = Balls(20);  // they touch, but are one body
+  model::Object object = Balls(40);  // they touch, but are one body
   model::Body& body = object.bodies.emplace_back();
   body.name = "board";
   body.stands_at = "pile.surface";
-  body.parts.push_back(hand_made::Solid("board", model::GeomType::kBox, {2, 0.1, 0.1},
-                                        {{2, 0, 0.2}, {1, 0, 0, 0}}, 3));
+  body.parts.push_back(hand_made::Solid("board", model::GeomType::kBox, {4, 0.1, 0.1},
+                                        {{4, 0, 0.2}, {1, 0, 0, 0}}, 3));
   body.joints.emplace_back();
-  pugi::xml_document parsed;
-  CHECK(SizeOf(object, Target::kMujoco, parsed).attribute("nconmax").as_int() ==
-        4 * (2 * 20 - 1) + 50);
+  CHECK(ContactsIn(object) == 1.5 * 40 + 50);
   body.X_PB.p.z() = 1;
-  CHECK_FALSE(SizeOf(object, Target::kMujoco, parsed));
+  CHECK(ContactsIn(object) == 0);
+  // The board is above the balls, but the bounding box of the tilted board contains some of them.
+  body.X_PB = {{0, 0, 4}, {std::cos(0.3), 0, std::sin(0.3), 0}};
+  CHECK(ContactsIn(object) == 0);
 }
 
-TEST_CASE("two placed bodies have at most as many pairs of touching geoms as geoms") {
-  model::Object object = Balls(30);
+TEST_CASE("pairs of boxes, and of convex geoms with multiccd, have several contacts") {
+  model::Object object = Balls(40);
+  for (model::Part& ball : object.bodies[0].parts) ball.shape.type = model::GeomType::kEllipsoid;
+  for (model::Part& ball : object.bodies[0].parts) ball.shape.size = {0.1, 0.1, 0.1};
+  model::Body& body = object.bodies.emplace_back();
+  body.name = "board";
+  body.stands_at = "pile.surface";
+  body.parts.push_back(hand_made::Solid("board", model::GeomType::kBox, {4, 0.1, 0.1},
+                                        {{4, 0, 0.2}, {1, 0, 0, 0}}, 3));
+  body.joints.emplace_back();
+  const int single = ContactsIn(object);
+  SECTION("boxes") {
+    for (model::Part& part : object.bodies[0].parts) part.shape.type = model::GeomType::kBox;
+    CHECK(ContactsIn(object) == single + 1.5 * 24);
+  }
+  SECTION("multiccd") {
+    const spec::SectionInfo* info = spec::FindSection("option");
+    model::Element option;
+    option.tag = "option";
+    model::Element& flag = option.children.emplace_back();
+    flag.tag = "flag";
+    flag.attributes.push_back({.name = "multiccd", .numbers = {}, .text = "enable"});
+    object.sections.push_back({.info = info, .elements = {option}});
+    CHECK(ContactsIn(object) == single + 1.5 * 24);
+  }
+}
+
+TEST_CASE("two placed bodies have at most as many contacts as one of them has geoms") {
+  model::Object object = Balls(60);
   model::Body& body = object.bodies.emplace_back();
   body = object.bodies[0];
   body.name = "nested";
@@ -89,10 +125,7 @@ TEST_CASE("two placed bodies have at most as many pairs of touching geoms as geo
   // All balls of one body touch all balls of the other one.
   for (model::Body& each : object.bodies)
     for (model::Part& part : each.parts) part.X_BG.p.x() = 0;
-  pugi::xml_document parsed;
-  // 30 + 24 contacts of the second body, eight for each of the pairs beyond its geoms, and spare.
-  const int contacts = 30 + 24 + 8 * (60 - 30) + 50;
-  CHECK(SizeOf(object, Target::kMujoco, parsed).attribute("nconmax").as_int() == contacts);
+  CHECK(ContactsIn(object) == 1.5 * 60 + 50);
 }
 
 TEST_CASE("a size is one that MuJoCo 2.2 can address") {
