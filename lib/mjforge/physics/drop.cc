@@ -64,6 +64,7 @@ class DropSimulation {
   }
 
  private:
+  /// A free body, which is the root of a tree of bodies.
   struct Root {
     int body = 0;
     Eigen::Vector3d start = Eigen::Vector3d::Zero();  // m, centre of mass of the tree
