@@ -40,8 +40,8 @@ double CenterEye(const PlacedShapes& shapes, const Eigen::Vector3d& across,
   return (shapes.Support(across - most * forward) - shapes.Support(-across - most * forward)) / 2;
 }
 
-// Values of the support function for the normals of two opposite sides of the frustum, whose
-// half-angle has this tangent.
+// Values of the shapes' support function for the normals of two opposite sides of a frustum.
+// `tangent` is the tangent of half the angle between the sides.
 struct Sides {
   double tangent = 0;
   double right = 0;

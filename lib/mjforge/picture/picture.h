@@ -85,7 +85,7 @@ struct Joint {
   double value = 0;  // for hinges and slides
 };
 
-/// Positions of some joints: pairs of a joint's number and its position (rad or m).
+/// Positions of some joints: pairs of a joint's number (MuJoCo's id) and its position (rad or m).
 using JointPositions = std::vector<std::pair<int, double>>;
 
 /// Poses of a model: its start pose, and the start pose with hinges, slides and balls at zero.
@@ -184,9 +184,9 @@ struct Tile {
   Image image;
   std::vector<std::string> caption;
 };
-/// Arranges tiles of equal size in rows, in a sheet that is as square as their number allows. A row
-/// is as high as its tiles need: rows of pixels that are empty in all of its tiles are left out at
-/// the top and the bottom.
+/// Arranges tiles of equal size in rows, in a sheet that is as square as their number allows. Rows
+/// of pixels that are transparent in all tiles of a row are left out at the top and the bottom of
+/// the tiles.
 Image ContactSheet(Renderer& renderer, std::span<const Tile> tiles, const Background& background);
 
 }  // namespace mjforge::picture
