@@ -99,7 +99,7 @@ class Journal {
   std::unique_ptr<output::PartFile> manifest_file_;
   std::unique_ptr<output::PartFile> journal_file_;
   std::optional<manifest::Seal> previous_seal_;
-  std::optional<manifest::Seal> journal_seal_;  // first line of the journal
+  std::optional<manifest::Seal> journal_seal_;  // seal in the first line of the journal
   bool is_unfinished_ = false;
   std::vector<Checkpoint> checkpoints_;
   std::vector<HashedAsset> assets_;  // assets of the folder or of the archive under construction

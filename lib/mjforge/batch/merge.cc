@@ -255,8 +255,8 @@ class ShardMerger {
   diag::Findings& findings_;
   std::filesystem::path file_;
   ObjectChecker objects_;
-  manifest::Seal whole_;  // seal of the merged batch
-  std::optional<manifest::Record> first_;
+  manifest::Seal whole_;                                     // seal of the merged batch
+  std::optional<manifest::Record> first_;                    // first record of shard 0
   std::vector<std::unique_ptr<output::PartFile>> families_;  // files that lack their final names
   std::uint64_t records_ = 0;
 };

@@ -125,12 +125,12 @@ class Pool {
   std::size_t tasks_per_worker_;
   std::chrono::duration<double> time_limit_;
   std::function<TaskHandler()> make_handler_;
-  std::unique_ptr<char[]> received_;
+  std::unique_ptr<char[]> received_;  // buffer for reading from channels
   std::vector<std::unique_ptr<WorkerProcess>> workers_;
-  std::deque<Task> waiting_;
+  std::deque<Task> waiting_;  // tasks that no worker has
   std::deque<ChunkResult> results_;
   int idle_deaths_ = 0;  // consecutive deaths of workers that were not making a variant
-  std::chrono::steady_clock::time_point last_look_;
+  std::chrono::steady_clock::time_point last_look_;  // last check for slow workers
   std::chrono::duration<double> watch_time_{};  // wall time, except while this process was stopped
   bool stopped_ = false;
   bool has_lost_worker_ = false;

@@ -24,8 +24,9 @@ struct Statistics {
 };
 
 /// Histogram of numbers whose range is not known in advance, in bounded memory. The width of a cell
-/// is the smallest power of two for which kCells cells cover all numbers; pairs of cells are merged
-/// when a new number is outside. The histogram does not depend on the order of the numbers.
+/// is the smallest power of two for which kCells cells cover all numbers. If a new number is
+/// outside of the covered range, neighbouring cells are merged. The histogram does not depend on
+/// the order of the numbers.
 class Histogram {
  public:
   static constexpr std::int64_t kCells = 8192;

@@ -49,7 +49,7 @@ struct StructureTally {
 /// Tallies of the structures of a batch, in the order of their first variants.
 class StructureTallies {
  public:
-  /// Limit of different structures that are told apart.
+  /// Limit of different structures that are counted separately.
   static constexpr std::size_t kMaxStructures = 1000;
 
   void Add(const manifest::Record& record);
