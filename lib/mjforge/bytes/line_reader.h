@@ -29,7 +29,7 @@ std::optional<std::vector<std::uint64_t>> CutsOf(const std::filesystem::path& fi
 class TextStream;
 
 /// Reads a text file, or a section of it, line by line, in constant memory. Decompresses a file
-/// that consists of Zstandard's frames.
+/// that consists of Zstandard frames.
 class LineReader {
  public:
   static std::optional<LineReader> Open(const std::filesystem::path& file, std::string& why_not,

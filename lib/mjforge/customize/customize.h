@@ -19,7 +19,7 @@
 
 namespace mjforge::customize {
 
-/// A file of the page, which is compiled in.
+/// A file of the page. The files are compiled into the program.
 struct PageFile {
   std::string_view name;  // empty for the page itself
   std::string_view type;  // media type
