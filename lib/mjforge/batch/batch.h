@@ -80,8 +80,8 @@ inline constexpr std::size_t kMaxFindings = 50;
 
 /// Callbacks of the process that runs the batch; each may be empty.
 struct Observer {
-  std::function<void(const FinishedVariant&)> variant;  // in index order
-  std::function<void(const Summary&)> progress;         // at least ten times a second
+  std::function<void(const FinishedVariant&)> variant;  // called in index order
+  std::function<void(const Summary&)> progress;         // called at least ten times a second
 };
 
 /// Makes the variants and writes them to the request's destination. Forks, so the caller must have

@@ -17,10 +17,10 @@ namespace mjforge::batch {
 
 /// State of manifest and archives at the end of a chunk.
 struct Checkpoint {
-  std::uint64_t next = 0;  // index of the first variant that is not written
-  bytes::Prefix manifest;
+  std::uint64_t next = 0;           // index of the first variant that is not written
+  bytes::Prefix manifest;           // size and checksum of the manifest
   std::uint64_t archive = 0;        // number of the archive under construction
-  bytes::Prefix part;               // the archive under construction
+  bytes::Prefix part;               // size and checksum of the archive under construction
   std::uint64_t journal_bytes = 0;  // size of the journal after the line of this checkpoint
 };
 

@@ -44,8 +44,8 @@ struct Reply {
 };
 
 /// Makes and draws variants for the page. Every request contains the whole state of the page, so
-/// that several pages can ask in turn. Keeps the spec, the last variant and OpenGL between
-/// requests.
+/// that several pages can ask in turn. Keeps the spec, the last variant and the OpenGL context
+/// between requests.
 class Studio {
  public:
   explicit Studio(Start start);

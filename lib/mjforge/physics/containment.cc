@@ -31,7 +31,9 @@ constexpr double kDensity = 2500;  // kg/m^3, glass
 // Offset of a ball from the axis of the stack, as a share of the ball's radius: large enough that
 // balls do not balance on each other, small enough that they fall through the neck of a bottle.
 constexpr double kOffAxis = 0.1;
-constexpr double kSoft = 0.001;  // m, tolerance of soft contacts
+// Depth of a ball's lowest point below the object's top, m, up to which the ball counts as above
+// the object, because contacts are soft.
+constexpr double kSoft = 0.001;
 // Longest time in which a ball falls from the rim to beside the object.
 constexpr double kFall = 0.3;                       // s
 constexpr double kGoldenAngle = 2.399963229728653;  // rad, pi (3 - sqrt(5))

@@ -121,7 +121,8 @@ class Equalities {
   const mjModel& m_;
 };
 
-/// Returns the joints that test an equality, in order of id, except joints that the spec skips.
+/// Returns the joints whose drives test an equality (IsTestedBy), in order of id, except joints
+/// with `skip` in checks.joints.
 std::vector<int> TestingJoints(const mjModel& m, const Equalities& equalities,
                                std::string_view object, const model::Checks& checks) {
   const JointChecks entries(m, object, checks);

@@ -135,8 +135,8 @@ std::optional<double> FrictionOf(const mjModel& m, const mjData& d, int root) {
 
 void CheckGlides(const mjModel& m, const mjData& d, int root, const model::Object& object,
                  diag::SourceMark mark, static_checks::Reporter& reporter) {
-  // Limits the slope to 45 degrees, because contacts with the floor's friction of 1 hold objects on
-  // slopes of up to 45 degrees.
+  // Tests slopes of up to 45 degrees only, because the floor's friction of 1 holds no object on a
+  // steeper slope.
   const double slope = std::min(reporter.checks().nudge, std::numbers::pi / 4);
   const std::optional<double> friction = FrictionOf(m, d, root);
   if (!friction || *friction >= std::tan(slope)) return;

@@ -25,7 +25,7 @@ using diag::Code;
 using Eigen::Vector3d;
 using expr::RoundedText;
 
-// Durations of the phases. The gripper stays in place; gravity changes as if the gripper
+// Durations of the phases of a grasp. The gripper stays in place; gravity changes as if the gripper
 // accelerated.
 constexpr double kClose = 0.5;   // s
 constexpr double kBounce = 0.1;  // s, longest time for which bouncing jaws may lose contact

@@ -14,7 +14,7 @@ namespace {
 
 using compiled::Index;
 
-constexpr double kMoveTime = 0.5;    // s, from one end of the range to the other
+constexpr double kMoveTime = 0.5;    // s, shortest duration of a move
 constexpr double kFastest = 12;      // rad/s, highest speed of a hinge
 constexpr double kLongestMove = 10;  // s
 constexpr double kHoldTime = 0.1;    // s; a move ends if the joint comes no nearer for this time
@@ -23,7 +23,7 @@ constexpr double kMostWaiting = 1;   // s, longest wait for a joint that lags be
 // a screw is many turns.
 constexpr double kThere = 0.01;
 constexpr double kNearest = 0.005;  // rad or m
-// Natural frequency of the controller, rad/s. It is slower than the 50 rad/s of MuJoCo's limits and
+// Natural frequency of the controller, rad/s: slower than the 50 rad/s of MuJoCo's limits and
 // contacts, and faster than a move.
 constexpr double kStiffness = 20;
 // Largest position errors that the controller corrects; larger errors are clamped, to limit the

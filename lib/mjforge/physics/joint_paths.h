@@ -18,7 +18,7 @@ struct JointPath {
   bool limited = false;
   double low = 0;  // ends of the range
   double high = 0;
-  double start = 0;  // 0 for a ball joint
+  double start = 0;  // start position; 0 for a ball joint
 
   double range() const { return high - low; }
   /// Distance beyond each end to which the joint is pushed to test its limits, rad or m.

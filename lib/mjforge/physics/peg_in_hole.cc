@@ -31,7 +31,7 @@ constexpr double kStartDistance = 0.0002;
 constexpr double kSteel = 7850;           // kg/m^3, density of a peg
 constexpr double kLengthPerDepth = 1.5;   // length of a peg per depth of its hole
 constexpr double kLongestFall = 2;        // s; a free fall of 1 m takes 0.45 s
-constexpr double kDepthTolerance = 1e-4;  // m, because contacts are soft
+constexpr double kDepthTolerance = 1e-4;  // m, tolerance of depths, because contacts are soft
 constexpr double kNoHole = 0.001;         // m, least distance of a geom behind the mouth of a hole
 constexpr double kPushTime = 2;  // time of a sideways push, as a multiple of that of a free fall
 // Least cosine of the angle between a push and the normal of a contact that resists the push.

@@ -131,7 +131,7 @@ class Laboratory {
 
   /// Simulates the drop of an object or, unless `joint` is empty, the drive of that joint, as
   /// Examine does, and returns at most `frames` positions. The document must be complete: its host
-  /// adds no joint. If this is impossible, adds a finding and returns nullopt.
+  /// adds no joint. If the drop or drive is impossible, adds a finding and returns nullopt.
   std::optional<Film> Record(const mjcf::MjcfDocument& document, const model::Object& object,
                              const std::string& joint, std::size_t frames,
                              diag::Findings& findings);

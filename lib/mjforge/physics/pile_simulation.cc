@@ -19,8 +19,8 @@ constexpr double kClearance = 0.005;  // m, gap between a body at its release an
 // and then throws a body through a wall. A damped body falls at most at 1 m/s.
 constexpr double kDampingTime = 0.1;       // s
 constexpr double kDampedTimestep = 0.001;  // s
-// A body is released when the previous body is slower than kSlow, because bodies that fall on fast
-// bodies throw each other out; at the latest after kPatience.
+// A body is released when the previous body is slower than kSlow, but at the latest after
+// kPatience. Bodies that fall on fast bodies throw each other out.
 constexpr double kSlow = 0.3;        // m/s
 constexpr double kFall = 0.05;       // s, time in which a released body gets faster than kSlow
 constexpr double kPatience = 0.5;    // s
@@ -160,7 +160,8 @@ void PileSimulation::Step() {
   stepper_->Step();
   for (int joint = 0; joint < m_.njnt; ++joint) {
     if (IsReleased(m_.jnt_bodyid[joint])) continue;
-    constexpr int kPositions[] = {7, 4, 1, 1};  // by mjtJoint
+    // Numbers of positions and of velocities, in the order of mjtJoint: free, ball, slide, hinge.
+    constexpr int kPositions[] = {7, 4, 1, 1};
     constexpr int kVelocities[] = {6, 3, 1, 1};
     const auto type = compiled::Index(m_.jnt_type[joint]);
     std::copy_n(held_.begin() + m_.jnt_qposadr[joint], kPositions[type],

@@ -27,7 +27,7 @@ constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 /// A free body, and the trees of bodies that it stands on.
 struct FreeBody {
   int body = 0;
-  model::Pose start;       // pose in the reference body's frame, see PoseOf()
+  model::Pose start;       // pose at the start, from PoseOf()
   std::set<int> supports;  // roots of the supporting trees; 0: the world
   double distance = 0;     // m, displacement
   double angle = 0;        // rad, rotation

@@ -28,11 +28,12 @@ using static_checks::Reporter;
 // Limits of the benchmark.
 constexpr double kDropHeights = 8;   // drop height, in heights of the object
 constexpr double kRestWithin = 8;    // s, longest time to rest after the object touches the floor
-constexpr double kFloorDepth = 0.1;  // m, depth of the object's box in the floor
+constexpr double kFloorDepth = 0.1;  // m, largest depth of the object's box in the floor
 constexpr double kExplosion = 10;    // factor by which the object's box may grow
 constexpr double kReach = 0.10;      // rad, part of a hinge's range that may be missing
 constexpr double kReachOfSlide = 0.02;  // part of a slide's range that may be missing, as a share
-constexpr double kReturn = 0.01;  // rad or m, distance of a joint from its start after the sweep
+// Largest distance of a joint from its start after the sweep, rad or m.
+constexpr double kReturn = 0.01;
 constexpr double kSlope = std::numbers::pi / 4;
 // The benchmark states no friction. With MuJoCo's default of 1 nothing slides on such a slope; 0.5
 // is the default of PhysX.

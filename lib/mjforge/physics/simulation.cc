@@ -9,7 +9,7 @@
 namespace mjforge::physics {
 namespace {
 
-constexpr int kMostContacts = 10'000;  // 600 bytes each
+constexpr int kMostContacts = 10'000;  // largest number of contacts, of 600 bytes each
 // Largest size of the constraint matrices, which MuJoCo clears in each reset, bytes.
 constexpr double kMostBytes = 1e9;
 

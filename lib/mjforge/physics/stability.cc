@@ -19,7 +19,7 @@ constexpr double kStep = 0.5 * std::numbers::pi / 180;  // rad, difference of tw
 // Tolerance for rounding, as a share of the centre's height, because the centre of a rolling ball
 // does not rise.
 constexpr double kFlat = 1e-9;
-constexpr double kUneven = 10 * std::numbers::pi / 180;  // largest tilt due to uneven sinking
+constexpr double kUneven = 10 * std::numbers::pi / 180;  // rad, largest tilt due to uneven sinking
 
 /// Convex hull of the colliding geoms of a tree of bodies, relative to its centre of mass.
 class ObjectHull {

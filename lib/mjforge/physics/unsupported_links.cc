@@ -23,7 +23,7 @@ namespace {
 using compiled::Index;
 
 constexpr double kFarOff = 0.03;        // m, distance from which a body hangs in the air
-constexpr double kFarOffOfSize = 0.25;  // such a distance as a share of the body's size
+constexpr double kFarOffOfSize = 0.25;  // such a distance, as a share of the body's size
 
 class UnsupportedLinks {
  public:
@@ -88,7 +88,8 @@ class UnsupportedLinks {
     const bool is_slide = m_.jnt_type[joint] == mjJNT_SLIDE;
     const double way = std::max(path.start - path.low, path.high - path.start);
     const bool is_too_long = path.range() > LongestSlide(object_, reporter_.checks());
-    // A range that is too long is a finding by itself (physics/joint-range).
+    // Leaves out ranges that are too long, because these are findings by themselves
+    // (physics/joint-range).
     if (is_slide && (is_too_long || DistanceAfter(joint, moved, 0) + way <= kFarOff)) return;
     // The axis of a hinge may be beside the edge of its door. An open door is then away from its
     // frame by up to the distance of the axis and the door's thickness.

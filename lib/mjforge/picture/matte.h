@@ -32,7 +32,7 @@ struct RenderedBand {
 /// Accumulates renderings, and computes the picture from them.
 class Matte {
  public:
-  /// A picture of this size, with this number of samples along each side of a pixel.
+  /// Makes a picture of this size, in pixels, with `samples` samples along each side of a pixel.
   Matte(int width, int height, int samples);
   /// Adds the renderings of rows [top, bottom) of the picture.
   void Add(const RenderedBand& drawn, int top, int bottom);

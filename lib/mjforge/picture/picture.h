@@ -55,12 +55,12 @@ void PutOn(const Background& background, Image& image);
 inline constexpr int kMinSize = 16;
 inline constexpr int kMaxSize = 4096;
 
-/// Position of the camera, in the terms of MuJoCo's mjvCamera. By default the camera looks from the
+/// Position of the camera, in the terms of MuJoCo's mjvCamera. The default camera looks from the
 /// front, right and above, and is as close as it can be with all shapes in the picture.
 struct View {
   std::optional<double> azimuth;    // deg, viewing direction about z; 0: along x, 90: along y
   std::optional<double> elevation;  // deg, viewing direction; -90: down, 90: up
-  std::optional<double> distance;   // m, from the center of the shown shapes
+  std::optional<double> distance;   // m, distance of the eye from the center of the shown shapes
   double zoom = 1;                  // divides the distance at which all shapes are in the picture
 };
 
@@ -82,7 +82,7 @@ struct Joint {
   Type type = Type::kHinge;
   bool limited = false;
   std::array<double, 2> range = {0, 0};
-  double value = 0;  // for hinges and slides
+  double value = 0;  // position of a hinge or slide
 };
 
 /// Positions of some joints: pairs of a joint's number (MuJoCo's id) and its position (rad or m).

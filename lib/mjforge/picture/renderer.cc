@@ -64,7 +64,7 @@ struct Renderer::State {
   std::vector<std::uint8_t> colors;
   std::vector<std::uint8_t> translucent;
   std::vector<float> depths;
-  int samples = kFewestSamples;  // along each side of a pixel of the current picture
+  int samples = kFewestSamples;  // number along each side of a pixel of the current picture
 
   const Buffers& BuffersFor(const Options& options);
   Image DrawScene(ModelContext& context, Scene& scene, const Camera& camera,

@@ -107,7 +107,7 @@ class Scene {
   std::vector<Label> labels_;
   std::vector<Line> legend_;
   bool has_ground_ = false;  // the model has a plane, a height field or a geom of the world
-  std::vector<mjvGeom> translucent_;  // copies; with a black floor if the floor hides marks
+  std::vector<mjvGeom> translucent_;  // copies, and a black floor if the floor hides marks
   double floor_height_ = 0;
   std::optional<double> level_above_floor_;  // nullopt: there is no floor
 };

@@ -19,7 +19,7 @@ struct Statistics {
   void Add(double value);
   /// Adds the numbers of other statistics, by the formula of Chan, Golub and LeVeque.
   void Append(const Statistics& other);
-  /// Standard deviation of the population (dividing by count, not count - 1).
+  /// Returns the standard deviation of the population (dividing by count, not count - 1).
   double StandardDeviation() const;
 };
 
@@ -36,7 +36,7 @@ class Histogram {
   void Append(Histogram other);
 
   std::uint64_t count() const { return numbers_.count; }
-  /// Exact values, or 0 if there are no numbers.
+  /// Exact statistics of the numbers; 0 if there are no numbers.
   double min() const { return numbers_.min; }
   double max() const { return numbers_.max; }
   double mean() const { return numbers_.mean; }
