@@ -1,4 +1,5 @@
-// The sink of archives: appends segments in order, closes archives, and resumes unfinished ones.
+// Sink that writes archives: appends segments in order, closes archives, and resumes unfinished
+// archives.
 
 #include "mjforge/batch/archive_sink.h"
 
@@ -26,7 +27,8 @@ std::optional<ResumedVariants> ArchiveSink::Open(diag::Findings& findings) {
 
 bool ArchiveSink::Take(ChunkResult& result, diag::Findings& findings) {
   if (result.done < result.chunk.count) {
-    // Ignore a partial segment: the bytes of the archive would depend on where the batch stopped.
+    // Ignores a partial segment, because the bytes of the archive would otherwise depend on where
+    // the batch stopped.
     result.statuses.clear();
     result.variants.clear();
     result.findings.clear();
@@ -88,7 +90,8 @@ std::optional<ResumedVariants> ArchiveSink::ContinueFinished(diag::Findings& fin
   return is_complete_ ? resumed : ResumedVariants();
 }
 
-// Rolls back to the last checkpoint that matches manifest, archives and records.
+// Rolls back to the last checkpoint that matches manifest, archives and records. Returns the
+// variants before this checkpoint.
 std::optional<ResumedVariants> ArchiveSink::Continue(diag::Findings& findings) {
   const std::vector<Checkpoint>& checkpoints = journal_.checkpoints();
   if (checkpoints.empty()) return ResumedVariants();

@@ -1,4 +1,4 @@
-// The sink of archives, which is the base class of the sink of families.
+// Sink that writes archives, and base class of the sink that writes families.
 
 #pragma once
 
@@ -14,7 +14,8 @@
 
 namespace mjforge::batch {
 
-/// Appends segments to an archive in order, closes the archive, and resumes an unfinished one.
+/// Sink that appends segments, each with the members of one chunk, to archives in index order.
+/// Resumes an unfinished archive.
 class ArchiveSink : public Sink {
  public:
   explicit ArchiveSink(const SinkOptions& options)
@@ -45,18 +46,20 @@ class ArchiveSink : public Sink {
   /// Appends an asset to the archive.
   virtual bool AppendAsset(const std::string& name, std::string_view bytes,
                            diag::Findings& findings);
-  /// Gives the complete file its final name.
+  /// Completes the file under construction, and gives the file its final name. `next` is the
+  /// checkpoint after the file.
   virtual bool CloseFile(const Checkpoint& next, diag::Findings& findings);
 
   std::unique_ptr<output::PartFile>& file() { return archive_; }
-  /// Records complete files in the journal, and gives the files their final names.
+  /// Records complete files in the journal, and gives the files their final names. `next` is the
+  /// checkpoint after these files.
   bool Seal(std::span<const std::unique_ptr<output::PartFile>> parts, const Checkpoint& next,
             diag::Findings& findings);
 
   SinkOptions options_;
   const Request& request_;
   const output::Destination& destination_;
-  output::MadeFolders folders_;  // declared before the journal, so that it is destroyed later
+  output::MadeFolders folders_;  // declared before journal_, to be destroyed after journal_
   Journal journal_;
 
  private:

@@ -32,8 +32,8 @@ struct Request {
   bool resume = false;      // continue the batch of an earlier run
   bool verify = false;      // when resuming, also compare the bytes of finished archives
   output::Durability durability = output::Durability::kBatch;
-  /// Manifest and archive get their final names only if no variant failed, so that Make does not
-  /// take them for finished targets.
+  /// Manifest and archive get their final names only if no variant failed, so that the program make
+  /// does not take them for finished targets.
   bool all_or_nothing = false;
 
   std::uint64_t jobs = 0;  // number of worker processes; 0: one per core
@@ -80,8 +80,8 @@ inline constexpr std::size_t kMaxFindings = 50;
 
 /// Callbacks of the process that runs the batch; each may be empty.
 struct Observer {
-  std::function<void(const FinishedVariant&)> variant;  // in index order
-  std::function<void(const Summary&)> progress;         // at least ten times a second
+  std::function<void(const FinishedVariant&)> variant;  // called in index order
+  std::function<void(const Summary&)> progress;         // called at least ten times a second
 };
 
 /// Makes the variants and writes them to the request's destination. Forks, so the caller must have

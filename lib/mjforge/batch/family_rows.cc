@@ -1,4 +1,4 @@
-// Rows of a family: numbers of the model and of the record.
+// Rows of a family: numbers of a variant's model and record.
 
 #include "mjforge/batch/family_rows.h"
 

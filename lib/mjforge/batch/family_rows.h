@@ -1,4 +1,4 @@
-// The variants of a chunk as rows of a family, made by a worker.
+// Rows of families for the variants of a chunk, made by a worker.
 
 #pragma once
 
@@ -10,6 +10,7 @@
 
 namespace mjforge::batch {
 
+/// Collects the variants of a chunk as rows of one or several families.
 class FamilyRows {
  public:
   /// Adds a valid variant to the rows of the family whose file is `file`. Returns false, after

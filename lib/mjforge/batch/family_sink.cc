@@ -1,4 +1,4 @@
-// The sink of a family: collects rows of variants, and at the end writes columns of numbers.
+// Sink that writes a family: collects rows of variants, and at the end writes columns of numbers.
 
 #include "mjforge/batch/archive_sink.h"
 #include "mjforge/batch/family_files.h"

@@ -21,7 +21,7 @@ class FindingSummary {
   struct Group {
     diag::Finding finding;  // finding of the group's first variant
     std::uint64_t variants = 0;
-    std::uint64_t last_index = 0;
+    std::uint64_t last_index = 0;  // index of the last variant that was counted
   };
 
   explicit FindingSummary(std::size_t limit) : limit_(limit) {}
@@ -38,12 +38,13 @@ class FindingSummary {
   std::uint64_t not_shown() const { return not_shown_; }
 
  private:
-  // Code, place, and place of the first note, because all findings of an attached file have one
-  // place in the spec. The message is empty for findings that have a place.
+  // Code, place, place of the first note, and message of a finding. The place of the note is
+  // included because all findings of an attached file have one place in the spec. The message is
+  // empty for findings that have a place.
   using Key = std::tuple<diag::Code, diag::SourceMark, diag::SourceMark, std::string>;
 
   std::size_t limit_;
-  std::map<Key, std::size_t> numbers_;
+  std::map<Key, std::size_t> numbers_;  // indices in groups_
   std::vector<Group> groups_;
   std::uint64_t not_shown_ = 0;
 };

@@ -1,4 +1,4 @@
-// The sink of a folder: workers write the objects, the leader writes the manifest.
+// Sink that writes a folder: workers write the objects, the leader writes the manifest.
 
 #include <algorithm>
 #include <filesystem>
@@ -121,6 +121,7 @@ class FolderSink : public Sink {
     return std::ranges::all_of(kept_assets_, note) && journal_.AddCheckpoint(checkpoint_, findings);
   }
 
+  // Copies the records of the resumed variants from the earlier manifest to the new one.
   bool Copy(const ResumedVariants& resumed, diag::Findings& findings) {
     std::string why_not;
     std::optional<bytes::File> manifest = bytes::File::Open(journal_.file(), why_not);
@@ -139,10 +140,11 @@ class FolderSink : public Sink {
   SinkOptions options_;
   const Request& request_;
   std::filesystem::path folder_;
-  output::MadeFolders folders_;  // declared before the journal, so that it is destroyed later
+  output::MadeFolders folders_;  // declared before journal_, to be destroyed after journal_
   Journal journal_;
   Checkpoint checkpoint_;
-  std::map<std::string, std::string> kept_assets_;  // names and SHA-256 in the kept records
+  // Names and SHA-256 of the assets in the resumed records.
+  std::map<std::string, std::string> kept_assets_;
 };
 
 }  // namespace

@@ -48,8 +48,8 @@ Seal SealOfRequest(const SinkOptions& options, const std::filesystem::path& mani
   return seal;
 }
 
-// Returns the rest of a line, a name that may contain spaces; empty if reading the words before it
-// failed.
+// Returns the part of a line after the words that were read: a name, which may contain spaces.
+// Returns an empty text if reading the words failed.
 std::string RestOfLine(std::string_view line, std::istringstream& words) {
   const std::streamoff at = words.tellg();
   return std::string(at < 0 ? std::string_view() : line.substr(static_cast<std::size_t>(at) + 1));

@@ -17,10 +17,10 @@ namespace mjforge::batch {
 
 /// State of manifest and archives at the end of a chunk.
 struct Checkpoint {
-  std::uint64_t next = 0;  // index of the first variant that is not written
-  bytes::Prefix manifest;
+  std::uint64_t next = 0;           // index of the first variant that is not written
+  bytes::Prefix manifest;           // size and checksum of the manifest
   std::uint64_t archive = 0;        // number of the archive under construction
-  bytes::Prefix part;               // the archive under construction
+  bytes::Prefix part;               // size and checksum of the archive under construction
   std::uint64_t journal_bytes = 0;  // size of the journal after the line of this checkpoint
 };
 
@@ -99,7 +99,7 @@ class Journal {
   std::unique_ptr<output::PartFile> manifest_file_;
   std::unique_ptr<output::PartFile> journal_file_;
   std::optional<manifest::Seal> previous_seal_;
-  std::optional<manifest::Seal> journal_seal_;  // first line of the journal
+  std::optional<manifest::Seal> journal_seal_;  // seal in the first line of the journal
   bool is_unfinished_ = false;
   std::vector<Checkpoint> checkpoints_;
   std::vector<HashedAsset> assets_;  // assets of the folder or of the archive under construction

@@ -13,7 +13,7 @@
 namespace mjforge::batch {
 namespace {
 
-// Returns the shard of a manifest's name: 3 of 8 for "manifest-00003-of-00008.jsonl" if the merged
+// Returns the shard in a manifest's name: 3 of 8 for "manifest-00003-of-00008.jsonl" if the merged
 // manifest is "manifest.jsonl"; nullopt for other names.
 std::optional<output::Shard> ShardOf(std::string_view name, std::string_view manifest) {
   constexpr std::string_view kOf = "-of-";
@@ -255,8 +255,8 @@ class ShardMerger {
   diag::Findings& findings_;
   std::filesystem::path file_;
   ObjectChecker objects_;
-  manifest::Seal whole_;  // seal of the merged batch
-  std::optional<manifest::Record> first_;
+  manifest::Seal whole_;                                     // seal of the merged batch
+  std::optional<manifest::Record> first_;                    // first record of shard 0
   std::vector<std::unique_ptr<output::PartFile>> families_;  // files that lack their final names
   std::uint64_t records_ = 0;
 };

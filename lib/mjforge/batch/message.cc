@@ -35,7 +35,7 @@ class Encoder {
 
  private:
   void Put(const void* bytes, std::size_t size) {
-    // std::copy_n, because memcpy must not get the null pointer of an empty view.
+    // Uses std::copy_n, because memcpy must not get the null pointer of an empty view.
     if (out_ != nullptr) std::copy_n(static_cast<const char*>(bytes), size, out_ + size_);
     size_ += size;
   }

@@ -31,6 +31,7 @@ struct QuarantinedVariant {
   std::string how;  // end of the worker: "was killed by SIGSEGV"
 };
 
+/// Work for a worker: the variants to make, and those of them that are recorded as failed instead.
 struct Task {
   Chunk chunk;
   std::vector<QuarantinedVariant> quarantined;
@@ -79,7 +80,7 @@ std::string Encode(const Task& task);
 std::string Encode(const ChunkResult& result);
 /// Returns the size of an encoded result in bytes.
 std::size_t EncodedSize(const ChunkResult& result);
-/// Encodes a result into memory of that size.
+/// Encodes a result into memory of EncodedSize(result) bytes.
 void EncodeTo(char* out, const ChunkResult& result);
 /// Decodes a message. Throws std::logic_error if the message is incomplete, which is a bug.
 Task DecodeTask(std::string_view bytes);

@@ -33,7 +33,7 @@ constexpr int kBugStatus = 70;  // EX_SOFTWARE of sysexits.h
 // Limit of consecutive deaths of workers between variants, after which the batch fails.
 constexpr int kMaxIdleDeaths = 10;
 // A longer pause between two checks of the workers means that the leading process and the workers
-// were stopped (Ctrl-Z). Wall time does not include the rest of such a pause.
+// were stopped (Ctrl-Z). Only this part of such a pause counts as wall time.
 constexpr Seconds kMaxLookInterval{1};
 
 // Writes all bytes to a socket; returns false, without a signal, if the other end is closed.
@@ -195,8 +195,9 @@ Pool::Pool(std::uint64_t jobs, std::size_t tasks_per_worker,
 Pool::~Pool() {
   for (const auto& worker : workers_) {
     const bool runs = worker->process > 0;
-    // Comes before Close(), because SIGCONT would revoke the SIGSTOP with which the leak check of
-    // AddressSanitizer attaches to a process that exits, and the check would wait forever.
+    // Signals the worker before Close(), because SIGCONT would revoke the SIGSTOP with which the
+    // leak check of AddressSanitizer attaches to a process that exits, and the check would wait
+    // forever.
     if (runs) ::kill(worker->process, worker->assigned.empty() ? SIGCONT : SIGKILL);
     worker->Close();
     if (runs) ::waitpid(worker->process, nullptr, 0);

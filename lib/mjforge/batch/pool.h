@@ -52,8 +52,8 @@ class WorkerMailbox {
   void Publish(std::size_t size) {
     messages_[published_++ % messages_.size()].size.store(size, std::memory_order_release);
   }
-  /// Returns the next published message, which remains until it is released. There must be
-  /// one.
+  /// Returns the next published message, which remains until it is released. There must be such a
+  /// message.
   std::string_view Take() {
     const SharedMessage& message = messages_[taken_++ % messages_.size()];
     // Limit the size, because a crashing worker may have overwritten the size.
@@ -91,7 +91,7 @@ using TaskHandler = std::function<ChunkResult(const Task&, WorkerMailbox&)>;
 class Pool {
  public:
   /// Each worker calls `make_handler` when it starts. A worker has up to `tasks_per_worker` tasks
-  /// assigned, so that it does not wait for the next one.
+  /// assigned, so that it does not wait for its next task.
   Pool(std::uint64_t jobs, std::size_t tasks_per_worker, std::chrono::duration<double> time_limit,
        std::function<TaskHandler()> make_handler);
   ~Pool();
@@ -109,7 +109,8 @@ class Pool {
   void AskToStop();
   /// Returns true if results are available or tasks are assigned.
   bool IsBusy() const;
-  /// Returns true if a worker died that had a task, so that it may have left an incomplete file.
+  /// Returns true if a worker that had a task died, because such a worker may have left an
+  /// incomplete file.
   bool has_lost_worker() const { return has_lost_worker_; }
 
  private:
@@ -125,12 +126,12 @@ class Pool {
   std::size_t tasks_per_worker_;
   std::chrono::duration<double> time_limit_;
   std::function<TaskHandler()> make_handler_;
-  std::unique_ptr<char[]> received_;
+  std::unique_ptr<char[]> received_;  // buffer for reading from channels
   std::vector<std::unique_ptr<WorkerProcess>> workers_;
-  std::deque<Task> waiting_;
+  std::deque<Task> waiting_;  // tasks that no worker has
   std::deque<ChunkResult> results_;
   int idle_deaths_ = 0;  // consecutive deaths of workers that were not making a variant
-  std::chrono::steady_clock::time_point last_look_;
+  std::chrono::steady_clock::time_point last_look_;  // last check for slow workers
   std::chrono::duration<double> watch_time_{};  // wall time, except while this process was stopped
   bool stopped_ = false;
   bool has_lost_worker_ = false;

@@ -244,7 +244,7 @@ class BatchRun {
   manifest::Record record_;                       // fields that all records have in common
   std::map<std::uint64_t, ChunkResult> waiting_;  // key: index of the first variant
   std::size_t waiting_bytes_ = 0;
-  std::uint64_t next_ = 0;
+  std::uint64_t next_ = 0;  // index after the last taken result
   bool has_lost_worker_ = false;
   FindingSummary finding_summary_{kMaxFindings};
   std::map<std::string, std::uint32_t>

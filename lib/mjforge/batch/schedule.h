@@ -30,7 +30,7 @@ class Schedule {
   std::uint64_t next_;
   std::uint64_t end_;
   std::uint64_t per_archive_;  // variants per archive; 0: a single archive
-  std::uint64_t size_;
+  std::uint64_t size_;         // variants per chunk
 };
 
 }  // namespace mjforge::batch

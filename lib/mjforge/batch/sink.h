@@ -44,8 +44,8 @@ class Sink {
   virtual void RemoveAbandoned() const {}
 };
 
-/// Arguments of sinks: `all` is the whole batch, `range` the request's shard of it, and `batch` has
-/// the fields that all records have in common.
+/// Arguments of sinks: `all` is the whole batch, `range` the request's shard of the batch, and
+/// `batch` has the fields that all records have in common.
 struct SinkOptions {
   const Request& request;
   IndexRange all;

@@ -226,8 +226,8 @@ class ChunkMaker {
   const Request& request_;
   bool lists_variants_;
   diag::Sources& sources_;
-  std::uint32_t leader_sources_;  // number of sources that the leading process has
-  std::uint32_t reported_sources_;
+  std::uint32_t leader_sources_;    // number of sources that the leading process has
+  std::uint32_t reported_sources_;  // number of sources that the leader has or that were reported
   std::set<std::string> reported_assets_;
   forge::Generator generator_;
   output::ObjectFolder folder_;

@@ -24,9 +24,9 @@ namespace mjforge::bytes {
 /// File name that means standard input.
 inline constexpr const char* kStandardInput = "-";
 
-/// Limits in bytes: of an MJCF file; of an asset (mesh or texture), enough for millions of
-/// triangles, where MuJoCo allows 200,000; of a line of a manifest or a journal. (Limit for YAML:
-/// spec::kMaxYamlBytes.)
+/// Size limits, in bytes, of an MJCF file, of an asset (mesh or texture), and of a line of a
+/// manifest or a journal. The limit of assets is enough for millions of triangles, although MuJoCo
+/// allows only 200,000. The limit for YAML is spec::kMaxYamlBytes.
 inline constexpr std::uint64_t kMaxMjcf = std::uint64_t{256} << 20;
 inline constexpr std::uint64_t kMaxAsset = std::uint64_t{256} << 20;
 inline constexpr std::uint64_t kMaxLine = std::uint64_t{64} << 20;

@@ -22,14 +22,15 @@ struct Section {
 };
 
 /// Returns the offsets in a text file at which a section may begin, in ascending order from 0: the
-/// starts of Zstandard frames or, if the file is not compressed, multiples of a constant.
+/// starts of Zstandard frames or, if the file is not compressed, multiples of a constant. Returns
+/// nullopt, and sets `why_not`, if the file cannot be read.
 std::optional<std::vector<std::uint64_t>> CutsOf(const std::filesystem::path& file,
                                                  std::string& why_not);
 
 class TextStream;
 
 /// Reads a text file, or a section of it, line by line, in constant memory. Decompresses a file
-/// that consists of Zstandard's frames.
+/// that consists of Zstandard frames.
 class LineReader {
  public:
   static std::optional<LineReader> Open(const std::filesystem::path& file, std::string& why_not,

@@ -1,4 +1,4 @@
-// The text of a file as a stream of bytes, decompressed if the file consists of Zstandard's frames.
+// The text of a file as a stream of bytes, decompressed if the file consists of Zstandard frames.
 
 #pragma once
 
@@ -37,14 +37,14 @@ class TextStream {
   std::optional<std::size_t> Decompress(std::span<char> buffer, std::string& why_not);
 
   File file_;
-  std::uint64_t position_;  // offset in the file of the next stored byte
-  std::uint64_t end_;
+  std::uint64_t position_;  // offset in the file of the next byte to read
+  std::uint64_t end_;       // offset in the file of the end of the section
   std::uint64_t bytes_after_section_ = 0;
   bool is_after_section_ = false;  // true: the last bytes read are behind the end of the section
   bool is_at_end_ = false;
   std::unique_ptr<ZSTD_DCtx, FreeDecoder> decoder_;  // null: the file is not compressed
-  std::string stored_;
-  ZSTD_inBuffer input_ = {nullptr, 0, 0};  // the stored bytes that are not decompressed yet
+  std::string stored_;                     // bytes as stored in the file, before decompression
+  ZSTD_inBuffer input_ = {nullptr, 0, 0};  // the bytes of `stored_` that are not decompressed yet
   bool has_output_ = false;  // true: the decoder has text that did not fit into the buffer
   bool is_in_frame_ = false;
 };

@@ -121,7 +121,7 @@ std::string_view FrameCompressor::Compress(std::string_view text) {
   frame_.resize(ZSTD_compressBound(text.size()));
   const std::size_t size =
       ZSTD_compress2(context_, frame_.data(), frame_.size(), text.data(), text.size());
-  if (ZSTD_isError(size) != 0) throw std::bad_alloc();  // no other reason: `frame_` is large enough
+  if (ZSTD_isError(size) != 0) throw std::bad_alloc();  // the only possible reason
   return std::string_view(frame_).substr(0, size);
 }
 

@@ -1,4 +1,4 @@
-// Text files that consist of independent frames of Zstandard, with a seek table at the end.
+// Text files that consist of independent Zstandard frames, with a seek table at the end.
 //
 // The seek table has the seekable format of Zstandard's authors (contrib/seekable_format): a
 // skippable frame, which other readers ignore.
@@ -44,7 +44,7 @@ struct Frame {
   std::uint64_t end() const { return begin + bytes; }
 };
 
-/// Returns true if the file begins with a frame of Zstandard; nullopt, and sets `why_not`, if it
+/// Returns true if the file begins with a Zstandard frame; nullopt, and sets `why_not`, if the file
 /// cannot be read.
 std::optional<bool> IsCompressed(File& file, std::string& why_not);
 

@@ -21,7 +21,8 @@ struct Caller {
 
 /// Returns the reason for which a request is rejected; empty if the request is allowed. The path
 /// must begin with the token. The host must be this machine, at any port because of SSH tunnels,
-/// unless Jupyter's proxy passed the request on. The origin must be the same host.
+/// unless Jupyter's proxy passed the request on. The origin, if there is one, must be the same
+/// host.
 std::string_view Refusal(const Caller& caller, std::string_view token);
 
 }  // namespace mjforge::customize

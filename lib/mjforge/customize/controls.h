@@ -9,9 +9,9 @@ namespace mjforge::customize {
 
 /// Writes a list with an object for each parameter, with the members name, group, unit, doc, spec
 /// (the value as written), kind, components, whole, random, low, high and choices. The kind is
-/// number, choice, switch, color, vector, text or list, or fixed for a column of a record, whose
-/// key chooses the value. `low` and `high` are lists with a number for each component, or null if
-/// the spec alone does not determine the bounds.
+/// number, choice, switch, color, vector, text or list; or fixed for a column of a record, because
+/// the record's key determines the value. `low` and `high` are lists with a number for each
+/// component, or null if the spec alone does not determine the bounds.
 void WriteControls(diag::Json& json, const spec::ObjectSpec& spec);
 
 }  // namespace mjforge::customize

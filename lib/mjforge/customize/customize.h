@@ -19,7 +19,7 @@
 
 namespace mjforge::customize {
 
-/// A file of the page, which is compiled in.
+/// A file of the page. The files are compiled into the program.
 struct PageFile {
   std::string_view name;  // empty for the page itself
   std::string_view type;  // media type
@@ -44,8 +44,8 @@ struct Reply {
 };
 
 /// Makes and draws variants for the page. Every request contains the whole state of the page, so
-/// that several pages can ask in turn. Keeps the spec, the last variant and OpenGL between
-/// requests.
+/// that several pages can ask in turn. Keeps the spec, the last variant and the OpenGL context
+/// between requests.
 class Studio {
  public:
   explicit Studio(Start start);

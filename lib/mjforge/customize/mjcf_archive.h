@@ -9,8 +9,8 @@
 
 namespace mjforge::customize {
 
-/// Makes an archive with the folder `name`, which contains `name`.xml and all its files. Returns
-/// false, and adds a finding, if a file cannot be read.
+/// Makes an archive with the folder `name`, which contains `name`.xml and the files that this MJCF
+/// refers to. Returns false, and adds a finding, if a file cannot be read.
 bool ArchiveMjcf(const std::string& name, const mjcf::MjcfDocument& document, std::string& archive,
                  diag::Findings& findings);
 

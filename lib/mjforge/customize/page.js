@@ -1,10 +1,10 @@
 // The page of `mjforge customize`: controls, picture, findings. The program keeps no state of the
-// page; every request contains all of it.
+// page; every request contains the whole state.
 (function () {
   "use strict";
   const byId = (id) => document.getElementById(id);
-  const kView = { azimuth: 122.8, elevation: -29.6, zoom: 1 }; // unless the spec has another one
-  const kFullDelay = 150; // ms without a change, after which the full picture is drawn
+  const kView = { azimuth: 122.8, elevation: -29.6, zoom: 1 }; // default; `view:` of the spec replaces it
+  const kFullDelay = 150; // ms without a change until the full picture is drawn
   const client = Math.random().toString(36).slice(2);
 
   let revision = 0;
@@ -13,9 +13,9 @@
   let firstView = kView;
   let view = firstView; // a new object after each change
   let joints = {}; // positions of joints that were moved, rad or m
-  let basePose = "view"; // of all other joints: view, start or zero
+  let basePose = "view"; // pose of all other joints: view, start or zero
   let filmed = ""; // state that the film shows
-  let checked = {}; // version with the reply of its physical checks, once it is there
+  let checked = {}; // version, and the reply to its physical checks when it has arrived
   let controls = new Map();
 
   // Creates an element with properties and children.
@@ -91,7 +91,8 @@
     }
   }
 
-  // Asks for what takes longer than a picture. Returns null after an error, or if the state changed.
+  // Sends a request that takes longer than a picture. Returns the reply; null after an error, or if the
+  // state changed.
   async function askSlowly(action, more, doing) {
     const state = version();
     byId("state").textContent = doing;
@@ -102,7 +103,7 @@
     return reply.error ? null : reply;
   }
 
-  // Shows the findings with those of the physical checks, which are made once for each variant.
+  // Shows the findings of the physical checks, which are made once for each variant, with the others.
   async function check() {
     if (checked.version !== version()) {
       const mine = checked = { version: version() };
@@ -169,11 +170,11 @@
     pre.focus({ preventScroll: !text });
   }
 
-  // History: the first state, and those after each change that is complete.
+  // History: the first state, and the state after each complete change.
   const states = [];
   let current = 0;
   const now = () => JSON.stringify({ pins, seed, index });
-  const version = () => revision + now(); // also of the files
+  const version = () => revision + now(); // identifies the state of the page and of the spec's files
   const filmable = () => version() + byId("layer").value + byId("nine").checked;
 
   function commit() {

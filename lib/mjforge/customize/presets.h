@@ -25,8 +25,8 @@ class Presets {
   /// Returns the names of the presets that exist, sorted.
   std::vector<std::string> List() const;
   std::filesystem::path FileOf(std::string_view name) const;
-  /// Writes the settings to the file of the preset `name`. Returns false and adds a finding on
-  /// failure, also if the file exists and was not written by this function.
+  /// Writes the settings to the file of the preset `name`. Returns false, and adds a finding, if
+  /// the file cannot be written, or exists and was not written by this function.
   bool Save(std::string_view name, std::span<const spec::Setting> settings,
             diag::Findings& findings) const;
 

@@ -19,14 +19,14 @@ inline constexpr std::string_view kSettingOrigin = "control";
 
 /// Pose of the joints that the page did not move.
 enum class BasePose {
-  kView,   // the start, with the pose of the spec's `view:`
-  kStart,  // the start
+  kView,   // the start pose, changed by `pose` of the spec's `view:`
+  kStart,  // the start pose
   kZero    // all joints at zero
 };
 
 struct Request {
   std::string action;
-  std::string name;            // name of a parameter, a preset, a file or a form of export
+  std::string name;            // name of a parameter, joint, preset, file or form of export
   std::uint64_t revision = 0;  // number of the changes of the spec's files so far
   std::vector<spec::Setting> settings;
   std::vector<std::size_t> words = {};  // indices of settings that are texts without quotes

@@ -19,7 +19,7 @@ std::string QuoteForYaml(std::string_view text);
 std::string CommandText(std::string_view spec, std::span<const spec::Setting> settings,
                         std::uint64_t seed, std::uint64_t index, std::uint64_t count = 1,
                         std::string_view name = {});
-/// Returns the settings as a YAML mapping, one in a line.
+/// Returns the settings as a YAML mapping, one per line.
 std::string ParamsText(std::span<const spec::Setting> settings);
 
 }  // namespace mjforge::customize

@@ -33,7 +33,7 @@ void VariantCache::Renew(std::uint64_t revision) {
   if (std::exchange(revision_, revision) == revision) return;
   snapshot_ = {};
   names_.reset();
-  loader_.emplace();  // the old loader has read meshes and textures
+  loader_.emplace();  // the old loader caches meshes and textures
 }
 
 void VariantCache::QuoteNames(Request& request) {

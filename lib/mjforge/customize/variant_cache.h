@@ -44,9 +44,9 @@ class VariantCache {
   /// Replaces texts that the spec would read as names in expressions, such as `pi`, by expressions
   /// of texts: `${'pi'}`.
   void QuoteNames(Request& request);
-  /// Returns the spec with these settings, without a new variant.
+  /// Returns the spec with the settings of the request, without making a variant.
   ShownVariant& LoadSpec(const Request& request);
-  /// Returns the variant of the request, with at least these checks.
+  /// Returns the variant of the request, with at least the checks of `level`.
   ShownVariant& Make(const Request& request, CheckLevel level);
 
   /// Returns the files on which the current spec and variant depend, including those that are

@@ -47,7 +47,8 @@ struct Maker::State {
   std::optional<engine::Engine> engine;     // created for the first texture
   std::map<std::string, Content> textures;  // key: MJCF element and kind of marks
 
-  // Makers of one file; they return nullopt, after adding a finding, if the file cannot be made.
+  // Functions that make one file. Each returns nullopt, after adding a finding, if the file cannot
+  // be made.
   std::optional<Content> MeshFile(const model::MeshAsset& mesh, diag::Findings& findings) const;
   std::optional<Content> TextureFile(const model::Texture& texture, diag::Findings& findings);
 };

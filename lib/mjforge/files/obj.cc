@@ -62,8 +62,8 @@ std::vector<std::array<int, 3>> HullOf(const std::vector<double>& numbers, std::
   return triangles;
 }
 
-// Reads the mesh from the attributes `vertex`, `face`, ... of a mesh of an attached file, or from
-// MeshAsset::mesh if the asset has no attribute `vertex`.
+// Reads the mesh from the attributes of a mesh element of an attached file (`vertex`, `face` and
+// others), or from MeshAsset::mesh if the asset has no attribute `vertex`.
 ObjMesh MeshOf(const model::MeshAsset& asset, std::string& why_not) {
   ObjMesh mesh = {
       NumbersOf(asset, "vertex"), NumbersOf(asset, "normal"), NumbersOf(asset, "texcoord"), {}};

@@ -45,8 +45,8 @@ constexpr const char* kInTheWay = "use a shorter range, make room, or add `conta
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 
-// Limits of the timestep and of the number of steps. MuJoCo accepts any timestep, but results are
-// useless if a step is longer than the fall.
+// Limits of the timestep and of the number of steps. MuJoCo accepts any timestep, but the results
+// are useless if a step is longer than the fall of the drop test.
 constexpr double kShortestStep = 1e-5;  // s
 constexpr double kLongestStep = 0.02;   // s; a fall of 2 mm takes 0.02 s
 constexpr double kMostSteps = 1e7;
@@ -117,7 +117,7 @@ class Behaviour {
 
   DropOutcome Drop(const Nudge& nudge, Result& result) {
     return Simulate(m_, workspace_, [&](mjData& d) {
-      result = {};  // discards a drop whose contacts exceeded the buffers
+      result = {};  // discards a run whose contacts exceeded the buffers; Simulate() repeats it
       end_ = &d;
       if (recorder_ != nullptr) recorder_->Begin();
       return SimulateDrop(m_, d, reporter_.checks(), nudge, result, recorder_);
@@ -148,7 +148,8 @@ class Behaviour {
     const double gravity = Eigen::Map<const Eigen::Vector3d>(m_.opt.gravity).norm();
     const double height =
         end_->subtree_com[3 * *body + 2] - compiled::CollidingBox(m_, *end_, *body).min.z();
-    // Speed at which an inverted pendulum of this height reaches the tilt of the nudge.
+    // Speed of an inverted pendulum of this height, m/s, after a fall from upright to a tilt of
+    // checks.nudge (for small angles).
     const double speed = checks.nudge * std::sqrt(gravity * std::max(height, 0.0));
     std::vector<Nudge> nudges = {{.speed = speed, .azimuth = margin.azimuth}};
     for (int side = 0; side < 4; ++side)
@@ -289,8 +290,8 @@ class Behaviour {
     }
   }
 
-  /// Returns the limit in the entry of checks.joints that names the joint; `usual` if no entry sets
-  /// the limit.
+  /// Returns the limit that the joint's entry in checks.joints sets; `usual` if the joint has no
+  /// entry or the entry does not set this limit.
   static double Limit(const DrivenJoint& driven, std::optional<double> model::JointCheck::*own,
                       double usual) {
     return driven.check != nullptr ? (driven.check->*own).value_or(usual) : usual;

@@ -10,10 +10,11 @@
 
 namespace mjforge::physics {
 
-/// Simulates a model, reports violations of its checks, and fills in `result` except the overlap
-/// and the tests with probe bodies. `object` is the object from which the model was made, or that
-/// was read from the model. Findings about the whole object point at `mark`. May enlarge the
-/// model's buffers for contacts. May throw std::exception.
+/// Runs the simulations that the spec's `checks` ask for and reports their findings. Fills in all
+/// members of `result` except the overlap and those of the tests with probe bodies (balls, pegs,
+/// grippers). `object` is the object from which the model was made, or that was read from the
+/// model. Findings about the whole object point at `mark`. May enlarge the model's buffers for
+/// contacts. May throw std::exception.
 void CheckBehaviour(mjModel& m, Workspace& workspace, const model::Object& object,
                     diag::SourceMark mark, static_checks::Reporter& reporter, Result& result);
 

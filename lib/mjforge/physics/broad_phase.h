@@ -11,9 +11,9 @@
 
 namespace mjforge::physics {
 
-/// Finds the pairs of geoms that are near each other, because MuJoCo before 2.3.3 compares each
-/// geom of a body with each geom of another. If works() is false, callers must let MuJoCo find all
-/// pairs.
+/// Finds pairs of geoms near each other. Replaces MuJoCo's own broad phase, because MuJoCo before
+/// 2.3.3 tests each geom of a body against each geom of another body. Cannot find all contacts of
+/// every model: if works() is false, callers must let MuJoCo find the pairs.
 class BroadPhase {
  public:
   explicit BroadPhase(const mjModel& m);
@@ -21,13 +21,13 @@ class BroadPhase {
   bool works() const { return works_; }
 
   /// Finds all pairs of geoms that can touch before any body has moved by more than its allowance
-  /// (m, one for each body) relative to the body `frame`. Bodies are at the positions that
-  /// mj_kinematics computed.
+  /// relative to the body `frame`. `allowances` has one distance for each body, m. Uses the poses
+  /// that mj_kinematics wrote to `d`. The result is valid until the next call.
   engine::GeomPairs& Find(const mjData& d, const std::vector<double>& allowances, int frame);
 
-  /// Bodies with colliding geoms.
+  /// Ids of the bodies with colliding geoms.
   const std::vector<int>& bodies() const { return bodies_; }
-  /// Radius of the colliding geoms of a body about the body's origin, m.
+  /// Radius of the sphere about a body's origin that contains the body's colliding geoms, m.
   double Reach(int body) const { return reaches_[static_cast<std::size_t>(body)]; }
 
  private:
@@ -43,8 +43,8 @@ class BroadPhase {
   std::vector<double> reaches_;
   std::vector<std::vector<int>> geoms_;          // colliding geoms of each body
   std::vector<std::pair<int, int>> body_pairs_;  // pairs that may collide, in MuJoCo's order
-  std::vector<Box> local_;                       // box of each geom in its frame; planes: empty
-  std::vector<Box> boxes_;       // box of each geom in `frame`, with allowance and margin
+  std::vector<Box> local_;       // box of each geom in the geom's frame; empty for planes
+  std::vector<Box> boxes_;       // box of each geom in `frame`, enlarged by allowance and margin
   std::vector<Box> body_boxes_;  // box around the boxes_ of each body's geoms
   engine::GeomPairs pairs_;
 };

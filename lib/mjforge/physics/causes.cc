@@ -21,9 +21,10 @@ namespace {
 
 using expr::RoundedText;
 
-constexpr double kFarHinge = 5 * std::numbers::pi / 180;  // rad, from which a motion is large
-constexpr double kFarSlide = 0.005;                       // m, from which a motion is large
-constexpr double kDeepStart = 0.002;  // m, depth at the start that pushes bodies apart fast
+// Smallest motions of a hinge and of a slide that count as large.
+constexpr double kFarHinge = 5 * std::numbers::pi / 180;  // rad
+constexpr double kFarSlide = 0.005;                       // m
+constexpr double kDeepStart = 0.002;  // m; a larger depth at the start pushes bodies apart fast
 
 // Semi-implicit Euler diverges if (timestep * frequency)^2 exceeds 4, or damping removes more than
 // twice the speed in a step.

@@ -24,19 +24,23 @@ using diag::Code;
 using Eigen::Vector3d;
 using expr::RoundedText;
 
-constexpr double kStay = 3;        // s, for which the balls must stay inside
-constexpr double kTurn = 1;        // s, for half a turn
-constexpr double kPour = 3;        // s, for the balls to leave, including the turn
+constexpr double kStay = 3;        // s, time for which the balls must stay inside
+constexpr double kTurn = 1;        // s, duration of the half turn that empties the object
+constexpr double kPour = 3;        // s, time in which the balls must leave, including the half turn
 constexpr double kDensity = 2500;  // kg/m^3, glass
 // Offset of a ball from the axis of the stack, as a share of the ball's radius: large enough that
 // balls do not balance on each other, small enough that they fall through the neck of a bottle.
 constexpr double kOffAxis = 0.1;
-constexpr double kSoft = 0.001;  // m, tolerance of soft contacts
-constexpr double kFall = 0.3;    // s, for a ball to fall from the rim to beside the object
+// Depth of a ball's lowest point below the object's top, m, up to which the ball counts as above
+// the object, because contacts are soft.
+constexpr double kSoft = 0.001;
+// Longest time in which a ball falls from the rim to beside the object.
+constexpr double kFall = 0.3;                       // s
 constexpr double kGoldenAngle = 2.399963229728653;  // rad, pi (3 - sqrt(5))
 
 std::string BallName(int ball) { return fmt::format("{}ball-{}", kProbePrefix, ball); }
 
+/// Place of a ball relative to the bounding box of the object.
 enum class BallPlace { kAbove, kInside, kOutOverTheTop, kOutBelowTheTop };
 
 struct Ball {
@@ -46,11 +50,11 @@ struct Ball {
   BallPlace place = BallPlace::kAbove;
   Vector3d p_W = Vector3d::Zero();  // m, position now, or where the ball left the object
   bool was_deep = false;            // the ball has been far below the object's top
-  double rose = -1;                 // s, last time at which the ball was near the top again
+  double rose = -1;  // s, last time at which a ball that had been deep was near the top; -1: never
 };
 
-/// Returns the radius of a ball, m. Radii decrease by equal ratios. The largest ball is dropped
-/// first, because on top of smaller balls it would hammer them through the wall.
+/// Returns the radius of a ball, m. Radii decrease from ball to ball by equal ratios. The largest
+/// ball is dropped first, because on top of smaller balls it would hammer them through the wall.
 double RadiusOf(const model::HoldingCheck& holding, int ball) {
   const double share = holding.balls > 1 ? static_cast<double>(ball) / (holding.balls - 1) : 0;
   return holding.ball.y() / 2 * std::pow(holding.ball.x() / holding.ball.y(), share);
@@ -179,9 +183,9 @@ class Container {
 
   mjModel& m_;
   mjData& d_;
-  int first_ = 0;  // body of the first ball
+  int first_ = 0;  // id of the body of the first ball; the other balls follow
   std::vector<Ball> balls_;
-  model::Box3 box_;  // box of the object in the world
+  model::Box3 box_;  // bounding box of the object in the world
   std::optional<Stepper> stepper_;
 };
 
@@ -236,8 +240,9 @@ class ContainmentReport {
   static_checks::Reporter& reporter_;
 };
 
-/// Returns the body that does not collide in the test; 0 if there is none. If its name is unknown,
-/// adds a finding and returns nullopt.
+/// Returns the id of the body that `without` in checks.holds names, whose collisions are disabled
+/// in the test; 0 if `without` is empty. If the name is unknown, adds a finding and returns
+/// nullopt.
 std::optional<int> RemovedBody(const ProbeTest& test) {
   const model::HoldingCheck& holding = *test.reporter.checks().holds;
   if (holding.without.empty()) return 0;

@@ -64,6 +64,7 @@ class DropSimulation {
   }
 
  private:
+  /// A free body, which is the root of a tree of bodies.
   struct Root {
     int body = 0;
     Eigen::Vector3d start = Eigen::Vector3d::Zero();  // m, centre of mass of the tree
@@ -115,7 +116,7 @@ class DropSimulation {
       root.start = VectorAt(d_.subtree_com, root.body);
       root.up_B = TurnOf(root.body).conjugate() * (lean_ * Eigen::Vector3d::UnitZ());
     }
-    // Unit of energy gains: the energy that lifts the object by its own size.
+    // Energy that lifts the object by its own size, J. Energy gains are shares of this energy.
     double radius = 0;
     for (int i = 0; i < m_.ngeom; ++i) {
       if (m_.geom_bodyid[i] != 0) radius = std::max(radius, Reach(i));
@@ -125,7 +126,7 @@ class DropSimulation {
     start_energy_ = highest_energy_ = Energy();
   }
 
-  /// Returns the radius of a geom about the centre of mass of its tree, m.
+  /// Returns the largest distance of a point of a geom from the centre of mass of its tree, m.
   double Reach(int geom) const {
     const int root = m_.body_rootid[m_.geom_bodyid[geom]];
     return m_.geom_rbound[geom] +

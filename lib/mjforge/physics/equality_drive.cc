@@ -46,8 +46,9 @@ class Equalities {
     }
   }
 
-  /// Returns the unit of relative errors, m or rad: the travel of joint 1 while joint 2 moves from
-  /// end to end (equality of two joints), or the size of the model (other equalities).
+  /// Returns the distance by which errors of an equality are divided to be relative, m or rad: for
+  /// an equality of two joints, the travel of joint 1 while joint 2 moves from end to end; for
+  /// other equalities, the size of the model.
   double ScaleOf(int equality) const {
     if (!IsOfJoints(equality)) return m_.stat.extent;
     const auto [low, high] = PositionsOf(equality);
@@ -120,7 +121,8 @@ class Equalities {
   const mjModel& m_;
 };
 
-/// Returns the joints that test an equality, in order of id, except joints that the spec skips.
+/// Returns the joints whose drives test an equality (IsTestedBy), in order of id, except joints
+/// with `skip` in checks.joints.
 std::vector<int> TestingJoints(const mjModel& m, const Equalities& equalities,
                                std::string_view object, const model::Checks& checks) {
   const JointChecks entries(m, object, checks);
@@ -137,7 +139,8 @@ std::vector<int> TestingJoints(const mjModel& m, const Equalities& equalities,
   return joints;
 }
 
-/// Drives a joint without its own friction, damping and spring, which a hand would overcome.
+/// Drives a joint without its own friction, damping and spring, because a hand that moves the joint
+/// would overcome them.
 DrivenJoint Drive(mjModel& m, mjData& d, int joint) {
   const int dof = m.jnt_dofadr[joint];
   double* const own[] = {m.dof_damping + dof, m.dof_frictionloss + dof, m.jnt_stiffness + joint};

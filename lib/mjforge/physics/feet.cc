@@ -21,20 +21,20 @@ namespace {
 
 using expr::RoundedText;
 
-constexpr double kTouches = 0.0005;  // m above the floor, below which a part touches the floor
-constexpr double kLifted = 0.001;    // m above the floor, from which a part is lifted
-constexpr double kHalf = 0.5;   // highest bottom of a lifted foot, as a share of the foot's height
-constexpr double kAlike = 0.1;  // largest difference between similar parts, as a share
+constexpr double kTouches = 0.0005;  // m; a part whose bottom is lower than this touches the floor
+constexpr double kLifted = 0.001;    // m; a part whose bottom is this high or higher is lifted
+constexpr double kHalf = 0.5;        // highest bottom of a foot, as a share of the foot's height
+constexpr double kAlike = 0.1;       // largest relative difference between sizes of similar parts
 
-/// A part of the object, with all its pieces.
+/// Part of the object, with all geoms (pieces) of which the part is made.
 struct Foot {
   std::string name;
   diag::SourceMark mark;
-  int type = 0;  // mjtGeom of its last piece
+  int type = 0;  // mjtGeom of the part's last piece
   int pieces = 0;
-  double size = 0;    // m, largest radius of a piece
+  double size = 0;    // m, largest geom_rbound of a piece
   double bottom = 0;  // m above the floor
-  double top = 0;
+  double top = 0;     // m above the floor
 
   double height() const { return top - bottom; }
 };
@@ -46,7 +46,8 @@ bool AreAlike(const Foot& one, const Foot& two) {
          AreClose(one.height(), two.height());
 }
 
-/// Returns the colliding parts of a tree of bodies, measured from the floor at `height`, m.
+/// Returns the parts with colliding geoms in a tree of bodies. Heights are relative to the floor,
+/// which is at `height`, m.
 std::vector<Foot> FeetOf(const mjModel& m, const mjData& d, int root, double height,
                          const model::Object& object, diag::SourceMark mark) {
   std::map<std::pair<int, std::string>, Foot> feet;  // key: body and part name
@@ -74,8 +75,9 @@ std::vector<Foot> FeetOf(const mjModel& m, const mjData& d, int root, double hei
   return all;
 }
 
-/// Returns a part on the floor that is similar to a lifted part; null if fewer than two similar
-/// parts are on the floor, or more are in the air than on the floor (a curved runner).
+/// Returns a part on the floor that is similar to a lifted part. Returns null if fewer than two
+/// similar parts are on the floor, or if more similar parts are in the air than on the floor, as if
+/// they were pieces of a curved runner.
 const Foot* LikeOnFloor(const std::vector<Foot>& feet, const Foot& lifted) {
   const Foot* like = nullptr;
   int on_floor = 0;
@@ -113,11 +115,11 @@ void CheckLifted(const std::vector<Foot>& feet, const model::Object& object,
       "let all feet reach the floor: look at their `pos` and sizes");
 }
 
-/// Returns the friction coefficient of the feet on the floor, averaged by load; nullopt if there is
-/// no load.
+/// Returns the friction coefficient of the contacts between a tree of bodies and the floor,
+/// weighted by normal force; nullopt if no contact carries a load.
 std::optional<double> FrictionOf(const mjModel& m, const mjData& d, int root) {
   double load = 0;
-  double most = 0;  // N, largest friction force
+  double most = 0;  // N, sum of the friction forces that the contacts can bear
   for (int i = 0; i < d.ncon; ++i) {
     const mjContact& contact = d.contact[i];
     const int one = m.body_rootid[m.geom_bodyid[contact.geom1]];
@@ -133,7 +135,8 @@ std::optional<double> FrictionOf(const mjModel& m, const mjData& d, int root) {
 
 void CheckGlides(const mjModel& m, const mjData& d, int root, const model::Object& object,
                  diag::SourceMark mark, static_checks::Reporter& reporter) {
-  // The floor's own friction of 1 holds objects on slopes of up to 45 degrees.
+  // Tests slopes of up to 45 degrees only, because the floor's friction of 1 holds no object on a
+  // steeper slope.
   const double slope = std::min(reporter.checks().nudge, std::numbers::pi / 4);
   const std::optional<double> friction = FrictionOf(m, d, root);
   if (!friction || *friction >= std::tan(slope)) return;

@@ -14,8 +14,8 @@ class FilmRecorder {
  public:
   /// Begins a run, and discards the previous run unless it was kept.
   void Begin();
-  /// Records the positions if the interval since the last record is over. Must be called before
-  /// each step.
+  /// Records the positions if 5 ms of simulated time have passed since the run's last record. Must
+  /// be called before each step.
   void Note(const mjModel& m, const mjData& d);
   /// Adds the current run to the film.
   void Keep();
@@ -24,9 +24,10 @@ class FilmRecorder {
   Film Finish(std::size_t frames) const;
 
  private:
+  // Records of the kept runs and of the current run, each of nq positions.
   std::vector<std::vector<double>> kept_;
   std::vector<std::vector<double>> run_;
-  double time_ = 0;       // s, since the run began
+  double time_ = 0;       // s, simulated time since the run began
   double kept_time_ = 0;  // s, duration of the kept runs
 };
 

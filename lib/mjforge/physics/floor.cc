@@ -11,9 +11,11 @@
 namespace mjforge::physics {
 namespace {
 
-constexpr double kLevel = 1e-9;  // tolerance of the normal of a level plane
+// Largest difference of 1 and the z component of a level plane's normal.
+constexpr double kLevel = 1e-9;
 
-/// Returns the height of the lowest point of all colliding geoms, except planes.
+/// Returns the height of the lowest point of all colliding geoms except planes, m; 0 if there are
+/// none.
 double LowestPoint(const mjModel& m) {
   const compiled::Data d = compiled::MakeData(m);
   mj_kinematics(&m, d.get());

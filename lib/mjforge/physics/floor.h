@@ -5,10 +5,11 @@
 
 namespace mjforge::physics {
 
-/// The largest contact margin of any geom, m. Contact forces begin at most at this distance.
+/// Returns the largest contact margin of any geom, m. Contact forces begin at most at this
+/// distance.
 double LargestMargin(const mjModel& m);
 
-/// Height from which objects are dropped, m: 2 mm plus the largest margin.
+/// Returns the height from which objects are dropped, m: 2 mm plus the largest margin.
 double DropHeight(const mjModel& m);
 
 /// Fixed geoms on which objects can lie.

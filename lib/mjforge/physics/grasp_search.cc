@@ -18,17 +18,19 @@ namespace {
 using compiled::VectorAt;
 using Eigen::Vector3d;
 
-constexpr double kMargin = 0.005;   // m, between each jaw and its face before the jaws close
-constexpr double kAside = 0.0003;   // m, from a ray to the rays that measure the slope of the face
+constexpr double kMargin = 0.005;  // m, gap between each jaw and its face before the jaws close
+// Distance from a ray to the rays that measure the face's slope.
+constexpr double kAside = 0.0003;   // m
 constexpr double kFriction = 1;     // tangent of the half-angle of the jaws' friction cones
 constexpr double kSeam = 2e-5;      // m, offset of rays, so that they miss the seams between pieces
-constexpr double kThinnest = 5e-4;  // m, least distance of the two faces
-constexpr double kOffset = 0.008;   // m, from a site to the points beside it
-constexpr double kPerOffset = 20;   // 1/m, cost of the distance from a site; a slope of 1 costs 1
-constexpr int kApproaches = 8;      // directions of the fingers about the line between the faces
-constexpr int kPoints = 48;         // points that are tried in the box of an object without sites
+constexpr double kThinnest = 5e-4;  // m, least distance between the two faces
+constexpr double kOffset = 0.008;   // m, distance from a site to the points beside it
+constexpr double kPerOffset = 20;   // 1/m, cost per distance from a site; a slope of 1 costs 1
+constexpr int kApproaches = 8;  // number of directions of the fingers about a line between faces
+constexpr int kPoints = 48;     // number of points tried in the box of an object without sites
 
-/// Returns the directions to the 26 neighbours of a cube, one of each opposite pair.
+/// Returns 13 unit vectors: the directions from a cell of a cubic grid to its 26 neighbours,
+/// without their opposites.
 std::vector<Vector3d> Directions() {
   std::vector<Vector3d> directions;
   directions.reserve(13);
@@ -54,13 +56,13 @@ model::Pose Frame(const Vector3d& p_W, const Vector3d& y, const Vector3d& z) {
 
 }  // namespace
 
-/// Line between two opposite faces.
+/// Line between two opposite faces, in the world's frame.
 struct GraspSearch::FaceLine {
-  Vector3d middle = Vector3d::Zero();  // world
-  Vector3d way = Vector3d::UnitY();
-  double width = 0;  // m
-  double cost = 0;   // the smallest is best
-  int body = 0;      // body with the first face
+  Vector3d middle = Vector3d::Zero();  // m, midpoint between the faces
+  Vector3d way = Vector3d::UnitY();    // direction from the second face to the first
+  double width = 0;                    // m
+  double cost = 0;                     // the smallest is best
+  int body = 0;                        // id of the body with the first face
 };
 
 double OpeningFor(const GraspCandidate& candidate, const model::GraspingCheck& grasping) {
@@ -113,8 +115,8 @@ std::vector<GraspCandidate> GraspSearch::Anywhere(int root) const {
   return Best(std::move(lines));
 }
 
-/// Returns the distance to the nearest geom of the object along a ray, m, or infinity. Sets `hit`
-/// to the geom.
+/// Returns the distance to the nearest geom of the object along a ray, m, and sets `hit` to the id
+/// of that geom. Returns infinity if the ray hits nothing.
 double GraspSearch::Distance(const Vector3d& from, const Vector3d& way, int& hit) const {
   double nearest = std::numeric_limits<double>::infinity();
   for (const int geom : geoms_) {
@@ -141,8 +143,8 @@ bool GraspSearch::IsPartOf(int geom, int owner) const {
   return is_root ? m_.body_rootid[body] == owner : m_.body_weldid[body] == m_.body_weldid[owner];
 }
 
-/// Returns the lines through a point, in 13 directions, between two faces of `owner` whose friction
-/// cones contain the line.
+/// Returns the lines through a point, in 13 directions of the frame `q_WS`, between two faces of
+/// `owner` (IsPartOf). The friction cones of both faces contain the line.
 std::vector<GraspSearch::FaceLine> GraspSearch::LinesThrough(const Vector3d& p_W,
                                                              const Eigen::Quaterniond& q_WS,
                                                              int owner) const {
@@ -185,8 +187,9 @@ bool GraspSearch::IsFree(const GraspCandidate& candidate) const {
   return !gripper_.Touches(d_);
 }
 
-/// Returns the grasps of lowest cost that differ by more than 20 deg or 2 kOffset, each with the
-/// first direction of the fingers in which the open gripper touches nothing.
+/// Returns the grasps of lowest cost, at most grasping.tries. Their lines differ by more than 20
+/// deg, or their midpoints are at least 2 kOffset apart. Each grasp has the first direction of the
+/// fingers in which the open gripper touches nothing.
 std::vector<GraspCandidate> GraspSearch::Best(std::vector<FaceLine> lines) const {
   std::ranges::stable_sort(lines, {}, &FaceLine::cost);
   std::vector<GraspCandidate> best;

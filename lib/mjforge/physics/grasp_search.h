@@ -12,11 +12,11 @@
 namespace mjforge::physics {
 
 /// Grasp on two opposite faces of one tree of bodies. The line between the faces is inside the
-/// friction cones of both, and the open gripper touches nothing.
+/// friction cones of both faces, and the open gripper touches nothing.
 struct GraspCandidate {
   model::Pose X_WJ;  // pose of the gripper in the world
-  double width = 0;  // m, between the faces
-  int body = 0;      // body with the first face
+  double width = 0;  // m, distance between the faces
+  int body = 0;      // id of the body with the face on the gripper's +y side
 };
 
 /// Returns the opening of the gripper before it closes, m.
@@ -29,12 +29,14 @@ class GraspSearch {
   GraspSearch(const mjModel& m, mjData& d, const Gripper& gripper, std::span<const mjtNum> start,
               const model::GraspingCheck& grasping);
 
-  /// Returns at most grasping.tries grasps, the best first, along lines through or beside a site in
-  /// directions of the site's frame. The two faces of a grasp belong to `body` or to bodies welded
-  /// to it; if `body` is a root, to any body of its tree.
+  /// Returns at most grasping.tries grasps, the best first, along lines through a site or through
+  /// points beside the site. The lines have 13 directions of the site's frame. The two faces of a
+  /// grasp belong to `body` or to bodies welded to it; if `body` is a root, to any body of its
+  /// tree.
   std::vector<GraspCandidate> AtSite(const model::Pose& X_WS, int body) const;
 
-  /// Returns grasps in the box of a root body's tree; grasps near the centre of mass are preferred.
+  /// Returns at most grasping.tries grasps in the bounding box of a root body's tree, the best
+  /// first. Grasps near the centre of mass are preferred.
   std::vector<GraspCandidate> Anywhere(int root) const;
 
  private:

@@ -25,20 +25,20 @@ using diag::Code;
 using Eigen::Vector3d;
 using expr::RoundedText;
 
-// Durations of the phases. The gripper stays in place; gravity changes as if the gripper
+// Durations of the phases of a grasp. The gripper stays in place; gravity changes as if the gripper
 // accelerated.
 constexpr double kClose = 0.5;   // s
-constexpr double kBounce = 0.1;  // s, for which jaws may lose contact because they bounce
+constexpr double kBounce = 0.1;  // s, longest time for which bouncing jaws may lose contact
 constexpr double kLift = 0.3;    // s
 constexpr double kShake = 0.2;   // s along each axis
 constexpr double kHold = 2;      // s
 constexpr double kOpen = 0.3;    // s
-// While the jaws close, free bodies are damped as if they stood on a table: the force of the jaws
-// pushes a body at the speed kGiving and, at a distance of kArm from its centre, turns it at
-// kGiving / kArm.
+// While the jaws close, free bodies are damped as if they stood on a table. The damping lets the
+// force of a jaw push a body at the speed kGiving, and turn the body at kGiving / kArm if the force
+// acts at a distance of kArm from the body's centre.
 constexpr double kGiving = 0.02;    // m/s
 constexpr double kArm = 0.05;       // m
-constexpr double kLifting = 1.5;    // load while lifting, as a multiple of gravity
+constexpr double kLifting = 1.5;    // load while the object is lifted, multiple of gravity
 constexpr double kShaking = 0.5;    // amplitude of shaking, multiple of gravity
 constexpr double kFrequency = 5;    // Hz, of shaking
 constexpr double kMostSlip = 0.02;  // m, largest slip: the size of the jaws' faces
@@ -46,7 +46,8 @@ constexpr double kMostSlip = 0.02;  // m, largest slip: the size of the jaws' fa
 // by less than 2 mm in the rest of kHold, and the simulation stops early.
 constexpr double kStillSpeed = 0.001;  // m/s
 constexpr double kStillTime = 0.2;     // s
-constexpr double kImpratio = 10;       // makes friction resist creep
+constexpr double kImpratio = 10;       // opt.impratio, so that friction resists creep
+// Prefix of the names of sites that are tried if checks.grasps names no sites.
 constexpr std::string_view kSitePrefix = "grasp";
 
 enum class GraspOutcome { kHeld, kMissed, kSlipped, kStuck, kDiverged };
@@ -85,8 +86,8 @@ bool HasFreeJoint(const mjModel& m, int root) {
   return m.body_jntnum[root] == 1 && m.jnt_type[m.body_jntadr[root]] == mjJNT_FREE;
 }
 
-/// Simulation of one grasp. If `joint` is given, the gripper holds the joint's body and the joint
-/// is pulled in both directions; otherwise the object is lifted and shaken.
+/// Simulation of one grasp. If `joint` is given, the gripper holds a body that the joint moves, and
+/// the joint is pulled in both directions; otherwise the object is lifted and shaken.
 class GraspSimulation {
  public:
   GraspSimulation(mjModel& m, mjData& d, const Gripper& gripper,
@@ -140,7 +141,7 @@ class GraspSimulation {
   /// Returns true if everything has been slow for kStillTime under a constant load.
   bool IsStill() const { return still_ >= kStillTime; }
 
-  /// Returns true if both jaws touch the object, or lost contact only for a moment.
+  /// Returns true if both jaws touch the object, or lost contact for less than kBounce.
   bool Touches() const { return apart_ < kBounce; }
   bool Holds() const { return Touches() && Slip() <= kMostSlip; }
 
@@ -185,11 +186,11 @@ class GraspSimulation {
   const Gripper& gripper_;
   const model::GraspingCheck& grasping_;
   std::optional<int> joint_;
-  int body_ = 0;
+  int body_ = 0;                      // id of the body with the first face of the grasp
   double apart_ = 0;                  // s, since both jaws last touched the object
   double still_ = 0;                  // s, since anything last moved faster than kStillSpeed
-  Vector3d p_BJ_ = Vector3d::Zero();  // m, gripper's origin in the body when the jaws had closed
-  Vector3d p_WJ_ = Vector3d::Zero();
+  Vector3d p_BJ_ = Vector3d::Zero();  // m, gripper's origin in the body's frame, with closed jaws
+  Vector3d p_WJ_ = Vector3d::Zero();  // m, gripper's origin in the world
   Stepper stepper_;
 };
 

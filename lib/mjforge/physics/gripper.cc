@@ -18,13 +18,13 @@ using Eigen::Vector3d;
 const Vector3d kFinger(0.01, 0.005, 0.0275);
 constexpr double kTip = 0.01;         // m, length of the fingers beyond the origin
 constexpr double kPalm = 0.01;        // m, half height of the palm
-constexpr double kClearance = 0.002;  // m, between fingers and palm, to avoid friction
+constexpr double kClearance = 0.002;  // m, gap between fingers and palm, so that they do not rub
 constexpr double kFingerMass = 0.1;   // kg
 // Armature of a finger, kg, typical of a geared drive. The stiffness of MuJoCo's contacts is
 // proportional to the masses that they move, so that light fingers would press through a plate.
 constexpr double kArmature = 0.5;
-constexpr double kSpeed = 0.1;  // m/s, at which the jaws close
-// Contact of slightly soft rubber.
+constexpr double kSpeed = 0.1;  // m/s, speed at which the jaws close
+// Contact attributes of the jaws, which are of slightly soft rubber.
 constexpr std::string_view kRubber = R"(condim="4" friction="1 0.01 0.0001")";
 
 std::string PartName(std::string_view part) { return fmt::format("{}{}", kProbePrefix, part); }

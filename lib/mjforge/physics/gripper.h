@@ -37,8 +37,8 @@ class Gripper {
 
  private:
   const mjModel& m_;
-  int base_ = 0;      // body of the palm; the ids of the two fingers follow
-  int joint_ = 0;     // joint of the first finger; the next id is the second finger's
+  int base_ = 0;      // id of the palm's body; the ids of the two fingers follow
+  int joint_ = 0;     // id of the first finger's joint; the second finger's id follows
   double width_ = 0;  // m, largest opening
 };
 

@@ -6,11 +6,11 @@
 namespace mjforge::physics {
 namespace {
 
-// Armature of a held free body, as a multiple of its mass.
+// Armature of a held free body, as a multiple of the mass of its tree.
 constexpr double kHeldRootMass = 1e6;
-// Tolerance of the solver. In a model with the large mass of held bodies, the default of 1e-8 lets
-// MuJoCo 3 and 4 stop before an equality of light joints holds (the lid of a jar made half a turn
-// without rising).
+// Tolerance of the solver. In a model with the large mass of held bodies, MuJoCo's default of 1e-8
+// lets MuJoCo 3 and 4 stop before an equality of light joints holds: for example, the lid of a jar
+// made half a turn without rising.
 constexpr double kTolerance = 1e-12;
 
 }  // namespace

@@ -14,11 +14,11 @@ namespace {
 
 using compiled::Index;
 
-constexpr double kMoveTime = 0.5;    // s, from one end of the range to the other
-constexpr double kFastest = 12;      // rad/s, of a hinge
+constexpr double kMoveTime = 0.5;    // s, shortest duration of a move
+constexpr double kFastest = 12;      // rad/s, highest speed of a hinge
 constexpr double kLongestMove = 10;  // s
-constexpr double kHoldTime = 0.1;    // s, for which a joint must come no nearer to end its move
-constexpr double kMostWaiting = 1;   // s, for a joint that lags behind
+constexpr double kHoldTime = 0.1;    // s; a move ends if the joint comes no nearer for this time
+constexpr double kMostWaiting = 1;   // s, longest wait for a joint that lags behind the setpoint
 // Tolerance of the end of a move: a share of the range, but at most kNearest, because the range of
 // a screw is many turns.
 constexpr double kThere = 0.01;
@@ -26,18 +26,19 @@ constexpr double kNearest = 0.005;  // rad or m
 // Natural frequency of the controller, rad/s: slower than the 50 rad/s of MuJoCo's limits and
 // contacts, and faster than a move.
 constexpr double kStiffness = 20;
-// Position errors are clamped, to limit the force on a blocked joint: to this share of the range of
-// a driven joint, and to kMostHeldError for a held joint.
+// Largest position errors that the controller corrects; larger errors are clamped, to limit the
+// force on a blocked joint. The limit of a driven joint is a share of its range.
 constexpr double kMostError = 0.1;
 constexpr double kMostHeldError = 0.1;  // rad or m
 
-/// Returns the duration of a move, s. A screw turns at most at kFastest, so that it does not hit
-/// the end of its range like a flywheel.
+/// Returns the duration of a move, s. A hinge turns at most at kFastest unless the move would take
+/// longer than kLongestMove, so that a screw does not hit the end of its range like a flywheel.
 double TimeOf(double angle) {
   return std::clamp(std::numbers::pi / 2 * std::abs(angle) / kFastest, kMoveTime, kLongestMove);
 }
 
-/// Returns a smooth move from 0 to 1 (half a cosine) that takes `duration` s.
+/// Returns the setpoint at a time, s, of a smooth move from 0 to 1 (half a cosine) that takes
+/// `duration` s.
 Setpoint SmoothMove(double time, double duration) {
   const double share = std::clamp(time / duration, 0.0, 1.0);
   if (share >= 1) return {1, 0, 0};
@@ -148,7 +149,7 @@ void JointController::Start(JointDrive& drive) {
   added_inertia_[Index(dof)] = AddedInertiaOf(dof);
   drive.driven->range = std::max(drive.driven->range, path.range());
   drive.driven->outside = std::max({0.0, path.low - path.start, path.start - path.high});
-  // The limits of a joint that starts outside its range first push it into the range.
+  // If a joint starts outside its range, its limits first push the joint into the range.
   drive.home = std::clamp(path.start, path.low, path.high);
   drive.lowest = drive.highest = drive.home;
   drive.counts = drive.driven->outside == 0;
@@ -236,7 +237,7 @@ void JointController::SetForces(const std::vector<JointDrive>& drives, const Set
   ApplyForces();
 }
 
-/// Applies the forces that give the wanted accelerations to joints at rest without gravity. The
+/// Applies the forces that give the desired accelerations to joints at rest without gravity. The
 /// forces depend on the whole mass matrix, because each link of a chain feels the forces on other
 /// links.
 void JointController::ApplyForces() {
@@ -266,7 +267,7 @@ std::optional<Setpoint> JointController::SetpointOfOther(const std::vector<Joint
   return std::nullopt;
 }
 
-/// Sets the wanted accelerations of a joint, which correct the errors, clamped to `most`. The
+/// Sets the desired accelerations of a joint, which correct its errors, clamped to `most`. The
 /// setpoint moves about `axis`; about the other axes of a ball joint the setpoint is at rest.
 void JointController::Correct(int joint, int axis, const std::array<double, 3>& errors, double most,
                               const Setpoint& setpoint) {
@@ -307,7 +308,7 @@ double JointController::StartOf(int joint) const {
 
 double JointController::Acceleration(int dof, double error, double speed,
                                      double acceleration) const {
-  // Critical damping.
+  // Critically damped feedback of the position error and the speed error.
   return acceleration + 2 * kStiffness * (speed - d_.qvel[dof]) + kStiffness * kStiffness * error;
 }
 

@@ -40,7 +40,8 @@ class JointController {
   /// Records the following drives, unless `recorder` is null.
   void RecordTo(FilmRecorder* recorder) { stepper_.RecordTo(recorder); }
 
-  /// Drives the joints at the same time, along each of their paths.
+  /// Drives the joints at the same time: all along their first paths, then all along their second
+  /// paths, and so on. Each drive begins at the start positions.
   std::vector<DrivenJoint> Run(std::span<const int> joints);
 
  private:
@@ -50,13 +51,13 @@ class JointController {
   struct JointDrive {
     JointPath path;
     DrivenJoint* driven = nullptr;
-    std::vector<bool> moved;  // true for each body that the joint moves
-    double home = 0;          // position at which the joint must end
+    std::vector<bool> moved;  // nbody, true for each body that the joint moves
+    double home = 0;          // position at which the joint must be at the end of the drive
     double from = 0;          // ends of the present move, including the push beyond the range
     double to = 0;
     double nearest = 0;  // least distance from the end of the move so far
-    double held = 0;     // s, since the joint last came nearer to the end of the move
-    bool counts = true;  // positions count for `lowest` and `highest`
+    double held = 0;     // s, time since the joint last came nearer to the end of the move
+    bool counts = true;  // true if positions count for `lowest` and `highest`
     double lowest = 0;
     double highest = 0;
 
@@ -66,9 +67,10 @@ class JointController {
   void Reset();
   /// Returns the present penetration depths of pairs of bodies, m.
   std::map<Bodies, double> DepthsNow() const;
-  /// Returns true if both bodies belong to one tree. A drive holds other trees and the world in
-  /// place.
+  /// Returns true if both bodies belong to the same tree of bodies. Other trees and the world are
+  /// held in place during a drive.
   bool AreOneTree(const Bodies& bodies) const;
+  /// Records the penetration `depth` of bodies of different trees if it is the deepest so far.
   void NoteFreeBody(const Bodies& bodies, double depth, DrivenJoint& driven) const;
   void DriveAll(std::vector<JointDrive>& drives);
   void Start(JointDrive& drive);
@@ -76,6 +78,8 @@ class JointController {
   /// Moves each joint on its path from `from` to `to`.
   void Move(std::vector<JointDrive>& drives);
   double AddedInertiaOf(int dof);
+  /// Applies the forces of one step. `progress.position` is the share of the move that should be
+  /// complete, from 0 to 1, and `progress.speed` and `progress.acceleration` are its derivatives.
   void SetForces(const std::vector<JointDrive>& drives, const Setpoint& progress);
   void ApplyForces();
   static Setpoint Target(const JointDrive& drive, const Setpoint& progress);
@@ -97,8 +101,8 @@ class JointController {
   JointCouplings couplings_;
   std::vector<mjtNum> start_;                // nq
   std::map<Bodies, double> initial_depths_;  // m, at the start positions
-  std::vector<double> added_inertia_;        // nv, added by equalities and tendons
-  std::vector<mjtNum> accelerations_;        // nv, wanted
+  std::vector<double> added_inertia_;        // nv, inertia added by equalities and tendons
+  std::vector<mjtNum> accelerations_;        // nv, desired accelerations
   std::vector<bool> is_pushed_;              // nv, true if the controller applies a force
   Stepper stepper_;
 };

@@ -8,18 +8,18 @@
 
 namespace mjforge::physics {
 
-/// Desired motion of a joint.
+/// Desired motion of a joint at one time.
 struct Setpoint {
-  double position = 0;
+  double position = 0;      // rad or m
   double speed = 0;         // rad/s or m/s
   double acceleration = 0;  // rad/s^2 or m/s^2
 };
 
 /// Equality of two joints: y = poly(x), relative to the model's reference pose (qpos0).
 struct JointEquality {
-  int y = 0;  // joint 1
-  int x = 0;  // joint 2
-  const mjtNum* poly = nullptr;
+  int y = 0;                     // id of joint1
+  int x = 0;                     // id of joint2
+  const mjtNum* poly = nullptr;  // the five numbers of polycoef
 
   bool IsLinear() const;
   double At(double value) const;

@@ -15,8 +15,8 @@
 namespace mjforge::physics {
 namespace {
 
-/// Returns the HeldModel() of a model without gravity, springs, damping and friction, because these
-/// do not limit the range of a joint.
+/// Returns a HeldModel() without gravity, springs, damping and friction, because these do not limit
+/// the range of a joint.
 engine::Model WeightlessModel(const mjModel& model) {
   engine::Model held = HeldModel(model);
   held->opt.disableflags |= mjDSBL_GRAVITY | engine::kDisablePassive | mjDSBL_FRICTIONLOSS;

@@ -16,16 +16,16 @@ namespace mjforge::physics {
 /// Result of driving one joint.
 struct DrivenJoint {
   int joint = 0;
-  double range = 0;  // rad or m, from end to end
+  double range = 0;  // rad or m, length of the joint's range
   Result::Joint measured;
   const model::JointCheck* check = nullptr;  // entry of checks.joints for the joint; null: none
-  /// Names of the two bodies of the joint's tree with the deepest penetration; empty: none.
+  /// Names of the two bodies of the joint's tree that penetrate each other deepest; empty: none.
   std::string body1;
   std::string body2;
-  double free_depth = 1e-4;  // m, deepest penetration with another tree; 1e-4 is touching
-  std::pair<std::string, std::string> free_pair;
+  double free_depth = 1e-4;  // m, deepest penetration of bodies of different trees, if above 1e-4
+  std::pair<std::string, std::string> free_pair;  // names of the bodies with the depth free_depth
   double where = 0;                     // rad or m, joint position when body1 is deepest in body2
-  double outside = 0;                   // rad or m, distance of the start from the range
+  double outside = 0;                   // rad or m, distance of the start position from the range
   std::vector<double> equality_errors;  // largest error of each equality constraint, m or rad
   bool has_diverged = false;
 };
@@ -35,7 +35,7 @@ struct InitialPenetration {
   int body1 = 0;
   int body2 = 0;
   double depth = 0;                          // m
-  const model::JointCheck* check = nullptr;  // entry whose `at` is that pose; null: start pose
+  const model::JointCheck* check = nullptr;  // entry whose `at` sets the pose; null: start pose
 };
 
 /// Results of a drive test.
@@ -50,14 +50,14 @@ bool RecordDrive(const mjModel& m, mjData& d, std::string_view object, const mod
                  int joint, FilmRecorder& recorder);
 
 /// Drives each hinge and slide from its start position (`compiled::StartOf`) to both ends of its
-/// range and back, and a ball joint from its zero about each axis. An unlimited hinge makes a full
-/// turn; unlimited slides are left out. A force makes the joint follow smooth moves of half a
-/// second. The force accounts for the inertia that the joint moves, but not for obstacles. Free
-/// bodies are held in place, and so are other joints unless they are coupled to the driven joint.
-/// There is no gravity and no floor, and joints have no friction, springs or actuators. Joints
-/// whose bodies cannot get near each other are driven at the same time, and so are joints that one
-/// entry of checks.joints names. `object` is the object's name, `d` the model's data. May throw
-/// std::exception.
+/// range and back, and a ball joint from its reference orientation (qpos0) about each of its axes.
+/// An unlimited hinge makes a full turn; unlimited slides are left out. A force makes the joint
+/// follow smooth moves of half a second or more. The force accounts for the inertia that the joint
+/// moves, but not for obstacles. Free bodies are held in place, and so are other joints unless they
+/// are coupled to the driven joint. There is no gravity and no floor, and joints have no friction,
+/// springs or actuators. Joints whose bodies cannot get near each other are driven at the same
+/// time, and so are joints that one entry of checks.joints names. `object` is the object's name,
+/// `d` the model's data. May throw std::exception.
 DriveResults DriveJoints(const mjModel& m, mjData& d, std::string_view object,
                          const model::Checks& checks);
 

@@ -27,8 +27,8 @@ constexpr int kPositions = 9;        // number of positions at which the load of
 constexpr double kMostSag = 0.2;     // share of the range by which a servo may give way to a load
 constexpr double kMostBeyond = 0.5;  // share of the range by which a setpoint may exceed the range
 constexpr double kForceOfPerson = 400;   // N
-constexpr double kLongestPush = 10;      // s, from one end of the range to the other
-constexpr double kShortestLever = 0.02;  // m, lever arm at a knob
+constexpr double kLongestPush = 10;      // s, longest time from one end of the range to the other
+constexpr double kShortestLever = 0.02;  // m, least lever arm of a person at a hinge, as of a knob
 
 class Efforts {
  public:
@@ -61,8 +61,8 @@ class Efforts {
   double GearOf(int actuator) const { return m_.actuator_gear[6 * actuator]; }
   double GainOf(int actuator) const { return m_.actuator_gainprm[mjNGAIN * actuator]; }
 
-  /// Returns true for an actuator whose force is gain * (control - gear * position), without
-  /// activation dynamics.
+  /// Returns true for a position servo: an actuator whose force is gain * (control - gear *
+  /// position), without activation dynamics.
   bool IsServo(int actuator) const {
     return HasFixedGain(actuator) && m_.actuator_biastype[actuator] == mjBIAS_AFFINE &&
            GainOf(actuator) > 0 && m_.actuator_biasprm[mjNBIAS * actuator + 1] == -GainOf(actuator);
@@ -211,7 +211,8 @@ class Efforts {
                        : "damping is in Nms/rad, frictionloss in Nm, armature in kg m^2");
   }
 
-  /// Returns the distance from the axis of a hinge at which a person can push, m; 1 for a slide.
+  /// Returns the lever arm at which a person can push a hinge, m: the distance from the axis to the
+  /// farthest corner of the moved geoms' boxes, but at least kShortestLever. Returns 1 for a slide.
   double LeverOf(int joint) const {
     if (IsSlide(joint)) return 1;
     const std::vector<bool> moved = BodiesMovedBy(m_, joint);

@@ -19,9 +19,9 @@ constexpr double kNear = 0.001;  // m, clearance of bodies that are driven at th
 
 using Box = Eigen::AlignedBox3d;
 
-/// Returns a box that contains all colliding geoms moved by a path, at every position on it. For a
-/// hinge the box is larger than needed: each point moves by at most angle times radius, and stays
-/// within the sphere about the joint.
+/// Returns a box that contains all colliding geoms that the joint of a path moves, at every
+/// position on the path. For a hinge the box is larger than needed: each point moves by at most
+/// angle times radius, and stays within the sphere about the joint's anchor.
 Box SweptBox(const mjModel& m, const mjData& d, const JointPath& path,
              const std::vector<bool>& moved) {
   model::Box3 at_start;
@@ -61,7 +61,7 @@ std::vector<JointPath> PathsOf(const mjModel& m, int joint, std::span<const mjtN
     return {{joint, 0, limited, range->low - zero, range->high - zero, start, push}};
   }
   const double most =
-      limited ? range->high : 0.9 * range->high;  // at half a turn the rotation is ambiguous
+      limited ? range->high : 0.9 * range->high;  // a rotation by half a turn is ambiguous
   std::vector<JointPath> paths;
   paths.reserve(3);
   for (int axis = 0; axis < 3; ++axis)
@@ -102,7 +102,7 @@ std::vector<std::vector<int>> IndependentGroups(const mjModel& m, const mjData& 
     std::vector<int> joints;
     std::vector<Box> boxes;
     std::vector<bool> moved;
-    bool open = true;  // may get more joints
+    bool open = true;  // joints may be added to the group
   };
   std::vector<Group> groups;
   for (const int joint : joints) {

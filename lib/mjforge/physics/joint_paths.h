@@ -14,11 +14,11 @@ namespace mjforge::physics {
 /// reference pose (qpos0).
 struct JointPath {
   int joint = 0;
-  int axis = 0;  // 0 to 2 for a ball joint, else 0
+  int axis = 0;  // axis of a ball joint, 0 to 2; else 0
   bool limited = false;
-  double low = 0;
+  double low = 0;  // ends of the range
   double high = 0;
-  double start = 0;  // 0 for a ball joint
+  double start = 0;  // start position; 0 for a ball joint
 
   double range() const { return high - low; }
   /// Distance beyond each end to which the joint is pushed to test its limits, rad or m.
@@ -39,8 +39,8 @@ bool IsOnTendon(const mjModel& m, int joint, int tendon);
 std::vector<bool> BodiesMovedBy(const mjModel& m, int joint);
 
 /// Returns groups of joints that can be driven at the same time, because bodies moved by one joint
-/// of a group do not come near bodies moved by another. `d` has the positions at which the joints
-/// start, and results of mj_kinematics.
+/// of a group do not come near bodies moved by another joint of the group. `d` has the positions at
+/// which the joints start, and results of mj_kinematics.
 std::vector<std::vector<int>> IndependentGroups(const mjModel& m, const mjData& d,
                                                 const JointCouplings& couplings,
                                                 std::span<const int> joints);

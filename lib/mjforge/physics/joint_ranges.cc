@@ -17,7 +17,8 @@ namespace {
 using diag::Code;
 using expr::ExceededLimit;
 
-constexpr double kSameRange = 1e-6;  // rounding: limit and range may depend on the same parameter
+// Relative tolerance for rounding, because limit and range may depend on the same parameter.
+constexpr double kSameRange = 1e-6;
 
 }  // namespace
 

@@ -16,7 +16,8 @@
 namespace mjforge::physics {
 namespace {
 
-// Tolerances of limits, which give way under weight, by about 0.4 mm with the default solreflimit.
+// Distances by which limits may give way. Under weight, a limit with the default solreflimit gives
+// way by about 0.4 mm.
 constexpr double kSagOfSlide = 0.001;  // m
 constexpr double kSagOfHinge = 0.02;   // rad
 // Largest speeds of a joint that creeps. A faster joint rolls or swings.
@@ -32,7 +33,7 @@ struct JointOffRange {
   double low = 0;       // ends of the allowed positions
   double high = 0;
   double beyond = 0;                         // distance from the allowed positions
-  const model::JointCheck* check = nullptr;  // entry with the violated `rests`; null: the range
+  const model::JointCheck* check = nullptr;  // entry with the violated `rests`; null: range
   double speed = 0;  // rad/s or m/s, if the joint will leave `rests` within 10 s; else 0
 };
 

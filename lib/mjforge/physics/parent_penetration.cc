@@ -129,8 +129,8 @@ class ParentPenetrationSearch {
   }
 
  private:
-  /// Returns the penetration at the start and the penetration that the joint adds, if these are too
-  /// deep.
+  /// Returns the penetration at the start and the increase of the penetration by the joint, each
+  /// only if it is too deep.
   std::vector<ParentPenetration> PenetrationsOf(int joint, std::span<const mjtNum> start,
                                                 const model::JointCheck* check) {
     const int body = m_.body_weldid[m_.jnt_bodyid[joint]];
@@ -153,6 +153,8 @@ class ParentPenetrationSearch {
     return found;
   }
 
+  /// Tries the positions of a path. Stores in `deepest` the largest increase of the depth over
+  /// `usual`, the depth at the start.
   void TryPositions(const JointPath& path, double usual, ParentPenetration& deepest) {
     const int positions = unfiltered_.Positions(path.joint, deepest.body, path.range());
     for (int i = 0; i < positions; ++i) {

@@ -17,14 +17,14 @@ struct ParentPenetration {
   int joint = 0;
   int body = 0;
   int parent = 0;
-  bool is_added = false;                     // the joint adds the depth to that at the start
+  bool is_added = false;                     // `depth` is the increase over the depth at the start
   double depth = 0;                          // m
   double where = 0;                          // position of the joint, rad or m, if is_added
   const model::JointCheck* check = nullptr;  // entry of checks.joints that names the joint
 };
 
 /// Returns the bodies that penetrate their parents by more than `joint_penetration` at the start,
-/// and the joints that move a body deeper into its parent by more than this. Tries 8 to 40
+/// and the joints that increase this depth by more than `joint_penetration`. Tries 8 to 40
 /// positions of each joint (of a ball joint, about each axis), 2 mm apart if possible. Other joints
 /// are at their start positions, or at the positions of an entry of checks.joints. `object` is the
 /// object's name. May throw std::exception.

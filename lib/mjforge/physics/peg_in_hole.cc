@@ -24,17 +24,18 @@ using Eigen::Vector3d;
 using expr::ExceededLimit;
 using expr::RoundedText;
 
-// Initial distance of the tip from the hole, m. From higher up, a peg whose side overlaps the rim
-// by a millimetre would sink so deep into the rim that the contact pushes it sideways, into the
-// hole.
+// Initial distance of the peg's tip from the hole, m. If the peg started farther away, and its side
+// overlapped the rim by a millimetre, the peg would sink so deep into the rim that the contact
+// would push it sideways, into the hole.
 constexpr double kStartDistance = 0.0002;
 constexpr double kSteel = 7850;           // kg/m^3, density of a peg
 constexpr double kLengthPerDepth = 1.5;   // length of a peg per depth of its hole
 constexpr double kLongestFall = 2;        // s; a free fall of 1 m takes 0.45 s
-constexpr double kDepthTolerance = 1e-4;  // m, because contacts are soft
-constexpr double kNoHole = 0.001;         // m, least depth of a hole in front of a wall
-constexpr double kPushTime = 2;           // multiple of the time of a free fall
-constexpr double kLeastCosine = 0.3;  // between a push and the normal of a contact that resists it
+constexpr double kDepthTolerance = 1e-4;  // m, tolerance of depths, because contacts are soft
+constexpr double kNoHole = 0.001;         // m, least distance of a geom behind the mouth of a hole
+constexpr double kPushTime = 2;  // time of a sideways push, as a multiple of that of a free fall
+// Least cosine of the angle between a push and the normal of a contact that resists the push.
+constexpr double kLeastCosine = 0.3;
 
 std::string PegName(std::size_t fitting) { return fmt::format("{}peg-{}", kProbePrefix, fitting); }
 
@@ -42,15 +43,15 @@ Vector3d ZAxis(const model::Pose& X) { return Eigen::Quaterniond(X.q) * Vector3d
 
 double LengthOf(const model::FittingCheck& fitting) { return kLengthPerDepth * fitting.depth; }
 
-/// Body that must go into a hole, and the pose of its tip in the body's frame.
+/// Body that must go into a hole.
 struct Peg {
   int body = 0;
-  model::Pose X_BT;
+  model::Pose X_BT;  // pose of the peg's tip in the body's frame
 };
 
-/// The first colliding geom on the axis of a hole.
+/// End of a hole: the first colliding geom on the hole's axis.
 struct HoleEnd {
-  double distance = 0;  // m, from the mouth; 0 if the mouth is in the geom
+  double distance = 0;  // m, distance from the mouth; 0 if the mouth is in the geom
   std::string geom;
 };
 
@@ -276,7 +277,8 @@ class PegTests {
       return result;
     });
     if (insertion && insertion->is_held) return true;
-    // Only for added pegs: a body of the object may be a ring that goes over a post on the axis.
+    // Applies only to added pegs, because a body of the object may be a ring that goes over a post
+    // on the axis.
     if (insertion && end && fitting.body.empty() && end->distance < kNoHole)
       ReportNoHole(fitting, *end);
     else
@@ -340,7 +342,7 @@ class PegTests {
 
   const ProbeTest& test_;
   const std::vector<model::FittingCheck>& fits_;
-  int first_ = 0;  // body of the first peg that was added
+  int first_ = 0;  // id of the body of the first peg that was added
   int count_ = 0;  // number of added pegs
 };
 

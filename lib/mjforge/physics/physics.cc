@@ -36,8 +36,8 @@ namespace {
 using diag::Code;
 
 constexpr std::string_view kFloorName = "mjforge-floor";
-// Free joint for the root, with a negligible mass: the root and its only child may be massless, and
-// MuJoCo rejects moving bodies that are lighter than mjMINVAL (1e-15).
+// Free joint of the root, and a negligible mass for the root. The root and its only child may be
+// massless, and MuJoCo rejects moving bodies that are lighter than mjMINVAL (1e-15).
 constexpr std::string_view kFree =
     R"(<joint name="mjforge-free" type="free"/>)"
     R"(<inertial pos="0 0 0" mass="1e-14" diaginertia="1e-14 1e-14 1e-14"/>)";
@@ -101,13 +101,13 @@ std::filesystem::path FolderOf(const std::filesystem::path& file) {
   return file.has_parent_path() ? file.parent_path() : ".";
 }
 
-/// Returns MJCF text that includes `file` and adds a floor; it must be loaded in the file's folder.
-/// If `file` is empty, the floor is added to the text.
+/// Returns MJCF text that includes `file` and adds a floor; the text must be loaded in the file's
+/// folder. If `file` is empty, adds the floor to `text`.
 std::string WithFloor(const std::filesystem::path& file, std::string text, std::string_view model,
                       const std::string& floor) {
   const std::string world = fmt::format("<worldbody>{}</worldbody>", FloorElement(floor));
   if (!file.empty()) {
-    // StartOf() finds the start pose by the model's name.
+    // compiled::StartOf() finds the start pose by the model's name.
     return fmt::format(R"(<mujoco model="{}"><include file="{}"/>{}</mujoco>)",
                        xml::EscapeXml(model), xml::EscapeXml(file.string()), world);
   }
@@ -122,7 +122,7 @@ struct Laboratory::Impl {
   engine::Engine engine;
   Workspace workspace;
 
-  /// Function that loads a changed text of the same model.
+  /// Function that loads the model from a text to which probe bodies were added.
   using Load = std::function<engine::Loaded(const std::string& text)>;
 
   std::optional<Result> Examine(mjModel& m, const model::Object& object, diag::SourceMark mark,
@@ -142,7 +142,7 @@ auto Guarded(const model::Object& object, diag::SourceMark mark, diag::Findings&
   try {
     return simulate();
   } catch (const std::bad_alloc&) {
-    throw;  // MuJoCo did not fail
+    throw;  // this is no failure of MuJoCo
   } catch (const NoRoom&) {
     findings.Warn(Code::kMujocoOlder, mark,
                   fmt::format("'{}' is not simulated: MuJoCo {} has no room for its contacts",

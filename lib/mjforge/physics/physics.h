@@ -22,9 +22,9 @@ struct Result {
   /// A joint driven to both ends of its range and back, with the root held and without gravity.
   struct Joint {
     std::string name;
-    double overshoot = 0;     // largest distance beyond its range, rad or m
-    double reach = 1;         // share of its range that the joint reached
-    double penetration = 0;   // m, deepest of two bodies, minus the depth at the start
+    double overshoot = 0;    // largest distance beyond its range, rad or m
+    double reach = 1;        // share of its range that the joint reached
+    double penetration = 0;  // m, deepest penetration of two bodies, minus their depth at the start
     double return_error = 0;  // final distance from the start, rad or m
     bool operator==(const Joint&) const = default;
   };
@@ -36,7 +36,7 @@ struct Result {
     double share = 0;
     bool operator==(const Equality&) const = default;
   };
-  /// Least tilt, in any direction, at which the resting object topples.
+  /// Static stability: the least tilt, in any direction, at which the resting object topples.
   struct Stability {
     double angle = 0;   // rad
     double energy = 0;  // J, least energy that topples the object
@@ -49,10 +49,10 @@ struct Result {
     int emptied = 0;  // held balls that then left through the mouth; 0 if not turned over
     bool operator==(const Holding&) const = default;
   };
-  /// Free bodies, simulated from the start of the object for checks.settled->time.
+  /// Settling test: free bodies are simulated from their start for checks.settled->time.
   struct Settling {
     int bodies = 0;
-    int moved = 0;        // bodies beyond the limits
+    int moved = 0;        // bodies that moved or turned beyond the limits of checks.settled
     double distance = 0;  // m, largest displacement of a centre of mass
     double angle = 0;     // rad, largest rotation
     bool operator==(const Settling&) const = default;
@@ -66,12 +66,12 @@ struct Result {
   /// A grasp of the object by a gripper with two parallel jaws.
   struct Grasp {
     std::string site;  // name; empty: the object has no site for grasps
-    std::string body;  // name of the body with the first face
+    std::string body;  // name of the body with the face on the gripper's +y side
     /// Pose of the gripper in the body's frame. The origin is the midpoint between the jaws, m; the
     /// jaws close along y, and the fingers point along z. `quat` is a unit quaternion, w first.
     Eigen::Vector3d pos = Eigen::Vector3d::Zero();
     std::vector<double> quat = {1, 0, 0, 0};
-    double width = 0;   // m, distance of the two faces
+    double width = 0;   // m, distance between the two faces
     bool held = false;  // the grasp held while the object was lifted and shaken or pulled
     bool operator==(const Grasp&) const = default;
   };
@@ -83,13 +83,14 @@ struct Result {
     std::string self_collision = "skipped";
     bool operator==(const SimReady&) const = default;
   };
-  /// The drop from 2 mm above the floor, until the object rests or the time is up. An object fixed
-  /// to the world is not dropped, but simulated under its weight.
+  /// Results of the drop test, down to `nefc`: the object falls from 2 mm above the floor and is
+  /// simulated until it rests or checks.settle_time is over. An object fixed to the world is not
+  /// dropped, but simulated under its weight.
   bool dropped = false;
   bool at_rest = false;
   double time = 0;         // simulated time, s
   double drift = 0;        // displacement of the centre of mass along the floor, m
-  double tilt = 0;         // rad, between the object's up directions before and after
+  double tilt = 0;         // rad, angle between the object's up directions before and after
   double speed = 0;        // speed of the fastest point at the end, m/s
   double penetration = 0;  // deepest contact during the drop, usually at a landing, m
   double sink = 0;         // deepest contact at the end, m
@@ -100,7 +101,7 @@ struct Result {
   std::vector<Joint> joints;
   std::vector<Equality> equalities;
   std::optional<Stability> stability;  // set if one object rests alone on a level floor
-  // Results of tests that the checks ask for.
+  // Results of tests that run only if the checks ask for them.
   std::optional<Holding> holds;
   std::optional<Settling> settled;
   std::optional<Fitting> fits;
@@ -130,7 +131,7 @@ class Laboratory {
 
   /// Simulates the drop of an object or, unless `joint` is empty, the drive of that joint, as
   /// Examine does, and returns at most `frames` positions. The document must be complete: its host
-  /// adds no joint. If this is impossible, adds a finding and returns nullopt.
+  /// adds no joint. If the drop or drive is impossible, adds a finding and returns nullopt.
   std::optional<Film> Record(const mjcf::MjcfDocument& document, const model::Object& object,
                              const std::string& joint, std::size_t frames,
                              diag::Findings& findings);

@@ -27,7 +27,7 @@ using expr::RoundedText;
 
 // Largest number of releases of a pile. Each release assigns the release poses to other bodies.
 constexpr std::size_t kMostTries = 4;
-constexpr double kEdge = 0.001;          // m, that a centre of mass may be outside of the region
+constexpr double kEdge = 0.001;  // m, distance by which a centre of mass may be outside the region
 constexpr double kLargeMassRatio = 100;  // ratio of masses at which contacts of MuJoCo get soft
 
 /// Returns true if a body is in the tree of a root.
@@ -128,8 +128,8 @@ struct PileSettler::Impl {
 
   /// Tries releases until one has no fault; adds the faults of the last release.
   void Settle(model::Object& object, const model::Pile& pile, diag::Findings& findings);
-  /// Simulates one release, and makes the poses at its end the start of the bodies. Returns false,
-  /// and changes no start, if the simulation diverges.
+  /// Simulates one release, and makes the poses at the end of the simulation the start of the
+  /// bodies. Returns false, and changes no start, if the simulation diverges.
   bool Try(std::size_t release, mjModel& m, const std::vector<int>& ids, model::Object& object,
            const model::Pile& pile, static_checks::Reporter& reporter);
 };
@@ -158,8 +158,8 @@ void Separate(model::Object& object) {
   }
 }
 
-/// Returns the bodies of a pile in the order of their release. Needs the poses of mj_kinematics and
-/// mj_comPos.
+/// Returns the bodies of a pile in the order of their release. `release` is the number of the
+/// release, from 0. Needs the poses of mj_kinematics and mj_comPos.
 std::vector<PiledBody> BodiesOf(const mjModel& m, const mjData& d, const model::Pile& pile,
                                 std::size_t release, const std::vector<int>& ids) {
   std::vector<PiledBody> bodies;
@@ -259,7 +259,7 @@ bool PileSettler::Settle(model::Object& object, diag::Findings& findings) {
     try {
       impl_->Settle(object, pile, findings);
     } catch (const std::bad_alloc&) {
-      throw;  // MuJoCo did not fail
+      throw;  // this is no failure of MuJoCo
     } catch (const std::exception& error) {
       findings.Add(Code::kMujocoError, pile.mark,
                    fmt::format("MuJoCo cannot simulate the pile in '{}': {}", pile.at,

@@ -17,10 +17,11 @@ class PileSettler {
   PileSettler& operator=(const PileSettler&) = delete;
 
   /// Simulates object.piles with the options of the object. Bodies are released one after the other
-  /// from rest, each from a pose that touches nothing; all other bodies are held at their start. Up
-  /// to four releases are tried. Replaces the start of the bodies, and of the joints below them, by
-  /// their state at rest. Adds findings about bodies that left the region, move after Pile::time,
-  /// or are too deep in another body. Returns false after an error.
+  /// from rest, each from a pose that touches nothing; all other bodies are held at their start.
+  /// Tries up to four releases, which differ in the release poses of the bodies. Replaces the start
+  /// of the bodies, and of the joints below them, by their state at rest. Adds findings about
+  /// bodies that left the region, move after Pile::time, or are too deep in another body. Returns
+  /// false after an error.
   bool Settle(model::Object& object, diag::Findings& findings);
 
  private:

@@ -13,22 +13,22 @@ namespace {
 
 using compiled::VectorAt;
 
-constexpr double kClearance = 0.005;  // m, between a body at its release and all below it
+constexpr double kClearance = 0.005;  // m, gap between a body at its release and all below it
 // While bodies fall into their places, all bodies are damped and steps are short, because MuJoCo
 // 2.2 computes a wrong normal for a deep contact of convex geoms off the middle of a thin plate,
 // and then throws a body through a wall. A damped body falls at most at 1 m/s.
 constexpr double kDampingTime = 0.1;       // s
 constexpr double kDampedTimestep = 0.001;  // s
-// A body is released when the previous body is slower than kSlow, because bodies that fall on fast
-// bodies throw each other out; at the latest after kPatience.
-constexpr double kSlow = 0.3;         // m/s
-constexpr double kFall = 0.05;        // s, in which a released body gets faster than kSlow
-constexpr double kPatience = 0.5;     // s
-constexpr double kSlowSpeed = 0.01;   // m/s, at which damping ends
-constexpr double kSlowTime = 0.1;     // s, for which all bodies must be slower than kSlowSpeed
-constexpr double kRestTime = 1;       // s, for which no body may move; less if Pile::time is short
-constexpr double kRestMotion = 5e-4;  // m, by which a body at rest may creep in kRestTime
-constexpr double kRestTurn = 0.008;   // rad, by which a body at rest may turn in kRestTime
+// A body is released when the previous body is slower than kSlow, but at the latest after
+// kPatience. Bodies that fall on fast bodies throw each other out.
+constexpr double kSlow = 0.3;        // m/s
+constexpr double kFall = 0.05;       // s, time in which a released body gets faster than kSlow
+constexpr double kPatience = 0.5;    // s
+constexpr double kSlowSpeed = 0.01;  // m/s, speed of all bodies at which damping ends
+constexpr double kSlowTime = 0.1;    // s, time for which all bodies must be slower than kSlowSpeed
+constexpr double kRestTime = 1;  // s, time for which no body may move; less if Pile::time is short
+constexpr double kRestMotion = 5e-4;  // m, distance by which a body at rest may creep in kRestTime
+constexpr double kRestTurn = 0.008;   // rad, angle by which a body at rest may turn in kRestTime
 
 }  // namespace
 
@@ -155,11 +155,13 @@ bool PileSimulation::Touches(const PiledBody& body) {
   });
 }
 
+/// Makes one step, and puts bodies that are not released back to their positions in `held_`.
 void PileSimulation::Step() {
   stepper_->Step();
   for (int joint = 0; joint < m_.njnt; ++joint) {
     if (IsReleased(m_.jnt_bodyid[joint])) continue;
-    constexpr int kPositions[] = {7, 4, 1, 1};  // in the order of mjtJoint
+    // Numbers of positions and of velocities, in the order of mjtJoint: free, ball, slide, hinge.
+    constexpr int kPositions[] = {7, 4, 1, 1};
     constexpr int kVelocities[] = {6, 3, 1, 1};
     const auto type = compiled::Index(m_.jnt_type[joint]);
     std::copy_n(held_.begin() + m_.jnt_qposadr[joint], kPositions[type],
@@ -193,7 +195,7 @@ bool PileSimulation::StaysAtRest(double end) {
   return false;
 }
 
-/// Returns the centres of mass of the piled bodies, with their orientations.
+/// Returns the poses of the piled bodies, with the centres of mass of their trees as origins.
 std::vector<model::Pose> PileSimulation::Poses() const {
   std::vector<model::Pose> poses;
   for (const PiledBody& body : bodies_) {
@@ -202,8 +204,8 @@ std::vector<model::Pose> PileSimulation::Poses() const {
   return poses;
 }
 
-/// Returns true if all bodies are still at their poses `before`, except for a slow creep in `share`
-/// of kRestTime.
+/// Returns true if no body has moved from its pose in `before` by more than a body at rest may
+/// creep in `share` of kRestTime.
 bool PileSimulation::AreAt(const std::vector<model::Pose>& before, double share) const {
   const std::vector<model::Pose> now = Poses();
   for (std::size_t i = 0; i < now.size(); ++i) {

@@ -17,14 +17,14 @@ namespace mjforge::physics {
 struct PiledBody {
   int id = 0;
   double radius = 0;                                // m, bounding sphere around the centre of mass
-  Eigen::Vector3d p_BCm = Eigen::Vector3d::Zero();  // m, centre of mass of the tree
-  const model::Pile::Item* release = nullptr;       // pose of its release
+  Eigen::Vector3d p_BCm = Eigen::Vector3d::Zero();  // m, centre of mass of its tree
+  const model::Pile::Item* release = nullptr;       // pile item with the pose of its release
 };
 
 /// Releases the bodies of one pile, while all other bodies are held.
 class PileSimulation {
  public:
-  /// Bodies are in the order of their release. `X_WR` is the pose of the region.
+  /// `bodies` are in the order of their release. `X_WR` is the pose of the region in the world.
   PileSimulation(mjModel& m, mjData& d, const model::Pile& pile,
                  const std::vector<PiledBody>& bodies, const model::Pose& X_WR)
       : m_(m), d_(d), pile_(pile), X_WR_(X_WR), bodies_(bodies) {}
@@ -54,9 +54,9 @@ class PileSimulation {
   const model::Pile& pile_;
   model::Pose X_WR_;
   const std::vector<PiledBody>& bodies_;
-  std::size_t released_ = 0;
+  std::size_t released_ = 0;  // number of bodies that are released
   double parked_ = 0;         // m, height above which bodies wait
-  std::vector<mjtNum> held_;  // qpos of bodies that are not released
+  std::vector<mjtNum> held_;  // qpos, nq; bodies that are not released stay there
   std::optional<Stepper> stepper_;
 };
 

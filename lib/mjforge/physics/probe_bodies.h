@@ -14,7 +14,8 @@
 namespace mjforge::physics {
 
 constexpr std::string_view kProbePrefix = "mjforge-";  // prefix of the names of probe bodies
-constexpr double kEarthGravity = 9.81;  // m/s^2, used whatever gravity the object has
+// Gravity in tests with probe bodies, whatever gravity the object has.
+constexpr double kEarthGravity = 9.81;  // m/s^2
 
 /// A test of an object with probe bodies.
 struct ProbeTest {
@@ -33,14 +34,14 @@ std::string WithBodies(std::string_view text, std::string_view bodies,
 
 constexpr std::string_view kUsualContact = R"(condim="3" friction="1 0.005 0.0001")";
 
-/// Returns a geom for a probe body: a geom that collides with everything that collides, and states
-/// all attributes that a file's defaults could change. `shape` is the geom's type and size, `mass`
-/// in kg, `contact` the geom's condim and friction.
+/// Returns the MJCF of a geom for a probe body. The geom collides with everything that collides,
+/// and has all attributes that a file's defaults could change. `shape` is the geom's type and size,
+/// `mass` in kg, `contact` the geom's condim and friction.
 std::string ProbeGeom(std::string_view shape, double mass,
                       std::string_view contact = kUsualContact);
 
-/// Sets the positions of the object's joints. The probe bodies, whose first joint is `first`, have
-/// `count` consecutive positions, which are not changed.
+/// Sets the positions of the object's joints in `d` to `start`, and leaves those of the probe
+/// bodies unchanged: the `count` positions from that of the joint `first` on.
 void PlaceObject(const mjModel& m, mjData& d, std::span<const mjtNum> start, int first, int count);
 
 /// Makes a degree of freedom so heavy that nothing moves it.

@@ -30,11 +30,12 @@ bool Match(const Bits& one, const Bits& two) {
 
 Bits BitsOf(const mjModel& m, int geom) { return {m.geom_contype[geom], m.geom_conaffinity[geom]}; }
 
+/// Returns true for a colliding geom of a bounded shape, unlike planes and height fields.
 bool IsSolid(const mjModel& m, int geom) {
   return compiled::Collides(m, geom) && compiled::GeomTypeOf(m.geom_type[geom]).has_value();
 }
 
-/// Pairs of geoms that do not collide only because of `exclude` or their contact bits.
+/// Pairs of geoms that MuJoCo does not let collide because of `exclude` or their contact bits.
 class IgnoredPairs {
  public:
   explicit IgnoredPairs(const mjModel& m) : m_(m) {
@@ -43,6 +44,7 @@ class IgnoredPairs {
       paired_.insert(std::minmax({m.pair_geom1[i], m.pair_geom2[i]}));
   }
 
+  /// Returns true if no two geoms can be such a pair.
   bool empty() const {
     std::set<Bits> all;
     for (int geom = 0; geom < m_.ngeom; ++geom)
@@ -69,12 +71,13 @@ class IgnoredPairs {
   std::set<std::pair<int, int>> paired_;    // geoms of <pair>, the lower id first
 };
 
-/// Deepest contact of two groups; the bodies of each group are welded to each other.
+/// Deepest contact between two groups of bodies. The bodies of each group are welded to each other.
 struct Penetration {
   double depth = 0;  // m
   int body1 = 0;     // lower id than body2
   int body2 = 0;
 };
+/// Penetrations by the body_weldid of the two groups, the lower id first.
 using Penetrations = std::map<std::pair<int, int>, Penetration>;
 
 /// Returns true if the parent of `body` is `parent`, or is welded to `parent`. MuJoCo lets the two
@@ -83,7 +86,7 @@ bool IsParent(const mjModel& m, int parent, int body) {
   return m.body_weldid[m.body_parentid[m.body_weldid[body]]] == m.body_weldid[parent];
 }
 
-/// Returns a copy of the model in which all solid geoms collide, and nothing else.
+/// Returns a copy of the model in which any two solid geoms may collide, and no other geoms.
 engine::Model WithAllContacts(const mjModel& m) {
   engine::Model copy(mj_copyModel(nullptr, &m));
   copy->nexclude = 0;

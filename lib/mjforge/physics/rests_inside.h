@@ -12,9 +12,10 @@
 namespace mjforge::physics {
 
 /// Warns of two bodies whose contact is ignored because of `exclude` or their contact bits, and
-/// whose penetration at rest exceeds that at the start by more than `joint_penetration`. `rest` has
-/// the positions at rest (nq). A body and its parent are left out, because axles overlap their
-/// wheels. Findings about bodies without a place point at `mark`. May throw std::exception.
+/// whose penetration at rest exceeds their penetration at the start by more than
+/// `joint_penetration`. `rest` has the positions at rest (nq). A body and its parent are left out,
+/// because axles overlap their wheels. Findings about bodies without a place point at `mark`. May
+/// throw std::exception.
 void CheckRestsInside(const mjModel& m, std::span<const mjtNum> rest, Workspace& workspace,
                       const model::Object& object, diag::SourceMark mark,
                       static_checks::Reporter& reporter);

@@ -20,14 +20,14 @@ namespace {
 
 using diag::Code;
 
-constexpr double kLandingTime = 0.05;  // s, in which a body touches down on its supports
+constexpr double kLandingTime = 0.05;  // s, time in which a body touches down on its supports
 constexpr double kUpwards = 0.5;       // least vertical part of the normal of a supporting contact
 constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 
 /// A free body, and the trees of bodies that it stands on.
 struct FreeBody {
   int body = 0;
-  model::Pose start;       // centre of mass, with the body's orientation
+  model::Pose start;       // pose at the start, from PoseOf()
   std::set<int> supports;  // roots of the supporting trees; 0: the world
   double distance = 0;     // m, displacement
   double angle = 0;        // rad, rotation
@@ -68,8 +68,9 @@ class SettlingSimulation {
   }
 
  private:
-  /// Returns the pose of the centre of mass of a body in the frame of the reference body. Leaves
-  /// out bodies that joints attach to the body, such as a lid that falls shut.
+  /// Returns the pose of a body in the frame of the reference body, with the body's centre of mass
+  /// as origin. The centre of mass is without bodies that joints attach to the body, such as a lid
+  /// that falls shut.
   model::Pose PoseOf(int body) const {
     const auto turn = [&](int of) { return compiled::QuaternionAt(d_.xquat, of); };
     const model::Pose X_WB = {compiled::VectorAt(d_.xipos, body), turn(body)};
@@ -94,7 +95,7 @@ class SettlingSimulation {
   mjModel& m_;
   mjData& d_;
   const model::SettlingCheck& limits_;
-  int reference_ = 0;
+  int reference_ = 0;  // body relative to which motions are measured; 0: the world
   std::vector<FreeBody> bodies_;
   Stepper stepper_;
 };

@@ -26,21 +26,22 @@ using expr::SpeedText;
 using static_checks::Reporter;
 
 // Limits of the benchmark.
-constexpr double kDropHeights = 8;      // drop height, in heights of the object
-constexpr double kRestWithin = 8;       // s after the object touches the floor
-constexpr double kFloorDepth = 0.1;     // m, depth of the object's box in the floor
-constexpr double kExplosion = 10;       // factor by which the object's box may grow
-constexpr double kReach = 0.10;         // rad, range of a hinge that may be missing
-constexpr double kReachOfSlide = 0.02;  // share of the range of a slide that may be missing
-constexpr double kReturn = 0.01;  // rad or m, distance of a joint from its start after the sweep
+constexpr double kDropHeights = 8;   // drop height, in heights of the object
+constexpr double kRestWithin = 8;    // s, longest time to rest after the object touches the floor
+constexpr double kFloorDepth = 0.1;  // m, largest depth of the object's box in the floor
+constexpr double kExplosion = 10;    // factor by which the object's box may grow
+constexpr double kReach = 0.10;      // rad, part of a hinge's range that may be missing
+constexpr double kReachOfSlide = 0.02;  // part of a slide's range that may be missing, as a share
+// Largest distance of a joint from its start after the sweep, rad or m.
+constexpr double kReturn = 0.01;
 constexpr double kSlope = std::numbers::pi / 4;
 // The benchmark states no friction. With MuJoCo's default of 1 nothing slides on such a slope; 0.5
 // is the default of PhysX.
 constexpr double kSlopeFriction = 0.5;
 constexpr double kSlopeTime = 2;    // s
 constexpr double kSlides = 2;       // least sliding distance, in sizes of the object
-constexpr double kInterval = 0.01;  // s, between measurements
-constexpr double kStill = 0.1;      // s, for which a resting object must be slow
+constexpr double kInterval = 0.01;  // s, time between measurements
+constexpr double kStill = 0.1;      // s, time for which a resting object must be slow
 constexpr const char* kPass = "pass";
 constexpr const char* kFail = "fail";
 
@@ -70,6 +71,7 @@ class Fall {
     size_ = Extent();
   }
 
+  /// Checks that the object comes to rest on the floor, and does not sink in.
   Problem Drop() {
     const model::Box3 box = Box();
     Lift(kDropHeights * (box.max.z() - box.min.z()));
@@ -137,7 +139,7 @@ class Fall {
 
   model::Box3 Box() const { return CollidingBox(m_, d_, roots_); }
 
-  /// Returns the size of the largest free body, m.
+  /// Returns the diagonal of the largest bounding box of a free body's tree, m.
   double Extent() const {
     double extent = 0;
     for (const int root : roots_) {
@@ -148,7 +150,7 @@ class Fall {
   }
   bool Explodes() const { return Extent() > kExplosion * size_; }
 
-  /// Returns the height of the lowest corner of the box above the plane, m.
+  /// Returns the distance of the lowest corner of Box() above the plane, m.
   double Lowest() const {
     const model::Box3 box = Box();
     if (box.empty()) return 0;
@@ -174,9 +176,9 @@ class Fall {
   mjData& d_;
   const std::vector<int> roots_;
   const model::Checks& checks_;
-  Vector3d normal_ = Vector3d::UnitZ();
-  Vector3d on_floor_ = Vector3d::Zero();
-  double size_ = 0;  // m
+  Vector3d normal_ = Vector3d::UnitZ();   // normal of the floor or slope
+  Vector3d on_floor_ = Vector3d::Zero();  // m, a point of the floor or slope
+  double size_ = 0;                       // m
   Stepper stepper_;
 };
 

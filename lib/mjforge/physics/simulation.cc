@@ -9,8 +9,9 @@
 namespace mjforge::physics {
 namespace {
 
-constexpr int kMostContacts = 10'000;  // 600 bytes each
-constexpr double kMostBytes = 1e9;     // in constraint matrices, which MuJoCo clears in each reset
+constexpr int kMostContacts = 10'000;  // largest number of contacts, of 600 bytes each
+// Largest size of the constraint matrices, which MuJoCo clears in each reset, bytes.
+constexpr double kMostBytes = 1e9;
 
 }  // namespace
 
@@ -39,8 +40,8 @@ void MakeRoom(mjModel& m) {
   // all with indices.
   const double bytes = engine::kHasFixedBuffers ? 12.0 * room.rows * (room.rows + 2.0 * m.nv) : 0;
   if (room.contacts > kMostContacts || bytes > kMostBytes) throw NoRoom("too many contacts");
-  // Stack size, in numbers: linear in the contacts for few degrees of freedom, by the rule of
-  // mjcf/size_element.cc.
+  // Stack size, in mjtNum: linear in the number of contacts if the model has few degrees of
+  // freedom, by the rule of mjcf/size_element.cc.
   room.numbers += 4000.0 * room.contacts * std::max(1.0, static_cast<double>(m.nv) / 24.0);
   engine::SetBufferSizes(m, room);
 }
@@ -50,7 +51,8 @@ FastestBody FindFastestBody(const mjModel& m, const mjData& d) {
   for (int i = 0; i < m.ngeom; ++i) {
     const int body = m.geom_bodyid[i];
     if (m.body_weldid[body] == 0) continue;
-    // MuJoCo's cvel is relative to the centre of mass of the whole tree; the rotation comes first.
+    // MuJoCo's cvel is a body's velocity at the centre of mass of its whole tree, angular part
+    // first.
     const mjtNum* cvel = d.cvel + 6 * body;
     const Eigen::Map<const Eigen::Vector3d> turn(cvel);
     const Eigen::Map<const Eigen::Vector3d> move(cvel + 3);

@@ -10,8 +10,8 @@
 
 namespace mjforge::physics {
 
-/// MuJoCo's mjData, reused for models with the same sizes. Most variants of a spec have the same
-/// sizes, and to allocate the data costs as much as 50 steps.
+/// MuJoCo's mjData, reused for models with the same sizes, because the allocation of the data takes
+/// as long as 50 steps. Most variants of a spec have the same sizes.
 class Workspace {
  public:
   /// Returns data for the model at its initial state, valid until the next call. Throws
@@ -47,7 +47,7 @@ auto Simulate(mjModel& m, Workspace& workspace, const Simulation& simulate) {
   }
 }
 
-/// An upper bound of the speed of any point, and the body with that point.
+/// Upper bound of the speed of any point, and the body with that point.
 struct FastestBody {
   double speed = 0;  // m/s
   int body = 0;
@@ -56,19 +56,20 @@ struct FastestBody {
 /// centre.
 FastestBody FindFastestBody(const mjModel& m, const mjData& d);
 
-/// Bodies with free joints.
+/// Returns the ids of the bodies with free joints.
 std::vector<int> FreeBodies(const mjModel& m);
 
-/// Box around the colliding geoms of the trees with these roots, in the world frame.
+/// Returns the bounding box of the colliding geoms of the trees with these roots, in the world
+/// frame.
 model::Box3 CollidingBox(const mjModel& m, const mjData& d, const std::vector<int>& roots);
 
-/// Depth of the deepest contact, m.
+/// Returns the depth of the deepest contact, m.
 double DeepestContact(const mjData& d);
 
 /// Returns true if MuJoCo found numbers that are NaN or too large and reset the data.
 bool HasDiverged(const mjData& d);
 
-/// MuJoCo's warnings since the data was reset.
+/// Returns MuJoCo's warnings since the data was reset.
 std::vector<std::string> WarningsOf(const mjData& d);
 
 }  // namespace mjforge::physics

@@ -14,12 +14,12 @@
 namespace mjforge::physics {
 namespace {
 
-constexpr int kDirections = 72;                         // directions of the tilt
-constexpr double kStep = 0.5 * std::numbers::pi / 180;  // rad, between two tilts
-// Tolerance for rounding, as a share of the height, because the centre of a rolling ball does not
-// rise.
+constexpr int kDirections = 72;                         // number of directions of the tilt
+constexpr double kStep = 0.5 * std::numbers::pi / 180;  // rad, difference of two tilts
+// Tolerance for rounding, as a share of the centre's height, because the centre of a rolling ball
+// does not rise.
 constexpr double kFlat = 1e-9;
-constexpr double kUneven = 10 * std::numbers::pi / 180;  // largest tilt due to uneven sinking
+constexpr double kUneven = 10 * std::numbers::pi / 180;  // rad, largest tilt due to uneven sinking
 
 /// Convex hull of the colliding geoms of a tree of bodies, relative to its centre of mass.
 class ObjectHull {
@@ -48,8 +48,8 @@ class ObjectHull {
     }
   }
 
-  /// Returns the distance from the centre of mass down to the lowest point, m, if the direction
-  /// `down` points down.
+  /// Returns the height of the centre of mass above the floor, m, when the object is tilted so that
+  /// its direction `down` points down.
   double Below(const Eigen::Vector3d& down) const {
     double lowest = -std::numeric_limits<double>::infinity();
     for (const Eigen::Vector3d& p : points_) lowest = std::max(lowest, p.dot(down));

@@ -7,17 +7,18 @@
 
 namespace mjforge::physics {
 
+/// Least tilt that topples an object, and its direction.
 struct StabilityMargin {
   Result::Stability least;
   double azimuth = 0;  // rad, from x towards y: direction in which the object topples first
 };
 
-/// Computes the margin from the convex hull of the colliding geoms of a tree of bodies and its
+/// Computes the margin of a tree of bodies from the convex hull of its colliding geoms and from its
 /// centre of mass, as mj_kinematics and mj_comPos computed them. While the object tilts, its centre
 /// of mass rises until the object topples; the energy is the weight times this rise. Tries steps of
 /// 0.5 deg in 72 directions. Angle and energy are 0 if the object rolls or stands on a point.
-/// Contacts are up to `sink` (m) deep, more at one end than at the other, so that smaller changes
-/// of the height are ignored.
+/// Changes of the height by less than `sink`, m, are ignored at small tilts, because contacts are
+/// up to `sink` deep, and deeper at one end of the object than at the other.
 StabilityMargin FindStabilityMargin(const mjModel& m, const mjData& d, int root, double sink);
 
 }  // namespace mjforge::physics

@@ -54,7 +54,7 @@ int Stepper::FrameOf() const {
 
 void Stepper::Step() {
   if (recorder_ != nullptr) recorder_->Note(m_, d_);
-  // A Runge-Kutta step detects collisions at several poses.
+  // Lets MuJoCo find all pairs in a Runge-Kutta step, which detects collisions at several poses.
   if (!broad_phase_.works() || m_.opt.integrator == mjINT_RK4) {
     mj_step(&m_, &d_);
     return;
@@ -91,12 +91,12 @@ void Stepper::FindPairs() {
 }
 
 /// Returns true if no body had moved farther than its allowance before the last step, so that no
-/// pair was missing. mjData has the poses from before that step. Sets is_stale_.
+/// pair was missing in the step. mjData has the poses from before that step. Sets is_stale_.
 bool Stepper::HadAllPairs() {
   ++steps_;
   bool had_all = true;
   for (const int body : broad_phase_.bodies()) {
-    if (body == 0) continue;  // its geoms are planes if frame_ is not the world
+    if (body == 0) continue;  // the world is frame_ itself, or has only planes
     const auto i = Index(body);
     const BodyPose pose = PoseOf(body);
     moved_[i] =

@@ -23,7 +23,7 @@ class Stepper {
   void RecordTo(FilmRecorder* recorder) { recorder_ = recorder; }
 
  private:
-  /// Pose of a body in frame_.
+  /// Pose of a body relative to the body frame_.
   struct BodyPose {
     Eigen::Vector3d p = Eigen::Vector3d::Zero();
     Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
@@ -51,11 +51,11 @@ class Stepper {
   int frame_ = 0;  // body relative to which others are tracked; 0: the world
   engine::GeomPairs* pairs_ = nullptr;
   FilmRecorder* recorder_ = nullptr;
-  bool is_stale_ = true;            // pairs must be found before the next step
-  int steps_ = 0;                   // since pairs were found
+  bool is_stale_ = true;            // true if pairs must be found before the next step
+  int steps_ = 0;                   // number of steps since pairs were found
   std::vector<BodyPose> poses_;     // poses of bodies when pairs were found
-  std::vector<double> allowances_;  // m, of each body
-  std::vector<double> moved_;       // m, since pairs were found
+  std::vector<double> allowances_;  // m, motion of each body for which the pairs are complete
+  std::vector<double> moved_;       // m, motion of each body since pairs were found
   Snapshot before_;
 };
 

@@ -23,7 +23,7 @@ namespace {
 using compiled::Index;
 
 constexpr double kFarOff = 0.03;        // m, distance from which a body hangs in the air
-constexpr double kFarOffOfSize = 0.25;  // such a distance as a share of the body's size
+constexpr double kFarOffOfSize = 0.25;  // such a distance, as a share of the body's size
 
 class UnsupportedLinks {
  public:
@@ -88,10 +88,11 @@ class UnsupportedLinks {
     const bool is_slide = m_.jnt_type[joint] == mjJNT_SLIDE;
     const double way = std::max(path.start - path.low, path.high - path.start);
     const bool is_too_long = path.range() > LongestSlide(object_, reporter_.checks());
-    // A range that is too long is a finding by itself (physics/joint-range).
+    // Leaves out ranges that are too long, because these are findings by themselves
+    // (physics/joint-range).
     if (is_slide && (is_too_long || DistanceAfter(joint, moved, 0) + way <= kFarOff)) return;
-    // The axis of a hinge lies beside the door's edge: an open door is away from its frame by up
-    // to that distance and the door's thickness.
+    // The axis of a hinge may be beside the edge of its door. An open door is then away from its
+    // frame by up to the distance of the axis and the door's thickness.
     const double most =
         is_slide ? kFarOff : std::max(kFarOff, kFarOffOfSize * MovedBox(moved).diagonal().norm());
     for (const double end : {path.low, path.high}) {
@@ -114,17 +115,17 @@ class UnsupportedLinks {
     return box;
   }
 
-  /// Returns true if a slide moves its body up, less than 45 degrees from the vertical, because a
-  /// body that is lifted off, such as a lid, is held by a hand.
+  /// Returns true if a slide moves its body up, less than 45 degrees from the vertical. A lifted
+  /// body, such as a lid, need not be near others, because a hand holds it.
   bool Lifts(int joint, double way) const {
     const Eigen::Map<const Eigen::Vector3d> gravity(m_.opt.gravity);
     const double up = -way * compiled::VectorAt(d_.xaxis, joint).dot(gravity);
     return up > std::sqrt(0.5) * std::abs(way) * gravity.norm();
   }
 
-  /// Returns the distance of the bodies that a joint moves from the rest of their tree, m, after
-  /// the joint has moved by `way` (rad or m). A distance up to kFarOff may be too large, because
-  /// the search stops at the first.
+  /// Returns the distance between the bodies that a joint moves and the other bodies of their tree,
+  /// m, after the joint has moved by `way` (rad or m). A result up to kFarOff is an upper bound,
+  /// because the search stops at the first distance up to kFarOff.
   double DistanceAfter(int joint, const std::vector<bool>& moved, double way) const {
     const Eigen::Vector3d axis = compiled::VectorAt(d_.xaxis, joint);
     const Eigen::Vector3d anchor = compiled::VectorAt(d_.xanchor, joint);
@@ -167,7 +168,7 @@ class UnsupportedLinks {
   static_checks::Reporter& reporter_;
   JointCouplings couplings_;
   std::vector<Box> boxes_;         // boxes of geoms at the start
-  std::set<int> is_far_at_start_;  // first joints of bodies that are far at the start
+  std::set<int> is_far_at_start_;  // first joints of bodies that are far off at the start
 };
 
 }  // namespace

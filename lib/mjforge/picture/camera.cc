@@ -40,8 +40,8 @@ double CenterEye(const PlacedShapes& shapes, const Eigen::Vector3d& across,
   return (shapes.Support(across - most * forward) - shapes.Support(-across - most * forward)) / 2;
 }
 
-// Values of the support function for the normals of two opposite sides of the frustum, whose
-// half-angle has this tangent.
+// Values of the shapes' support function for the normals of two opposite sides of a frustum.
+// `tangent` is the tangent of half the angle between the sides.
 struct Sides {
   double tangent = 0;
   double right = 0;
@@ -106,8 +106,9 @@ void SetAxes(const View& view, Camera& camera) {
 
 }  // namespace
 
-// Shapes are inside a frustum if and only if their support function in the direction of each of its
-// four side normals is. Each pair of opposite sides gives an upper bound of the eye's depth.
+// Shapes are inside a frustum if and only if, for each of the frustum's four sides, their support
+// point in the direction of the side's outward normal is inside. Each pair of opposite sides gives
+// an upper bound of the eye's depth.
 Camera FrameShapes(const PlacedShapes& shapes, double width, double height, const View& view,
                    const std::optional<Shadow>& shadow) {
   Camera camera;
@@ -152,8 +153,8 @@ Eigen::Vector2d Camera::Project(const Eigen::Vector3d& point, int width, int hei
           (1 - p.dot(up) / (depth * tan_y)) * height / 2};
 }
 
-// For a viewing ray of slope dz, the inverse of the plane's distance along `forward` is
-// dz / (level - z), which is linear in the place in the picture.
+// For a viewing ray of slope dz, the inverse of the plane's distance along `forward` is dz / (level
+// - z), where z is the height of the eye. This inverse is linear in the place in the picture.
 LevelDepth DepthOfLevel(const Camera& camera, double level, int width, int height) {
   const double scale = camera.far / (camera.far - camera.near);
   const double to_depth = -scale * camera.near / (level - camera.eye.z());

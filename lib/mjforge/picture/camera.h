@@ -20,8 +20,8 @@ struct Camera {
   Eigen::Vector3d forward;  // W, unit
   double tan_x = 0;         // tangent of half the horizontal field of view
   double tan_y = 0;         // tangent of half the vertical field of view
-  double near = 0;          // m
-  double far = 0;           // m
+  double near = 0;          // m, distance of the near plane from the eye
+  double far = 0;           // m, distance of the far plane from the eye
   Eigen::Vector3d center;   // W, m, center of a sphere around the shapes
   double radius = 0;        // radius of this sphere, m
 
@@ -50,7 +50,7 @@ struct LevelDepth {
 };
 /// Distance of the backdrop, a plane behind the shapes, as a share of the camera's far distance.
 inline constexpr double kBackdrop = 0.98;
-/// Returns a depth between the shapes and the backdrop.
+/// Returns a depth, as OpenGL stores it, between the shapes and the backdrop.
 double DepthBeforeBackdrop(const Camera& camera);
 /// Returns the depths of the plane z = `level` in a picture of this size in pixels. The depths
 /// are above 1 where the plane is not in front of the camera.

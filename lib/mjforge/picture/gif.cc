@@ -15,7 +15,7 @@ namespace mjforge::picture {
 namespace {
 
 constexpr std::size_t kMaxColors = 255;
-constexpr GifPixelType kTransparent = 255;  // index that is not a color
+constexpr GifPixelType kTransparent = 255;  // palette index of transparent pixels
 // Pixels with at least this alpha are opaque, because GIF has no partial transparency.
 constexpr int kMinAlpha = 128;
 
@@ -56,7 +56,7 @@ struct ColorBox {
 // based split as by S. J. Wan, S. K. M. Wong and P. Prusinkiewicz (An algorithm for
 // multidimensional data clustering, ACM Transactions on Mathematical Software 14, 1988).
 std::vector<ColorBox> SplitColors(std::vector<CountedColor>& colors) {
-  constexpr double kRounding = 0.25;  // two pixels of different colors have an error of 0.5
+  constexpr double kRounding = 0.25;  // smaller errors are rounding; two different colors have 0.5
   std::vector<ColorBox> boxes = {ColorBox(colors)};
   while (boxes.size() < kMaxColors) {
     ColorBox& worst = *std::ranges::max_element(boxes, {}, &ColorBox::error);
@@ -171,8 +171,9 @@ std::string EncodeGif(std::span<const Image> frames, int delay, const Texts& tex
   for (const Image& frame : frames) {
     const std::vector<GifPixelType> pixels = palette.IndicesOf(frame);
     std::vector<GifPixelType> changed = pixels;
-    // Leave unchanged pixels transparent, which makes the file smaller. Animations with holes draw
-    // all pixels, because viewers clear the screen after each of their frames.
+    // Leave unchanged pixels transparent, which makes the file smaller. Animations with transparent
+    // pixels draw all pixels of each frame, because viewers clear the screen after each of their
+    // frames.
     for (std::size_t i = 0; !palette.has_holes && i < before.size(); ++i) {
       if (pixels[i] == before[i]) changed[i] = kTransparent;
     }

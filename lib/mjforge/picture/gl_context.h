@@ -1,8 +1,8 @@
 // OpenGL contexts without a display.
 //
-// MuJoCo looks up OpenGL's functions by eglGetProcAddress, or else by OSMesaGetProcAddress, among
-// the global symbols of the process (2.2.2, dlopen(NULL)). Therefore only the symbols of the
-// library that works become global.
+// MuJoCo 2.2.2 looks up OpenGL's functions by eglGetProcAddress, or else by OSMesaGetProcAddress,
+// and looks for these two among the global symbols of the process (dlopen(NULL)). Therefore only
+// the library that provides the context makes its symbols global.
 
 #pragma once
 
@@ -25,7 +25,7 @@ class GlContext {
   virtual std::string_view name() const = 0;
 };
 
-/// Opens a context through EGL or OSMesa. Returns null, and sets `why_not`, if that fails.
+/// Opens a context through EGL or OSMesa. Returns null, and sets `why_not`, if this fails.
 std::unique_ptr<GlContext> OpenEgl(std::string& why_not);
 std::unique_ptr<GlContext> OpenOsmesa(std::string& why_not);
 

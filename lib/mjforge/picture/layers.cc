@@ -70,6 +70,7 @@ Color MarkColor(int number) {
   return kColors[static_cast<std::size_t>(number) % kColors.size()];
 }
 
+// Draws the marks of one joint.
 struct JointMark {
   const mjModel& m;
   const mjData& d;
@@ -221,7 +222,8 @@ void DrawJoints(const Subject::State& state, const PlacedShapes& around, Scene& 
   }
 }
 
-// Draws the regions, which are boxes and cylinders. MuJoCo's sizes of sites are those of geoms.
+// Draws the regions, which are boxes and cylinders. MuJoCo states the size of a site like that of a
+// geom.
 void DrawRegions(const Subject::State& state, const PlacedShapes& around, Scene& scene) {
   const mjModel& m = *state.model;
   int number = 0;

@@ -6,8 +6,8 @@
 
 namespace mjforge::picture {
 
-// These functions add the marks of a layer to a scene: the bounding box, boxes of equal inertia,
-// the axes and ranges of joints, or the regions. `around` are the object's shapes.
+// Functions that add the marks of a layer to a scene: the bounding box, boxes of equal inertia, the
+// axes and ranges of joints, or the regions. `around` are the object's shapes.
 void DrawBounds(const Subject::State& state, const PlacedShapes& around, Scene& scene);
 void DrawInertias(const Subject::State& state, const PlacedShapes& around, Scene& scene);
 void DrawJoints(const Subject::State& state, const PlacedShapes& around, Scene& scene);

@@ -9,7 +9,8 @@
 namespace mjforge::picture {
 namespace {
 
-// Size of MuJoCo's stack in numbers. A tendon's Jacobian needs three for each degree of freedom.
+// Size of MuJoCo's stack, in mjtNum. The Jacobian of a tendon takes three for each degree of
+// freedom.
 constexpr double kStackSize = 1e6;
 
 std::unique_ptr<Subject> Make(engine::Loaded loaded, std::string& why_not) {
@@ -19,7 +20,8 @@ std::unique_ptr<Subject> Make(engine::Loaded loaded, std::string& why_not) {
   }
   auto state = std::make_unique<Subject::State>();
   state->model = std::move(loaded.model);
-  // A picture needs no contacts and constraints, which are most of the memory of a large scene.
+  // Contacts and constraints, which a picture does not need, would take most of the memory of a
+  // large scene.
   engine::SetBufferSizes(*state->model, {.contacts = 0, .rows = 0, .numbers = kStackSize});
   try {
     state->data = compiled::MakeData(*state->model);

@@ -19,7 +19,8 @@ constexpr float kEdge = 0.05F;
 constexpr int kNothing = 2;
 
 // Computes the moving mean over 2 * radius + 1 rows, each of `width` values; rows outside count as
-// zero. Weights are blurred in the same way, so that the picture's border needs no special case.
+// zero. The border of the picture needs no special case, because Soften() divides by weights that
+// are blurred in the same way.
 void BlurRows(std::span<const float> in, int width, int radius, std::span<float> out) {
   const auto columns = static_cast<std::ptrdiff_t>(width);
   const std::ptrdiff_t rows = std::ssize(in) / columns;

@@ -1,10 +1,11 @@
 // Matting: renderings on a light floor give a picture with alpha and a soft shadow.
 //
-// The depth of a sample tells whether it belongs to an opaque object. Translucent geoms do not
-// change this depth. A second rendering has the translucent geoms alone, on black: the difference
-// is the visible share of the floor, lit or in shadow, and so gives the alpha of the geoms in front
-// of the floor (A. R. Smith, J. F. Blinn: Blue Screen Matting, SIGGRAPH 1996, section 3, with two
-// backing colors). The floor itself becomes a shadow: black, with an alpha that is blurred.
+// The depth of a sample determines whether the sample belongs to an opaque object, because
+// translucent geoms do not change the depth. If there are translucent geoms, a second rendering has
+// only these geoms, on black. The difference of the two renderings is the visible share of the
+// floor, lit or in shadow, and gives the alpha of the geoms in front of the floor (A. R. Smith, J.
+// F. Blinn: Blue Screen Matting, SIGGRAPH 1996, section 3, with two backing colors). The floor
+// itself becomes a shadow: black, with an alpha that is blurred.
 
 #pragma once
 
@@ -31,7 +32,7 @@ struct RenderedBand {
 /// Accumulates renderings, and computes the picture from them.
 class Matte {
  public:
-  /// A picture of this size, with this number of samples along each side of a pixel.
+  /// Makes a picture of this size, in pixels, with `samples` samples along each side of a pixel.
   Matte(int width, int height, int samples);
   /// Adds the renderings of rows [top, bottom) of the picture.
   void Add(const RenderedBand& drawn, int top, int bottom);

@@ -26,7 +26,8 @@ class Buffers {
   mjrContext context_;
 };
 
-/// Meshes and textures of one model, which is drawn into buffers that outlive it.
+/// Meshes and textures of one model, for drawing into shared buffers. `buffers` must outlive this
+/// object.
 class ModelContext {
  public:
   ModelContext(mjModel& model, const Buffers& buffers);

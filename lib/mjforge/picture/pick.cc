@@ -15,7 +15,7 @@ std::string GeomAt(Subject& subject, const Options& options, double x, double y)
   const Camera camera = scene.Frame(scene.shapes(), scene.floor_height(), options);
   const Eigen::Vector3d ray = camera.forward + (2 * x - 1) * camera.tan_x * camera.right +
                               (1 - 2 * y) * camera.tan_y * camera.up;
-  constexpr std::array<mjtByte, mjNGROUP> kVisible = {1, 1, 1};
+  constexpr std::array<mjtByte, mjNGROUP> kVisible = {1, 1, 1};  // geom groups 0 to 2
   const int geom = engine::FindGeomOnRay(model, *subject.state().data, camera.eye.data(),
                                          ray.data(), kVisible.data());
   return geom < 0 ? std::string() : std::string(model.names + model.name_geomadr[geom]);

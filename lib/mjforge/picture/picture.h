@@ -55,12 +55,12 @@ void PutOn(const Background& background, Image& image);
 inline constexpr int kMinSize = 16;
 inline constexpr int kMaxSize = 4096;
 
-/// Position of the camera, in the terms of MuJoCo's mjvCamera. By default the camera looks from the
+/// Position of the camera, in the terms of MuJoCo's mjvCamera. The default camera looks from the
 /// front, right and above, and is as close as it can be with all shapes in the picture.
 struct View {
   std::optional<double> azimuth;    // deg, viewing direction about z; 0: along x, 90: along y
   std::optional<double> elevation;  // deg, viewing direction; -90: down, 90: up
-  std::optional<double> distance;   // m, from the center of the shown shapes
+  std::optional<double> distance;   // m, distance of the eye from the center of the shown shapes
   double zoom = 1;                  // divides the distance at which all shapes are in the picture
 };
 
@@ -82,10 +82,10 @@ struct Joint {
   Type type = Type::kHinge;
   bool limited = false;
   std::array<double, 2> range = {0, 0};
-  double value = 0;  // for hinges and slides
+  double value = 0;  // position of a hinge or slide
 };
 
-/// Positions of some joints: pairs of a joint's number and its position (rad or m).
+/// Positions of some joints: pairs of a joint's number (MuJoCo's id) and its position (rad or m).
 using JointPositions = std::vector<std::pair<int, double>>;
 
 /// Poses of a model: its start pose, and the start pose with hinges, slides and balls at zero.
@@ -184,9 +184,9 @@ struct Tile {
   Image image;
   std::vector<std::string> caption;
 };
-/// Arranges tiles of equal size in rows, in a sheet that is as square as their number allows. A row
-/// is as high as its tiles need: rows of pixels that are empty in all of its tiles are left out at
-/// the top and the bottom.
+/// Arranges tiles of equal size in rows, in a sheet that is as square as their number allows. Rows
+/// of pixels that are transparent in all tiles of a row are left out at the top and the bottom of
+/// the tiles.
 Image ContactSheet(Renderer& renderer, std::span<const Tile> tiles, const Background& background);
 
 }  // namespace mjforge::picture

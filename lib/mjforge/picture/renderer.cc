@@ -27,12 +27,12 @@ int ShadowSize(int width, int height) { return std::clamp(2 * std::max(width, he
 
 // Pictures with more samples are drawn in horizontal bands, to limit the size of the framebuffer.
 constexpr int kMostSamples = 1 << 22;
-// Samples along each side of a pixel, unless the picture is drawn quickly.
+// Least number of samples along each side of a pixel, unless Options::quick is set.
 constexpr int kFewestSamples = 2;
 
 // Returns the number of samples along each side of a pixel: as many as a picture in one band can
-// have, but at most four, which a small picture needs for smooth edges, or three if translucent
-// geoms are rendered twice.
+// have, but at most four, which suffice for smooth edges, or three if there are translucent geoms,
+// which are rendered twice.
 int SamplesOf(const Options& options, bool is_opaque) {
   if (options.quick) return 1;
   const double most = std::sqrt(kMostSamples / (double{1} * options.width * options.height));
@@ -64,7 +64,7 @@ struct Renderer::State {
   std::vector<std::uint8_t> colors;
   std::vector<std::uint8_t> translucent;
   std::vector<float> depths;
-  int samples = kFewestSamples;  // along each side of a pixel of the current picture
+  int samples = kFewestSamples;  // number along each side of a pixel of the current picture
 
   const Buffers& BuffersFor(const Options& options);
   Image DrawScene(ModelContext& context, Scene& scene, const Camera& camera,
@@ -108,7 +108,8 @@ Image Renderer::DrawText(std::string_view text, const Background::Color& color) 
   return state_->font->Draw(text, color);
 }
 
-// Returns buffers of the size that the picture needs; reuses the last buffers of this size.
+// Returns buffers of the size that the picture needs; reuses the last buffers if they have this
+// size.
 const Buffers& Renderer::State::BuffersFor(const Options& options) {
   const int width = options.width * samples;
   const int height = RowsOfBand(options, samples) * samples;

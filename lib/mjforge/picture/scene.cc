@@ -122,7 +122,7 @@ void Scene::Collect(Subject::State& state, const mjvOption& option) {
 // key light in a second pass to everything at the depth already drawn.
 void Scene::SeparateFaces() {
   constexpr float kShare = 1e-5F;
-  constexpr int kDifferent = 101;  // more than the boxes that form a typical ring
+  constexpr int kDifferent = 101;  // number of scales; more than the boxes of a typical ring
   for (int i = 0; i < scene_.ngeom; ++i) {
     mjvGeom& geom = scene_.geoms[i];
     if (geom.type != mjGEOM_BOX && geom.type != mjGEOM_CYLINDER) continue;
@@ -131,8 +131,8 @@ void Scene::SeparateFaces() {
   }
 }
 
-// Collects the visible geoms; if there are none, the geoms of all groups, and if there are none
-// either, the sites.
+// Collects the visible geoms. If there are none, collects the geoms of all groups, and if the model
+// has no geoms, the sites.
 void Scene::CollectVisible(Subject::State& state, diag::Findings& findings) {
   mjvOption option = VisibleOption();
   Collect(state, option);

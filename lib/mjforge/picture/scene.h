@@ -46,8 +46,9 @@ class Scene {
   };
   const std::vector<Line>& legend() const { return legend_; }
 
-  /// Returns a camera that frames shapes that stand on a floor at this height, and their shadow
-  /// unless the model has a ground.
+  /// Returns a camera that frames shapes that stand on a floor at this height. The camera also
+  /// frames the shadow of the shapes, unless the model has a ground: a plane, a height field or
+  /// another geom fixed to the world.
   Camera Frame(const PlacedShapes& shapes, double floor_height, const Options& options) const;
 
   /// Adds light and, if there are shadows, a floor at the given height, unless the model has a
@@ -55,7 +56,8 @@ class Scene {
   void Light(const Camera& camera, double floor_height, bool has_shadows);
   /// Returns true if no geom is translucent.
   bool HasOpaqueGeoms() const;
-  /// Returns true if no geom, as the camera sees it, is translucent.
+  /// Returns true if MuJoCo draws no geom translucent for the camera given to Light(). A plane is
+  /// translucent if the camera sees its back.
   bool IsOpaque() const { return translucent_.empty(); }
   /// Returns the same scene with only the translucent geoms, on black, without shadows, which
   /// MuJoCo does not draw on these geoms. The result is valid until the scene changes.
@@ -104,8 +106,8 @@ class Scene {
   PlacedShapes shapes_;
   std::vector<Label> labels_;
   std::vector<Line> legend_;
-  bool has_ground_ = false;           // the model has a floor or another geom fixed to the world
-  std::vector<mjvGeom> translucent_;  // copies; with a black floor if the floor hides marks
+  bool has_ground_ = false;  // the model has a plane, a height field or a geom of the world
+  std::vector<mjvGeom> translucent_;  // copies, and a black floor if the floor hides marks
   double floor_height_ = 0;
   std::optional<double> level_above_floor_;  // nullopt: there is no floor
 };

@@ -55,8 +55,8 @@ bool IsShown(const Image& image, int y) {
   return false;
 }
 
-// A row of tiles in a sheet, which is only as high as its tiles need: rows of pixels in which no
-// tile shows anything are left out at its top and bottom.
+// Row of tiles in a sheet. Rows of pixels in which no tile shows anything are left out at the top
+// and the bottom of the tiles.
 struct SheetRow {
   SheetRow(std::span<const Tile> tiles, int sheet_top) : top(sheet_top) {
     last = tiles.front().image.height;
@@ -69,9 +69,9 @@ struct SheetRow {
   }
   int height() const { return last - first; }
 
-  int top;                // in the sheet
-  int first = 0;          // first row of pixels that is shown
-  int last = 0;           // end of the rows of pixels that are shown
+  int top;                // first row of pixels in the sheet
+  int first = 0;          // first row of pixels of the tiles that is shown
+  int last = 0;           // end of the rows of pixels of the tiles that are shown
   std::size_t lines = 0;  // lines of the longest caption
 };
 

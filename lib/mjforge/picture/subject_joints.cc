@@ -21,7 +21,8 @@ bool EndsIn(std::string_view full, std::string_view name) {
          full[full.size() - name.size() - 1] == '_';
 }
 
-// Names of the hinges and slides for suggestions, each also without its first words.
+// Returns the names of the hinges and slides, for suggestions: each name in full, and also without
+// its first word, without its first two words, and so on.
 std::vector<std::string_view> JointNames(const mjModel& m) {
   std::vector<std::string_view> words;
   for (int i = 0; i < m.njnt; ++i) {

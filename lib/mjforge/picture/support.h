@@ -14,10 +14,12 @@ namespace mjforge::picture {
 
 /// A convex shape S in the world, m.
 struct PlacedShape {
-  model::Shape solid = {.type = model::GeomType::kBox};  // a box if the geom has no formula
+  /// Shape of the geom; a box for planes, height fields and other types without a solid.
+  model::Shape solid = {.type = model::GeomType::kBox};
   Eigen::Vector3d p_WS = Eigen::Vector3d::Zero();
   Eigen::Matrix3d R_WS = Eigen::Matrix3d::Identity();
-  std::span<const float> vertices = {};  // in S, 3 numbers each; for a mesh, instead of `solid`
+  /// Vertices of a mesh in S, 3 numbers each; used instead of `solid` unless empty.
+  std::span<const float> vertices = {};
 
   /// Returns the largest dot product of `direction` with a point of the shape.
   double Support(const Eigen::Vector3d& direction) const;

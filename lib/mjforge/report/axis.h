@@ -21,7 +21,7 @@ class Axis {
   double At(double value) const;
 
   struct Tick {
-    double at = 0;
+    double at = 0;  // position
     std::string label;
   };
   /// Returns about `count` ticks, at most twice as many.
@@ -44,7 +44,7 @@ class Axis {
 /// and most of them are much closer to lo than to hi.
 bool WantsLogarithm(double lo, double hi, double median);
 
-/// Text of a number with up to four significant digits: "0.25", "12000", "3.1e-07".
+/// Returns a number with up to four significant digits: "0.25", "12000", "3.1e-07".
 std::string ShortNumber(double value);
 
 }  // namespace mjforge::report

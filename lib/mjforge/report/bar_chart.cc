@@ -10,10 +10,10 @@
 namespace mjforge::report {
 namespace {
 
-constexpr double kRow = 22;
-constexpr double kBar = 14;
+constexpr double kRow = 22;  // distance between rows, units of the SVG
+constexpr double kBar = 14;  // height of a bar; must match bars.html
 constexpr std::size_t kMaxRows = ParameterTally::kMaxWhole;
-// Length of a label that fits to the left of the bars.
+// Largest length of a label, which must fit to the left of the bars.
 constexpr std::size_t kLabelBytes = 17;
 
 struct Row {
@@ -28,7 +28,8 @@ std::uint64_t Total(const std::vector<std::pair<std::string, Counts>>& values) {
   return total;
 }
 
-// Returns a row for each value: first the expected values, then further drawn ones.
+// Returns a row for each value: first the expected values, then other drawn values. If there are
+// too many values, the last row sums up the least frequent ones.
 std::vector<Row> RowsOf(const BarChart& chart) {
   std::vector<Row> rows;
   std::map<std::string, std::size_t> places;

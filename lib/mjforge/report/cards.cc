@@ -20,11 +20,11 @@ namespace {
 using manifest::Record;
 using Params = std::vector<std::pair<std::string, sample::ParameterValue>>;
 
-constexpr std::size_t kOpenParams = 6;   // number of parameters shown without a click
-constexpr std::size_t kMaxParams = 40;   // number of parameters of a variant in the page
-constexpr std::size_t kNamedParams = 3;  // number of parameters in a picture's alt text
-constexpr std::size_t kMaxFindings = 4;
-constexpr std::size_t kValueBytes = 120;
+constexpr std::size_t kOpenParams = 6;    // number of parameters shown without a click
+constexpr std::size_t kMaxParams = 40;    // number of parameters of a variant in the page
+constexpr std::size_t kNamedParams = 3;   // number of parameters in a picture's alt text
+constexpr std::size_t kMaxFindings = 4;   // number of findings shown for a variant
+constexpr std::size_t kValueBytes = 120;  // largest length of a value
 
 std::string ValueText(const sample::ParameterValue& value) {
   if (const auto* number = std::get_if<double>(&value)) return fmt::format("{:.6g}", *number);

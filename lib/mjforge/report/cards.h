@@ -22,8 +22,9 @@ struct Cards {
   std::size_t shown() const { return failed + slow + sampled; }
 };
 
-/// Makes the rows of the chosen variants until they fill `room` bytes: failed variants, slow ones,
-/// then the sample, in an order in which any first part is spread over the batch.
+/// Makes the rows of the chosen variants until they fill `room` bytes: failed variants, slow
+/// variants, then the sample. The sample is in an order such that its first rows, however many fit,
+/// are spread over the batch.
 Cards MakeCards(const std::vector<ShownVariant>& chosen, const Batch& batch, const Request& request,
                 const Thumbnailer& thumbnailer, std::size_t room);
 

@@ -36,7 +36,7 @@ struct HistogramChart {
   std::string x_label;  // "m"
   const NumberTally* drawn = nullptr;
   const NumberTally* expected = nullptr;  // null: the distribution is not known
-  bool whole = false;                     // whole numbers: the edges of bins are between them
+  bool whole = false;                     // whole numbers, with the edges of bins between them
 };
 /// Adds bars for the drawn values, in which the bad variants are marked, and a line for the
 /// expected values, scaled to the same total.

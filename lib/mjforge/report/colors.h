@@ -19,8 +19,9 @@ std::set<std::string> ColorsOf(const spec::ObjectSpec& spec);
 /// Returns "#rrggbb" for 3 numbers from 0 to 1, "#rrggbbaa" for 4; nullopt for any other value.
 std::optional<std::string> HexColor(const sample::ParameterValue& value);
 
-/// Returns the values of the colours as HexColor, by the parameters' names, in some of the variants
-/// that the page shows. Empty without a recipe.
+/// Returns drawn values of the colour parameters (ColorsOf) as HexColor, by the parameter's name.
+/// The values are those of some of the variants that the page shows. Returns an empty map if the
+/// batch has no recipe.
 std::map<std::string, std::vector<std::string>> DrawnColors(const Batch& batch);
 
 }  // namespace mjforge::report

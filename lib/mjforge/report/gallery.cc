@@ -27,6 +27,7 @@ std::string TitleOfKind(std::string kind) {
   return Clean(kind);
 }
 
+// Returns the position of a kind among the kinds that are listed last; 0 for all other kinds.
 int RankOf(const std::string& kind) {
   constexpr std::array<std::string_view, 3> kLast = {"robosuite", "shapes", "primitives"};
   for (std::size_t i = 0; i < kLast.size(); ++i) {

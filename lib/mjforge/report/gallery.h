@@ -40,7 +40,7 @@ struct FeatureTable {
 
 /// Content of the page of a spec.
 struct SpecPage {
-  std::string name;  // in the search path: "tools/hammer"
+  std::string name;  // name in the search path: "tools/hammer"
   forge::Recipe recipe;
   std::string text;  // content of the spec's file; empty: not shown
   std::vector<manifest::Record> variants;
@@ -55,7 +55,7 @@ std::string MakeSpecPage(SpecPage page);
 
 /// A card in the index of a gallery.
 struct GalleryCard {
-  std::string name;  // in the search path: "tools/hammer"
+  std::string name;  // name in the search path: "tools/hammer"
   std::string description;
   std::string words;    // texts in which the index searches, in addition to name and description
   std::string facts;    // "1.2 to 3.4 kg, 2 joints"
@@ -66,7 +66,8 @@ struct GalleryCard {
 /// Makes the index. Cards of one kind must be adjacent; the kind is the folder in the name.
 std::string MakeGalleryIndex(std::span<const GalleryCard> cards);
 
-/// File of the page of a spec, relative to the folder of the index: "specs/tools/hammer.html".
+/// Returns the file of the page of a spec, relative to the folder of the index:
+/// "specs/tools/hammer.html".
 std::string GalleryPageFile(const std::string& name);
 
 /// Returns true if the spec `a` is listed before `b` in galleries: kinds in alphabetical order,

@@ -1,4 +1,4 @@
-// Search in the index, buttons that copy commands, and sliders for joints. Without this script all
+// Search in the index, buttons that copy commands, and sliders for joints. Without this script, all
 // cards and all pictures are shown.
 (function () {
   "use strict";

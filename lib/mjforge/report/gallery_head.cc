@@ -1,4 +1,5 @@
-// The head of the pages of a gallery: style, script and the policy that allows only these.
+// The head of the pages of a gallery: style, script, and the Content Security Policy that allows
+// only these two.
 
 #include "mjforge/report/gallery_head.h"
 
@@ -14,7 +15,8 @@ extern const std::string_view kGalleryJs;
 
 namespace {
 
-// Returns the source of a policy that allows an element with this content: "'sha256-...'".
+// Returns the source of a Content Security Policy that allows an element with this content:
+// "'sha256-...'".
 std::string HashSource(std::string_view content) {
   const std::string digits = bytes::Sha256Of(content);
   std::string hash;

@@ -1,4 +1,5 @@
-// The head of the pages of a gallery: style, script and the policy that allows only these.
+// The head of the pages of a gallery: style, script, and the Content Security Policy that allows
+// only these two.
 
 #pragma once
 
@@ -12,7 +13,8 @@ namespace mjforge::report {
 /// Fills in VERSION, CSS, JS and POLICY.
 void AddHead(Dictionary& page);
 
-/// Returns a relative path as a URL: all but letters, digits and "/._~-" is percent-encoded.
+/// Returns a relative path as a URL, in which all characters except letters, digits and "/._~-" are
+/// percent-encoded.
 std::string UrlOf(std::string_view path);
 
 }  // namespace mjforge::report

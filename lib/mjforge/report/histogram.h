@@ -19,13 +19,14 @@ struct Statistics {
   void Add(double value);
   /// Adds the numbers of other statistics, by the formula of Chan, Golub and LeVeque.
   void Append(const Statistics& other);
-  /// Standard deviation of the population (dividing by count, not count - 1).
+  /// Returns the standard deviation of the population (dividing by count, not count - 1).
   double StandardDeviation() const;
 };
 
 /// Histogram of numbers whose range is not known in advance, in bounded memory. The width of a cell
-/// is the smallest power of two for which kCells cells cover all numbers; pairs of cells are merged
-/// when a new number is outside. The histogram does not depend on the order of the numbers.
+/// is the smallest power of two for which kCells cells cover all numbers. If a new number is
+/// outside of the covered range, neighbouring cells are merged. The histogram does not depend on
+/// the order of the numbers.
 class Histogram {
  public:
   static constexpr std::int64_t kCells = 8192;
@@ -35,7 +36,7 @@ class Histogram {
   void Append(Histogram other);
 
   std::uint64_t count() const { return numbers_.count; }
-  /// Exact values, or 0 if there are no numbers.
+  /// Exact statistics of the numbers; 0 if there are no numbers.
   double min() const { return numbers_.min; }
   double max() const { return numbers_.max; }
   double mean() const { return numbers_.mean; }

@@ -92,7 +92,7 @@ class ManifestSummary {
   std::size_t shown_;
   RandomSample<manifest::Record> failed_;
   RandomSample<manifest::Record> good_;
-  std::vector<manifest::Record> slow_;  // a heap with the quickest variant on top
+  std::vector<manifest::Record> slow_;  // slowest variants; a heap with the quickest on top
 };
 
 /// Reads the whole manifest, in sections that all cores share. The result does not depend on the

@@ -98,7 +98,7 @@ void AddOptions(Dictionary& body, const ManifestSummary& summary) {
   for (const auto& [code, tally] : summary.codes) ShowText(body, "CODE_OPTION", Clean(code, 120));
 }
 
-// Renders the page with these cards. Apart from them, its size is nearly constant.
+// Renders the page with these cards. The size of the page without the cards is nearly constant.
 std::string Render(const Request& request, const Batch& batch, const Cards& cards) {
   ctemplate::TemplateDictionary page("page");
   Set(page, "CSS", kPageCss);

@@ -1,4 +1,4 @@
-// Sorting and filtering of the variants. Without this script all of them are shown, in the page's
+// Sorting and filtering of the variants. Without this script, all variants are shown, in the page's
 // order.
 (function () {
   "use strict";
@@ -26,7 +26,7 @@
     count.textContent = shown + " of " + rows.length;
   }
 
-  // Numbers by size, words by name; missing values come last either way.
+  // Returns a function that compares two rows: numbers by size, words by name, missing values last.
   function compare(key, up) {
     return (a, b) => {
       const x = a.dataset[key];

@@ -75,7 +75,7 @@ class ParameterPanels {
                           [&](const auto& setting) { return setting.first == drawn.name; });
   }
 
-  /// `colors`: some of the drawn values, if they are colours.
+  /// `colors`: some of the drawn values if the parameter is a colour; otherwise empty.
   void operator()(const std::vector<std::string>& colors) {
     const auto values = drawn_.Values();
     if (!values.empty()) {

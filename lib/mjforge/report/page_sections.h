@@ -19,8 +19,8 @@ namespace mjforge::report {
 struct Batch {
   ManifestSummary summary;
   std::optional<forge::Recipe> recipe;       // nullopt if the spec is missing or has changed
-  std::optional<ParameterTallies> expected;  // with the recipe
-  std::string spec_text;                     // with the recipe; empty if the text is too long
+  std::optional<ParameterTallies> expected;  // nullopt without a recipe
+  std::string spec_text;                     // empty without a recipe, or if the text is too long
   std::vector<std::string> notices;
 };
 

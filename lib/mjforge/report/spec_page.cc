@@ -13,7 +13,7 @@ namespace mjforge::report {
 namespace {
 
 constexpr std::uint64_t kSeed = 0x6d6a666f726765;  // seed of the draws for the charts
-constexpr std::size_t kMaxColors = 48;             // swatches of a parameter
+constexpr std::size_t kMaxColors = 48;             // largest number of swatches for a parameter
 
 void AddPicture(Dictionary& parent, const char* section, const GalleryPicture& picture) {
   Dictionary& shown = Section(parent, section);

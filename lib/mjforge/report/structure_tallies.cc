@@ -33,9 +33,9 @@ void AddNumber(double number, ParameterExtent& extent) {
   }
 }
 
-// Finds or adds the extent of a parameter, and advances `position`. The search starts at
-// `position`, because all records of a batch have the same parameters in the same order; lengths of
-// lists differ.
+// Finds or adds the extent of a parameter, and sets `position` to the position after this extent.
+// The search starts at `position`, because all records of a batch have the same parameters in the
+// same order; lengths of lists differ.
 ParameterExtent& At(std::size_t& position, const std::string& name,
                     std::vector<ParameterExtent>& extents) {
   auto found = extents.begin() + static_cast<std::ptrdiff_t>(std::min(position, extents.size()));

@@ -49,7 +49,7 @@ struct StructureTally {
 /// Tallies of the structures of a batch, in the order of their first variants.
 class StructureTallies {
  public:
-  /// Limit of different structures that are told apart.
+  /// Limit of different structures that are counted separately.
   static constexpr std::size_t kMaxStructures = 1000;
 
   void Add(const manifest::Record& record);
@@ -72,9 +72,9 @@ struct Separator {
   std::string parameter;
   Separation separation = Separation::kNone;
 };
-/// Returns the parameters that separate the groups, `groups[i]` being the group of `list()[i]`; a
-/// negative group excludes its structure. A range separates few variants by chance, so ranges are
-/// returned only if no parameter separates by its values.
+/// Returns the parameters that separate the groups, where `groups[i]` is the group of
+/// `structures[i]`; a negative group excludes its structure. A range separates few variants by
+/// chance, so ranges are returned only if no parameter separates by its values.
 std::vector<Separator> SeparatorsOf(const std::vector<StructureTally>& structures,
                                     const std::vector<int>& groups);
 

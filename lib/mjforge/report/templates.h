@@ -33,7 +33,7 @@ inline Dictionary& Section(Dictionary& parent, const char* name) {
   return *parent.AddSectionDictionary(name);
 }
 void Set(Dictionary& dictionary, const char* name, std::string_view value);
-void Set(Dictionary& dictionary, const char* name, double place);  // with one decimal
+void Set(Dictionary& dictionary, const char* name, double place);  // writes one decimal
 /// Shows a section with the text {{TEXT}}, unless the text is empty.
 void ShowText(Dictionary& parent, const char* section, std::string_view text);
 

@@ -15,7 +15,8 @@ using PartGroup = std::vector<std::size_t>;
 /// Returns the connected components of parts that are at most `gap` (m) apart; the heaviest first.
 std::vector<PartGroup> ConnectedGroups(std::span<const PlacedPart> parts, double gap);
 
-/// The part outside a group that is nearest to the group.
+/// Part outside a group that is nearest to the group. The distance is infinite if there is no such
+/// part.
 struct NearestPart {
   std::size_t index = 0;
   double distance = 0;  // m

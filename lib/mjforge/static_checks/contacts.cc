@@ -9,7 +9,7 @@ namespace {
 
 using diag::Code;
 
-constexpr double kMostHover = 0.001;  // m, above which a thing is seen to hover
+constexpr double kMostHover = 0.001;  // m; things that stop farther from a part visibly hover
 
 /// Returns the first number of an attribute; `usual`, which is MJCF's default, if the part does not
 /// set it.

@@ -22,7 +22,7 @@ using Kind = model::ExpectationKind;
 using PlacedParts = std::vector<PlacedPart>;
 
 constexpr double kTolerance = 1e-5;  // m, for bodies that must touch or be apart
-constexpr int kDigits = 3;
+constexpr int kDigits = 3;           // number of significant digits of lengths in messages
 
 // Formats the absolute value of a length: "0.132 mm".
 std::string LengthText(double length, int digits = kDigits) {
@@ -85,11 +85,12 @@ class ExpectationChecker {
     return placed.size() == 1 ? placed.front().part : nullptr;
   }
 
-  // Returns the parts with the name or, if a body has the name, the parts of that body and of the
-  // bodies fixed to it, except `other`. Visual parts are ignored if any part collides.
+  // Returns the parts named `name` or, if a body has this name, the parts of the body and of the
+  // bodies fixed to it, except `other`. Visual parts are ignored if any of these parts collides.
   PlacedParts PlacedPartsOf(const std::string& name, const model::Part* other) const {
     const auto body = std::ranges::find(object_.bodies, name, &model::Body::name);
-    std::vector<std::pair<const model::Part*, std::size_t>> parts;  // parts and indices of bodies
+    // Parts, and the indices of their bodies.
+    std::vector<std::pair<const model::Part*, std::size_t>> parts;
     for (std::size_t i = 0; i < object_.bodies.size(); ++i) {
       const bool is_part = body == object_.bodies.end();
       if (!is_part && Holder(i) != static_cast<std::size_t>(body - object_.bodies.begin()))
@@ -108,8 +109,9 @@ class ExpectationChecker {
     return placed;
   }
 
-  // Returns body `i` or the nearest ancestor to which it is fixed, whichever the expectation names
-  // first; without such a body, the highest ancestor to which body `i` is fixed.
+  // Returns the first body that the expectation names among body `i` and the ancestors to which
+  // body `i` is fixed. If the expectation names none of these, returns the highest ancestor to
+  // which body `i` is fixed.
   std::size_t Holder(std::size_t i) const {
     const auto is_named = [&](std::size_t at) {
       return object_.bodies[at].name == expectation_->first ||
@@ -219,7 +221,7 @@ class ExpectationChecker {
       const Vector3d from = FromHull(hull, point);
       if (from.norm() > way.norm()) way = from;
     }
-    // Refine: between the sampled points a round shape may be farther out.
+    // Refines the result, because a round shape may be farther out between the sampled points.
     for (int i = 0; i < 20 && way.norm() > 0; ++i) {
       const Vector3d from = FromHull(hull, FarthestPoint(placed, way));
       if (from.norm() <= way.norm() * (1 + 1e-9)) break;

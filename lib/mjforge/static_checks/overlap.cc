@@ -22,8 +22,8 @@ constexpr std::size_t kMostComparisons = 1'000'000;
 
 using Plane = Eigen::Hyperplane<double, 3>;
 
-/// Returns the planes of a convex mesh's faces, normals outwards; an empty list if the mesh is not
-/// convex.
+/// Returns the planes of a convex mesh's faces, with normals outwards. Returns an empty list if the
+/// mesh is not convex or too large to be tested.
 std::vector<Plane> FacesOf(const model::TriangleMesh& mesh, const model::Pose& X_WG) {
   if (mesh.vertices.size() * mesh.triangles.size() > kMostComparisons) return {};
   std::vector<Eigen::Vector3d> corners;
@@ -47,7 +47,7 @@ std::vector<Plane> FacesOf(const model::TriangleMesh& mesh, const model::Pose& X
   return faces;
 }
 
-/// A part, prepared for many tests whether it contains a point.
+/// A part, prepared for testing which of many points are inside the part.
 class Region {
  public:
   explicit Region(const PlacedPart& placed) : placed_(placed) {
@@ -138,9 +138,9 @@ class OverlapCount {
 
   std::span<const PlacedPart> parts_;
   std::vector<Region> regions_;
-  double mass_ = 0;
+  double mass_ = 0;  // kg, mass of all parts
   Overlap overlap_;
-  double most_ = 0;  // kg, shared by overlap_.first and overlap_.second
+  double most_ = 0;  // kg, mass shared by overlap_.first and overlap_.second
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 namespace mjforge::static_checks {
 
+/// Overlap of the parts of a body.
 struct Overlap {
   double mass = 0;  // kg, mass that is counted twice
   // Indices of the two parts that share the most mass.

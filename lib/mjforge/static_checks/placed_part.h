@@ -5,6 +5,7 @@
 
 namespace mjforge::static_checks {
 
+/// Part at a pose; the base class has the part's shape.
 struct PlacedPart : distance::PlacedShape {
   PlacedPart(const model::Part* of, const model::Pose& at)
       : distance::PlacedShape(of->shape, at), part(of) {}

@@ -30,8 +30,10 @@ constexpr double kNothing = 1e-12;  // smaller moments are zero
 // Distance of a visual part from all colliding parts, as a share of the body's size, above which
 // the part is reported.
 constexpr double kFar = 0.5;
-constexpr double kFaces = 1e-9;          // m, overlap of boxes whose faces only meet
-constexpr double kHullTolerance = 5e-4;  // for the centre of mass, as a share of the size
+constexpr double kFaces = 1e-9;  // m; boxes that overlap by less only meet at their faces
+// Largest distance of a body's centre of mass from the hull of its parts, as a share of the body's
+// size.
+constexpr double kHullTolerance = 5e-4;
 
 std::string OutsideOf(double value, const Eigen::Vector2d& range, std::string_view unit) {
   const bool low = value < range.x();
