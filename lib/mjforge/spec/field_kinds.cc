@@ -10,7 +10,7 @@
 namespace mjforge::spec {
 namespace {
 
-// Rows in the order of FieldKind.
+// One row per kind, in the order of FieldKind.
 constexpr std::array kFieldKinds = {
     FieldKindInfo{FieldKind::kNumber, "number", "", "a number"},
     FieldKindInfo{FieldKind::kInteger, "whole number", "", "a number"},
