@@ -262,7 +262,7 @@ class ParentChecker {
   Context& context_;
   const std::vector<BodyEntry>& bodies_;
   std::map<std::string_view, std::vector<std::size_t>> by_name_;
-  // Index of the first entry with a computed name
+  // Index of the first entry with a computed name.
   std::size_t composed_before_ = static_cast<std::size_t>(-1);
 };
 

@@ -75,7 +75,7 @@ struct PictureView {
     diag::SourceMark mark;
   };
   std::optional<double> azimuth;  // deg, direction of view about z; 0: along x
-  // Degrees, direction of view above the horizontal plane; -90: straight down
+  // Degrees, direction of view above the horizontal plane; -90: straight down.
   std::optional<double> elevation;
   std::vector<Position> pose;
 };
@@ -86,7 +86,7 @@ struct ObjectSpec {
   std::string file;              // name of the file in findings
   diag::SourceMark mark;         // beginning of the spec
   std::filesystem::path folder;  // base of relative paths
-  // All files read, in the order in which they were first read
+  // All files read, in the order in which they were first read.
   std::vector<std::filesystem::path> files;
   std::string sha256;  // hash of the texts of `files`, in hexadecimal
   /// The applied settings, from files and from the caller: name, YAML flow text.

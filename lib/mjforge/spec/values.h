@@ -109,7 +109,7 @@ struct PointLoop {
 /// z} in space, or {arc: [p, q, r]} through three points.
 struct Arc {
   std::shared_ptr<const Value> center;  // center, or the first of three points
-  // Radius, from, to and, in space, the axis; or the second and third point
+  // Radius, from, to and, in space, the axis; or the second and third point.
   std::vector<Value> measures;
   std::shared_ptr<const Value> steps;
 };
