@@ -11,7 +11,8 @@
 
 namespace mjforge::assemble {
 
-/// A chain of links of equal length. Each link begins at the end of the previous link, at -z.
+/// A chain of links of equal length, in which each link hangs along -z from the end of the previous
+/// link.
 struct Chain {
   int links = 0;
   double pitch = 0;                  // length of a link, m
