@@ -33,8 +33,8 @@ class Assembler {
   };
 
   /// `attachments` reads MJCF files; if it is null, a body with `mjcf:` is an error. `placer` finds
-  /// places for bodies; if it is null, a body with `place:` is an error. Both pointers must remain
-  /// valid during the lifetime of the assembler.
+  /// places for bodies; if it is null, a body with `place:` is an error. The two objects must
+  /// outlive the assembler.
   explicit Assembler(model::AttachmentSource* attachments = nullptr,
                      model::Placer* placer = nullptr)
       : attachments_(attachments), placer_(placer) {}

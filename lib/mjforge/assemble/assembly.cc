@@ -185,8 +185,8 @@ void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const model::Pose
   AddSpec(inner);
   MarkRootJointsRemoved(inner);
   if (!corner) return;
-  // Move the spec so that the lower corner of its parts is in place. That corner is known only
-  // after the parts were added.
+  // Move the spec so that the lower corner of its parts is in place. The corner is known only after
+  // the parts were added.
   const model::Box3 box = model::BoundsOf(body().parts, before.parts).aabb;
   if (box.empty()) return;
   Move(scope.X_BS * model::Pose{.p = FromCorner(X_SW.p, *scope.total_size, box.min)}, before,

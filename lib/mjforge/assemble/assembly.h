@@ -62,7 +62,8 @@ class Assembly {
   void ScaleObject(Scope& scope, std::size_t first_part, std::size_t first_body);
 
   // nested_specs.cc
-  /// Returns an evaluator of the entry's spec, with its parameters set; nullopt after a finding.
+  /// Returns an evaluator of the entry's spec, with its parameters set; nullopt after adding a
+  /// finding.
   std::optional<sample::Evaluator> SampleNested(Scope& scope, const spec::Entry& entry,
                                                 sample::StreamId path);
 

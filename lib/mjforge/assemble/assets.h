@@ -67,8 +67,8 @@ class Assets {
   /// Sets a body's mass properties to the sum of its parts' mass properties, unless an attached
   /// file specifies them.
   void SumMass(model::Body& body);
-  /// Adds the texture of a material and returns its index in Object::textures; nullopt after a
-  /// finding.
+  /// Adds the texture of a material and returns its index in Object::textures; nullopt after adding
+  /// a finding.
   std::optional<int> AddTexture(sample::Evaluator& values, const spec::Material& material,
                                 const std::string& name);
   /// Returns the index of a texture that equals `texture` and has the same name `own_name` in its

@@ -58,7 +58,7 @@ model::Element EqualityOf(std::string follower, std::string leader, sample::Numb
 }
 
 // Reads `turns:`, which gives the range of a screw. Leaves `range` unchanged if the entry has no
-// `turns:`. Returns false after a finding.
+// `turns:`. Returns false after adding a finding.
 bool ReadTurns(FieldReader& reader, const spec::Entry& screw,
                std::optional<Eigen::Vector2d>& range) {
   const spec::Field* field = screw.Find(Key::kTurns);
@@ -74,7 +74,7 @@ bool ReadTurns(FieldReader& reader, const spec::Entry& screw,
   return false;
 }
 
-// Returns the travel of a screw per full turn, m; nullopt after a finding.
+// Returns the travel of a screw per full turn, m; nullopt after adding a finding.
 std::optional<double> ReadLead(FieldReader& reader, const spec::Field& field) {
   const std::optional<double> lead = reader.Number(field);
   if (!lead || std::isfinite(2 * std::numbers::pi / *lead)) return lead;
@@ -83,7 +83,7 @@ std::optional<double> ReadLead(FieldReader& reader, const spec::Field& field) {
   return std::nullopt;
 }
 
-// Returns the five coefficients of the polynomial in `couple:`; nullopt after a finding.
+// Returns the five coefficients of the polynomial in `couple:`; nullopt after adding a finding.
 std::optional<sample::Numbers> ReadPolynomial(FieldReader& reader, const spec::Entry& couple) {
   sample::Numbers c = {0, 0};
   if (const spec::Field* field = couple.Find(Key::kPolycoef)) {

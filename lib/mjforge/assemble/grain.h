@@ -25,7 +25,7 @@ struct PartTexture {
 /// no texture of type "2d".
 PartTexture TextureOf(const model::Object& object, int material);
 
-/// Reads `grain:` of a part into `texture`. Returns false after a finding.
+/// Reads `grain:` of a part into `texture`. Returns false after adding a finding.
 bool ReadGrain(FieldReader& reader, const spec::Entry& entry, std::string_view type,
                PartTexture& texture);
 

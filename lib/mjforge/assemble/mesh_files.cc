@@ -145,8 +145,8 @@ void AddBinaryStl(std::string_view content, MeshBuilder& builder) {
   }
 }
 
-// Returns the coordinates of a line `vertex X Y Z`, given as words. They are rounded to the
-// precision of binary STL (float).
+// Returns the coordinates of a line `vertex X Y Z`, given as words, rounded to the precision of
+// binary STL (float).
 std::optional<Eigen::Vector3d> StlVertex(std::span<const std::string_view> words) {
   if (words.size() != 4) return std::nullopt;
   Eigen::Vector3d vertex;

@@ -14,8 +14,8 @@ namespace mjforge::assemble {
 /// The content of a mesh file, not scaled. Equal vertices are merged.
 struct MeshFile {
   model::TriangleMesh mesh;
-  /// True if MuJoCo 2.2 reads the same surface from the file. MuJoCo 2.2 rejects text STL. It reads
-  /// only the first shape of an OBJ file, and only faces with three or four corners.
+  /// True if MuJoCo 2.2 reads the same surface from the file. MuJoCo 2.2 rejects text STL. From an
+  /// OBJ file, MuJoCo 2.2 reads only the first shape, and only faces with three or four corners.
   bool fit_for_mujoco = true;
 };
 

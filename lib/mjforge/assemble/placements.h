@@ -68,7 +68,7 @@ class Placements {
   bool LeaveOut(const Request& request);
 
   // place_tries.cc
-  /// Draws a place. Returns nullopt after a finding, or if the body has been left out.
+  /// Draws a place. Returns nullopt after adding a finding, or if the body has been left out.
   std::optional<Trial> Draw(const Request& request, sample::StreamId path);
   /// Finds the region or site of `at:`, which must belong to a body that already has its place.
   bool ReadTarget(const Request& request, FieldReader& reader, Trial& trial);
@@ -82,7 +82,7 @@ class Placements {
   bool ReadBeside(const Request& request, sample::StreamId path, Trial& trial);
   bool ReadFacing(const Request& request, FieldReader& reader, model::PlaceTry& where);
   bool ReadLying(const Request& request, FieldReader& reader, sample::StreamId path, Trial& trial);
-  /// Returns the stable poses of the body. They are computed when the body is tried first.
+  /// Returns the stable poses of the body, which are computed when the body is tried first.
   const std::vector<model::StablePose>& StablePosesOf(const Request& request);
   /// Returns the index of the body that a field names; nullopt if that body does not have its place
   /// yet.

@@ -23,7 +23,8 @@ struct Segment {
 std::optional<Segment> ReadFromTo(FieldReader& reader, const spec::Field& field,
                                   const spec::Field* up);
 
-/// Returns the unit vector in the direction of a field's three numbers; nullopt after a finding.
+/// Returns the unit vector in the direction of a field's three numbers; nullopt after adding a
+/// finding.
 std::optional<Eigen::Vector3d> ReadDirection(FieldReader& reader, const spec::Field& field);
 
 }  // namespace mjforge::assemble

@@ -1,5 +1,5 @@
-// References between elements by name, such as a sensor's joint. They are checked after all
-// elements were added.
+// References between elements by name, such as a sensor's joint; checked after all elements were
+// added.
 
 #pragma once
 

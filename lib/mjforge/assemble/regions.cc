@@ -110,7 +110,7 @@ bool ReadExtent(FieldReader& reader, const spec::Entry& entry, std::string_view 
 }
 
 // Reads a length into `out`. Leaves `out` unchanged if the entry does not have the key. Returns
-// false after a finding.
+// false after adding a finding.
 bool ReadLength(FieldReader& reader, const spec::Entry& entry, Key key, double& out) {
   const spec::Field* field = entry.Find(key);
   if (field == nullptr) return true;

@@ -31,7 +31,7 @@ class Repetition {
 
  private:
   /// Returns the number of instances of the loops from index `depth` on, without regard to
-  /// conditions; -1 after a finding.
+  /// conditions; -1 after adding a finding.
   long CountInstances(const spec::Entry& entry, std::size_t depth, sample::Evaluator& values,
                       long limit);
   bool Walk(const spec::Entry& entry, std::size_t depth, sample::Evaluator& values,

@@ -13,7 +13,7 @@
 
 namespace mjforge::assemble {
 
-/// A material of a spec. It is evaluated when an element first uses it.
+/// A material of a spec, which is evaluated when an element first uses it.
 struct MaterialState {
   bool is_evaluated = false;
   int index = -1;  // index in Object::materials; -1 if it has only a density or contact attributes
@@ -64,18 +64,18 @@ struct Scope {
 /// spec `inner`.
 void SetSubstitutes(Scope& scope, const spec::Entry& entry, sample::StreamId path, Scope& inner);
 
-/// Returns the name of an entry's current instance, as in the spec; nullopt after a finding.
+/// Returns the name of an entry's current instance, as in the spec; nullopt after adding a finding.
 std::optional<std::string> ReadName(Scope& scope, const spec::Entry& entry, sample::StreamId list,
                                     diag::Findings& findings);
 
 /// Reads an element's attributes into `out`, which must be empty: first the attributes of the
 /// element's entry, then missing ones from `of_material`, then missing ones from the defaults.
-/// Returns false after a finding.
+/// Returns false after adding a finding.
 bool ReadAttributes(FieldReader& reader, const spec::Entry& entry,
                     std::vector<model::Attribute>& out,
                     std::span<const model::Attribute> of_material = {});
 
-/// Reads the type, the position and the axis of a joint. Returns false after a finding.
+/// Reads the type, the position and the axis of a joint. Returns false after adding a finding.
 bool ReadJointGeometry(FieldReader& reader, const spec::Entry& entry, model::Joint& joint);
 
 /// Returns the position of an element's origin for `placement: corner`. `p` is the required

@@ -18,7 +18,7 @@ struct ShapePlacement {
   model::Pose X_FG;
   std::vector<model::Part> pieces;
 };
-/// Sets the part's shape and mesh. Returns nullopt after a finding.
+/// Sets the part's shape and mesh. Returns nullopt after adding a finding.
 std::optional<ShapePlacement> ReadShape(FieldReader& reader, const spec::Entry& entry,
                                         const std::filesystem::path& folder, PartTexture texture,
                                         Assets& assets, model::Part& part);

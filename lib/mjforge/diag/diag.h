@@ -72,7 +72,7 @@ struct Finding {
   Code code = Code::kYamlSyntax;
   SourceMark mark;
   std::string message;      // a single line without a final full stop
-  std::string hint;         // how to correct the error; may be empty
+  std::string hint;         // remedy; may be empty
   std::vector<Note> notes;  // related places
   // Seed of the variant; nullopt if the finding is about the spec.
   std::optional<std::uint64_t> seed;

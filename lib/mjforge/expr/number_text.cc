@@ -29,8 +29,8 @@ struct Decimal {
 };
 
 // Returns the value times 10^(9 - exponent), which has ten digits before the point. Returns nullopt
-// if the power of ten is not exact. Both factors are exact, so the error of the product is at most
-// half a unit in the last place, about 1e-6 for a product below 1e10.
+// if the power of ten is not exact. The two factors are exact, so the error of the product is at
+// most half a unit in the last place, about 1e-6 for a product below 1e10.
 std::optional<double> Scaled(double magnitude, int exponent) {
   const int shift = kDigits - 1 - exponent;
   if (shift >= 0 && shift <= kLargestPower) return magnitude * kPowers[static_cast<size_t>(shift)];

@@ -16,8 +16,8 @@ std::string SpeedText(double speed);
 /// ball (rad) in deg.
 std::string DistanceText(bool is_slide, double distance);
 
-/// Texts of a number and of the limit that it exceeds. Both have as few digits as possible, but at
-/// least three, and enough to show on which side of the limit the number is.
+/// Texts of a number and of the limit that it exceeds. The texts have as few digits as possible,
+/// but at least three, and enough to show on which side of the limit the number is.
 struct ExceededLimit {
   ExceededLimit(double number, double bound);
 

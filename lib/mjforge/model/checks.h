@@ -82,8 +82,8 @@ struct PartCheck {
   bool operator==(const PartCheck&) const = default;
 };
 
-/// Limits for some joints, which are driven or at rest. They replace the limits of Checks. Names
-/// are written as in the spec, without the object's prefix.
+/// Limits for some joints, driven or at rest, which replace the limits of Checks. Names are written
+/// as in the spec, without the object's prefix.
 struct JointCheck {
   std::vector<std::string> joints = {};  // joints that are driven simultaneously
   /// Positions of other joints while `joints` are driven: rad or m; w, x, y, z for a ball joint.
@@ -129,7 +129,7 @@ struct Checks {
   double joint_return = 0.05;              // maximum, relative to the range
   double equality_error = 0.02;            // relative to joint 1's travel or to the object's size
   double hinge_range = 6.283185307179586;  // rad, widest range of an uncoupled hinge
-  double slide_range = 3;                  // of an uncoupled slide / object's longest side
+  double slide_range = 3;                  // widest, uncoupled slide / object's longest side
   // Limits that are checked without a simulation.
   std::vector<PartCheck> parts;
   Eigen::Vector2d density = {20, 22'000};      // kg/m^3, lowest and highest density of a part

@@ -94,8 +94,8 @@ struct Part {
   /// Mass properties of the exact solid at 1 kg/m^3, in the geom's frame G. If nullopt, `shape` is
   /// exact.
   std::optional<MassProperties> solid;
-  /// Convex hull of the exact solid, in the solid's frame S. If null, `shape` has the same hull.
-  /// One piece of each solid has the hull of the whole solid; the other pieces have an empty hull.
+  /// Convex hull of the exact solid, in the solid's frame S. If null, `shape` has the same hull. A
+  /// single piece of each solid has the hull of the whole solid; all others have an empty hull.
   std::shared_ptr<const solid::Extent> extent;
   Pose X_GS;
   bool is_shell = false;  // true: mass on the mesh's surface; `solid->mass` is its area
@@ -172,7 +172,7 @@ struct Object {
   std::vector<Texture> textures;
   std::vector<std::unique_ptr<MeshAsset>> meshes;  // equal meshes only once
   std::vector<Section> sections;                   // in the order of spec::Sections()
-  /// One setpoint per actuator, in the order of actuators; empty if all actuators start at 0.
+  /// Setpoints of all actuators, in the actuators' order; empty if all actuators start at 0.
   std::vector<Setpoint> setpoints;
   Bounds bounds;
   MassProperties mass_properties;       // in W, at the start state
@@ -181,7 +181,7 @@ struct Object {
   std::vector<Expectation> expectations;
   std::vector<Pile> piles;
   std::vector<std::string> left_out;  // full names of bodies for which no place was found
-  std::vector<diag::Finding> unmet;   // one finding for each violated condition of `expect:`
+  std::vector<diag::Finding> unmet;   // findings, one for each violated condition of `expect:`
 };
 
 /// Returns the pose X_WB of every body at the start state. W is the object's frame, in which X_PB

@@ -15,7 +15,7 @@ namespace mjforge::model {
 /// Bodies that fall into a region in a simulation with MuJoCo. Their poses when they come to rest
 /// become their start poses.
 struct Pile {
-  /// Largest penetration depth at rest, m. It is not 0, because MuJoCo's contacts are soft.
+  /// Largest penetration depth at rest, m. The depth is not 0, because MuJoCo's contacts are soft.
   static constexpr double kMostDepth = 0.002;
 
   struct Item {

@@ -42,9 +42,9 @@ struct MassProperties {
 
 double Volume(const Shape& shape);  // m^3
 
-/// Returns the mass properties in the shape's frame for a uniform density, kg/m^3. They are
-/// computed by closed forms, and for meshes by the divergence theorem (Mirtich, "Fast and accurate
-/// computation of polyhedral mass properties", 1996; Tonon, 2004).
+/// Returns the mass properties in the shape's frame for a uniform density, kg/m^3. The method is a
+/// closed form, and for meshes the divergence theorem (Mirtich, "Fast and accurate computation of
+/// polyhedral mass properties", 1996; Tonon, 2004).
 MassProperties MassOf(const Shape& shape, double density);
 
 /// Returns the mass properties of a mesh as a thin shell with 1 kg/m^2.

@@ -36,7 +36,7 @@ std::vector<std::uint64_t> LargestRemainder(std::span<const double> weights, std
   std::erase_if(order, [&](std::size_t i) { return weights[i] == 0; });
   std::ranges::stable_sort(
       order, [&](std::size_t a, std::size_t b) { return remainders[a] > remainders[b]; });
-  // One round is enough, except when rounding errors of huge totals leave more items.
+  // A single round is enough, except when rounding errors of huge totals leave more items.
   for (std::size_t i = 0; left > 0; i = (i + 1) % order.size(), --left) ++counts[order[i]];
   return counts;
 }

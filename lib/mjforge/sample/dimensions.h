@@ -22,12 +22,12 @@ struct DrawnStream {
   std::optional<double> split;
 };
 
-/// Returns the root stream of an outermost spec. It depends on the spec's name, so that two specs
-/// with the same seed draw different numbers.
+/// Returns the root stream of an outermost spec. The stream depends on the spec's name, so that two
+/// specs with the same seed draw different numbers.
 inline StreamId RootStream(const spec::ObjectSpec& spec) { return Child(kRootStream, spec.name); }
 
-/// Returns the root stream of an imported file. It depends only on the file's name, so that all
-/// specs that import the file draw the same values.
+/// Returns the root stream of an imported file. The stream depends only on the file's name, so that
+/// all specs that import the file draw the same values.
 inline StreamId SharedStream(const spec::ObjectSpec& shared) {
   return Child(Child(kRootStream, "import"), shared.name);
 }

@@ -54,8 +54,8 @@ std::size_t WeightedIndex(std::span<const double> weights, double u);
 /// with w >= 0. Source: Shoemake, "Uniform random rotations", Graphics Gems III, 1992.
 std::array<double, 4> UniformRotation(double u0, double u1, double u2);
 
-/// Returns a uniformly distributed point of the unit sphere from two uniform numbers. By
-/// Archimedes' theorem, its z is uniformly distributed.
+/// Returns a uniformly distributed point of the unit sphere from two uniform numbers. The z of the
+/// point is uniformly distributed (Archimedes' theorem).
 std::array<double, 3> UniformDirection(double u0, double u1);
 
 /// Converts hue, saturation and value to red, green and blue, all in [0, 1]. Source: Smith, "Color

@@ -104,8 +104,8 @@ class CircleThrough {
   double to_last_ = 0;
 };
 
-// Reader of one list of points. Member functions return false after a finding, or if the list has
-// too many points.
+// Reader of one list of points. Member functions return false after adding a finding, or if the
+// list has too many points.
 class PointReader {
  public:
   explicit PointReader(Evaluator& values) : values_(values) {}

@@ -27,7 +27,7 @@ double PlacesFor(double width) {
   return std::ceil(kSignificantDigits - std::log10(width) - kLogTolerance);
 }
 
-// Rounds to a multiple of 10^-places. Both operands of the last operation are exact, so that the
+// Rounds to a multiple of 10^-places. The operands of the last operation are exact, so that the
 // result is the double nearest to the decimal.
 double RoundByScaling(double value, int places) {
   const double power = kPowersOfTen[std::abs(places)];

@@ -137,8 +137,8 @@ class Evaluator {
   /// Returns the draw of a value that is a choice, a cycle or a column of a record; null for other
   /// values.
   static const spec::Draw* ChoiceOf(const spec::Value& value);
-  /// Chooses an option, and replaces `path` by the stream of the option. Returns null after a
-  /// finding.
+  /// Chooses an option, and replaces `path` by the stream of the option. Returns null after adding
+  /// a finding.
   const spec::Value* Choose(const spec::Draw& draw, diag::SourceMark mark, StreamId& path);
   /// Returns the option of a record's column that belongs to the drawn key of the record.
   const spec::Value* ChooseRow(const spec::Draw& draw, diag::SourceMark mark, StreamId& path);
@@ -157,10 +157,10 @@ class Evaluator {
   StreamId root_;
   diag::Findings* findings_;
   const Sampler* sampler_;
-  std::vector<double> variables_;      // by slot; NaN if failed or not set
-  std::vector<std::string> texts_;     // by slot
-  std::vector<expr::Sequence> lists_;  // by number of the list
-  // By number of the list; empty for lists without texts.
+  std::vector<double> variables_;      // indexed by slot; NaN if failed or not set
+  std::vector<std::string> texts_;     // indexed by slot
+  std::vector<expr::Sequence> lists_;  // indexed by number of the list
+  // Indexed by number of the list; empty for lists without texts.
   std::vector<std::vector<std::string>> list_texts_;
   std::vector<Evaluator> shared_;  // evaluators of spec_.shared, the imported specs
   bool failed_ = false;
@@ -169,7 +169,7 @@ class Evaluator {
 /// Number of rejected draws after which the requirements are reported as impossible.
 inline constexpr std::uint64_t kMaxAttempts = 1000;
 
-/// Returns an evaluator after its Sample() drew the parameters; nullopt after a finding.
+/// Returns an evaluator after its Sample() drew the parameters; nullopt after adding a finding.
 std::optional<Evaluator> Sample(const spec::ObjectSpec& spec, DrawKey key, StreamId root,
                                 Evaluator::Overrides overrides, diag::Findings& findings,
                                 const Sampler* sampler = nullptr);

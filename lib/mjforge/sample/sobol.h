@@ -30,7 +30,7 @@ class Sobol {
 
  private:
   struct Dimension {
-    std::array<std::uint64_t, 64> directions;  // one direction number for each bit of the index
+    std::array<std::uint64_t, 64> directions;  // direction number for each bit of the index
     std::uint64_t key;                         // scrambling key
   };
   struct Dimensions {

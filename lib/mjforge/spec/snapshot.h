@@ -31,9 +31,9 @@ struct Snapshot {
   /// the reference.
   std::map<std::pair<std::filesystem::path, std::string>, std::filesystem::path> found;
   Texts texts;  // text of each file; the key is the canonical path
-  /// Texts of parameter files (LoadOptions::parameter_files), by canonical path. They are separate
-  /// from `texts`, because a snapshot that was written beside a batch may be used with other
-  /// parameter files.
+  /// Texts of parameter files (LoadOptions::parameter_files), by canonical path. Not part of
+  /// `texts`, because a snapshot that was written beside a batch may be used with other parameter
+  /// files.
   Texts parameter_texts;
   /// Parsed texts, by the same paths as in `texts`. SnapshotText() does not write them.
   std::map<std::filesystem::path, std::shared_ptr<const YamlNode>> parsed;

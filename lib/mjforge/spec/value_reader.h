@@ -92,7 +92,7 @@ class ValueReader {
   void AddUses(const ValueReader& other) { uses_.Add(other.uses_); }
   /// Reports errors in the body of a function. Its arguments must be declared.
   void CheckBody(const expr::Formula& formula);
-  /// Reads text without interpolation. Returns an empty text after a finding.
+  /// Reads text without interpolation. Returns an empty text after adding a finding.
   std::string ReadPlainText(std::string_view what, const YamlNode& node);
 
  private:

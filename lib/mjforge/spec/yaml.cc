@@ -39,7 +39,7 @@ std::size_t CountNodes(const YamlNode& node, std::size_t limit) {
   return count;
 }
 
-// Exception that stops yaml-cpp's parser after a finding.
+// Exception that stops yaml-cpp's parser after a finding was added.
 struct Stop {};
 
 class TreeBuilder : public YAML::EventHandler {
