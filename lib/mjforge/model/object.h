@@ -27,9 +27,8 @@
 
 namespace mjforge::model {
 
-/// Maximum number of parts of an object. MuJoCo's loading time grows with the square of this
-/// number; an object of the maximum size loads within the default time limit even on a machine half
-/// as fast as ours.
+/// Maximum number of parts of an object. MuJoCo's loading time grows with the square of the number
+/// of parts; for the maximum, it is within the default time limit even on a slow machine.
 inline constexpr int kMaxParts = 40'000;
 
 /// Suffix of the visual geom of a part with two geoms; the collision geom has the part's name.
