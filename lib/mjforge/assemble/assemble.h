@@ -1,7 +1,7 @@
-// Assembly of objects: ObjectSpec + drawn values -> Object, with checks of everything that MuJoCo
-// would not notice or would not explain.
+// Assembly of objects: computes an Object from an ObjectSpec and drawn values, with checks of
+// everything that MuJoCo would not notice or would not explain.
 //
-// The assembler asks the evaluator for one value after the other while it adds elements, and
+// The assembler requests one value after the other from the evaluator while it adds elements, and
 // computes every number of the Object from these values.
 
 #pragma once
@@ -20,25 +20,26 @@
 namespace mjforge::assemble {
 
 /// Builds the objects of variants. Caches mesh files, texture files and solids, because most
-/// variants use the same ones again.
+/// variants of a spec use the same ones.
 class Assembler {
  public:
   struct Options {
-    std::string name;       // name of the object; empty: that of the spec
-    bool prefix = true;     // begin each element's name with the object's and "_"
-    std::string root = {};  // name of the root body; empty: that of the object
-    /// Additional seed, for the draws of `place:` only; nullopt: these draws depend on the
-    /// variant's seed alone.
+    std::string name;       // name of the object; empty: the spec's name
+    bool prefix = true;     // true: each element's name begins with the object's name and "_"
+    std::string root = {};  // name of the root body; empty: the object's name
+    /// Additional seed that affects only the draws of `place:`. If nullopt, these draws depend on
+    /// the variant's seed alone.
     std::optional<std::uint64_t> place_seed = {};
   };
 
   /// `attachments` reads MJCF files; if it is null, a body with `mjcf:` is an error. `placer` finds
-  /// places; if it is null, a body with `place:` is an error. The assembler must not outlive them.
+  /// places for bodies; if it is null, a body with `place:` is an error. The two objects must
+  /// outlive the assembler.
   explicit Assembler(model::AttachmentSource* attachments = nullptr,
                      model::Placer* placer = nullptr)
       : attachments_(attachments), placer_(placer) {}
 
-  /// Returns the object; nullopt after an error, which is added to the findings.
+  /// Returns the object of one variant. Returns nullopt, and adds a finding, if there is an error.
   std::optional<model::Object> Assemble(sample::Evaluator& values, const Options& options,
                                         diag::Findings& findings);
 
@@ -46,19 +47,20 @@ class Assembler {
     bool exists = false;
     bool unreadable = false;
     std::optional<solid::TriangleMesh> mesh;
-    std::string why_not;                        // reason, if there is no mesh
-    std::optional<std::string> surface_defect;  // see FindSurfaceDefect
+    std::string why_not;                        // reason why `mesh` is nullopt
+    std::optional<std::string> surface_defect;  // result of FindSurfaceDefect()
     bool fit_for_mujoco = true;                 // see MeshFile::fit_for_mujoco
   };
-  /// Returns the unscaled mesh of a file, which is read only once.
+  /// Returns the content of a mesh file, not scaled. Each file is read only once.
   const CachedMesh& ReadMesh(const std::filesystem::path& file);
 
   struct CachedTexture {
     bool exists = false;
-    std::optional<std::uint64_t> pixels;  // nullopt if the file is not PNG or cannot be read
-    std::string why_not;                  // reason, if the file cannot be read
+    // Count of pixels; nullopt if the file is not a PNG file or cannot be read.
+    std::optional<std::uint64_t> pixels;
+    std::string why_not;  // reason why `pixels` is nullopt
   };
-  /// Returns the size of a picture, whose file is read only once.
+  /// Returns the count of pixels of a picture. Each file is read only once.
   const CachedTexture& ReadTexture(const std::filesystem::path& file);
 
   model::AttachmentSource* attachments() const { return attachments_; }

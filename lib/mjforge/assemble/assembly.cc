@@ -92,7 +92,7 @@ void Assembly::AddSpec(Scope& scope) {
   if (spec.mass) ScaleObject(scope, first_part, first_body);
   const std::size_t before = findings_.size();
   SetWholeProperties(scope);
-  // Skips the joints after an error, because they would report the same error again.
+  // Skip the joints after an error, because they would report the same error again.
   const bool has_all = !findings_.HasErrors(before);
   if (has_all) AddListedJoints(scope);
   if (!spec.sections.empty()) sections_.Add(scope, &spec == spec_);
@@ -150,19 +150,20 @@ void Assembly::AddParts(Scope& scope, const std::vector<spec::Entry>& entries,
   }
 }
 
-// The name of a frame is optional, because only draws of the frame's pose depend on it.
+// Adds the parts of a frame. The name of the frame is optional, because it affects only draws in
+// the frame's pose.
 void Assembly::AddFrame(Scope& scope, const spec::Entry& entry, const model::Pose& X_SF) {
   const sample::StreamId frames = sample::Child(scope.parts, "frames");
   const std::string name = scope.values.Text(entry.name, frames).value_or("");
   FieldReader reader(scope.values, findings_, "frame", name,
                      sample::Child(frames, std::string_view(name)));
   const std::optional<model::Pose> X_FChild = ReadPose(reader, entry);
-  // Checks the frame's parts for other errors even if the pose of the frame is invalid.
+  // Check the parts of the frame for other errors even if the pose of the frame is invalid.
   AddParts(scope, entry.children, X_SF * X_FChild.value_or(model::Pose()));
 }
 
-// Counts specs even if they are empty: if each spec contains the next one twice, the number of
-// specs doubles with each level of nesting.
+// Adds a welded spec. Empty specs are counted, too: if each spec contains the next one twice, the
+// number of specs doubles with each level of nesting.
 void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const model::Pose& X_SF) {
   if (!HasRoomFor("specs in it", spec_count_++, entry.mark)) return;
   const std::optional<std::string> name = ReadName(scope, entry, scope.parts, findings_);
@@ -184,7 +185,8 @@ void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const model::Pose
   AddSpec(inner);
   MarkRootJointsRemoved(inner);
   if (!corner) return;
-  // Places the spec by the lower corner of its parts, which is known only after they were added.
+  // Move the spec so that the lower corner of its parts is in place. The corner is known only after
+  // the parts were added.
   const model::Box3 box = model::BoundsOf(body().parts, before.parts).aabb;
   if (box.empty()) return;
   Move(scope.X_BS * model::Pose{.p = FromCorner(X_SW.p, *scope.total_size, box.min)}, before,

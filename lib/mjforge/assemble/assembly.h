@@ -27,7 +27,7 @@ namespace mjforge::assemble {
 /// The state of one assembly. An instance builds one object.
 class Assembly {
  public:
-  /// Leaves out the bodies in `left_out`, and adds optional bodies to it that find no place.
+  /// Leaves out the bodies in `left_out`. Adds optional bodies for which no place is found to it.
   Assembly(Assembler& assembler, std::set<std::string>& left_out, diag::Findings& findings)
       : findings_(findings),
         placer_(assembler.placer()),
@@ -46,23 +46,24 @@ class Assembly {
   void AddParts(Scope& scope, const std::vector<spec::Entry>& entries, const model::Pose& X_SF);
   void AddFrame(Scope& scope, const spec::Entry& entry, const model::Pose& X_SF);
   void AddWeld(Scope& scope, const spec::Entry& entry, const model::Pose& X_SF);
-  /// Counts of the elements of the current body, and of all bodies.
+  /// Counts of the elements of the current body, and the count of all bodies.
   struct ElementCounts {
     std::size_t parts, sites, regions, views, bodies;
   };
   ElementCounts CountElements();
-  /// Moves the elements added since `from` was counted: parts, sites, regions and views of the
-  /// current body, and children of the body `parent`.
+  /// Moves the elements that were added after the counts `from`: parts, sites, regions and views of
+  /// the current body, and bodies whose parent is `parent`.
   void Move(const model::Pose& X_BC, const ElementCounts& from, int parent);
-  /// Returns true if `count` is less than kMaxParts. Otherwise, and only once, reports that the
-  /// object has too many `what` ("bodies").
+  /// Returns true if `count` is less than kMaxParts. Otherwise returns false, and reports once that
+  /// the object has too many `what` ("bodies").
   bool HasRoomFor(std::string_view what, std::size_t count, diag::SourceMark mark);
   void ReadTotalSize(Scope& scope);
   void ReadStartForm(Scope& scope);
   void ScaleObject(Scope& scope, std::size_t first_part, std::size_t first_body);
 
   // nested_specs.cc
-  /// Returns the values of an entry's spec, with its parameters set; nullopt after a finding.
+  /// Returns an evaluator of the entry's spec, with its parameters set; nullopt after adding a
+  /// finding.
   std::optional<sample::Evaluator> SampleNested(Scope& scope, const spec::Entry& entry,
                                                 sample::StreamId path);
 
@@ -82,20 +83,20 @@ class Assembly {
   model::Bounds AddContents(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
                             const std::string& name, const Link& link);
   void AddOwnJoints(const spec::BodyEntry& entry, const Link& link);
-  /// Adds the parts, nested spec or MJCF body of the entry to the current body, the last body.
+  /// Adds the parts, nested spec or MJCF body of the entry to the last body, the current one.
   void Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
             const std::string& name, const Link& link);
   void PlaceBody(Scope& scope, FieldReader& reader, const spec::Entry& entry,
                  const model::Bounds& bounds, model::Body& body);
   int ParentOf(Scope& scope, FieldReader& reader, const spec::Entry& entry);
-  /// Returns the angle of `front:` of a spec about z, counter-clockwise from -y, rad.
+  /// Returns the angle of a spec's `front:`, in rad, counter-clockwise about z from -y.
   double FrontOf(Scope& scope);
   using JointedVisitor = std::function<void(const spec::BodyEntry&, std::size_t body)>;
-  /// Sets the variables of each body with a list of joints, then calls `visit` with the body.
+  /// For each body with a list of joints: sets the variables of its entry, then calls `visit`.
   void ForEachJointed(Scope& scope, const JointedVisitor& visit);
-  /// Returns the stream of the joints of a body of the spec.
+  /// Returns the random stream of a body's joints.
   sample::StreamId JointsOf(const Scope& scope, std::size_t body) const;
-  /// Adds the listed joints of the spec. Their expressions may use properties of all its bodies.
+  /// Adds the joints of all lists. Their expressions may use properties of all bodies of the spec.
   void AddListedJoints(Scope& scope);
   /// Sets the variables for the properties of a body, such as NAME.top and NAME.mass.
   void SetProperties(Scope& scope, const spec::BodyEntry& entry, const model::Bounds& bounds,
@@ -110,8 +111,8 @@ class Assembly {
   void Finish(Scope& scope);  // finish.cc
 
   // positions.cc
-  /// Returns the position as numbers of qpos; nullopt, after adding a finding, if the joint cannot
-  /// have this position. `what` is the key in messages.
+  /// Converts a position to numbers of qpos. Returns nullopt, and adds a finding, if the joint
+  /// cannot have this position. `what` is the key in messages ("pose").
   std::optional<sample::Numbers> ToQpos(std::string_view what, const RequestedPosition& position,
                                         const model::Joint& joint);
   void ReportUnknownJoint(std::string_view what, const RequestedPosition& position);
@@ -120,18 +121,18 @@ class Assembly {
   /// Reads `pose:` of a spec into starts_.
   void ReadStarts(Scope& scope);
   void ReadStart(Scope& scope, const spec::Entry& entry, sample::StreamId pose);
-  /// Applies the elements of starts_ from `first` on, which belong to the spec of the scope, to the
-  /// current body and the bodies from `first_body` on. Starts of outer specs are applied later and
-  /// so override those of inner specs.
+  /// Applies the starts of the scope's spec, which are the items of starts_ from `first` on, to the
+  /// current body and the bodies from `first_body` on. Starts of outer specs are applied later, so
+  /// that they override the starts of inner specs.
   void ApplyStarts(const Scope& scope, std::size_t first, std::size_t first_body);
   void ApplyStart(const Scope& scope, const RequestedStart& start, model::Body& of,
                   model::Joint& joint);
   void ApplySetpoint(RequestedStart& start);
-  /// Reports starts whose joint or actuator did not exist when its spec was complete.
+  /// Reports starts whose joint or actuator does not exist when their spec is complete.
   void ReportLostStarts();
 
   // expectations.cc
-  /// Evaluates the conditions of `expect:`, and reads its other entries.
+  /// Evaluates the conditions of `expect:`, and adds its other entries to the object.
   void AddExpectations(Scope& scope);
   void AddExpectation(Scope& scope, const spec::Expectation& entry);
   /// Returns the full name of a body or part; nullopt, after adding a finding, if none exists.
@@ -140,8 +141,8 @@ class Assembly {
 
   // parts.cc
   void AddPart(Scope& scope, const spec::Entry& entry, const model::Pose& X_SF);
-  /// Adds the part to the current body. A part with convex pieces becomes visual; its pieces, with
-  /// poses in the part's frame, collide.
+  /// Adds the part to the current body. If the part has convex pieces, given with poses in its
+  /// frame, the part becomes visual and the pieces collide.
   void AddWithPieces(model::Part part, std::vector<model::Part> pieces);
   bool ReadMaterial(Scope& scope, FieldReader& reader, const spec::Entry& entry, model::Part& part,
                     const MaterialState*& material);
@@ -151,7 +152,7 @@ class Assembly {
   bool SetDensity(FieldReader& reader, const spec::Field& field, double density, model::Part& part);
 
   // views.cc
-  /// Adds cameras and lights; `path` is the stream of their body.
+  /// Adds cameras and lights to the current body; `path` is the random stream of the body.
   void AddViews(Scope& scope, const std::vector<spec::Entry>& entries, sample::StreamId path);
   void AddView(Scope& scope, const spec::Entry& entry, sample::StreamId list);
 
@@ -159,8 +160,8 @@ class Assembly {
   void AddSites(Scope& scope, const std::vector<spec::Entry>& entries, sample::StreamId sites);
   void AddSite(Scope& scope, const spec::Entry& entry, sample::StreamId sites);
   // regions.cc
-  /// Adds regions of the current body; `owner` is the prefix of their names in the spec, empty for
-  /// the spec's root body.
+  /// Adds regions to the current body. `owner` is the prefix of their names in the spec, which is
+  /// empty for the spec's root body.
   void AddRegions(Scope& scope, const std::vector<spec::Entry>& entries, std::string_view owner,
                   sample::StreamId regions);
   void AddRegion(Scope& scope, const spec::Entry& entry, std::string_view owner,
@@ -186,13 +187,13 @@ class Assembly {
   Couplings couplings_{sections_, references_};
   Attacher attacher_;
   const spec::ObjectSpec* spec_ = nullptr;       // the outermost spec
-  std::size_t current_body_ = 0;                 // index of the body that elements are added to
+  std::size_t current_body_ = 0;                 // index of the body to which elements are added
   std::size_t part_count_ = 0;                   // number of parts in all bodies
-  std::size_t spec_count_ = 0;                   // number of welded specs
-  bool is_full_ = false;                         // kMaxParts was exceeded and reported
+  std::size_t spec_count_ = 0;                   // count of specs used as parts (welded)
+  bool is_full_ = false;                         // true after kMaxParts was exceeded and reported
   std::unordered_map<std::string, int> bodies_;  // body indices by full name
-  std::vector<RequestedStart> starts_;           // starts of specs that are not complete
-  std::vector<RequestedStart> lost_starts_;      // starts of missing joints or actuators
+  std::vector<RequestedStart> starts_;           // starts of specs that are not complete yet
+  std::vector<RequestedStart> lost_starts_;      // starts whose joint or actuator does not exist
   std::vector<FaceSearch> face_searches_;
 };
 

@@ -11,13 +11,14 @@ namespace mjforge::assemble {
 using diag::Code;
 using spec::Key;
 
-// Renames the copies of an attachment's elements, and replaces their indices and references.
+// Renames the copied elements of an attachment, and adapts their indices and references.
 class Renamer {
  public:
   Renamer(const model::Attachment& attachment, std::string prefix, std::string root)
       : attachment_(attachment), prefix_(std::move(prefix)), root_(std::move(root)) {}
 
-  /// Indices of materials and meshes in the object, by their index in the attachment.
+  /// Indices of materials and meshes in the object. Each list is indexed by the index in the
+  /// attachment.
   std::vector<int> materials;
   std::vector<int> meshes;
 
@@ -54,7 +55,7 @@ class Renamer {
 
   const model::Attachment& attachment_;
   std::string prefix_;
-  std::string root_;  // a copy, because Object::bodies grows meanwhile
+  std::string root_;  // a copy of the name, because Object::bodies grows meanwhile
 };
 
 std::size_t Attacher::Add(Scope& scope, FieldReader& reader, const spec::Entry& entry,
@@ -66,7 +67,8 @@ std::size_t Attacher::Add(Scope& scope, FieldReader& reader, const spec::Entry& 
   if (!file || !body_name) return 0;
   const spec::Field* asked = entry.Find(Key::kBody) != nullptr ? entry.Find(Key::kBody) : &field;
   const std::filesystem::path path = (scope.values.spec().folder / *file).lexically_normal();
-  // Calls Attach() once per file and body, because each call adds the findings of the file again.
+  // Call Attach() only once per file and body, because each call adds the findings of the file
+  // again.
   const auto [found, is_new] = attached_.try_emplace({path, *body_name}, nullptr);
   if (is_new && source_ == nullptr) {
     reader.Report(Code::kAttachNoBody, field,

@@ -1,4 +1,4 @@
-// Attaching: copies a body of an MJCF file, with everything below it, into the object.
+// Copies a body of an MJCF file, with everything below the body, into the object.
 
 #pragma once
 
@@ -17,8 +17,8 @@ class Renamer;  // private to attacher.cc
 /// Copies bodies of MJCF files into an object. Names get a prefix, and equal assets are shared.
 class Attacher {
  public:
-  /// The object and its builders. If `source` is null, no file can be read. `bodies` maps full
-  /// names to indices in Object::bodies.
+  /// The object, and the objects that add elements to it. If `source` is null, no MJCF file can be
+  /// read. `bodies` maps full names to indices in Object::bodies.
   struct Context {
     model::AttachmentSource* source;
     model::Object& object;
@@ -38,8 +38,8 @@ class Attacher {
         bodies_(context.bodies),
         findings_(findings) {}
 
-  /// Copies the body that the entry names into the existing body `index`, which is called `name` in
-  /// its spec. Returns the number of parts added.
+  /// Copies the MJCF body that the entry names into the existing body `index`, which its spec calls
+  /// `name`. Returns the number of added parts.
   std::size_t Add(Scope& scope, FieldReader& reader, const spec::Entry& entry,
                   const std::string& name, std::size_t index);
 

@@ -17,8 +17,8 @@ namespace {
 using diag::Code;
 using spec::Key;
 
-// Clears the variables of a body's properties: `if` may leave the body out, and then these
-// variables must have no value.
+// Clears the variables of a body's properties. If `if` leaves the body out, these variables must
+// have no value.
 void ClearProperties(const spec::BodyEntry& entry, sample::Evaluator& values) {
   ClearSlots(entry.first_property, spec::BodyPropertyNames().size(), values);
   for (std::size_t i = 0; i < entry.parameter_slots.size(); ++i) {
@@ -27,7 +27,7 @@ void ClearProperties(const spec::BodyEntry& entry, sample::Evaluator& values) {
   }
 }
 
-// Returns, for `placement: corner`, the position of the origin of a body. The lower corner of the
+// Returns the position of a body's origin for `placement: corner`, if the lower corner of the
 // body's rotated bounding box is at `p`, relative to the lower corner of the declared box.
 Eigen::Vector3d OriginFromCorner(const Eigen::Vector3d& p, const Eigen::Quaterniond& q,
                                  const Eigen::Vector3d& total_size, const Eigen::Vector3d& min,
@@ -39,7 +39,8 @@ Eigen::Vector3d OriginFromCorner(const Eigen::Vector3d& p, const Eigen::Quaterni
   return p - (total_size + lower);
 }
 
-// Begins the names of a link's parts, sites and views with the link's name.
+// Adds the link's name to the prefix of names, so that the names of its parts, sites and views
+// begin with it.
 void EnterLink(Scope& scope, const Link& link, const std::string& name) {
   if (link.chain == nullptr) return;
   scope.link = name + "_";
@@ -118,8 +119,8 @@ void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, const std::st
     body.mark = entry.head.mark;
   }
   const bool is_inner_link = link.number > 0;
-  // A body without a valid parent is still checked for other errors. A body with `place:` belongs
-  // to the world until PlaceBodies finds its parent.
+  // A body without a valid parent remains, so that its content is checked, too. A body with
+  // `place:` is a child of the world until PlaceBodies() finds its parent.
   if (is_inner_link)
     object_.bodies[index].parent = link.previous;
   else if (!entry.place)
@@ -135,7 +136,7 @@ void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, const std::st
 
 model::Bounds Assembly::AddContents(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
                                     const std::string& name, const Link& link) {
-  // The parts, sites and joints that follow belong to the last body.
+  // The parts, sites and joints that are added next belong to the last body.
   const std::size_t index = object_.bodies.size() - 1;
   const sample::StreamId path = reader.path();
   const bool by_corner = scope.places_corners();
@@ -162,7 +163,7 @@ model::Bounds Assembly::AddContents(Scope& scope, const spec::BodyEntry& entry, 
 }
 
 // Adds the joints of a chain's link, or the free joint of a free body. The first link of a chain
-// has the joints of its entry instead if the entry has the key `joints:`, even with `none`.
+// does not get these joints if its entry has the key `joints:`, even with `none`.
 void Assembly::AddOwnJoints(const spec::BodyEntry& entry, const Link& link) {
   if (link.chain != nullptr && (link.number > 0 || !entry.has_joints))
     body().joints = JointsOfLink(*link.chain, body().name, entry.head.mark);

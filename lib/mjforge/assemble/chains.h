@@ -1,4 +1,4 @@
-// Chains: reader of `chain:`, and the joints between its links.
+// Reader of `chain:`, and the joints between the links of a chain.
 
 #pragma once
 
@@ -11,27 +11,29 @@
 
 namespace mjforge::assemble {
 
-/// Links of equal length, each along -z of the link before.
+/// A chain of links of equal length, in which each link hangs along -z from the end of the previous
+/// link.
 struct Chain {
   int links = 0;
   double pitch = 0;                  // length of a link, m
-  bool is_ball = false;              // each link has a ball joint; otherwise two hinges
-  std::optional<double> range = {};  // rad; see spec::kChainElement
+  bool is_ball = false;              // true: each link has a ball joint; false: two hinges
+  std::optional<double> range = {};  // range of the joints, rad; see spec::kChainElement
   std::vector<model::Attribute> attributes = {};  // MJCF attributes of the joints
 };
 
-/// A link of a chain, and the body before the link; `chain` is null for a body that is no link.
+/// A link of a chain: its chain and number, and the index of the body of the previous link. For a
+/// body that is not a link, `chain` is null.
 struct Link {
   const Chain* chain = nullptr;
   int number = 0;
   int previous = -1;
 };
 
-/// Reads `chain:` of a body; nullopt after a finding.
+/// Reads `chain:` of a body. Returns nullopt, and adds a finding, if a field is invalid.
 std::optional<Chain> ReadChain(const FieldReader& body, const spec::Entry& entry);
 
-/// Returns the joints between the link with the full name `link` and the link before. `mark` is the
-/// place of the entry.
+/// Returns the joints between the link with the full name `link` and the previous link. `mark` is
+/// the place of the body's entry.
 std::vector<model::Joint> JointsOfLink(const Chain& chain, const std::string& link,
                                        diag::SourceMark mark);
 

@@ -1,4 +1,4 @@
-// Couplings of joints: reads `couple:` and `screw:`, and builds equalities of joints.
+// Reader of `couple:` and `screw:`, which builds equalities between joints.
 
 #include "mjforge/assemble/couplings.h"
 
@@ -18,10 +18,10 @@ using diag::Code;
 using spec::Key;
 
 // Impedance (solimp) of linear couplings, in place of MuJoCo's "0.9 0.95 ...", because gears and
-// threads hardly give way.
+// threads hardly yield.
 constexpr double kImpedance[] = {0.99, 0.999, 0.001, 0.5, 2};
-// Impedance of nonlinear couplings: the largest values that MuJoCo uses (mjMAXIMP). EqualityOf
-// cannot swap the joints of a nonlinear coupling, and MuJoCo makes its equality far too soft if
+// Impedance of nonlinear couplings: the largest values that MuJoCo uses (mjMAXIMP). EqualityOf()
+// cannot swap the joints of a nonlinear coupling, and MuJoCo makes the equality far too soft if
 // joint 2 is light.
 constexpr double kImpedanceOfCurve[] = {0.9999, 0.9999, 0.001, 0.5, 2};
 
@@ -34,10 +34,10 @@ bool IsLinear(const sample::Numbers& c) {
 }
 
 // Returns the equality that keeps `follower` at c[0] + c[1] x + ... if `leader` is at x. The joint
-// that moves farther becomes joint 1, because MuJoCo scales the softness of an equality by the sum
-// of the inverse inertias of its joints, without the slope of the polynomial (mj_diagApprox in
-// src/engine/engine_core_constraint.c). The sum is too large, and the equality too soft, if joint 2
-// is light and the slope below 1.
+// that moves farther becomes joint 1. The reason is that MuJoCo scales the softness of an equality
+// by the sum of the inverse inertias of its joints, without the slope of the polynomial
+// (mj_diagApprox in src/engine/engine_core_constraint.c). If joint 2 is light and the slope is
+// below 1, the sum is too large, and the equality too soft.
 model::Element EqualityOf(std::string follower, std::string leader, sample::Numbers c) {
   const bool is_linear = IsLinear(c);
   const bool is_small = std::abs(c[1]) < 1 && std::isfinite(1 / c[1]) && std::isfinite(c[0] / c[1]);
@@ -57,7 +57,8 @@ model::Element EqualityOf(std::string follower, std::string leader, sample::Numb
   return equality;
 }
 
-// Reads `turns:`, the range of a screw, if the entry has it. Returns false after a finding.
+// Reads `turns:`, which gives the range of a screw. Leaves `range` unchanged if the entry has no
+// `turns:`. Returns false after adding a finding.
 bool ReadTurns(FieldReader& reader, const spec::Entry& screw,
                std::optional<Eigen::Vector2d>& range) {
   const spec::Field* field = screw.Find(Key::kTurns);
@@ -73,7 +74,7 @@ bool ReadTurns(FieldReader& reader, const spec::Entry& screw,
   return false;
 }
 
-// Returns the travel per full turn of a screw, m; nullopt after a finding.
+// Returns the travel of a screw per full turn, m; nullopt after adding a finding.
 std::optional<double> ReadLead(FieldReader& reader, const spec::Field& field) {
   const std::optional<double> lead = reader.Number(field);
   if (!lead || std::isfinite(2 * std::numbers::pi / *lead)) return lead;
@@ -82,7 +83,7 @@ std::optional<double> ReadLead(FieldReader& reader, const spec::Field& field) {
   return std::nullopt;
 }
 
-// Returns the five coefficients of `couple:`; nullopt after a finding.
+// Returns the five coefficients of the polynomial in `couple:`; nullopt after adding a finding.
 std::optional<sample::Numbers> ReadPolynomial(FieldReader& reader, const spec::Entry& couple) {
   sample::Numbers c = {0, 0};
   if (const spec::Field* field = couple.Find(Key::kPolycoef)) {

@@ -1,4 +1,4 @@
-// Couplings of joints: `couple:`, and the two joints of `screw:`.
+// Couplings of joints: `couple:`, and the two coupled joints of `screw:`.
 
 #pragma once
 
@@ -12,37 +12,38 @@
 
 namespace mjforge::assemble {
 
-/// Endings of the names of the slide and the hinge that form the thread of `screw:`.
+/// Suffixes of the names of the two joints that `screw:` makes: the slide and the hinge.
 inline constexpr std::string_view kRiseEnding = "_rise";
 inline constexpr std::string_view kTurnEnding = "_turn";
 
-/// Adds equalities of joints to one object, with parameters that make MuJoCo hold them stiffly.
+/// Adds equalities between joints to one object, with solver parameters that make them stiff.
 class Couplings {
  public:
   Couplings(Sections& sections, References& references)
       : sections_(sections), references_(references) {}
 
-  /// Adds the slide and the hinge of a thread to the body, and couples them. `turn` is the hinge
-  /// with the entry's name, position and attributes. Adds nothing after a finding.
+  /// Adds the slide and the hinge of a screw to the body, and couples them. `turn` is the hinge
+  /// with the name, position and attributes of the joint's entry. Adds neither joint if a field is
+  /// invalid.
   void AddScrew(const Scope& scope, const FieldReader& reader, const spec::Entry& screw,
                 model::Joint turn, model::Body& body);
-  /// Couples the joint `follower` to the joint that `couple:` names.
+  /// Couples the joint `follower` to the joint that `couple:` names (the leader).
   void AddCouple(const Scope& scope, const FieldReader& reader, const spec::Entry& couple,
                  const model::Joint& follower);
 
-  /// Reports each leading joint that is neither a hinge nor a slide or, if the coupling has a
-  /// `lead`, not a hinge. All joints must exist.
+  /// Reports each leader that is neither a hinge nor a slide, and each slide that leads a coupling
+  /// with `lead`. Call CheckLeaders() after all joints were added.
   void CheckLeaders(const model::Object& object, diag::Findings& findings) const;
 
  private:
-  /// A joint that another one follows.
+  /// A joint that another joint follows.
   struct Leader {
     std::string name;
     std::string shown;   // name in the spec
-    bool turns = false;  // must be a hinge, because the coupling has a `lead`
+    bool turns = false;  // true: must be a hinge, because the coupling has a `lead`
     diag::SourceMark mark;
   };
-  /// Adds the equality with this name and the solver parameters of the entry.
+  /// Adds the equality with this name, and with the solver parameters of the entry.
   void Add(const Scope& scope, FieldReader& reader, const spec::Entry& entry,
            const std::string& name, model::Element equality);
 

@@ -1,4 +1,4 @@
-// Detents: joints that snap to either end of their range.
+// Detents: joints that snap to one of the two ends of their range.
 
 #include "mjforge/assemble/detents.h"
 
@@ -13,15 +13,15 @@ namespace {
 using diag::Code;
 using spec::Key;
 
-// Damping over stiffness, s: about the time in which the joint crosses its range. A faster joint
-// would strike the limit at a speed that MuJoCo's usual timestep of 2 ms does not resolve.
+// Ratio of damping to stiffness, s: about the time in which the joint crosses its range. A faster
+// joint would hit the limit at a speed that MuJoCo's usual timestep of 2 ms does not resolve.
 constexpr double kSnapTime = 0.03;
-// Square root of armature over stiffness, s, by which the armature of the joint is chosen. MuJoCo
-// makes limits softer for joints with less inertia, so that without armature the spring would push
-// a light body through the limit.
+// Square root of the ratio of armature to stiffness, s; it determines the armature of the joint.
+// MuJoCo makes limits softer for joints with less inertia, so that without armature the spring
+// would push a light body through the limit.
 constexpr double kPeriod = 0.02;
-// Parameters (solreflimit, solimplimit) of limits that hardly give way under the spring: as stiff
-// as the usual timestep allows, and with the impedance of couplings.
+// Parameters (solreflimit, solimplimit) of limits that hardly yield under the spring: as stiff as
+// the usual timestep allows, with the impedance of couplings.
 constexpr double kEndReference[] = {0.004, 1};
 constexpr double kEndImpedance[] = {0.99, 0.999, 0.001, 0.5, 2};
 
@@ -30,8 +30,8 @@ void SetUnlessGiven(std::string_view name, sample::Numbers numbers, model::Joint
   joint.attributes.push_back({.name = name, .numbers = std::move(numbers), .text = {}});
 }
 
-// Returns true if the detent comes from the defaults, and the entry replaces it by a spring of its
-// own or by a thread.
+// Returns true if the detent comes from the defaults, but the entry itself specifies a spring or a
+// screw, which replaces the detent.
 bool HasOwnSpring(const spec::Entry& entry, const spec::Field& detent) {
   const auto is_spring = [](const spec::Field& field) {
     return !field.is_default &&
@@ -68,7 +68,7 @@ bool ReadDetent(FieldReader& reader, const spec::Entry& entry, model::Joint& joi
                     expr::NumberText(lower), expr::NumberText(upper), expr::NumberText(centre)));
     return false;
   }
-  // Holds the joint by less at the end that is nearer to the dead centre.
+  // The end that is nearer to the dead centre holds the joint with less than `holding`.
   const double stiffness = *holding / std::max(upper - centre, centre - lower);
   std::erase_if(joint.attributes, [](const model::Attribute& attribute) {
     return attribute.name == "stiffness" || attribute.name == "springdamper";

@@ -1,4 +1,4 @@
-// Detents: joints that snap to either end of their range.
+// Detents: joints that snap to one of the two ends of their range.
 
 #pragma once
 
@@ -6,9 +6,10 @@
 
 namespace mjforge::assemble {
 
-/// Makes a joint with a range snap to its ends: sets the attributes of a spring that pushes the
-/// joint away from the dead centre, and of limits that bear the spring's force. Does nothing if the
-/// entry has no `detent:`. Returns false after a finding.
+/// Reads `detent:`, which makes a joint with a range snap to its ends. Sets the attributes of a
+/// spring with negative stiffness, which pushes the joint away from its dead centre, and of limits
+/// that withstand the spring. Changes nothing if the entry has no `detent:`. Returns false after
+/// adding a finding.
 bool ReadDetent(FieldReader& reader, const spec::Entry& entry, model::Joint& joint);
 
 }  // namespace mjforge::assemble

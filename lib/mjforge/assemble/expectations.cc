@@ -1,4 +1,5 @@
-// `expect:`: evaluates conditions, and adds the expected distances and contacts to the object.
+// Reader of `expect:`: evaluates conditions, and adds the expected distances and contacts to the
+// object.
 
 #include <algorithm>
 

@@ -13,7 +13,8 @@ namespace {
 
 using diag::Code;
 
-// Returns the item of a list, or the whole value if it is not a list, for the place of a finding.
+// Returns the value whose place a finding about the number at index `position` names: the item of a
+// list, or the whole value if it is not a list.
 const spec::Value& ItemOf(const spec::Value& value, std::size_t position) {
   const auto* list = std::get_if<spec::List>(&value.form);
   return list != nullptr && position < list->items.size() ? list->items[position] : value;
@@ -37,7 +38,7 @@ void FieldReader::ReportElement(Code code, diag::SourceMark mark, std::string_vi
   findings_.Add(code, mark, fmt::format("{} {}", Owner(), what), std::move(hint));
 }
 
-// Ignores numbers that are not finite, because they were reported when they were computed.
+// Ignores numbers that are not finite, because they were already reported when they were computed.
 void FieldReader::ReportNumber(const spec::Field& field, double number, std::size_t position,
                                std::size_t count) {
   if (!std::isfinite(number)) return;

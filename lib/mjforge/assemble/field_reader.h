@@ -10,28 +10,29 @@
 
 namespace mjforge::assemble {
 
-/// Reads the fields of one element. A function that returns nullopt or false has added a finding.
+/// Reads the fields of one element. Each function that returns nullopt or false adds a finding.
 class FieldReader {
  public:
-  /// `path` is the random stream of the element; each field draws from the child named by its key.
+  /// `path` is the random stream of the element. Each field draws from the child stream that the
+  /// field's key names.
   FieldReader(sample::Evaluator& values, diag::Findings& findings, std::string_view element,
               std::string_view name, sample::StreamId path)
       : values_(values), findings_(findings), element_(element), name_(name), path_(path) {}
 
-  /// Returns a reader for a child element, the `position`-th with this tag. The child has its own
-  /// streams, but findings name the parent element.
+  /// Returns a reader for a child element: the child at index `position` among the children with
+  /// this tag. The child has its own streams, but findings name the parent element.
   FieldReader ForChild(std::string_view tag, std::size_t position) const {
     FieldReader child = *this;
     child.path_ = sample::Child(sample::Child(path_, tag), position);
     return child;
   }
 
-  /// Returns the stream of the element.
+  /// Returns the random stream of the element.
   sample::StreamId path() const { return path_; }
 
   std::optional<double> Number(const spec::Field& field);
   bool Numbers(const spec::Field& field, sample::Numbers& out);
-  /// Returns the numbers of a field that must have exactly N numbers.
+  /// Returns the numbers of a field that must contain exactly N numbers.
   template <int N>
   std::optional<Eigen::Matrix<double, N, 1>> Vector(const spec::Field& field) {
     sample::Numbers numbers;
@@ -42,12 +43,12 @@ class FieldReader {
   std::optional<sample::PointList> Points(const spec::Field& field);
   std::optional<std::vector<sample::HoleOutline>> Outlines(const spec::Field& field);
   std::optional<std::string> Text(const spec::Field& field);
-  /// Returns the field's value, which must be one of the words that the field table lists.
+  /// Returns the text of a field, which must be one of the words in the field table.
   std::optional<std::string> Word(const spec::Field& field);
   std::optional<bool> Boolean(const spec::Field& field);
   bool ReadAttribute(const spec::Field& field, model::Attribute& out);
 
-  /// Returns the element's name in messages: "part 'head'".
+  /// Returns the element as messages name it: "part 'head'".
   std::string Owner() const;
   /// Adds the finding "KEY of OWNER <what>".
   void Report(diag::Code code, const spec::Field& field, std::string_view what,
@@ -58,11 +59,13 @@ class FieldReader {
   diag::Findings& findings() { return findings_; }
 
  private:
-  /// Returns the stream of the field; to save a hash, that of the element if the field has no draw.
+  /// Returns the random stream of the field. If the field has no draw, returns the stream of the
+  /// element, which saves a hash.
   sample::StreamId PathOf(const spec::Field& field) const {
     return spec::HasDraw(field.value) ? sample::Child(path_, field.info->key) : path_;
   }
-  /// Reports the rule that one of the `count` numbers of a field breaks.
+  /// Adds a finding with the rule that a number of the field violates. `position` is the index of
+  /// the number among the `count` numbers of the field.
   void ReportNumber(const spec::Field& field, double number, std::size_t position,
                     std::size_t count);
 

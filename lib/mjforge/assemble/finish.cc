@@ -1,4 +1,4 @@
-// End of the assembly: checks of the whole object, its mass and bounds, start positions.
+// Last step of an assembly: checks of the whole object, its mass and bounds, start positions.
 
 #include <algorithm>
 #include <functional>
@@ -19,10 +19,10 @@ namespace {
 
 using diag::Code;
 
-// MuJoCo's mjMINVAL, the smallest mass of a body that moves.
+// MuJoCo's mjMINVAL: a body that moves must have a larger mass.
 constexpr double kSmallestMass = 1e-15;
 
-// Reports bodies with joints that have no mass even after ShareMass.
+// Reports bodies with joints that have no mass, even after ShareMass().
 void CheckMass(const model::Object& object, diag::Findings& findings) {
   for (const model::Body& body : object.bodies) {
     if (body.joints.empty() || body.mass_properties.mass > kSmallestMass) continue;
@@ -72,7 +72,7 @@ void Assembly::Finish(Scope& scope) {
   AddExpectations(scope);
   std::ranges::sort(object_.sections, {}, &model::Section::info);
   for (model::Section& section : object_.sections) {
-    // MuJoCo 2.2 requires actuators with a state to come last.
+    // MuJoCo 2.2 requires that actuators with an activation state come last.
     if (section.info->name == "actuator")
       std::stable_partition(section.elements.begin(), section.elements.end(),
                             std::not_fn(HasActivation));

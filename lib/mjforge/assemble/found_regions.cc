@@ -1,4 +1,4 @@
-// Regions found by `auto`, and the check that declared regions are level at the start.
+// Search for regions of `type: auto`, and the check that declared regions are level at the start.
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Adds the colliding parts with indices from `first` to `last` - 1 of a body, in the root frame.
+// Adds the colliding parts of a body whose indices are from `first` to `last` - 1, with poses in
+// the root frame.
 void AddColliding(const model::Body& body, const model::Pose& X_RootB, std::size_t first,
                   std::size_t last, std::vector<PlacedShape>& out) {
   for (std::size_t i = first; i < std::min(last, body.parts.size()); ++i) {
@@ -25,8 +26,8 @@ void AddColliding(const model::Body& body, const model::Pose& X_RootB, std::size
   }
 }
 
-// Returns true if a body, or a body above it, has a free joint or waits for its place. A loose body
-// does not limit the regions of other bodies.
+// Returns true if the body or one of its ancestors has a free joint or no place yet. Such a loose
+// body does not limit the regions of other bodies.
 bool IsLoose(const model::Object& object, std::size_t index) {
   auto i = static_cast<int>(index);
   while (i > 0) {
@@ -42,14 +43,15 @@ class FaceFinder {
   FaceFinder(const FaceSearch& search, const model::Object& object)
       : search_(search), object_(object), poses_(model::BodyPoses(object)) {}
 
-  // Returns the colliding parts of one body of the spec.
+  // Returns the colliding parts of one body that belong to the spec.
   std::vector<PlacedShape> ShapesOf(std::size_t body) const {
     std::vector<PlacedShape> shapes;
     Add(body, shapes);
     return shapes;
   }
 
-  // Returns the colliding parts of the spec's bodies that are not loose, and of the searched body.
+  // Returns the colliding parts of the searched body, and of all bodies of the spec that are not
+  // loose.
   std::vector<PlacedShape> AllShapes() const {
     std::vector<PlacedShape> shapes;
     Add(search_.root, shapes);
@@ -59,7 +61,8 @@ class FaceFinder {
     return shapes;
   }
 
-  // Returns the face as a region without name; right-angled quadrilaterals become boxes.
+  // Returns the face as a region that is named like the search's pattern. Quadrilaterals with right
+  // angles become boxes.
   model::Region RegionOf(const LevelFace& face, std::size_t body) const {
     model::Region region = search_.pattern;
     region.height = face.height;
@@ -92,8 +95,8 @@ class FaceFinder {
                  is_root ? search_.last_part : object_.bodies[body].parts.size(), shapes);
   }
 
-  // Returns the sides of a rectangle, the one closest to the x axis first; nullopt for other
-  // polygons.
+  // Returns the two sides of a rectangle, the side closest to the x axis first. Returns nullopt for
+  // other polygons.
   static std::optional<std::pair<Vector2d, Vector2d>> SidesOf(
       const std::vector<Vector2d>& corners) {
     if (corners.size() != 4) return std::nullopt;
@@ -120,7 +123,7 @@ void AddFoundRegions(const FaceSearch& search, model::Object& object) {
   const FaceFinder finder(search, object);
   const std::vector<PlacedShape> all = finder.AllShapes();
   for (std::size_t i = 0; i < object.bodies.size(); ++i) {
-    // An entry with an MJCF file searches all bodies of the file.
+    // An entry with an MJCF file also searches all bodies that come from the file.
     const bool is_owner = i == search.body;
     if (!is_owner && object.bodies[i].attached != static_cast<int>(search.body)) continue;
     model::Body& body = object.bodies[i];

@@ -1,4 +1,4 @@
-// Bodies with free joints: moves them from their parent to the world.
+// Makes bodies with free joints children of the world.
 
 #include "mjforge/assemble/free_bodies.h"
 
@@ -9,7 +9,7 @@
 namespace mjforge::assemble {
 namespace {
 
-// Returns the nearest ancestor that has joints and is not free; null if there is none.
+// Returns the nearest ancestor that has joints but no free joint; null if there is none.
 const model::Body* MovingParent(const std::vector<model::Body>& bodies, int parent) {
   for (; parent >= 0; parent = bodies[static_cast<std::size_t>(parent)].parent) {
     const model::Body& body = bodies[static_cast<std::size_t>(parent)];
@@ -28,7 +28,7 @@ bool MayBeFree(const std::vector<model::Body>& bodies, const model::Body& body,
     return false;
   }
   const model::Body* moving = MovingParent(bodies, body.parent);
-  // Allows a moving support for a body with `place:`, which only starts there.
+  // A body with `place:` may be on a moving support, because it is there only at the start.
   if (moving == nullptr || !body.stands_at.empty()) return true;
   findings
       .Add(diag::Code::kModelBadValue, mark,

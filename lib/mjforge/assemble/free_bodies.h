@@ -1,4 +1,4 @@
-// Bodies with free joints, which MuJoCo requires to be children of the world.
+// Bodies with free joints, which must be children of the world in MJCF.
 
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace mjforge::assemble {
 
-/// Makes each body with a free joint a child of the world, at its present pose. Adds a finding if
-/// the body has further joints, or is on a body that moves by another joint.
+/// Makes each body with a free joint a child of the world, without changing its pose in the world.
+/// Adds a finding if the body has further joints, or if a joint moves one of its ancestors.
 void ReleaseFreeBodies(std::vector<model::Body>& bodies, diag::Findings& findings);
 
 }  // namespace mjforge::assemble

@@ -1,4 +1,4 @@
-// Orientation of boxes, and of textures from above, by the grain of the material.
+// Orientation of boxes by the grain of their material, and mapping of textures from above.
 
 #include "mjforge/assemble/grain.h"
 
@@ -12,7 +12,7 @@ namespace {
 
 using Unit = solid::TextureMapping::Unit;
 
-// Ratio of the sides of a box's cross section above which the box is a post, not a board.
+// A box is a post, not a board, if the ratio of the sides of its cross section is above this value.
 constexpr double kPost = 0.5;
 
 }  // namespace
@@ -23,7 +23,7 @@ PartTexture TextureOf(const model::Object& object, int material) {
   const model::Material& its = object.materials[static_cast<std::size_t>(material)];
   if (its.texture < 0) return texture;
   const model::Texture& image = object.textures[static_cast<std::size_t>(its.texture)];
-  // Skips cube textures, whose coordinates MuJoCo computes itself.
+  // Skip cube textures, whose coordinates MuJoCo computes itself.
   const auto is_2d = [](const model::Attribute& a) { return a.name == "type" && a.text == "2d"; };
   if (std::ranges::none_of(image.attributes, is_2d)) return texture;
   texture.is_turned = model::FindAttribute(image.attributes, "builtin") != nullptr;
@@ -35,7 +35,7 @@ PartTexture TextureOf(const model::Object& object, int material) {
     const std::size_t last = attribute.numbers.size() - 1;
     texture.mapping.repeat = {attribute.numbers[0], attribute.numbers[last]};
   }
-  // Agrees with MuJoCo, which repeats uniform textures on primitive geoms half as often, too.
+  // Divide by 2 as MuJoCo does, which repeats uniform textures on primitive geoms half as often.
   if (texture.mapping.unit == Unit::kMetre) texture.mapping.repeat /= 2;
   return texture;
 }
@@ -63,7 +63,7 @@ bool ReadGrain(FieldReader& reader, const spec::Entry& entry, std::string_view t
 Eigen::Quaterniond TurnToGrain(const PartTexture& texture, Eigen::Vector3d& half) {
   if (texture.mapping.unit == Unit::kNone || !(texture.grain || texture.is_turned))
     return Eigen::Quaterniond::Identity();
-  // Among equal edges y counts as the longest.
+  // If edges are equally long, y is the longest.
   const auto longer = [&](int a, int b) { return half[a] > half[b] ? a : b; };
   const int grain = texture.grain.value_or(longer(2, longer(0, 1)));
   const int first = grain == 0 ? 1 : 0, second = grain == 2 ? 1 : 2;  // the other axes

@@ -28,7 +28,8 @@ bool ReadType(FieldReader& reader, const spec::Entry& entry, model::Joint& joint
   return true;
 }
 
-// Returns the rule of MuJoCo that `range` breaks for this joint type; empty if it is valid.
+// Returns the rule of MuJoCo that `range` violates for this joint type; empty if the range is
+// valid.
 std::string_view BrokenRange(std::string_view type, const Eigen::Vector2d& range) {
   const double lower = range[0];
   const double upper = range[1];
@@ -40,7 +41,7 @@ std::string_view BrokenRange(std::string_view type, const Eigen::Vector2d& range
   return lower < upper ? "" : "must go from a smaller to a larger number";
 }
 
-// Reads the limits. A range applies unless `limited: false`.
+// Reads the range of a joint. The range is in force unless the entry has `limited: false`.
 bool ReadRange(FieldReader& reader, const spec::Entry& entry, model::Joint& joint) {
   const spec::Field* range_field = entry.Find(Key::kRange);
   const spec::Field* limited_field = entry.Find(Key::kLimited);
@@ -70,7 +71,7 @@ bool ReadRange(FieldReader& reader, const spec::Entry& entry, model::Joint& join
   return true;
 }
 
-// Returns the endings of the names of the joints that an entry makes.
+// Returns the suffixes of the names of the joints that an entry makes.
 std::span<const std::string_view> JointEndings(bool is_screw) {
   static constexpr std::string_view kOfScrew[] = {kRiseEnding, kTurnEnding};
   static constexpr std::string_view kOfJoint[] = {""};

@@ -1,4 +1,5 @@
-// Level upper faces: top faces of convex shapes, joined, and cut back where shapes are on them.
+// Search for level upper faces: top faces of convex shapes, which are joined, and reduced where
+// other shapes stand on them.
 
 #include "mjforge/assemble/level_faces.h"
 
@@ -15,16 +16,16 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Polygon = std::vector<Vector2d>;
 
-// Tolerance for the same height and for contact, m: below any clearance that matters, above the
-// rounding errors of poses.
+// Tolerance for equal heights and for contact, m: smaller than any clearance that matters, larger
+// than the rounding errors of poses.
 constexpr double kTouching = 1e-6;
-constexpr double kStraight = 1e-9;  // sine of the angle between edges that count as one
+constexpr double kStraight = 1e-9;  // sine of the angle below which two edges are treated as one
 constexpr std::size_t kDiscCorners = 64;
-// Largest number of faces that are compared with all shapes, because an object may have 40,000
-// parts.
+// Largest number of faces that are compared with all shapes. The limit is needed because an object
+// may have 40,000 parts.
 constexpr std::size_t kMostFaces = 64;
 
-// Returns the convex hull without corners on straight lines.
+// Returns the convex hull of the points, without corners on straight lines.
 Polygon Simplified(Polygon points) { return solid::ConvexPolygonOf(std::move(points), kStraight); }
 
 Polygon PolygonAround(const Vector2d& center, double radius) {
@@ -37,7 +38,7 @@ Polygon PolygonAround(const Vector2d& center, double radius) {
   return corners;
 }
 
-// Replaces a disc by the largest regular polygon in it.
+// Replaces a disc by the largest regular polygon inside the disc.
 void MakePolygon(LevelFace& face) {
   if (!face.radius) return;
   Vector2d center = Vector2d::Zero();
@@ -47,8 +48,8 @@ void MakePolygon(LevelFace& face) {
   face.radius.reset();
 }
 
-// Returns the top face of the shape's convex hull if the face is level. Otherwise the top is a
-// point or an edge, and the returned face has fewer than three corners.
+// Returns the top face of the shape's convex hull. If the top is not a level face but a point or an
+// edge, the returned face has fewer than three corners.
 LevelFace TopOf(const PlacedShape& placed) {
   LevelFace face{.corners = {}, .z = placed.box.max.z(), .radius = std::nullopt};
   const Vector3d axis = placed.X_WG.q * Vector3d::UnitZ();
@@ -71,8 +72,8 @@ double AreaOfFace(const LevelFace& face) {
   return face.radius ? std::numbers::pi * *face.radius * *face.radius : solid::AreaOf(face.corners);
 }
 
-// Joins faces of a shape's pieces at the same height if they fill their convex hull. Compares the
-// sum of their areas with that of the hull, because the pieces do not overlap.
+// Joins faces of equal height, which belong to pieces of one part, if they fill their convex hull:
+// the sum of their areas, which do not overlap, then equals the area of the hull.
 std::vector<LevelFace> Joined(std::vector<LevelFace> faces) {
   if (faces.size() < 2) return faces;
   LevelFace whole{.corners = {}, .z = faces.front().z, .radius = std::nullopt};
@@ -87,7 +88,7 @@ std::vector<LevelFace> Joined(std::vector<LevelFace> faces) {
   return {whole};
 }
 
-// Returns the top faces of all shapes, after joining the faces of the pieces of one shape.
+// Returns the top faces of all shapes. Faces of the convex pieces of one part are joined.
 std::vector<LevelFace> TopFaces(std::span<const PlacedShape> shapes) {
   std::vector<LevelFace> faces;
   std::vector<LevelFace> pieces;
@@ -113,15 +114,15 @@ std::vector<LevelFace> TopFaces(std::span<const PlacedShape> shapes) {
   return faces;
 }
 
-// Returns the smallest dot(direction, p) over the points p of the shape.
+// Returns the smallest value of dot(direction, p) over all points p of the shape.
 double LowestAlong(const PlacedShape& placed, const Vector2d& direction) {
   const Vector3d d(direction.x(), direction.y(), 0);
   return d.dot(placed.X_WG.p) -
          model::Support(placed.shape, Vector3d(placed.X_WG.q.conjugate() * Vector3d(-d)));
 }
 
-// Returns true if the shape is beside the polygon, as seen from above, along one of the polygon's
-// normals; the shape may touch the polygon.
+// Returns true if, seen from above, one edge of the polygon separates the polygon from the shape.
+// The shape may touch the polygon.
 bool IsBeside(const PlacedShape& placed, const Polygon& corners) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vector2d normal = solid::OutwardNormal(corners, i);
@@ -130,7 +131,8 @@ bool IsBeside(const PlacedShape& placed, const Polygon& corners) {
   return false;
 }
 
-// Cuts off the part of the face below the shape, parallel to the edge that leaves the largest area.
+// Removes the area of the face below the shape by a cut parallel to one of the edges. The cut that
+// keeps the largest area is used.
 void CutOff(const PlacedShape& placed, LevelFace& face) {
   if (IsBeside(placed, face.corners)) return;
   MakePolygon(face);
@@ -157,7 +159,7 @@ void CutBack(std::span<const PlacedShape> shapes, double height, double area, Le
   }
 }
 
-// Sorts the faces by decreasing area; faces of equal area by decreasing height.
+// Sorts the faces by decreasing area, and faces of equal area by decreasing height.
 void SortBySize(std::vector<LevelFace>& faces) {
   std::ranges::stable_sort(faces, {}, [](const LevelFace& face) {
     return std::tuple(-std::llround(AreaOfFace(face) * 1e9), -std::llround(face.z * 1e9));

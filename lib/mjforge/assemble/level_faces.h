@@ -1,4 +1,4 @@
-// Search for level upper faces of solids: their shape, and the free height above.
+// Search for level upper faces of solids: the shape of each face, and the free height above it.
 
 #pragma once
 
@@ -14,26 +14,27 @@
 
 namespace mjforge::assemble {
 
-/// A colliding part at its pose in a frame W, whose z axis points up.
+/// A colliding part, and its pose in a frame W whose z axis points up.
 struct PlacedShape {
   model::Shape shape;
   model::Pose X_WG;
   model::Box3 box;                 // bounds of the shape in W
-  std::string_view piece_of = {};  // see Part::piece_of
+  std::string_view piece_of = {};  // Part::piece_of
 };
 
-/// A level upper face of one shape or of several adjacent pieces of one shape.
+/// A level upper face of one shape, or of several adjacent convex pieces of one part.
 struct LevelFace {
-  /// Corners of a convex polygon, counter-clockwise, in W. For a disc, a polygon around the disc.
+  /// Corners of a convex polygon in W, counter-clockwise from above. For a disc, a polygon around
+  /// the disc.
   std::vector<Eigen::Vector2d> corners;
-  double z = 0;                                             // height of the face in W, m
-  std::optional<double> radius;                             // radius of a disc, m; nullopt: polygon
-  double height = std::numeric_limits<double>::infinity();  // free height above, m
+  double z = 0;                  // height of the face in W, m
+  std::optional<double> radius;  // radius of a disc, m; nullopt for a polygon
+  double height = std::numeric_limits<double>::infinity();  // free height above the face, m
 };
 
-/// Returns the level upper faces of the shapes `own` that have at least the area `area`, m^2, with
-/// at least the free height `height`, m, below the shapes `all`. A face that something stands on is
-/// cut back. The largest face comes first.
+/// Returns the level upper faces of the shapes `own`, the largest first, that have at least the
+/// area `area`, m^2, and at least the free height `height`, m, below the shapes `all`. A face on
+/// which another shape stands is reduced to the largest free part.
 std::vector<LevelFace> FindLevelFaces(std::span<const PlacedShape> own,
                                       std::span<const PlacedShape> all, double area, double height);
 

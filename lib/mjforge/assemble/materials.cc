@@ -1,4 +1,4 @@
-// Materials: lookup with substitutes, evaluation and sharing.
+// Lookup of materials with substitutes, their evaluation, and sharing of equal materials.
 
 #include "mjforge/assemble/materials.h"
 
@@ -34,7 +34,8 @@ const MaterialState* Materials::Find(Scope& scope, const std::string& name, diag
   return &state;
 }
 
-// Runs once per object, so that all parts of a material share its drawn values.
+// Evaluates a material. Evaluate() is called once per material and object, so that all parts with
+// the material have the same drawn values.
 void Materials::Evaluate(Scope& scope, const spec::Material& material, MaterialState& state) {
   state.is_evaluated = true;
   FieldReader reader(scope.values, findings_, "material", material.name,

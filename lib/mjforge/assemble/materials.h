@@ -1,4 +1,4 @@
-// Materials of an object: evaluation on first use, and sharing of equal materials.
+// Materials of an object, which are evaluated on first use; equal materials are shared.
 
 #pragma once
 
@@ -10,17 +10,17 @@
 
 namespace mjforge::assemble {
 
-/// Adds materials to one object. Equal materials are added once.
+/// Adds materials to one object. Equal materials are added only once.
 class Materials {
  public:
   Materials(model::Object& object, Assets& assets, diag::Findings& findings)
       : object_(object), assets_(assets), findings_(findings) {}
 
-  /// Returns the evaluated material that a field names, or its substitute from the outer spec; null
-  /// after a finding.
+  /// Returns the evaluated material that a field names, or the material of the outer spec that
+  /// replaces it. Returns null, and adds a finding, if there is none.
   const MaterialState* Use(Scope& scope, FieldReader& reader, const spec::Field& field);
-  /// Returns the index of an equal material whose name in its spec or file is `own_name`. Adds the
-  /// material if there is none.
+  /// Returns the index of a material that equals `material` and has the same name `own_name` in its
+  /// spec or file. Adds the material if there is none.
   int Share(const std::string& own_name, model::Material material);
 
  private:
@@ -30,7 +30,8 @@ class Materials {
   model::Object& object_;
   Assets& assets_;
   diag::Findings& findings_;
-  std::unordered_multimap<std::string, int> by_name_;  // indices by name in the spec or file
+  // Indices in Object::materials by name in the spec or file.
+  std::unordered_multimap<std::string, int> by_name_;
 };
 
 }  // namespace mjforge::assemble

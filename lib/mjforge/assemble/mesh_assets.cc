@@ -1,4 +1,5 @@
-// Meshes of an object: inline meshes and files, shared if they are equal, and names of the files.
+// Meshes of an object: inline meshes and mesh files, sharing of equal meshes, and names of output
+// files.
 
 #include <algorithm>
 #include <functional>
@@ -18,7 +19,8 @@ namespace {
 using diag::Code;
 using spec::Key;
 
-// Hashes the vertices only, because meshes with equal vertices seldom differ otherwise.
+// Returns a hash of the vertices. The triangles are left out, because meshes with equal vertices
+// rarely differ otherwise.
 std::size_t HashOf(const model::TriangleMesh& mesh) {
   const std::string_view bytes(reinterpret_cast<const char*>(mesh.vertices.data()),
                                mesh.vertices.size() * sizeof(Eigen::Vector3d));
@@ -35,7 +37,7 @@ bool AreSame(const model::TriangleMesh& a, const model::TriangleMesh& b) {
          a.texcoords == b.texcoords;
 }
 
-// Returns true for characters that some system rejects in file names.
+// Returns true for characters that some operating system rejects in file names.
 bool IsUnportable(char c) {
   constexpr unsigned char kDelete = 0x7f;
   const auto byte = static_cast<unsigned char>(c);
@@ -194,11 +196,11 @@ std::string Assets::OutputName(const std::filesystem::path& file) {
   const auto [found, is_new] = output_names_.try_emplace(file);
   if (!is_new) return found->second;
   std::string name = file.filename().string();
-  // Replaces characters that are invalid on systems where archives may be unpacked, and the
-  // backslash, which MuJoCo treats like a slash.
+  // Replace characters that are invalid on systems where archives may be unpacked. The backslash is
+  // replaced, too, because MuJoCo treats it like a slash.
   std::ranges::replace_if(name, IsUnportable, '_');
   const std::filesystem::path safe = name;
-  // Compares names in lower case, because MuJoCo 2.2 ignores the case of file names.
+  // Compare names in lower case, because MuJoCo 2.2 ignores the case of file names.
   for (int i = 2; !taken_names_.insert(diag::LowerCase(name)).second; ++i) {
     name = fmt::format("{}_{}{}", safe.stem().string(), i, safe.extension().string());
   }
@@ -207,7 +209,7 @@ std::string Assets::OutputName(const std::filesystem::path& file) {
 }
 
 void Assets::SumMass(model::Body& body) {
-  if (body.explicit_inertial) return;  // given by an attached file
+  if (body.explicit_inertial) return;  // an attached file specifies the mass properties
   model::MassProperties sum;
   for (const model::Part& part : body.parts) {
     if (!(part.mass > 0)) continue;

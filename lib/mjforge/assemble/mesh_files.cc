@@ -32,8 +32,8 @@ struct VertexHash {
   }
 };
 
-// Builds a mesh from triangles given by their corners. Equal corners become one vertex; triangles
-// with two equal corners are left out.
+// Builds a mesh from triangles given by their corners. Equal corners become one vertex, and
+// triangles with two equal corners are left out.
 class MeshBuilder {
  public:
   void Add(const std::array<Eigen::Vector3d, 3>& corners) {
@@ -68,7 +68,7 @@ class MeshBuilder {
   bool finite_ = true;
 };
 
-// Returns the first line of a message of the loader.
+// Returns the first line of an error message.
 std::string FirstLine(std::string_view text) {
   return std::string(text.substr(0, text.find_first_of("\r\n")));
 }
@@ -116,7 +116,7 @@ bool HasPolygons(std::string_view content) {
   return false;
 }
 
-// Binary STL: a header of any 80 bytes, the number of triangles, and for each triangle twelve
+// Layout of binary STL: a header of 80 bytes, the number of triangles, and for each triangle twelve
 // numbers (normal and corners) and two unused bytes.
 static_assert(std::endian::native == std::endian::little);
 constexpr std::size_t kStlCount = 80;  // offset of the number of triangles
@@ -145,7 +145,8 @@ void AddBinaryStl(std::string_view content, MeshBuilder& builder) {
   }
 }
 
-// Returns the coordinates in the words of a line `vertex X Y Z`, in the precision of binary STL.
+// Returns the coordinates of a line `vertex X Y Z`, given as words, rounded to the precision of
+// binary STL (float).
 std::optional<Eigen::Vector3d> StlVertex(std::span<const std::string_view> words) {
   if (words.size() != 4) return std::nullopt;
   Eigen::Vector3d vertex;
@@ -157,8 +158,8 @@ std::optional<Eigen::Vector3d> StlVertex(std::span<const std::string_view> words
   return vertex;
 }
 
-// Reads text STL line by line. Names of solids may be any words, and normals are ignored. Returns
-// false and sets `why_not` if a line is not valid in text STL.
+// Reads text STL line by line. Names of solids may contain any words, and normals are ignored.
+// Returns false and sets `why_not` if a line is not valid in text STL.
 bool AddTextStl(std::string_view content, MeshBuilder& builder, std::string& why_not) {
   constexpr std::string_view kIgnored[] = {"solid", "facet", "outer", "endfacet", "endsolid"};
   std::array<Eigen::Vector3d, 3> corners;

@@ -1,4 +1,4 @@
-// Readers of mesh files, OBJ and STL.
+// Readers of mesh files in the formats OBJ and STL.
 
 #pragma once
 
@@ -11,20 +11,20 @@
 
 namespace mjforge::assemble {
 
-/// The unscaled content of a mesh file. Equal vertices are merged.
+/// The content of a mesh file, not scaled. Equal vertices are merged.
 struct MeshFile {
   model::TriangleMesh mesh;
-  /// True if MuJoCo 2.2 reads the same surface from the file. MuJoCo rejects text STL, and of an
-  /// OBJ reads only the first shape, with faces of three or four corners.
+  /// True if MuJoCo 2.2 reads the same surface from the file. MuJoCo 2.2 rejects text STL. From an
+  /// OBJ file, MuJoCo 2.2 reads only the first shape, and only faces with three or four corners.
   bool fit_for_mujoco = true;
 };
 
-/// Reads a .obj or .stl file (the case of the ending does not matter). On failure returns nullopt
-/// and sets `why_not`; `unreadable` is true if the file itself could not be read.
+/// Reads a .obj or .stl file; the case of the extension does not matter. On failure, returns
+/// nullopt and sets `why_not`. Sets `unreadable` to true if the file itself cannot be read.
 std::optional<MeshFile> ReadMeshFile(const std::filesystem::path& file, std::string& why_not,
                                      bool& unreadable);
 
-/// Parses the content of a file. On failure, each function returns nullopt and sets `why_not`.
+/// Parse the content of an OBJ or STL file. On failure, return nullopt and set `why_not`.
 std::optional<MeshFile> ParseObj(std::string_view content, std::string& why_not);
 std::optional<MeshFile> ParseStl(std::string_view content, std::string& why_not);
 

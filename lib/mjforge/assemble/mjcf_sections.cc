@@ -1,4 +1,4 @@
-// Elements of sections: repetition, attributes, references and limits.
+// Elements of MJCF sections: repetition, attributes, references and limits.
 
 #include "mjforge/assemble/mjcf_sections.h"
 
@@ -14,8 +14,9 @@ namespace {
 
 using diag::Code;
 
-// Names of a range and of its switch. A range applies unless the switch is false. The switch is
-// always written, because its default differs between releases of MuJoCo.
+// Names of a range attribute and of the attribute that enables it. A range is in force unless the
+// spec disables it. The enabling attribute is always written, because its default differs between
+// releases of MuJoCo.
 struct LimitAttributes {
   std::string_view range;
   std::string_view limited;
@@ -38,8 +39,8 @@ void SetLimited(const spec::ElementInfo& info, std::vector<model::Attribute>& at
   }
 }
 
-// Gives a list of numbers the length that MuJoCo 2.2 requires: appends the defaults of missing
-// numbers, and reduces several equal numbers to one if MuJoCo reads only one.
+// Changes the length of a list of numbers to the length that MuJoCo 2.2 requires: appends the
+// defaults of missing numbers, and reduces equal numbers to one if MuJoCo reads only one.
 void SetLength(const spec::FieldInfo& info, sample::Numbers& numbers) {
   if (info.default_text.empty()) return;
   std::vector<double> usual;

@@ -1,4 +1,4 @@
-// Sections of MJCF in a spec: `contact:` and `mjcf:`.
+// Elements of MJCF sections that a spec contains in `contact:` and `mjcf:`.
 
 #pragma once
 
@@ -10,17 +10,19 @@
 
 namespace mjforge::assemble {
 
-/// Adds the elements of sections to one object.
+/// Adds the elements of MJCF sections to one object.
 class Sections {
  public:
   Sections(model::Object& object, Repetition& repetition, References& references,
            diag::Findings& findings)
       : object_(object), repetition_(repetition), references_(references), findings_(findings) {}
 
-  /// Adds the sections of a spec, whose bodies must exist. Settings of the whole model are ignored,
-  /// with a warning, unless the spec is the outermost one.
+  /// Adds the sections of a spec, all of whose bodies must exist. A section with settings of the
+  /// whole model (`option`) is added only if the spec is the outermost one; otherwise a warning is
+  /// added.
   void Add(Scope& scope, bool outermost);
-  /// Returns the elements of a section, which is added if it is missing.
+  /// Returns the elements of a section. Adds the section to the object if the object does not have
+  /// it.
   std::vector<model::Element>& ElementsOf(const spec::SectionInfo& info);
 
  private:

@@ -1,4 +1,4 @@
-// Quoted texts, and duplicate names of elements.
+// Quoting of texts, and the search for duplicate names of elements.
 
 #include "mjforge/assemble/names.h"
 
@@ -33,14 +33,14 @@ struct NamedElement {
   diag::SourceMark mark = {};
   const model::Part* part = nullptr;
 
-  /// Compares the hash first, because numbers are faster than texts.
+  /// Compares the hash first, because comparing numbers is faster than comparing texts.
   bool operator<(const NamedElement& other) const {
     if (hash != other.hash) return hash < other.hash;
     return std::tie(kind, name, position) < std::tie(other.kind, other.name, other.position);
   }
 };
 
-// The named elements of an object, found by kind and name.
+// The named elements of an object, which are found by kind and name.
 class NameTable {
  public:
   void Add(std::string_view kind, std::string_view name, diag::SourceMark mark,
@@ -53,8 +53,8 @@ class NameTable {
     for (const auto& element : elements) Add(kind, element.name, element.mark);
   }
 
-  /// Sorts the table and reports repeated names, in the order in which they were added. Repetitions
-  /// at the same place in the spec are reported once.
+  /// Sorts the table, and reports repeated names in the order in which they were added. Several
+  /// repetitions at the same place in the spec are reported once.
   void ReportDuplicates(diag::Findings& findings) {
     std::sort(elements_.begin(), elements_.end());
     const NamedElement* first = nullptr;
@@ -66,7 +66,7 @@ class NameTable {
         first = &element;
       }
     }
-    std::map<std::string_view, diag::SourceMark> reported;  // place reported last, by kind
+    std::map<std::string_view, diag::SourceMark> reported;  // place of the last report, by kind
     for (const auto& [position, pair] : duplicates) {
       const auto& [element, earlier] = pair;
       diag::SourceMark& last = reported[element->kind];
@@ -77,7 +77,8 @@ class NameTable {
     }
   }
 
-  /// Returns the first element of that kind and name, or null. The table must be sorted.
+  /// Returns the first element of this kind and name; null if there is none. The table must be
+  /// sorted.
   const NamedElement* Find(std::string_view kind, std::string_view name) const {
     const NamedElement wanted = {.hash = HashOf(name), .kind = kind, .name = name};
     const auto found = std::lower_bound(elements_.begin(), elements_.end(), wanted);
@@ -91,7 +92,7 @@ class NameTable {
   std::vector<NamedElement> elements_;
 };
 
-// Reports parts whose name is that of another part's visual geom.
+// Reports parts that have the name of another part's visual geom.
 void CheckVisualNames(const model::Object& object, const NameTable& names,
                       diag::Findings& findings) {
   for (const model::Body& body : object.bodies) {
@@ -102,7 +103,7 @@ void CheckVisualNames(const model::Object& object, const NameTable& names,
       const NamedElement* twin = names.Find("part", stem);
       if (twin == nullptr || twin->part->role == model::Role::kCollision || twin->part->as_is)
         continue;
-      // Skips visual parts, whose only geom gets the suffix a second time.
+      // Skip visual parts: their only geom gets the suffix once more, so that it differs.
       if (!part.as_is && part.role == model::Role::kVisual) continue;
       ReportTwice("part", part.name, part.mark, twin->mark,
                   fmt::format("part '{}' has a visual twin of that name", stem), findings);

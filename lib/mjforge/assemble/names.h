@@ -1,4 +1,4 @@
-// Names of elements: quoting in messages, and the test for duplicates.
+// Quoting of names in messages, and the check for duplicate names.
 
 #pragma once
 
@@ -14,11 +14,12 @@ using expr::IsName;
 inline constexpr std::string_view kNameRule =
     "a name is a letter, then letters, digits and underscores";
 
-/// Returns the text in quotes, on one line: control characters as \n or \x07, long texts cut off.
+/// Returns the text in quotes, on one line: control characters become \n or \x07, long texts are
+/// cut.
 std::string Quoted(std::string_view text);
 
-/// Reports each name that two elements of the same kind share. The names that visual geoms get
-/// (NAME_vis) count as names of parts.
+/// Reports each name that two elements of the same kind have. The names of visual geoms (NAME_vis)
+/// are treated as names of parts.
 void CheckUniqueNames(const model::Object& object, diag::Findings& findings);
 
 }  // namespace mjforge::assemble

@@ -1,4 +1,5 @@
-// Specs nested in other specs: their parameters and the materials that replace theirs.
+// Nested specs: sampling of their parameters, and the materials of the outer spec that replace
+// theirs.
 
 #include "mjforge/assemble/assembly.h"
 
@@ -15,7 +16,8 @@ std::optional<sample::Evaluator> Assembly::SampleNested(Scope& scope, const spec
     if (given) overrides.emplace_back(parameter, *std::move(given));
   }
   if (!is_good) return std::nullopt;
-  // The nested spec is redrawn on its own, from this attempt on, until its requirements hold.
+  // If its requirements fail, the nested spec is redrawn without redrawing the outer spec, starting
+  // with the outer spec's attempt number.
   return sample::Sample(*entry.nested, scope.values.key(), path, overrides, findings_,
                         scope.values.sampler());
 }

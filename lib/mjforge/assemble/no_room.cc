@@ -1,4 +1,4 @@
-// Messages about bodies for which no place was found: sizes, and the bodies in the way.
+// Messages about bodies for which no place was found: sizes, and the blocking bodies.
 
 #include "mjforge/assemble/no_room.h"
 
@@ -17,10 +17,10 @@ namespace {
 
 using diag::Code;
 
-// Largest number of bodies in the way that a message names.
+// Largest number of blocking bodies that a message names.
 constexpr std::size_t kMostNamed = 3;
 
-// Returns a length in cm, to a tenth of a millimetre.
+// Returns a length given in m as text in cm, rounded to 0.1 mm.
 std::string Cm(double length) { return expr::NumberText(std::round(length * 1e4) / 100); }
 
 std::string Sizes(const Eigen::Vector2d& lengths) {
@@ -35,8 +35,8 @@ std::string SizeOf(const model::Region& region) {
   return text;
 }
 
-// Returns "'plate_0' was in the way of 400, 'mug_1' of 120": the bodies that were in the way of
-// most tries.
+// Returns the bodies that blocked the most tries: "of 900 tries, 'plate_0' was in the way of 400,
+// 'mug_1' of 120".
 std::string BlockersText(const Misses& misses) {
   std::vector<std::pair<std::string, std::size_t>> all(misses.blockers.begin(),
                                                        misses.blockers.end());

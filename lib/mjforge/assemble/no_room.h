@@ -12,34 +12,34 @@
 
 namespace mjforge::assemble {
 
-/// Counts of the failed tries to place one body.
+/// Counts of the failed tries to place one body, by reason.
 struct Misses {
   std::size_t count = 0;
-  std::map<model::PlaceVerdict, std::size_t> verdicts;
-  std::map<std::string, std::size_t> blockers;          // tries by the name of the body in the way
+  std::map<model::PlaceVerdict, std::size_t> verdicts;  // number of tries by verdict
+  std::map<std::string, std::size_t> blockers;          // tries by the name of the blocking body
   Eigen::Vector2d footprint = Eigen::Vector2d::Zero();  // smallest footprint of all tries, m
 
   void Add(const model::PlaceResult& result, const PlaceNames& names);
-  /// Returns true if all tries failed for this reason.
+  /// Returns true if all tries failed with this verdict.
   bool AreAll(model::PlaceVerdict verdict) const;
 };
 
-/// The body for which no place was found, for messages.
+/// Description, for messages, of a body for which no place was found.
 struct NoRoom {
   std::string body;
-  std::string at;
+  std::string at;                         // name in `at:`: a region or a site
   const model::Region* region = nullptr;  // null: the place is a site
-  std::string beside;                     // body of `beside:`; empty if not given
-  bool has_uv = false;                    // `uv:` gives the position in the region
-  double clear = 0;                       // distance to keep, m
+  std::string beside;                     // name in `beside:`; empty if not given
+  bool has_uv = false;                    // true if `uv:` gives the position in the region
+  double clear = 0;                       // required distance from other bodies, m
   std::optional<double> widest_gap;       // Placer::WidestGap, m; nullopt with `uv:` or `beside:`
-  std::size_t standing = 0;               // instances of the same entry that have a place
-  std::size_t instances = 0;              // all instances of the entry; 0: not known
+  std::size_t standing = 0;               // count of instances of the same entry that have a place
+  std::size_t instances = 0;              // count of all instances of the entry; 0 if unknown
   diag::SourceMark mark;                  // place of `at:` in the spec
   diag::SourceMark target;                // place of the region or site in the spec
 };
 
-/// Adds a finding with the reason, the sizes and the bodies in the way.
+/// Adds a finding with the reason, the sizes and the blocking bodies.
 void ReportNoRoom(const NoRoom& what, const Misses& misses, diag::Findings& findings);
 
 }  // namespace mjforge::assemble

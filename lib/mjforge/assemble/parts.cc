@@ -1,4 +1,5 @@
-// Parts: material, shape, mass and attributes, and the split into visual part and pieces.
+// Reader of parts: material, shape, mass and attributes; splits parts into a visual part and convex
+// pieces.
 
 #include <algorithm>
 #include <array>
@@ -29,13 +30,13 @@ bool ReadRole(FieldReader& reader, const spec::Entry& entry, model::Part& part) 
   return true;
 }
 
-// Returns true for fields that are written to the MJCF element unchanged.
+// Returns true for keys whose values are written to the MJCF element unchanged.
 bool IsAttribute(Key id) { return id == Key::kAttribute || id == Key::kRgba || id == Key::kGroup; }
 
-// Hardens the contacts of a shape's convex pieces, because with MuJoCo's default parameters objects
-// would sink through thin walls. With these values a ball of 5 mm that falls 10 cm stays on a floor
-// of 1.5 mm. A time constant below two steps of 2 ms would not be stable. docs/physics.md shows how
-// the values were found.
+// Makes the contacts of a shape's convex pieces stiffer, because with MuJoCo's default parameters
+// objects would sink through thin walls. With these values, a ball of 5 mm that falls 10 cm does
+// not break through a floor of 1.5 mm. A time constant below two steps of 2 ms would not be stable.
+// docs/physics.md explains how the values were found.
 void HardenContacts(std::vector<model::Attribute>& attributes) {
   if (model::FindAttribute(attributes, "solref") != nullptr) return;
   const auto add = [&](std::string_view name, sample::Numbers numbers) {
@@ -49,7 +50,7 @@ void HardenContacts(std::vector<model::Attribute>& attributes) {
   add("solmix", {100});
 }
 
-// Returns the bounding box of a part, or of its pieces if it has some.
+// Returns the bounding box of a part or, if it has convex pieces, of its pieces.
 model::Box3 BoxOf(const model::Part& part, const std::vector<model::Part>& pieces,
                   const model::Pose& X_FG) {
   if (pieces.empty() || part.extent) return model::BoundsOf(part, X_FG);
@@ -167,8 +168,9 @@ bool Assembly::SetDensity(FieldReader& reader, const spec::Field& field, double 
   return true;
 }
 
-// Sets the mass by the first of: the part's own mass or density, its material's density, the
-// defaults' mass or density, the density of water. A visual part has mass only by its own fields.
+// Sets the mass from the first of these that exists: the part's own mass or density, the density of
+// its material, the mass or density in the defaults, the density of water. A visual part has mass
+// only if its entry has the key `mass` or `density`.
 bool Assembly::ReadMass(FieldReader& reader, const spec::Entry& entry,
                         const MaterialState* material, model::Part& part) {
   const spec::Field* mass = entry.Find(Key::kMass);
@@ -189,7 +191,7 @@ bool Assembly::ReadMass(FieldReader& reader, const spec::Entry& entry,
   return SetMass(reader, std::nullopt, part);
 }
 
-// Sets the given mass, or the mass by the part's density.
+// Sets the part's mass to `mass` or, if it is nullopt, computes the mass from the part's density.
 bool Assembly::SetMass(FieldReader& reader, const std::optional<double>& mass, model::Part& part) {
   if (part.is_shell && !mass) {
     reader.ReportElement(Code::kSpecMissingKey, part.mark, "is a shell and has no 'mass'",

@@ -1,4 +1,4 @@
-// Lookup of bodies, regions and sites by the names of `place:`, and findings about wrong names.
+// Lookup of the names in `place:`, and findings about names that do not exist.
 
 #include "mjforge/assemble/place_names.h"
 
@@ -27,7 +27,7 @@ bool HasName(const std::vector<std::string>& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-// Returns the region or site of a body that has one of the full names.
+// Returns the region or site of a body whose name is one of the full names.
 std::optional<PlaceTarget> FindOn(const model::Object& object, int body,
                                   const std::vector<std::string>& names) {
   const model::Body& owner = object.bodies[static_cast<std::size_t>(body)];
@@ -40,7 +40,7 @@ std::optional<PlaceTarget> FindOn(const model::Object& object, int body,
   return target;
 }
 
-// Returns the full name without the first of `prefixes` with which the name begins.
+// Returns the full name without the first of the prefixes that matches.
 std::string_view Without(std::string_view full, std::initializer_list<std::string_view> prefixes) {
   for (const std::string_view prefix : prefixes) {
     if (full.starts_with(prefix)) return full.substr(prefix.size());
@@ -75,8 +75,8 @@ std::optional<PlaceTarget> PlaceNames::Find(std::string_view name) const {
   std::vector<std::string_view> path = PathOf(name);
   const std::string last(path.back());
   path.pop_back();
-  // Collects the possible full names of an element of the body BODY.INNER, because its entry may be
-  // in this spec, in the spec of BODY or in the spec of INNER.
+  // Collect the possible full names of an element of the body BODY.INNER: its entry may be in this
+  // spec, in the spec of BODY or in the spec of INNER, and each of these gives another prefix.
   std::string prefix = scope_.prefix;
   std::vector<std::string> names = {prefix + last};
   for (const std::string_view part : path) {
@@ -88,7 +88,8 @@ std::optional<PlaceTarget> PlaceNames::Find(std::string_view name) const {
   if (body) {
     if (auto target = FindOn(object_, *body, names)) return target;
   }
-  // Searches all bodies, because elements of a welded spec (`parts:`) belong to the outer body.
+  // Search all bodies, because elements of a welded spec (`parts:`) belong to the body of the outer
+  // spec.
   for (int i = 0; i < static_cast<int>(object_.bodies.size()); ++i) {
     if (auto target = FindOn(object_, i, {names.back()})) return target;
   }
@@ -127,7 +128,8 @@ std::vector<std::string_view> PlaceNames::TargetsOn(int index) const {
   for (const model::Site& site : body.sites)
     names.push_back(Without(site.name, {body.name + "_", scope_.prefix}));
   std::ranges::sort(names);
-  names.erase(std::unique(names.begin(), names.end()), names.end());  // each region has a site
+  // Each region also has a site of this name.
+  names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;
 }
 

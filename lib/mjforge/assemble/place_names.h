@@ -1,4 +1,4 @@
-// Names in `place:`: bodies, regions and sites of the spec that contains the entry.
+// Lookup of the names in `place:`: bodies, regions and sites of the spec that contains the entry.
 
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace mjforge::assemble {
 
-/// A region or a site, and the body that has it.
+/// A region or a site, and the body to which it belongs.
 struct PlaceTarget {
   int body = -1;  // index in Object::bodies
   const model::Region* region = nullptr;
@@ -22,36 +22,38 @@ struct PlaceTarget {
   diag::SourceMark mark() const { return region != nullptr ? region->mark : site->mark; }
 };
 
-/// Finds elements of an object by the names that the spec of a scope has for them: NAME of the root
-/// body, BODY.NAME, or BODY.INNER.NAME for a body inside the spec or file of BODY.
+/// Finds elements of an object by the names that are valid in the spec of a scope: NAME for an
+/// element of the root body, BODY.NAME, or BODY.INNER.NAME for an element of a body inside the spec
+/// or MJCF file of BODY.
 class PlaceNames {
  public:
-  /// `bodies` has the indices of all bodies by full name.
+  /// `bodies` contains the indices of all bodies by full name.
   PlaceNames(const model::Object& object, const std::unordered_map<std::string, int>& bodies,
              const Scope& scope)
       : object_(object), bodies_(bodies), scope_(scope) {}
 
-  /// Returns the index of the body BODY or BODY.INNER; nullopt if it does not exist.
+  /// Returns the index of a body named BODY or BODY.INNER; nullopt if there is none.
   std::optional<int> FindBody(std::string_view name) const;
-  /// Returns the region or site with this name; nullopt if neither exists.
+  /// Returns the region or site with this name; nullopt if there is none.
   std::optional<PlaceTarget> Find(std::string_view name) const;
   /// Returns the full name of a body.
   std::string FullName(std::string_view body) const;
   /// Returns the name of a body without the scope's prefix; for the root body, the spec's name.
   std::string NameOf(int body) const;
 
-  /// Adds a finding about a name that no body has; `owner` is the element with the `place:`.
+  /// Adds a finding about a name that no body has. `owner` is the element with `place:`.
   void ReportBody(std::string_view owner, std::string_view name, diag::SourceMark mark,
                   diag::Findings& findings) const;
-  /// Adds a finding about a name that no region and no site has.
+  /// Adds a finding about a name that neither a region nor a site has. `owner` is the element with
+  /// `place:`.
   void ReportTarget(std::string_view owner, std::string_view name, diag::SourceMark mark,
                     diag::Findings& findings) const;
 
  private:
-  /// Returns the names of the regions and sites of a body, without the body's name in front.
+  /// Returns the names of the regions and sites of a body, without the name of the body.
   std::vector<std::string_view> TargetsOn(int index) const;
 
-  /// Splits the name at its dots, and removes the spec's own name from the front.
+  /// Splits the name at its dots. Removes the first part if it is the name of the scope's spec.
   std::vector<std::string_view> PathOf(std::string_view name) const;
 
   const model::Object& object_;

@@ -1,4 +1,4 @@
-// Bodies with `pile:`: the draws of their release, and the options that let piles rest.
+// Bodies with `pile:`: the random poses at their release, and options that let piles come to rest.
 
 #include <algorithm>
 #include <utility>
@@ -23,10 +23,10 @@ void AddUnlessStated(std::string_view name, sample::Numbers numbers, std::string
   attribute.text = std::move(text);
 }
 
-// Sets the options with which a pile rests in MuJoCo, unless the spec sets them itself. With a
-// pyramidal cone and impratio 1, bodies glide on each other for ever; without noslip iterations
-// they creep by some millimetres per second. Without multiccd, releases before 4.0 let a convex
-// piece rest on a single point.
+// Adds the options with which a pile comes to rest in MuJoCo, unless the spec sets them itself.
+// With a pyramidal cone and impratio 1, bodies slide on each other forever. Without noslip
+// iterations, they creep by some millimetres per second. Without multiccd, releases of MuJoCo
+// before 4.0 let a convex piece rest on a single point.
 void AddOptions(std::vector<model::Section>& sections) {
   const spec::SectionInfo* info = spec::FindSection("option");
   auto found = std::ranges::find(sections, info, &model::Section::info);

@@ -1,4 +1,4 @@
-// Reader of `place:`: the values of one try, and checks of the bodies that it names.
+// Reader of `place:`: draws the values of one try, and checks the bodies that they name.
 
 #include <algorithm>
 #include <array>
@@ -24,7 +24,7 @@ bool IsDrawn(const std::vector<spec::Field>& fields) {
                              [](const spec::Field& field) { return spec::HasDraw(field.value); });
 }
 
-// Returns the entry of a body with this literal name; null if there is none.
+// Returns the body's entry with this literal name; null if there is none.
 const spec::BodyEntry* FindEntry(const spec::ObjectSpec& spec, std::string_view name) {
   const auto found = std::ranges::find_if(spec.bodies, [&](const spec::BodyEntry& entry) {
     return spec::LiteralText(entry.head.name) == name;
@@ -32,7 +32,7 @@ const spec::BodyEntry* FindEntry(const spec::ObjectSpec& spec, std::string_view 
   return found == spec.bodies.end() ? nullptr : &*found;
 }
 
-// Returns a field of `place:` that has no meaning at a site; null if there is none.
+// Returns a field of `place:` that has no meaning if the place is a site; null if there is none.
 const spec::Field* WithoutMeaningAtSites(const spec::PlaceEntry& place) {
   constexpr Key kOfSites[] = {Key::kAt, Key::kBy, Key::kYaw, Key::kClear};
   if (!place.beside.empty()) return &place.beside.front();
@@ -42,7 +42,8 @@ const spec::Field* WithoutMeaningAtSites(const spec::PlaceEntry& place) {
   return found == place.fields.end() ? nullptr : &*found;
 }
 
-// Returns the pose that the uniform number `u`, in (0, 1), selects by the poses' probabilities.
+// Returns the pose that a uniform random number `u` in (0, 1) selects according to the
+// probabilities of the poses.
 const model::StablePose& DrawPose(const std::vector<model::StablePose>& poses, double u) {
   for (const model::StablePose& pose : poses) {
     u -= pose.probability;
@@ -261,13 +262,13 @@ std::optional<int> Placements::ReadBody(const Request& request, FieldReader& rea
 
 bool Placements::MustStand(const Request& request, int body, diag::SourceMark mark) {
   if (IsPiled(request, body, mark)) return false;
-  // Ancestor of `body`, or `body` itself, that is a child of the spec's root; or the root itself.
+  // `top` is `body` or its ancestor that is a child of the spec's root, or the root itself.
   int top = body;
   while (top != scope_.body && BodyAt(top).parent >= 0 && BodyAt(top).parent != scope_.body)
     top = BodyAt(top).parent;
   const bool stands = top == scope_.body || BodyAt(top).parent == scope_.body;
   if (stands && body < request.body) return true;
-  if (top < request.body) {  // no place was found for `top`, which was reported
+  if (top < request.body) {  // no place was found for `top`, and this was reported
     if (context_.left_out.contains(BodyAt(top).name)) LeaveOut(request);
     return false;
   }

@@ -1,4 +1,4 @@
-// Placing of bodies: tries a body at drawn places until it stands, and stores the pose.
+// Search for places: tries each body at drawn places until one is free, and stores the pose.
 
 #include "mjforge/assemble/placements.h"
 
@@ -17,7 +17,7 @@ using spec::Key;
 
 // Largest number of tries for one body.
 constexpr std::size_t kMaxTries = 1000;
-// Number of tries after which the search ends if all tries failed because of the region alone, not
+// Number of tries after which the search ends if every try failed because of the region itself, not
 // because of other bodies.
 constexpr std::size_t kHopelessTries = 200;
 
@@ -29,10 +29,11 @@ bool IsHopeless(const Misses& misses) {
 }
 
 // Returns a joint between a body and its ancestor `top` that can tilt objects on the body; null if
-// there is none. Free joints do not count: a free body carries objects as well as the floor does.
+// there is none. Free joints are ignored, because a free body carries objects as well as the floor
+// does.
 const model::Joint* TiltingJoint(const std::vector<model::Body>& bodies,
                                  const std::vector<model::Pose>& X_WB, int body, int top) {
-  constexpr double kVertical = 1e-6;  // sine of the angle, for rounding
+  constexpr double kVertical = 1e-6;  // sine of the angle to the vertical; tolerance for rounding
   for (; body >= 0 && body != top; body = bodies[static_cast<std::size_t>(body)].parent) {
     const auto i = static_cast<std::size_t>(body);
     for (const model::Joint& joint : bodies[i].joints) {
@@ -59,8 +60,8 @@ void Assembly::PlaceBodies(Scope& scope) {
 }
 
 void Placements::Run() {
-  // Makes the spec's root body, which has no pose yet, a child of the world during the search, so
-  // that bodies stand upright in the spec's own frame.
+  // Make the spec's root body, which has no pose yet, a child of the world during the search, so
+  // that bodies stand upright in the frame of the spec.
   model::Body& root = context_.object.bodies[static_cast<std::size_t>(scope_.body)];
   const int parent = std::exchange(root.parent, -1);
   context_.placer.Begin(context_.object);
@@ -82,7 +83,7 @@ void Placements::Run() {
 void Placements::Place(const spec::BodyEntry& entry, sample::StreamId bodies) {
   const std::optional<std::string> name = scope_.values.Text(entry.head.name, bodies);
   const auto found = name ? context_.bodies.find(scope_.prefix + *name) : context_.bodies.end();
-  if (found == context_.bodies.end()) return;  // the body was left out, or an error reported
+  if (found == context_.bodies.end()) return;  // the body was left out, or an error was reported
   const Request request = {entry, *name, found->second};
   sample::StreamId places = sample::Child(sample::Child(bodies, std::string_view(*name)), "place");
   if (context_.seed) places = sample::Child(places, std::size_t{*context_.seed});

@@ -1,4 +1,4 @@
-// Readers of positions, the five orientations of MJCF, `fromto` and directions.
+// Readers of positions, of the five orientations of MJCF, of `fromto` and of directions.
 
 #include "mjforge/assemble/pose_reader.h"
 
@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 using Eigen::Vector4d;
 using spec::Key;
 
-// MuJoCo's mjEPS: MuJoCo rejects axes that are shorter.
+// MuJoCo's mjEPS: MuJoCo rejects axes that are not longer than this.
 constexpr double kShortest = 1e-14;
 
 bool HasLength(const Eigen::Ref<const Eigen::VectorXd>& vector) {
@@ -99,8 +99,8 @@ std::optional<model::Pose> ReadPose(FieldReader& reader, const spec::Entry& entr
   return pose;
 }
 
-// The z axis points from the second point to the first, as in mjCGeom::Compile of MuJoCo 2.2
-// (src/user/user_objects.cc).
+// Reads the two points of `fromto`. The z axis points from the second point to the first, as in
+// mjCGeom::Compile of MuJoCo 2.2 (src/user/user_objects.cc).
 std::optional<Segment> ReadFromTo(FieldReader& reader, const spec::Field& field,
                                   const spec::Field* up_field) {
   const auto ends = reader.Vector<6>(field);

@@ -1,4 +1,4 @@
-// Readers of poses: pos with an orientation, fromto, directions.
+// Readers of poses: `pos` with an orientation, `fromto`, and directions.
 
 #pragma once
 
@@ -8,21 +8,23 @@
 
 namespace mjforge::assemble {
 
-/// Returns the pose given by pos and one of quat, euler, axisangle, xyaxes and zaxis; nullopt after
-/// a finding.
+/// Returns the pose given by `pos` and one of `quat`, `euler`, `axisangle`, `xyaxes` and `zaxis`.
+/// Returns nullopt, and adds a finding, if a field is invalid.
 std::optional<model::Pose> ReadPose(FieldReader& reader, const spec::Entry& entry);
 
-/// The segment that `fromto` gives: pose of its middle, with z along it, and half its length, m.
+/// The segment between the two points of `fromto`: the pose of its middle, with z along the
+/// segment, and half its length in m.
 struct Segment {
   model::Pose pose;
   double half_length = 0;
 };
-/// Reads `fromto`. If `up` is null, the rotation that turns z is the smallest one; otherwise the y
-/// axis is as close to `up` as possible.
+/// Reads `fromto`. If `up` is null, the orientation is the smallest rotation that turns z along the
+/// segment. Otherwise the y axis is as close to the direction `up` as possible.
 std::optional<Segment> ReadFromTo(FieldReader& reader, const spec::Field& field,
                                   const spec::Field* up);
 
-/// Returns the unit vector along a field's three numbers; nullopt after a finding.
+/// Returns the unit vector in the direction of a field's three numbers; nullopt after adding a
+/// finding.
 std::optional<Eigen::Vector3d> ReadDirection(FieldReader& reader, const spec::Field& field);
 
 }  // namespace mjforge::assemble

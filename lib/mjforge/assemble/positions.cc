@@ -22,7 +22,7 @@ bool IsWithin(const Eigen::Vector2d& range, double position) {
   return position >= range[0] - slack && position <= range[1] + slack;
 }
 
-// Returns true if the quaternion q (w, x, y, z) is a rotation by at most range[1], rad.
+// Returns true if the angle of the rotation q (w, x, y, z) is at most range[1], rad.
 bool IsTurnedWithin(const Eigen::Vector2d& range, const Eigen::Vector4d& q) {
   return 2 * std::acos(std::min(std::abs(q[0]), 1.0)) <= range[1] + kTolerance;
 }
@@ -76,7 +76,8 @@ std::optional<sample::Numbers> Assembly::ToQpos(std::string_view what,
     }
   } else if (joint.range && !IsWithin(*joint.range, numbers[0])) {
     const double number = numbers[0];
-    // True if the number is within the range in degrees, which the author may have meant.
+    // True if the number would be within the range in degrees, because the author may have meant
+    // degrees.
     const bool is_degrees = joint.type == "hinge" && std::abs(number) > 2 * std::numbers::pi &&
                             IsWithin(*joint.range, number * std::numbers::pi / 180);
     return bad(

@@ -1,4 +1,5 @@
-// Tests of references: elements that refer to removed elements are dropped, others must exist.
+// Checks of references: elements that refer to removed elements are removed, all other references
+// must exist.
 
 #include "mjforge/assemble/references.h"
 
@@ -14,7 +15,8 @@ namespace {
 
 using diag::Code;
 
-// Returns "body" for "xbody": in MJCF both are bodies, by their inertial or by their own frame.
+// Returns "body" for "xbody". In MJCF, both kinds are bodies: "body" refers to the inertial frame,
+// "xbody" to the body's own frame.
 std::string_view Canonical(std::string_view kind) { return kind == "xbody" ? "body" : kind; }
 
 }  // namespace
@@ -70,7 +72,7 @@ bool References::IsRemoved(const std::string& joint) const {
 
 void References::Check() {
   if (references_.empty()) return;
-  // Repeats until nothing changes, because elements may refer to dropped elements.
+  // Repeat until nothing changes, because elements may refer to elements that were just removed.
   for (bool changed = true; changed;) {
     changed = false;
     for (const NameReference& reference : references_) changed |= DropIfRemoved(reference);
@@ -113,7 +115,7 @@ bool References::DropIfRemoved(const NameReference& reference) {
 }
 
 void References::Report(const NameReference& reference, const Set& names) {
-  // Suggests names as in the spec, without the prefix.
+  // Suggest names as the spec writes them, without the prefix.
   const std::size_t prefix = reference.name.size() >= reference.shown.size()
                                  ? reference.name.size() - reference.shown.size()
                                  : 0;

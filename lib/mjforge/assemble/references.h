@@ -1,4 +1,5 @@
-// References between elements by name, such as a sensor's joint, checked once all elements exist.
+// References between elements by name, such as a sensor's joint; checked after all elements were
+// added.
 
 #pragma once
 
@@ -14,27 +15,28 @@
 
 namespace mjforge::assemble {
 
-/// The references of one object's sections.
+/// The references of the elements in the sections of one object.
 class References {
  public:
   References(model::Object& object, diag::Findings& findings)
       : object_(object), findings_(findings) {}
 
-  /// Place of an element: its section and its index there.
+  /// Place of an element: its section, and its index in the section.
   struct ElementPlace {
     const spec::SectionInfo* section = nullptr;
     std::size_t position = 0;
   };
-  /// Adds a reference of the element at `place` to an element of this kind. Messages show the name
-  /// as `shown`, and the attribute with its element as `owner`.
+  /// Adds a reference of the element at `place` to an element of the kind `kind` with the name
+  /// `full_name`. Messages contain `shown`, the name in the spec, and `owner`, the attribute with
+  /// its element.
   void Add(ElementPlace place, std::string_view kind, std::string full_name, std::string shown,
            std::string owner, diag::SourceMark mark);
-  /// Notes that attaching the spec or file `origin` removed a joint.
+  /// Records that a joint was removed because the spec or file `origin` was attached.
   void MarkRemoved(std::string joint, std::string origin);
   bool IsRemoved(const std::string& joint) const;
 
-  /// Drops elements that refer to removed elements, with a warning for each, and reports names that
-  /// no element has.
+  /// Removes elements that refer to removed elements, and adds a warning for each. Then reports
+  /// references to names that no element has.
   void Check();
 
  private:
@@ -42,17 +44,18 @@ class References {
     ElementPlace place;
     std::string_view kind;
     std::string name;
-    std::string shown;  // name in the spec or file
+    std::string shown;  // name as written in the spec or file
     std::string owner;  // "joint of jointpos 'angle'"
     diag::SourceMark mark;
   };
   using Set = std::unordered_set<std::string_view>;
   using Names = std::map<std::string_view, Set>;  // names by kind
 
-  /// Returns the names of all elements of the kinds that are referred to. `geoms` gets the
-  /// names of geoms, because the object does not contain all of them as texts to refer to.
+  /// Returns the names of all elements, by kind, for the kinds that references need. The result
+  /// refers to texts in the object and in `geoms`, to which the function adds the names of geoms.
   Names CollectNames(std::vector<std::string>& geoms) const;
-  /// Drops the element if it refers to a removed one. Returns true if it was dropped now.
+  /// Removes the element if it refers to a removed one. Returns true if this call removed the
+  /// element.
   bool DropIfRemoved(const NameReference& reference);
   bool IsDropped(ElementPlace place) const {
     return dropped_.contains({place.section, place.position});
@@ -62,9 +65,10 @@ class References {
   model::Object& object_;
   diag::Findings& findings_;
   std::vector<NameReference> references_;
-  // Removed elements: reasons by kind and name.
+  // Elements that do not exist: the reason, by kind and name.
   std::map<std::string, std::map<std::string, std::string>, std::less<>> removed_;
-  std::set<std::pair<const spec::SectionInfo*, std::size_t>> dropped_;  // dropped elements
+  // Removed elements of sections.
+  std::set<std::pair<const spec::SectionInfo*, std::size_t>> dropped_;
 };
 
 }  // namespace mjforge::assemble

@@ -1,4 +1,4 @@
-// Regions of bodies: places where other bodies can stand, as declared, and their sites.
+// Reader of declared regions, on which other bodies can stand, and their sites.
 
 #include <algorithm>
 #include <array>
@@ -20,10 +20,10 @@ using spec::Key;
 // Half the thickness of a region's site, m.
 constexpr double kHalfThickness = 0.0005;
 
-// Returns the key that gives the extent of a region of this type.
+// Returns the key that specifies the extent of a region of this type.
 Key ExtentKey(std::string_view type) { return type == "polygon" ? Key::kPolygon : Key::kSize; }
 
-// Reports keys that have no meaning for the region's type; returns true if it reported any.
+// Reports keys that have no meaning for the region's type. Returns true if there are any.
 bool HasStrayRegionKeys(FieldReader& reader, const spec::Entry& entry, std::string_view type) {
   const bool is_auto = type == "auto";
   bool stray = false;
@@ -43,8 +43,8 @@ bool HasStrayRegionKeys(FieldReader& reader, const spec::Entry& entry, std::stri
   return stray;
 }
 
-// Returns the index of a corner at which a counter-clockwise polygon is not convex; nullopt if the
-// polygon is convex.
+// Returns the index of a corner at which a counter-clockwise polygon is not convex. Returns nullopt
+// if the polygon is convex.
 std::optional<std::size_t> ConcaveCorner(const std::vector<Eigen::Vector2d>& corners) {
   const std::size_t n = corners.size();
   double turned = 0;
@@ -56,7 +56,8 @@ std::optional<std::size_t> ConcaveCorner(const std::vector<Eigen::Vector2d>& cor
     if (!(turn > 0)) return i;
     turned += turn;
   }
-  // Rejects stars (pentagrams), which turn left at each corner, too, but more than once around.
+  // Reject star polygons (pentagrams): they also turn left at each corner, but by more than 360
+  // degrees in all.
   if (turned > 3 * std::numbers::pi) return 0;
   return std::nullopt;
 }
@@ -108,7 +109,8 @@ bool ReadExtent(FieldReader& reader, const spec::Entry& entry, std::string_view 
   return half_size.has_value();
 }
 
-// Reads a length into `out`, which keeps its default if the entry does not have the key.
+// Reads a length into `out`. Leaves `out` unchanged if the entry does not have the key. Returns
+// false after adding a finding.
 bool ReadLength(FieldReader& reader, const spec::Entry& entry, Key key, double& out) {
   const spec::Field* field = entry.Find(key);
   if (field == nullptr) return true;
@@ -137,7 +139,7 @@ bool HasRoomWithin(const model::Region& region) {
     const Eigen::Vector2d normal = solid::OutwardNormal(region.corners, i);
     rest = solid::Clipped(rest, normal, normal.dot(region.corners[i]) - region.margin);
   }
-  constexpr double kStraight = 1e-9;  // sine of an angle; thinner remainders are rounding errors
+  constexpr double kStraight = 1e-9;  // sine of an angle; thinner polygons are rounding errors
   return solid::AreaOf(solid::ConvexPolygonOf(std::move(rest), kStraight)) > 0;
 }
 

@@ -11,9 +11,9 @@ namespace {
 
 using diag::Code;
 
-// Limit on instances of all kinds in one object, including those that `if` leaves out. The limit
-// exceeds kMaxParts, because a condition may leave out most instances (a ball of cells cut from a
-// cube).
+// Limit on the number of instances of all kinds in one object, including those that `if` leaves
+// out. The limit is larger than kMaxParts, because a condition may leave out most instances (a ball
+// of cells cut from a cube).
 constexpr long kMaxSteps = 1'000'000;
 
 bool SetLocals(const spec::Entry& entry, sample::Evaluator& values, sample::StreamId list) {
@@ -38,7 +38,7 @@ long Repetition::CountInstances(const spec::Entry& entry, std::size_t depth,
   if (depth + 1 == entry.loops.size()) return times;
   long sum = 0;
   for (long i = 0; i < times && sum <= limit; ++i) {
-    // Limits outer loops, too, which take time even if the inner loops have no instances.
+    // Limit the outer loops, too, which take time even if the inner loops have no instances.
     if (i > kMaxSteps) return limit + 1;
     values.SetVariable(loop, *range, static_cast<std::size_t>(i));
     const long inner = CountInstances(entry, depth + 1, values, limit - sum);
@@ -78,7 +78,8 @@ bool Repetition::Walk(const spec::Entry& entry, std::size_t depth, sample::Evalu
     bool exists = !locals_first || SetLocals(entry, values, list);
     if (exists && entry.condition)
       exists = values.Condition(*entry.condition, entry.mark).value_or(false);
-    // The local values of an instance that does not exist may be impossible to compute.
+    // Set the local values only now, because those of an instance that does not exist may be
+    // impossible to compute.
     if (exists && !locals_first) exists = SetLocals(entry, values, list);
     if (exists) visit();
     return !findings_.HasErrors(before);

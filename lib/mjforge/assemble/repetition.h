@@ -9,18 +9,20 @@
 namespace mjforge::assemble {
 
 /// Expands the entries of one object into instances. Loops are nested, the first variable
-/// outermost; `let` and `if` are evaluated for each instance.
+/// outermost. `let` and `if` are evaluated for each instance.
 class Repetition {
  public:
   explicit Repetition(diag::Findings& findings) : findings_(findings) {}
 
-  /// Returns the number of instances, ignoring conditions; nullopt after a finding, for instance if
-  /// there are too many together with the `existing` elements.
+  /// Returns the number of instances without regard to conditions. Returns nullopt, and adds a
+  /// finding, if a loop is invalid or if there are too many instances together with `existing`
+  /// elements.
   std::optional<std::size_t> Count(const spec::Entry& entry, sample::Evaluator& values,
                                    std::size_t existing);
-  /// Calls `visit` for each instance that exists, with its variables and local values set. Local
-  /// values are drawn from the stream of the instance's name in `list`. Stops after an instance
-  /// with an error, because the others would fail in the same way.
+  /// Calls `visit` for each instance that exists, after setting its loop variables and local
+  /// values. Local values are drawn from the child of the stream `list` that the instance's name
+  /// selects. Stops after an instance with an error, because the other instances would fail in the
+  /// same way.
   template <typename Visit>
   void ForEach(const spec::Entry& entry, sample::Evaluator& values, sample::StreamId list,
                const Visit& visit) {
@@ -28,15 +30,15 @@ class Repetition {
   }
 
  private:
-  /// Returns the number of instances of the loops from `depth` on, ignoring conditions; -1 after a
-  /// finding.
+  /// Returns the number of instances of the loops from index `depth` on, without regard to
+  /// conditions; -1 after adding a finding.
   long CountInstances(const spec::Entry& entry, std::size_t depth, sample::Evaluator& values,
                       long limit);
   bool Walk(const spec::Entry& entry, std::size_t depth, sample::Evaluator& values,
             sample::StreamId list, const std::function<void()>& visit);
 
   diag::Findings& findings_;
-  long steps_ = 0;  // number of instances so far, existing or not
+  long steps_ = 0;  // count of all instances so far, including those that `if` leaves out
 };
 
 }  // namespace mjforge::assemble

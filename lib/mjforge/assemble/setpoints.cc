@@ -1,4 +1,5 @@
-// Setpoints of actuators at the start: those of the spec, and positions that servos hold.
+// Completes the setpoints of actuators at the start: values of the spec, and positions that servos
+// hold.
 
 #include <algorithm>
 #include <iterator>
@@ -26,7 +27,8 @@ std::string_view TextOf(const model::Element& element, std::string_view name,
   return attribute == nullptr ? otherwise : std::string_view(attribute->text);
 }
 
-// Returns the hinge or slide that an actuator moves if the joint has a start position; or null.
+// Returns the hinge or slide that an actuator moves, if that joint has a start position; otherwise
+// null.
 const model::Joint* StartedJoint(const model::Object& object, const model::Element& actuator) {
   const std::string_view name =
       TextOf(actuator, "joint", TextOf(actuator, "jointinparent", std::string_view()));
@@ -37,8 +39,8 @@ const model::Joint* StartedJoint(const model::Object& object, const model::Eleme
   return nullptr;
 }
 
-// Returns the input at which a position servo exerts no force if its transmission has this length;
-// nullopt for other actuators. Source: mj_fwdActuation of MuJoCo 2.2
+// Returns the input at which a position servo exerts no force if the length of its transmission is
+// `length`. Returns nullopt for other actuators. Source: mj_fwdActuation of MuJoCo 2.2
 // (src/engine/engine_forward.c).
 std::optional<double> HoldingInput(const model::Element& actuator, double length) {
   if (actuator.tag == "position" || actuator.tag == "intvelocity") return length;
@@ -51,7 +53,7 @@ std::optional<double> HoldingInput(const model::Element& actuator, double length
   return -(NumberOf(actuator, "biasprm", 0, 0) + slope * length) / gain;
 }
 
-// Sets the numbers that the spec does not give so that the servo holds its joint.
+// Sets the numbers that the spec does not specify, so that the servo holds its joint at the start.
 void SetHolding(const model::Object& object, const model::Element& actuator,
                 model::Setpoint& setpoint) {
   const model::Joint* joint = StartedJoint(object, actuator);

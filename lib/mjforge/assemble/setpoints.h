@@ -1,4 +1,4 @@
-// Setpoints of actuators at the start of a whole object.
+// Setpoints (ctrl and act) of actuators at the start of an object.
 
 #pragma once
 
@@ -6,12 +6,12 @@
 
 namespace mjforge::assemble {
 
-/// Returns true for actuators with an activation state (MuJoCo's `act`).
+/// Returns true if the actuator has an activation state (MuJoCo's `act`).
 bool HasActivation(const model::Element& actuator);
 
 /// Completes `object.setpoints`: a position servo holds its joint at the joint's start position,
-/// unless the spec gives another setpoint. Reports controls and activations outside of their
-/// ranges. Actuators must be in their final order.
+/// unless the spec specifies another setpoint. Reports controls and activations outside their
+/// ranges. The actuators must already be in their final order.
 void CompleteSetpoints(model::Object& object, diag::Findings& findings);
 
 }  // namespace mjforge::assemble

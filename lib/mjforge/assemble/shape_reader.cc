@@ -1,4 +1,5 @@
-// Shapes of parts: type, size, pose or `fromto`, and keys that do not belong to the type.
+// Reader of shapes of parts: type, size, pose or `fromto`; reports keys that do not belong to the
+// type.
 
 #include "mjforge/assemble/shape_reader.h"
 
@@ -16,7 +17,8 @@ using spec::Key;
 
 bool HasEnds(std::string_view type) { return spec::FindShape(type)->Takes(Key::kFromTo); }
 
-// Reports keys of other shapes. The type may be drawn, so that the spec cannot be checked earlier.
+// Reports keys of other shapes. If the type is drawn, this check is not possible when the spec is
+// loaded.
 bool HasStrayKeys(FieldReader& reader, const spec::Entry& entry, std::string_view type) {
   const spec::ShapeInfo* shape = spec::FindShape(type);
   bool stray = false;

@@ -1,4 +1,4 @@
-// Reader of a part's shape and pose.
+// Reader of a part's shape and of the pose of the shape.
 
 #pragma once
 
@@ -12,17 +12,19 @@
 
 namespace mjforge::assemble {
 
-/// Pose of the frame G of a part's shape; convex pieces in G if the room `solid` makes the shape.
+/// Pose of a part's shape, whose frame is G. `pieces` contains convex pieces, with poses in G, if
+/// the library `solid` makes the shape.
 struct ShapePlacement {
   model::Pose X_FG;
   std::vector<model::Part> pieces;
 };
-/// Sets the part's shape and mesh. Returns nullopt after a finding.
+/// Sets the part's shape and mesh. Returns nullopt after adding a finding.
 std::optional<ShapePlacement> ReadShape(FieldReader& reader, const spec::Entry& entry,
                                         const std::filesystem::path& folder, PartTexture texture,
                                         Assets& assets, model::Part& part);
 
-/// Returns the geom type for a value of `type:`; shapes of the room `solid` are meshes.
+/// Returns the geom type for a word of the key `type`; kMesh for shapes that the library `solid`
+/// makes.
 model::GeomType TypeOf(std::string_view word);
 
 }  // namespace mjforge::assemble

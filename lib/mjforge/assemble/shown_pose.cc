@@ -1,4 +1,4 @@
-// The pose in which pictures show an object: checks of its joints.
+// Check of the joints in `view:`, the pose in which pictures show an object.
 
 #include "mjforge/assemble/shown_pose.h"
 
@@ -17,13 +17,14 @@ namespace {
 
 using diag::Code;
 
-// Returns true if one of the names ends with the other, as a whole or after "_".
+// Returns true if the shorter name equals the longer name, or its end after a "_".
 bool EndAlike(std::string_view a, std::string_view b) {
   if (a.size() < b.size()) std::swap(a, b);
   return a.ends_with(b) && (a.size() == b.size() || a[a.size() - b.size() - 1] == '_');
 }
 
-// Returns true if a name of the spec may be the joint's: an expression in it may give any text.
+// Returns true if a name in the spec may evaluate to the name of the joint. An expression in the
+// name may give any text.
 bool MayBe(const spec::Value& name, std::string_view joint) {
   if (const auto literal = spec::LiteralText(name)) return EndAlike(*literal, joint);
   const auto* text = std::get_if<spec::Text>(&name.form);
@@ -69,7 +70,7 @@ void CheckShownPose(const spec::ObjectSpec& spec, const model::Object& object,
   std::vector<std::string_view> joints;
   for (const model::Body& body : object.bodies) {
     for (const model::Joint& joint : body.joints) {
-      // Skips ball and free joints, whose positions have several numbers.
+      // Skip ball and free joints, whose positions have several numbers.
       if (joint.type == "hinge" || joint.type == "slide") joints.push_back(joint.name);
     }
   }

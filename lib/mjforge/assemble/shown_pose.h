@@ -1,4 +1,4 @@
-// The pose in which pictures show an object.
+// Check of the joints in `view:`, the pose in which pictures show an object.
 
 #pragma once
 
@@ -7,9 +7,9 @@
 
 namespace mjforge::assemble {
 
-/// Adds a warning for each joint in the pose of the spec's `view:` that the object does not have,
-/// unless it may have the joint in other variants: `if` or `for` leaves it out, or its name depends
-/// on what is drawn. The first words of a joint's name may be missing if only one joint fits.
+/// Adds a warning for each joint in the pose of `view:` that the object does not have. There is no
+/// warning if other variants may have the joint, because `if` or `for` leaves it out or its name is
+/// drawn. The first words of a joint's name may be missing if exactly one joint matches.
 void CheckShownPose(const spec::ObjectSpec& spec, const model::Object& object,
                     diag::Findings& findings);
 

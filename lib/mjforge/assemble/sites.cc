@@ -1,4 +1,4 @@
-// Sites of bodies.
+// Reader of the sites of bodies.
 
 #include <utility>
 
@@ -35,7 +35,7 @@ void Assembly::AddSite(Scope& scope, const spec::Entry& entry, sample::StreamId 
   if (const spec::Field* size = entry.Find(Key::kSize)) {
     sample::Numbers numbers;
     good &= reader.Numbers(*size, numbers);
-    // Sets missing components to MuJoCo's default, 0.005 m.
+    // Set missing components to MuJoCo's default, 0.005 m.
     numbers.resize(3, 0.005);
     site.size = Eigen::Vector3d(numbers.data());
   }

@@ -1,4 +1,4 @@
-// Parts made of a shape of the room `solid`: render mesh, convex pieces and mass.
+// Parts whose shapes the library `solid` makes: render mesh, convex pieces and mass.
 
 #include <algorithm>
 #include <memory>
@@ -14,7 +14,7 @@ namespace {
 using diag::Code;
 using spec::Key;
 
-constexpr std::size_t kManyPieces = 100;  // more cause a warning
+constexpr std::size_t kManyPieces = 100;  // more pieces cause a warning
 
 // Geom types in the order of solid::ConvexPiece::Type.
 constexpr model::GeomType kGeomTypes[] = {model::GeomType::kMesh, model::GeomType::kSphere,
@@ -25,8 +25,9 @@ model::MassProperties PropertiesOf(const solid::Mass& mass) {
   return {.mass = mass.volume, .p_FCm = mass.center, .I_Cm_F = mass.inertia};
 }
 
-/// Gives the part and one of its pieces the extent of the solid, and the other pieces an empty one.
-/// Prefers a piece at the part's own pose, because inverse poses have rounding errors.
+/// Assigns the extent of the solid to the part and to one of its pieces, and an empty extent to the
+/// other pieces. Prefers a piece whose pose equals the part's pose, because inverse poses have
+/// rounding errors.
 void SetExtents(const std::shared_ptr<const solid::Solid>& made, model::Part& part,
                 std::vector<model::Part>& pieces) {
   if (made->extent.empty()) return;
@@ -48,7 +49,7 @@ void SetExtents(const std::shared_ptr<const solid::Solid>& made, model::Part& pa
 std::vector<model::Part> Assets::AddSolid(const std::shared_ptr<const solid::Solid>& made,
                                           model::Part& part) {
   const solid::Solid& solid = *made;
-  // Adds a convex solid with a single mesh as a single part, like MuJoCo's own shapes.
+  // Add a convex solid with a single mesh as a single part, like MuJoCo's own shapes.
   if (solid.pieces.empty() || solid.render_mesh.vertices.empty()) {
     AddInline(solid.pieces.empty() ? solid.render_mesh : solid.pieces.back().mesh, part);
     return {};
@@ -71,7 +72,8 @@ std::vector<model::Part> Assets::AddSolid(const std::shared_ptr<const solid::Sol
                        .size = convex.size};
         piece.X_BG = {convex.p, convex.q};
       } else {
-        if (piece.mesh < 0) AddInline(convex.mesh, piece);  // all turns of the piece share the mesh
+        // All rotated copies of the piece share the mesh.
+        if (piece.mesh < 0) AddInline(convex.mesh, piece);
         piece.X_BG.q = Eigen::Quaterniond(Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()));
       }
       pieces.push_back(piece);

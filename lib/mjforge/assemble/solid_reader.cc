@@ -1,4 +1,4 @@
-// Reader of the shapes that the room `solid` makes: lathe, prism, tube, hull, rounded box and
+// Reader of the shapes that the library `solid` makes: lathe, prism, tube, hull, rounded box and
 // cylinder.
 
 #include "mjforge/assemble/solid_reader.h"
@@ -21,19 +21,19 @@ std::vector<Eigen::Vector2d> PointsIn(const sample::PointList& list,
   return points;
 }
 
-// Returns the name of a hole in findings. Holes are counted along each axis.
+// Returns the name of a hole for findings. Holes are numbered separately for each axis.
 std::string NameOfHole(std::size_t number, std::size_t axis) {
   if (axis == 2) return fmt::format("hole {}", number);
   return fmt::format("hole {} along {}", number, axis == 0 ? "x" : "y");
 }
 
-// Reads the fields of one shape, and makes the shape unless a field is invalid.
+// Reads the fields of one shape, and makes the shape if all fields are valid.
 class SolidReader {
  public:
   SolidReader(FieldReader& reader, const spec::Entry& entry, diag::SourceMark mark)
       : reader_(reader), entry_(entry), mark_(mark) {}
 
-  /// Returns the value of an optional field, or `without`.
+  /// Returns the value of an optional field; `without` if the entry does not have the field.
   double Number(Key key, double without) { return Read(key, &FieldReader::Number, without); }
 
   int Integer(Key key, int without) { return static_cast<int>(Number(key, without)); }
@@ -45,7 +45,7 @@ class SolidReader {
     return Number(Key::kWall, 0);
   }
 
-  /// Returns the points of a required field, to which findings about the shape refer.
+  /// Returns the points of a required field. Findings about the shape refer to this field.
   sample::PointList Points(Key key, std::string_view name) {
     field_ = Required(reader_, entry_, key, name, mark_);
     std::optional<sample::PointList> points =
@@ -56,7 +56,7 @@ class SolidReader {
     return *std::move(points);
   }
 
-  /// Reads the holes of a prism in the order of solid::Fault::loop: along z, x, y.
+  /// Reads the holes of a prism in the order of solid::Fault::loop: holes along z, then x, then y.
   void Holes(const Eigen::Vector3d& scale, solid::Prism& prism) {
     const spec::Field* field = entry_.Find(Key::kHoles);
     if (field == nullptr) return;
@@ -76,7 +76,8 @@ class SolidReader {
     }
   }
 
-  /// Returns the `count` numbers of a required field; `last`, if given, is the last of them.
+  /// Returns the `count` numbers of a required field. If `last` is given, it is the last number,
+  /// and the field contains the others.
   sample::Numbers Numbers(Key key, std::string_view name, std::size_t count,
                           const std::optional<double>& last = std::nullopt) {
     field_ = Required(reader_, entry_, key, name, mark_);
@@ -92,7 +93,7 @@ class SolidReader {
     is_good_ &= Required(reader_, entry_, key, name, mark_) != nullptr;
   }
 
-  /// Reports a field that the other fields exclude, unless it is a default.
+  /// Reports a field that other fields exclude. Ignores the field if it comes from the defaults.
   void Refuse(Key key, std::string_view why, std::string hint = {}) {
     const spec::Field* field = entry_.Find(key);
     if (field == nullptr || field->is_default) return;
@@ -100,7 +101,7 @@ class SolidReader {
     is_good_ = false;
   }
 
-  /// Returns the factors of x and y from the field `scale`.
+  /// Returns the scale factors of x and y from the field `scale`.
   Eigen::Vector2d Scale() {
     const std::optional<sample::Numbers> scale = ReadScale(reader_, entry_, 2);
     is_good_ &= scale.has_value();
@@ -166,11 +167,11 @@ solid::Prism ReadPrism(SolidReader& read, const PartTexture& texture) {
   read.Refuse(Key::kRound, kWhy,
               "round the polygon by arcs of points, as in {arc: [[x, y], radius, 0, 90deg]}");
   read.Refuse(Key::kBevel, kWhy, "leave it out");
-  prism.round = prism.bevel = 0;  // ignores values from defaults
+  prism.round = prism.bevel = 0;  // values from defaults are ignored
   return prism;
 }
 
-// Reads a box with holes, which is a prism with a rectangle as its polygon.
+// Reads a box with holes as a prism with a rectangle as its polygon.
 solid::Prism ReadCutBox(SolidReader& read, const PartTexture& texture,
                         const std::optional<double>& half_length) {
   const sample::Numbers half = read.Numbers(Key::kSize, "size", 3, half_length);

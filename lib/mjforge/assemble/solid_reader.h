@@ -1,4 +1,4 @@
-// Reader of the shapes of the room `solid`.
+// Reader of the shapes that the library `solid` makes.
 
 #pragma once
 
@@ -9,12 +9,12 @@
 
 namespace mjforge::assemble {
 
-/// Returns true if the room `solid` makes parts of this type with these keys.
+/// Returns true if the library `solid` makes parts of this type with the keys of the entry.
 bool IsSolid(std::string_view type, const spec::Entry& entry);
 
-/// Reads a part that the room `solid` makes, adds its shape by Assets::AddShape, sets the part's
-/// pieces, and turns its frame to the grain of the texture. `half_length` (m) has a value only for
-/// a box or cylinder with `fromto`.
+/// Reads a part that the library `solid` makes, and adds its shape with Assets::AddShape(). Sets
+/// the convex pieces in `placed`, and turns the part's frame to the grain of the texture.
+/// `half_length` (m) has a value only for a box or cylinder with `fromto`.
 bool ReadSolid(FieldReader& reader, const spec::Entry& entry, std::string_view type,
                const std::optional<double>& half_length, const PartTexture& texture, Assets& assets,
                model::Part& part, ShapePlacement& placed);

@@ -1,4 +1,4 @@
-// The start state: reads `pose:`, and applies it to joints, free bodies and actuators.
+// Reader of `pose:`, the start state, which is applied to joints, free bodies and actuators.
 
 #include <algorithm>
 #include <map>
@@ -29,8 +29,8 @@ void Assembly::ReadStarts(Scope& scope) {
   }
 }
 
-// Reads one entry of `pose:`. The position is drawn from the stream of the joint's name, not of a
-// key, so that both forms of `pose:`, mapping and list, draw the same positions.
+// Reads one entry of `pose:`. The position is drawn from the stream with the joint's name, not the
+// key's, so that both forms of `pose:`, mapping and list, draw the same positions.
 void Assembly::ReadStart(Scope& scope, const spec::Entry& entry, sample::StreamId pose) {
   RequestedStart& start = starts_.emplace_back();
   start.position.shown = scope.values.Text(entry.name, pose).value_or("");

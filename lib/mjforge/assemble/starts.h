@@ -1,4 +1,4 @@
-// Positions and start states of joints, as requested by a spec.
+// Positions and start states of joints that a spec requests.
 
 #pragma once
 
@@ -10,15 +10,15 @@
 
 namespace mjforge::assemble {
 
-/// A joint's position in `pose:` or `at:`.
+/// The position of a joint in `pose:` or `at:`.
 struct RequestedPosition {
   std::string joint;  // full name
-  std::string shown;  // name in the spec
+  std::string shown;  // name as written in the spec
   sample::Numbers numbers;
   diag::SourceMark mark;
 };
 
-/// A start state in `pose:`, or `start:` of a joint.
+/// A start state in `pose:`, or the value of `start:` of a joint.
 struct RequestedStart {
   std::string_view key = "pose";
   RequestedPosition position;           // `joint` may be the name of an actuator

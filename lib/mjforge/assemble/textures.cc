@@ -1,4 +1,4 @@
-// Textures of an object: pictures, generated textures, and the limit on pixels.
+// Textures of an object: picture files, generated textures, and the limit on pixels.
 
 #include <utility>
 
@@ -14,7 +14,7 @@ namespace {
 using diag::Code;
 using spec::Key;
 
-// Default width of a generated texture, in pixels; MuJoCo has none.
+// Default width of a generated texture, in pixels. MuJoCo has no default.
 constexpr double kPixels = 64;
 
 void FillInPixels(std::vector<model::Attribute>& attributes) {

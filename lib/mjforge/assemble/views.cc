@@ -35,7 +35,8 @@ Eigen::Vector3d VectorOf(model::Element& view, std::string_view name,
   return Eigen::Vector3d(attribute->numbers.data());
 }
 
-// Converts angles that MJCF always has in degrees, whatever its element `compiler` states.
+// Converts to degrees the angles that MJCF expects in degrees, regardless of the setting `angle` of
+// its element `compiler`.
 void ToDegrees(model::Element& view) {
   for (const std::string_view name : {"fovy", "cutoff"}) {
     model::Attribute* attribute = model::FindAttribute(view.attributes, name);
@@ -109,7 +110,7 @@ void Assembly::AddView(Scope& scope, const spec::Entry& entry, sample::StreamId 
 }
 
 void CheckViews(const model::Object& object, diag::Findings& findings) {
-  // Removes the object's prefix from a name.
+  // Returns a name without the object's prefix.
   const auto shown = [&](std::string_view name) {
     const bool has_prefix = name.starts_with(object.name + "_");
     return has_prefix ? name.substr(object.name.size() + 1) : name;

@@ -1,4 +1,4 @@
-// Cameras and lights of bodies.
+// Poses and targets of cameras and lights.
 
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace mjforge::assemble {
 
-/// Expresses the pose of a camera or light, X_BV, in frame A: X_AB * X_BV.
+/// Replaces the pose X_BV of a camera or light by its pose in frame A, X_AB * X_BV.
 void MoveView(const model::Pose& X_AB, model::Element& view);
 
 /// Adds a finding for each camera or light whose target is its own body or does not exist.

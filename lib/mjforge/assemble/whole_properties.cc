@@ -1,4 +1,5 @@
-// Properties that need all bodies of a spec: of subtrees, positions of sites, torques of joints.
+// Properties that depend on all bodies of a spec: of subtrees, positions of sites, torques of
+// joints.
 
 #include "mjforge/assemble/whole_properties.h"
 
@@ -20,7 +21,7 @@ void ClearEntries(const std::vector<spec::Entry>& entries, std::size_t count,
   for (const spec::Entry& entry : entries) ClearSlots(entry.slot, count, values);
 }
 
-// Returns the index of a site's body, and the site; null if there is none of this full name.
+// Returns the site with this full name, and the index of its body; null if there is no such site.
 std::pair<std::size_t, const model::Site*> FindSite(const model::Object& object,
                                                     std::string_view name) {
   for (std::size_t i = 0; i < object.bodies.size(); ++i) {
@@ -30,17 +31,17 @@ std::pair<std::size_t, const model::Site*> FindSite(const model::Object& object,
   return {0, nullptr};
 }
 
-// Returns true if a body is not below the root yet, because `place:` of the body or of an ancestor
-// finds the parent later.
+// Returns true if a body is not a descendant of `root` yet, because `place:` of the body or of an
+// ancestor determines the parent later.
 bool IsPlacedLater(const model::Object& object, std::size_t body, std::size_t root) {
   while (body != root && object.bodies[body].parent >= 0)
     body = static_cast<std::size_t>(object.bodies[body].parent);
   return body != root;
 }
 
-// Returns the largest torque, Nm, by which gravity turns what a hinge or ball joint bears, over all
-// directions of gravity: the weight times the distance of the centre of mass from the axis, or from
-// the centre of the ball joint. The centre of mass is in the frame of the joint's body.
+// Returns the largest torque, Nm, that gravity of any direction exerts on a hinge or ball joint:
+// the weight of the subtree times the distance of its centre of mass from the axis, or from the
+// centre of the ball joint. The centre of mass is in the frame of the joint's body.
 double GravityTorque(const model::MassProperties& subtree, const model::Joint& joint) {
   const Eigen::Vector3d arm = subtree.p_FCm - joint.pos;
   const double distance =
@@ -84,9 +85,10 @@ void WholeProperties::SetSubtrees(const std::unordered_map<std::string, int>& bo
     if (entry.first_subtree_property < 0) continue;
     const auto name = spec::LiteralText(entry.head.name);
     std::string full = scope_.prefix + std::string(name.value_or(""));
-    if (entry.head.FindChild(spec::kChainElement) != nullptr) full += "_0";  // first link
+    // Name of the first link.
+    if (entry.head.FindChild(spec::kChainElement) != nullptr) full += "_0";
     const auto found = bodies.find(full);
-    if (found == bodies.end()) continue;  // left out by `if`
+    if (found == bodies.end()) continue;  // `if` left the body out
     const auto index = static_cast<std::size_t>(found->second);
     SetMeasures(model::SubtreeBounds(object_.bodies, index),
                 model::SubtreeMass(object_.bodies, index).mass, entry.first_subtree_property,

@@ -1,4 +1,5 @@
-// Properties that need all bodies of a spec: of subtrees, positions of sites, torques of joints.
+// Properties that depend on all bodies of a spec: of subtrees, positions of sites, torques of
+// joints.
 
 #pragma once
 
@@ -12,13 +13,14 @@
 
 namespace mjforge::assemble {
 
-/// Removes the values of `count` variables from `slot` on; does nothing if `slot` is negative.
+/// Removes the values of `count` variables, starting with slot `slot`. Does nothing if `slot` is
+/// negative.
 void ClearSlots(int slot, std::size_t count, sample::Evaluator& values);
-/// Sets the variables from `slot` on to the properties of a body, in the order of
+/// Sets the variables from slot `slot` on to the properties of a body, in the order of
 /// spec::BodyProperty. `mass` is in kg.
 void SetMeasures(const model::Bounds& bounds, double mass, int slot, sample::Evaluator& values);
 
-/// Sets the variables of one spec, whose bodies are in `object`.
+/// Sets the variables for these properties in one spec, whose bodies are in `object`.
 class WholeProperties {
  public:
   WholeProperties(Scope& scope, const model::Object& object, Repetition& repetition,
@@ -27,11 +29,13 @@ class WholeProperties {
 
   /// Removes the values of all variables, because `if` may leave out bodies, sites and joints.
   void Clear();
-  /// Sets NAME.subtree_top and the like. `bodies` has the index of each body by its full name.
+  /// Sets NAME.subtree_top and the other properties of subtrees. `bodies` maps full names to
+  /// indices.
   void SetSubtrees(const std::unordered_map<std::string, int>& bodies);
-  /// Sets NAME.pos of sites, in the frame of the spec, whose root is in the body with this index.
+  /// Sets NAME.pos of sites, in the frame of the spec. `root` is the index of the body that
+  /// contains the spec's root.
   void SetPositions(std::size_t root);
-  /// Sets torque(NAME) of the joints of a body; `joints` is their stream.
+  /// Sets torque(NAME) for the joints of a body; `joints` is the random stream of the joints.
   void SetTorques(const std::vector<spec::Entry>& entries, std::size_t body,
                   sample::StreamId joints);
 
@@ -42,7 +46,7 @@ class WholeProperties {
   diag::Findings& findings_;
 };
 
-/// Returns true if expressions use a property of one of these joints or sites.
+/// Returns true if any expression uses a property of one of these joints or sites.
 bool AreUsed(const std::vector<spec::Entry>& entries);
 
 }  // namespace mjforge::assemble

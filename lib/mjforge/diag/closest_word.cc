@@ -11,12 +11,12 @@
 namespace mjforge::diag {
 namespace {
 
-// Words longer than this are not misspelled names, and computing the distance takes time
-// proportional to the square of the length.
+// Maximum length of a word that is compared. Longer words are not misspelled names, and the time of
+// a comparison is proportional to the square of the length.
 constexpr std::size_t kLongestWord = 128;
 
-// Damerau-Levenshtein distance in its optimal string alignment form, which edits no substring
-// twice.
+// Returns the Damerau-Levenshtein distance in its form "optimal string alignment", in which no
+// substring is edited twice.
 std::size_t Distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
@@ -35,9 +35,9 @@ std::size_t Distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
-// Returns true if `word` can be a misspelling of `candidate`: at most one edit per three letters.
-// Words of two letters must share a letter at the same place; words of one letter get no
-// suggestion.
+// Returns true if `word` may be a misspelling of `candidate`: at most one edit per three letters.
+// Words of two letters must have a letter in common at the same place. Words of one letter are
+// never misspellings.
 bool IsSlip(std::string_view word, std::string_view candidate, std::size_t distance) {
   if (distance == 0) return true;
   if (word.size() <= 2) {

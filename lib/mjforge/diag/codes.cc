@@ -1,4 +1,4 @@
-// The table of finding codes, from codes.inc.
+// The table of the codes of findings, made from codes.inc.
 
 #include "mjforge/diag/codes.h"
 

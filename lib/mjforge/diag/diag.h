@@ -2,8 +2,9 @@
 
 #pragma once
 
-// A finding tells the user what is wrong, where to fix it, and what was probably meant. Stages add
-// findings to a list and continue; nothing here prints or exits.
+// A finding is an error or a warning: it describes what is wrong, where to correct it, and what was
+// probably meant. Stages add findings to a list and continue. Nothing in this library prints or
+// exits.
 
 #include <algorithm>
 #include <compare>
@@ -22,8 +23,8 @@
 
 namespace mjforge::diag {
 
-/// A place in one of the texts of a `Sources`. Lines and columns count from 1, columns in bytes. A
-/// default-constructed mark means "no place".
+/// A place in one of the texts of a Sources. Lines and columns count from 1, columns in bytes. A
+/// default-constructed mark has no place, and is false.
 struct SourceMark {
   std::uint32_t file = 0;  // 1-based number in Sources
   std::uint32_t line = 0;
@@ -33,17 +34,19 @@ struct SourceMark {
   auto operator<=>(const SourceMark&) const = default;
 };
 
-/// The texts read by a run of the program. Marks refer to places in these texts, and rendered
-/// findings quote their lines.
+/// The texts that a run of the program has read. Marks are places in these texts, and rendered
+/// findings quote lines of the texts.
 class Sources {
  public:
-  /// Adds a text and returns its number for marks. `name` is shown to the user unchanged. If a file
-  /// is too long to keep, `text` may be only a piece of the file, beginning at line `first_line`.
+  /// Adds a text and returns its number, which marks contain. Messages show `name` unchanged. If a
+  /// file is too long to be stored, `text` may be a piece of the file that begins at line
+  /// `first_line`.
   std::uint32_t Add(std::string name, std::string text, std::uint32_t first_line = 1);
 
   const std::string& Name(std::uint32_t file) const { return files_[file - 1].name; }
   const std::string& Text(std::uint32_t file) const { return files_[file - 1].text; }
-  /// Returns the line that contains the mark, without its line end; empty for "no place".
+  /// Returns the line that contains the mark, without the line end; an empty text for a mark
+  /// without a place.
   std::string_view Line(SourceMark mark) const;
   std::uint32_t size() const { return static_cast<std::uint32_t>(files_.size()); }
 
@@ -68,12 +71,14 @@ struct Finding {
   Severity severity = Severity::kError;
   Code code = Code::kYamlSyntax;
   SourceMark mark;
-  std::string message;                 // a single line without a final full stop
-  std::string hint;                    // the remedy; may be empty
-  std::vector<Note> notes;             // related places
-  std::optional<std::uint64_t> seed;   // seed of the variant; nullopt: about the spec
-  std::optional<std::uint64_t> index;  // index of the variant; nullopt: about the spec
-  /// Paths of files that were not found or are wrong; the finding may end when one of them changes.
+  std::string message;      // a single line without a final full stop
+  std::string hint;         // remedy; may be empty
+  std::vector<Note> notes;  // related places
+  // Seed of the variant; nullopt if the finding is about the spec.
+  std::optional<std::uint64_t> seed;
+  // Index of the variant; nullopt if the finding is about the spec.
+  std::optional<std::uint64_t> index;
+  /// Paths of files that are missing or wrong. A change of one of them may resolve the finding.
   std::vector<std::string> files = {};
 };
 
@@ -85,7 +90,7 @@ class Findings {
   Finding& Warn(Code code, SourceMark mark, std::string message, std::string hint = {});
   void Append(Findings other);
 
-  /// Returns true if a finding from position `first` on is an error.
+  /// Returns true if any finding whose index is at least `first` is an error.
   bool HasErrors(std::size_t first = 0) const;
   bool empty() const { return list_.empty(); }
   std::size_t size() const { return list_.size(); }
@@ -95,11 +100,11 @@ class Findings {
   auto end() const { return list_.end(); }
   const Finding& operator[](std::size_t i) const { return list_[i]; }
 
-  /// Sets seed and index of every finding that has neither.
+  /// Sets the seed and the index of each finding that has neither.
   void SetVariant(std::uint64_t seed, std::uint64_t index);
-  /// Sorts by file, line and column; findings at the same place keep their order.
+  /// Sorts the findings by file, line and column. Findings at the same place remain in their order.
   void Sort();
-  /// Drops repeated findings (same code, place and message), keeping the first.
+  /// Removes repetitions of a finding (same code, place and message), except the first finding.
   void Unique();
   void clear() { list_.clear(); }
   /// Keeps only the first `size` findings.
@@ -109,11 +114,12 @@ class Findings {
   std::vector<Finding> list_;
 };
 
-/// Renders a finding as `file:line:col: error: message [code]`, the source line, a caret, the hint
-/// and the notes. Every line ends with a newline. If `color`, the text has ANSI color sequences.
+/// Returns a finding as `file:line:col: error: message [code]`, the source line, a caret, the hint
+/// and the notes. Every line ends with a newline. If `color` is true, the text contains ANSI color
+/// sequences.
 std::string RenderText(const Finding& finding, const Sources& sources, bool color);
 
-/// Renders a finding as one JSON object without a line end, with the members severity, code, file,
+/// Returns a finding as one JSON object without a line end. Its members are severity, code, file,
 /// line, column, message, hint, seed, index and notes.
 std::string RenderJson(const Finding& finding, const Sources& sources);
 
@@ -121,31 +127,32 @@ std::string RenderJson(const Finding& finding, const Sources& sources);
 struct Utf8Char {
   char32_t value = 0;
   std::size_t length = 1;  // in bytes
-  bool valid = false;      // false: the first byte is not UTF-8
+  bool valid = false;      // false if the first bytes are not valid UTF-8
 };
 /// Decodes the first character of a text that is not empty.
 Utf8Char DecodeUtf8(std::string_view text);
 
-/// Makes text of unknown origin safe to show on one line. Control characters, invalid bytes and
-/// bidirectional controls are replaced by escapes ("\x1b"), so that a spec cannot control a
-/// terminal or a page.
+/// Returns text of unknown origin in a form that is safe to show on one line. Control characters,
+/// invalid bytes and bidirectional controls are replaced by escapes ("\x1b"), so that a spec cannot
+/// control a terminal or a page.
 std::string SafeText(std::string_view text);
 
-/// Makes a text of several lines safe to show, like SafeText, and keeps its line ends.
+/// Returns a text of several lines in a safe form, like SafeText(), but with its line ends.
 std::string SafeLines(std::string_view text);
 
 /// Returns the text with ASCII letters in lower case, regardless of the locale.
 std::string LowerCase(std::string_view text);
 
 /// Returns the candidate with the smallest edit distance to `word` (insertion, deletion,
-/// replacement, swap of neighbours) if the difference can be a typing error. The first of equally
-/// near candidates wins.
+/// replacement, swap of neighbours), the first one if several are equally close. Returns nullopt if
+/// the difference is too large for a typing error.
 std::optional<std::string_view> ClosestWord(std::string_view word,
                                             std::span<const std::string_view> candidates);
 
-/// Returns "did you mean 'x'?" with the closest word, or an empty text if no word is close.
+/// Returns "did you mean 'x'?" with the closest candidate; an empty text if no candidate is close.
 std::string DidYouMean(std::string_view word, std::span<const std::string_view> candidates);
-/// Returns "did you mean 'x'?" for a list of any type; `name` is the member with the candidate.
+/// Returns "did you mean 'x'?" for a list of any type; `name` is the member that contains the
+/// candidate.
 template <typename List, typename Name = std::identity>
 std::string DidYouMean(std::string_view word, const List& list, Name name = {}) {
   std::vector<std::string_view> candidates(std::size(list));

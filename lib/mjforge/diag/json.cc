@@ -1,4 +1,4 @@
-// Escaping of JSON texts, and the check of nesting depth.
+// Escaping of texts in JSON, and the check of the nesting depth.
 
 #include "mjforge/diag/json.h"
 
@@ -32,8 +32,8 @@ bool IsNestedTooDeep(std::string_view json) {
 
 namespace {
 
-// Flags of bytes that may need an escape, as a table because every byte of every text is looked up.
-// Includes the first bytes of UTF-8 characters that control a terminal.
+// Flags of the bytes that may need an escape: a table, because every byte of every text is looked
+// up. The table includes the first bytes of UTF-8 characters that control a terminal.
 constexpr auto kMayNeedEscape = [] {
   std::array<bool, 256> needs{};
   for (std::size_t c = 0; c < 0x20; ++c) needs[c] = true;

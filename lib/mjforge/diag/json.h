@@ -1,4 +1,4 @@
-// A writer of compact JSON, and a check of JSON's nesting depth.
+// A writer of compact JSON, and a check of the nesting depth of JSON.
 
 #pragma once
 
@@ -12,17 +12,18 @@
 
 namespace mjforge::diag {
 
-/// Nesting limit for JSON that is read by recursive functions.
+/// Maximum nesting depth of JSON that recursive functions read.
 inline constexpr int kMaxJsonDepth = 64;
 /// Returns true if objects and lists are nested deeper than kMaxJsonDepth.
 bool IsNestedTooDeep(std::string_view json);
 
 /// Appends JSON to a text without checking its structure. The caller must end objects and lists in
-/// order and pass valid UTF-8. There are no checks, because the bookkeeping of a general JSON
-/// writer took a tenth of the time to generate a variant.
+/// the right order, and must pass valid UTF-8. The reason is speed: a general JSON writer, which
+/// checks the structure, took a tenth of the time to generate a variant.
 class Json {
  public:
-  /// Appends a finite number to a text: expr::AppendNumber or expr::AppendExactNumber.
+  /// A function that appends a finite number to a text: expr::AppendNumber or
+  /// expr::AppendExactNumber.
   using NumberFormat = void (*)(std::string&, double);
   explicit Json(NumberFormat spelling, std::string text = {})
       : spelling_(spelling), text_(std::move(text)) {}
@@ -35,7 +36,7 @@ class Json {
     Value(key);
     text_ += ':';
   }
-  /// Adds a value that is already JSON text.
+  /// Adds a value that already is JSON text.
   void Raw(std::string_view json) {
     Separate();
     text_ += json;
@@ -47,7 +48,8 @@ class Json {
   void Value(bool flag) { Raw(flag ? "true" : "false"); }
   void Value(std::nullptr_t) { Raw("null"); }
   void Value(std::integral auto number) { Raw(std::to_string(number)); }
-  /// Adds a number, or null if it is not finite, because JSON has no other word for such a number.
+  /// Adds a number. Adds null if the number is not finite, because JSON cannot represent such a
+  /// number.
   void Value(double number) {
     if (!std::isfinite(number)) return Value(nullptr);
     Separate();
@@ -71,7 +73,7 @@ class Json {
     Value(value);
   }
 
-  /// Returns the text and leaves the writer empty.
+  /// Returns the text; the writer is empty after this call.
   std::string Take() { return std::move(text_); }
 
  private:

@@ -12,8 +12,8 @@ namespace mjforge::diag {
 namespace {
 
 constexpr int kLineColumns = 120;
-// Number of bytes decoded on either side of the caret: enough to fill a line of output, so that a
-// line of 100 MB is not decoded as a whole.
+// Number of bytes that are decoded before and after the caret: enough for a line of output, so that
+// a line of 100 MB is not decoded as a whole.
 constexpr std::size_t kWindowBytes = 1024;
 constexpr std::string_view kDots = "...";
 
@@ -32,7 +32,8 @@ bool IsContinuation(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0
 // The part of a source line around the caret.
 struct Excerpt {
   std::vector<TerminalCell> cells;
-  std::size_t caret = 0;  // index of the cell above the caret; cells.size() is after the last cell
+  // Index of the cell above the caret; cells.size() if the caret is after the last cell.
+  std::size_t caret = 0;
   bool cut_front = false;
   bool cut_back = false;
 };
@@ -61,7 +62,7 @@ int WidthOf(const Excerpt& excerpt, std::size_t begin, std::size_t end) {
   return width;
 }
 
-// Drops the cells farthest from the caret until the excerpt fits into a line.
+// Removes the cells that are farthest from the caret until the excerpt fits into a line of output.
 void Fit(Excerpt& excerpt) {
   const std::size_t count = excerpt.cells.size();
   if (!excerpt.cut_front && !excerpt.cut_back && WidthOf(excerpt, 0, count) <= kLineColumns) return;
@@ -88,7 +89,8 @@ void Fit(Excerpt& excerpt) {
   excerpt.caret -= begin;
 }
 
-// Returns the line that contains the mark, with a caret below; an empty text for a blank line.
+// Returns the line that contains the mark, and a caret below the line; an empty text for a blank
+// line.
 std::string Quote(SourceMark mark, const Sources& sources, bool color) {
   const std::string_view line = sources.Line(mark);
   if (line.find_first_not_of(" \t") == std::string_view::npos) return {};

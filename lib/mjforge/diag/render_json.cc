@@ -20,9 +20,9 @@ void Place(Json& json, SourceMark mark, const Sources& sources) {
 
 }  // namespace
 
-// Leaves out members without a value (place, hint, seed, index), except for the list of notes.
+// Omits members without a value (place, hint, seed, index), except the list of notes.
 std::string RenderJson(const Finding& finding, const Sources& sources) {
-  Json json(nullptr);  // needs no number format: all numbers are integers
+  Json json(nullptr);  // no number format is needed, because all numbers are integers
   json.StartObject();
   json.Member("severity", finding.severity == Severity::kError ? "error" : "warning");
   json.Member("code", CodeName(finding.code));

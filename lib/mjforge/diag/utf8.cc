@@ -1,4 +1,4 @@
-// UTF-8 decoding, escapes of unsafe characters, and character widths.
+// Decoding of UTF-8, escapes of unsafe characters, and the width of characters.
 
 #include "mjforge/diag/utf8.h"
 
@@ -28,13 +28,12 @@ constexpr std::array kUnsafe = {CodePoints{0x00, 0x1f},     CodePoints{0x7f, 0x9
                                 CodePoints{0x61c, 0x61c},   CodePoints{0x200e, 0x200f},
                                 CodePoints{0x2028, 0x202e}, CodePoints{0x2066, 0x2069}};
 
-// Characters without width: combining marks, zero-width joiners, variation selectors, byte-order
-// mark.
+// Characters of width 0: combining marks, zero-width joiners, variation selectors, byte-order mark.
 constexpr std::array kNoWidth = {CodePoints{0x300, 0x36f}, CodePoints{0x200b, 0x200d},
                                  CodePoints{0x20d0, 0x20ff}, CodePoints{0xfe00, 0xfe0f},
                                  CodePoints{0xfeff, 0xfeff}};
 
-// Blocks of wide characters, a coarse form of Unicode's East Asian Width (UAX #11).
+// Blocks of characters of width 2: an approximation of Unicode's East Asian Width (UAX #11).
 constexpr std::array kWide = {
     CodePoints{0x1100, 0x115f},   CodePoints{0x2e80, 0x303e},  CodePoints{0x3040, 0xa4cf},
     CodePoints{0xac00, 0xd7a3},   CodePoints{0xf900, 0xfaff},  CodePoints{0xfe30, 0xfe6f},

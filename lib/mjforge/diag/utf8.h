@@ -1,4 +1,4 @@
-// Terminal cells of UTF-8 characters, and replacement of invalid UTF-8.
+// Width of UTF-8 characters in a terminal, and replacement of invalid UTF-8.
 
 #pragma once
 
@@ -12,13 +12,14 @@ namespace mjforge::diag {
 /// Returns true for control characters (C0, DEL, C1), line separators and bidirectional controls.
 bool ControlsTerminal(char32_t value);
 
-/// The safe text for a character, and its width in columns of a terminal.
+/// A character as safe text for a terminal, and the width of this text in columns.
 struct TerminalCell {
   std::string text;
   int width = 1;
 };
 
-/// Returns the cell of the first character of `text`, with the escapes of SafeText.
+/// Returns the cell of `character`, the first character of `text`. Unsafe characters are escaped
+/// like in SafeText().
 TerminalCell SafeCell(std::string_view text, Utf8Char character);
 
 /// Returns the text with every invalid byte replaced by U+FFFD.

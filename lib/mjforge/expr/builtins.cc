@@ -1,4 +1,4 @@
-// Built-in functions, operators and constants: documentation, computation, rules for dimensions.
+// Built-in functions, operators and constants: documentation, computation, dimension rules.
 #include "mjforge/expr/builtins.h"
 
 #include <algorithm>
@@ -49,7 +49,7 @@ constexpr std::array kConstants = {
     Constant{"true", 1, true},
 };
 
-// Min() and Max() return NaN if any argument is NaN, so that the error is reported.
+// Min() and Max() return NaN if any argument is NaN, so that the invalid argument is reported.
 double Min(double a, double b) { return b < a || std::isnan(b) ? b : a; }
 
 double Max(double a, double b) { return b > a || std::isnan(b) ? b : a; }
@@ -65,13 +65,13 @@ using Unary = Builtin::Unary;
 using Binary = Builtin::Binary;
 using Ternary = Builtin::Ternary;
 
-// Returns the boolean as a number, or NaN if an operand is NaN or infinite.
+// Returns the boolean as 1 or 0. Returns NaN if an operand is NaN or infinite.
 double Truth(bool value, double a, double b = 0) {
   if (!std::isfinite(a) || !std::isfinite(b)) return std::numeric_limits<double>::quiet_NaN();
   return value ? 1 : 0;
 }
 
-// And() and Or() ignore the second operand if the first one decides the result.
+// And() and Or() ignore the second operand if the first operand determines the result.
 double And(double a, double b) { return a == 0 ? 0 : Truth(b != 0, a, b); }
 
 double Or(double a, double b) { return Truth(a != 0, a) == 1 ? 1 : Truth(b != 0, a, b); }
@@ -99,7 +99,7 @@ const std::array kOperators = {
             ResultRule::kProduct},
     Builtin{"/", Binary([](double a, double b) { return a / b; }), ArgumentRule::kAnything,
             ResultRule::kQuotient},
-    // The remainder of a % b has the sign of `a`.
+    // The remainder has the sign of the first operand.
     Builtin{"%", Binary(std::fmod), ArgumentRule::kSame, ResultRule::kSame},
     Builtin{"^", Binary(std::pow), ArgumentRule::kSameAndCount, ResultRule::kPower},
     Builtin{"<", Compare<std::less<double>>, ArgumentRule::kSame, ResultRule::kCount},

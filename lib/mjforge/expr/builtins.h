@@ -7,11 +7,11 @@
 
 namespace mjforge::expr {
 
-/// Required dimensions of the arguments. kSame: all arguments have one dimension. kSameAndCount:
-/// all arguments but the last, which is a plain number, have one dimension. kSameAfterFirst: all
-/// arguments but the first have one dimension.
+/// Dimensions that a built-in requires of its arguments. kSame: all arguments have one common
+/// dimension. kSameAndCount: all but the last have one common dimension, and the last is a plain
+/// number. kSameAfterFirst: all but the first have one common dimension.
 enum class ArgumentRule { kAnything, kSame, kSameAndCount, kSameAfterFirst, kCount, kAngle };
-/// Dimension of the result. kSame: the dimension of the arguments.
+/// Dimension of a built-in's result. kSame: the common dimension of the arguments.
 enum class ResultRule { kSame, kCount, kAngle, kProduct, kQuotient, kPower, kRoot };
 
 /// A built-in function or operator.
@@ -24,11 +24,11 @@ struct Builtin {
   std::variant<Unary, Binary, Ternary> function;
   ArgumentRule argument_rule = ArgumentRule::kAnything;
   ResultRule result_rule = ResultRule::kCount;
-  bool is_variadic = false;  // takes one or more arguments: f(a, b, c) is f(f(a, b), c)
+  bool is_variadic = false;  // accepts one or more arguments: f(a, b, c) is f(f(a, b), c)
 
-  /// Number of arguments; 0 if variadic.
+  /// Number of arguments; 0 for a variadic function.
   int arity() const { return is_variadic ? 0 : static_cast<int>(function.index()) + 1; }
-  /// Applies the function to its arguments, the first numbers of `values`; ignores the others.
+  /// Calls the function with the first arity() numbers of `values` as its arguments.
   double Call(const std::array<double, 3>& values) const;
 };
 
@@ -48,7 +48,7 @@ struct Constant {
 /// Returns the constant with this name; null if there is none.
 const Constant* FindConstant(std::string_view name);
 
-/// Returns the usage of a function ("clamp(x, lo, hi)"), or an empty text.
+/// Returns the usage of a built-in function ("clamp(x, lo, hi)"); an empty text for other names.
 std::string_view UsageOf(std::string_view function);
 
 }  // namespace mjforge::expr

@@ -1,4 +1,4 @@
-// Arithmetic of physical dimensions, and reading and writing of units.
+// Arithmetic of physical dimensions, parsing and formatting of units.
 #include "mjforge/expr/dimension.h"
 
 #include <algorithm>
@@ -14,10 +14,10 @@
 namespace mjforge::expr {
 namespace {
 
-// Largest exponent of a base unit; far above the exponents in mechanics.
+// Largest absolute exponent of a base unit, far above the exponents that mechanics needs.
 constexpr double kMaxPower = 20;
 
-// Products of base units that have their own names.
+// Names of products of base units.
 constexpr std::array<std::pair<Dimension, std::string_view>, 8> kNames = {{
     {{0, 0, 0}, "1"},
     {{0, 0, 0, 1}, "rad"},
@@ -29,7 +29,7 @@ constexpr std::array<std::pair<Dimension, std::string_view>, 8> kNames = {{
     {{0, 1, -1}, "Ns/m"},
 }};
 
-// Returns the unit of one word: a suffix of numbers ("mm"), or a named product ("Nms").
+// Returns the unit for a single word: a suffix of numbers ("mm") or a named product ("Nms").
 std::optional<NamedUnit> FindWord(std::string_view word) {
   if (word == "1") return NamedUnit{Dimension::Count()};
   for (const auto& [dimension, name] : kNames) {
@@ -66,7 +66,7 @@ Dimension operator/(const Dimension& a, const Dimension& b) { return a * Power(b
 
 Dimension Power(const Dimension& base, double exponent) {
   if (!base.is_known_) return {};
-  // The exponents 1 and -1 keep an angle: rad^-1 times rad is 1.
+  // The exponents 1 and -1 preserve an angle, so that rad^-1 times rad is 1.
   Dimension power =
       Dimension::Checked(base.m_ * exponent, base.kg_ * exponent, base.s_ * exponent, 0);
   if (power == Dimension::Count() && (exponent == 1 || exponent == -1))

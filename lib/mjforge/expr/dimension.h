@@ -10,8 +10,9 @@
 namespace mjforge::expr {
 
 /// Dimension of a number: a product of powers of m, kg and s, or rad. A plain number (3, a count,
-/// the ratio of two lengths) is compatible with every dimension. A number that is not known to be a
-/// count or a ratio may have a dimension (700 for 700 kg/m^3), so its products are unknown.
+/// the ratio of two lengths) is compatible with every dimension. The dimension of a literal that is
+/// not obviously a count is unknown (700 may mean 700 kg/m^3), and so are the dimensions of its
+/// products.
 class Dimension {
  public:
   constexpr Dimension() = default;  // unknown
@@ -28,10 +29,12 @@ class Dimension {
 
   friend constexpr bool operator==(const Dimension&, const Dimension&) = default;
   friend constexpr auto operator<=>(const Dimension&, const Dimension&) = default;
-  /// Angles are dimensionless factors in products and quotients: N m/rad times rad is N m.
+  /// Product and quotient of two dimensions. Angles are factors without dimension: N m/rad times
+  /// rad is N m.
   friend Dimension operator*(const Dimension& a, const Dimension& b);
   friend Dimension operator/(const Dimension& a, const Dimension& b);
-  /// Returns an unknown dimension if a resulting exponent is not a whole number.
+  /// Returns the dimension of a power; an unknown dimension if a resulting exponent is not a whole
+  /// number.
   friend Dimension Power(const Dimension& base, double exponent);
 
  private:
@@ -45,21 +48,21 @@ class Dimension {
   bool is_known_ = false;
 };
 
-/// Returns the common dimension of two operands that are added or compared, or nullopt if their
+/// Returns the common dimension of two operands that are added or compared; nullopt if their
 /// dimensions differ.
 std::optional<Dimension> CommonDimension(const Dimension& a, const Dimension& b);
 
-/// Dimensions of the components of a vector, in order. A single entry applies to all components; an
-/// empty list means unknown.
+/// Dimensions of the components of a vector, in order. A single item applies to all components; an
+/// empty list means that the dimensions are unknown.
 using Dimensions = std::vector<Dimension>;
 Dimension DimensionAt(const Dimensions& dimensions, std::size_t component);
 
-/// Unit named in a spec or in the table of fields: "m", "kg/m^3", "Nm s/rad", "1".
+/// A unit as written in a spec or in the table of fields: "m", "kg/m^3", "Nm s/rad", "1".
 struct NamedUnit {
   Dimension dimension;
-  bool is_si = true;  // false for "mm"
+  bool is_si = true;  // false for units with another factor, such as "mm"
 };
-/// Returns the unit that the text names; nullopt if there is none.
+/// Returns the unit that the text represents; nullopt if the text is not a unit.
 std::optional<NamedUnit> FindUnit(std::string_view text);
 
 }  // namespace mjforge::expr

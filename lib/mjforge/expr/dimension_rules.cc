@@ -1,4 +1,4 @@
-// Dimensional analysis of functions and operators, and the messages for mixed units.
+// Dimensional analysis of functions and operators, and messages about mixed units.
 #include "mjforge/expr/dimension_rules.h"
 
 #include <cmath>
@@ -10,8 +10,8 @@
 namespace mjforge::expr {
 namespace {
 
-constexpr double kMaxCount = 12;        // larger numbers without a unit are not taken for counts
-constexpr std::size_t kMaxQuoted = 40;  // longer operands are not quoted in messages
+constexpr double kMaxCount = 12;        // larger numbers without a unit are not counts
+constexpr std::size_t kMaxQuoted = 40;  // maximum length of an operand that messages quote
 
 bool IsOperator(const Builtin& builtin) { return !IsNameCharacter(builtin.name.front()); }
 
@@ -19,7 +19,7 @@ bool IsShort(std::string_view source) {
   return !source.empty() && source.size() <= kMaxQuoted && source.find('\n') == source.npos;
 }
 
-// Returns "'2kg' is in kg"; `otherwise` replaces the quoted operand if the operand is too long.
+// Returns "'2kg' is in kg". If the operand is too long to be quoted, `otherwise` replaces it.
 std::string DescribeUnit(const Argument& argument, std::string_view otherwise) {
   return fmt::format(
       "{} is in {}",
@@ -56,7 +56,7 @@ class DimensionChecker {
     return true;
   }
 
-  // The common dimension of the arguments that passed Fits().
+  // Returns the common dimension of the arguments that Fits() accepted.
   Dimension common() const { return common_; }
 
  private:

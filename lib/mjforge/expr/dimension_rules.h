@@ -10,17 +10,17 @@
 
 namespace mjforge::expr {
 
-/// Returns the dimension of the result. If the arguments do not have the dimensions that the
-/// built-in requires, returns nullopt and sets `error` at `offset`.
+/// Returns the dimension of the result of `builtin`. If the arguments do not have the dimensions
+/// that `builtin` requires, returns nullopt and sets `error`, whose place is `offset`.
 std::optional<Dimension> DeriveDimension(const Builtin& builtin,
                                          std::span<const Argument> arguments, std::size_t offset,
                                          Error& error);
 
-/// Returns true if the argument is a plain number; otherwise sets `error` at `offset`. `what` ("an
-/// index") describes the argument in the message.
+/// Returns true if the argument is a plain number. Otherwise returns false and sets `error`, whose
+/// place is `offset`; `what` describes the argument in the message ("an index").
 bool CheckCount(const Argument& argument, std::string_view what, std::size_t offset, Error& error);
 
-/// Returns the dimension of a number without a unit. Small whole numbers and 0.5 are counts,
+/// Returns the dimension of a literal without a unit. Small whole numbers and 0.5 are counts,
 /// because twice a length is a length. The dimension of other numbers (9.81, 700) is unknown.
 Dimension DimensionOfLiteral(double number);
 

@@ -13,40 +13,43 @@ namespace mjforge::expr {
 inline constexpr std::string_view kSplitHint =
     "move a part of it into a parameter: a parameter may be an expression";
 
-/// Returns the error for a token in the place of an operand.
+/// Returns the error for the token at index `at`, which is not an operand although one is expected.
 Error MissingValue(std::span<const Token> tokens, std::size_t at);
-/// Returns the error for a token that cannot follow the token before it.
+/// Returns the error for the token at index `at`, which cannot follow the token before it.
 Error Unexpected(std::span<const Token> tokens, std::size_t at, const SymbolTable& names);
-/// Returns the error for an undefined name, or for a function's name without parentheses.
-/// `beside_text`: the name is compared with a text.
+/// Returns the error for an undefined name, or for the name of a function without parentheses.
+/// `beside_text` is true if the name is compared with a text.
 Error UnknownName(const Token& token, const SymbolTable& names, bool beside_text);
 /// Returns the error for a name with parentheses that is not a function.
 Error NotAFunction(const Token& token, const SymbolTable& names);
 Error UnknownUnit(const Token& token, const SymbolTable& names);
-/// Returns the error for `left < middle < ...`; `sign` is the second comparison.
+/// Returns the error for a chained comparison `left < middle < ...`; `sign` is the second
+/// comparison sign.
 Error ChainedComparison(std::string_view left, std::string_view middle, const Token& sign);
-/// Returns the error for a component that a variable does not have. `component` is empty for a
-/// vector without a component.
+/// Returns the error for a component that a variable does not have. `component` is empty if the
+/// name of a vector is used without a component.
 Error WrongComponent(const Token& token, const SymbolTable::Variable& variable,
                      std::string_view component);
 
-/// Returns the error for a list in the place of a single value.
+/// Returns the error for the name of a list where a single value is required.
 Error WholeList(const Token& token);
-/// Returns the error for an argument that should be a list. `usage`: "sum(list, n)".
+/// Returns the error for an argument that must be a list. `usage` is the usage of the function
+/// ("sum(list, n)").
 Error NotAList(const Token& token, std::string_view usage);
-/// Returns the error for a token that should be a name among the arguments of a function.
+/// Returns the error for an argument that must be a name. `usage` is the usage of the function.
 Error NotAName(const Token& token, std::string_view usage);
-/// Returns the error for an argument of torque() that is not a joint whose torque is known here.
+/// Returns the error for an argument of torque() that is not the name of a joint whose torque can
+/// be used here.
 Error UnknownJoint(const Token& token, const SymbolTable& names);
 /// Returns the error for an argument of distance() that is neither a site nor a point.
 Error UnknownPoint(const Token& token, const SymbolTable& names);
-/// Returns the error for an index outside a vector of `count` components.
+/// Returns the error for an index that is invalid for a vector of `count` components.
 Error NoSuchElement(const Token& token, double index, int count);
-/// Returns the error for a text that is not an operand of == or !=.
+/// Returns the error for a text that is used otherwise than as an operand of == or !=.
 Error MisusedText(const Token& token);
 /// Returns the error for a text compared with a number or a boolean.
 Error TextAgainst(const Token& token);
-/// Returns the error for a choice (? :) between a text and a number or a boolean.
+/// Returns the error for a choice (? :) between a text and a value that is not a text.
 Error TextBeside(const Token& token);
 /// Returns the error for `count` arguments of a function with `arity` parameters (0: one or more).
 Error WrongCount(const Token& function, int arity, int count, std::string_view usage);

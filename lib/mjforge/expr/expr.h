@@ -1,5 +1,5 @@
-// Expressions of specs, their units and names, and the conversion of numbers to text and back.
-// The results do not depend on the locale.
+// Expressions of specs, their units and names, and the conversion of numbers to text and back. All
+// results are independent of the locale.
 #pragma once
 
 #include <cstddef>
@@ -22,20 +22,21 @@ namespace mjforge::expr {
 /// possible: "0.015", "1e-08", "-3". Never "-0".
 void AppendNumber(std::string& out, double value);
 std::string NumberText(double value);
-/// Size in bytes of a buffer for WriteNumber and WriteExactNumber: sign, 16 digits, point, zeros.
+/// Size in bytes of a buffer for WriteNumber() and WriteExactNumber(): sign, 16 digits, point,
+/// zeros.
 inline constexpr std::size_t kLongestNumber = 40;
-/// Writes the text of AppendNumber to `out` and returns its end. `out` must have kLongestNumber
-/// bytes, all of which may be overwritten.
+/// Writes the same text as AppendNumber() to `out`, and returns the end of the text. `out` must
+/// have room for kLongestNumber bytes, all of which may be overwritten.
 char* WriteNumber(char* out, double value);
 
-/// Appends the shortest text that reads back as `value` (finite), for records that must reproduce a
-/// value to the last bit.
+/// Appends the shortest text that is parsed as exactly `value` (finite). Records use this form,
+/// because they must reproduce a value to the last bit.
 void AppendExactNumber(std::string& out, double value);
 char* WriteExactNumber(char* out, double value);
 std::string ExactNumberText(double value);
 
-/// Parses a text that is a YAML 1.2 number (`3`, `-0.5`, `1e-3`, `.5`, `0x1F`, `0o17`). Returns
-/// nullopt for other texts, among them `.inf` and `.nan`.
+/// Parses a text that is a number in YAML 1.2 (`3`, `-0.5`, `1e-3`, `.5`, `0x1F`, `0o17`). Returns
+/// nullopt for all other texts, including `.inf` and `.nan`.
 std::optional<double> ParseNumber(std::string_view text);
 
 /// Returns true for an ASCII letter followed by ASCII letters, digits and underscores.
@@ -44,32 +45,32 @@ bool IsNameCharacter(char c);
 /// Returns true for 0 to 9, in every locale.
 constexpr bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 
-/// Returns true if `words`, one space apart, contains `word`.
+/// Returns true if `words`, a list of words separated by single spaces, contains `word`.
 bool HasWord(std::string_view words, std::string_view word);
 /// Splits a text at spaces, tabs and line ends.
 std::vector<std::string_view> WordsOf(std::string_view text);
 
-/// The numbers of a list (for texts, their TextKey()s) and its prefix sums.
+/// The numbers of a list, and their prefix sums. The number of a text is its TextKey().
 class Sequence {
  public:
   Sequence() : Sequence(std::vector<double>()) {}
   explicit Sequence(std::vector<double> numbers);
 
   const std::vector<double>& numbers() const { return numbers_; }
-  /// Returns the sum of the first `count` numbers, in [0, size], added from left to right.
+  /// Returns the sum of the first `count` numbers, added from left to right; 0 <= `count` <= size.
   double SumOf(std::size_t count) const { return sums_[count]; }
 
  private:
   std::vector<double> numbers_;
-  std::vector<double> sums_;  // sums_[i]: sum of the first i numbers
+  std::vector<double> sums_;  // sums_[i] is the sum of the first i numbers
 };
 
 struct Error {
   diag::Code code = diag::Code::kExprSyntax;
-  std::size_t offset = 0;  // byte in the expression's text
+  std::size_t offset = 0;  // offset in bytes from the start of the expression's text
   std::string message;
   std::string hint;
-  std::string formula = {};  // function whose body contains the offset; empty: the text itself
+  std::string formula = {};  // function in whose body `offset` is; empty: in the text itself
 };
 
 class Program;  // private to lib/mjforge/expr
@@ -78,39 +79,41 @@ class Program;  // private to lib/mjforge/expr
 class Expression {
  public:
   struct Input {
-    std::string name;  // name in the expression: "r", "size.x"; for a list, the list's name
+    std::string name;  // name in the expression, "r" or "size.x"; for a list, its name
     int slot = 0;
     Type type = Type::kNumber;  // for a list, the type of its items
     int list = -1;              // number of the list; -1: not a list
   };
 
   const std::string& text() const { return text_; }
-  /// Type of the result. A text result is the TextKey() of one of texts(), or of an input.
+  /// Type of the result. A text result is the TextKey() of one of texts() or of an input's text.
   Type type() const { return type_; }
   /// Dimension of the result.
   const Dimension& dimension() const { return dimension_; }
   std::span<const Input> inputs() const { return inputs_; }
-  /// Quoted texts of the expression.
+  /// Texts in quotes that occur in the expression.
   const std::vector<std::string>& texts() const { return texts_; }
-  /// The names of the spec's functions that the expression calls, directly or through others.
+  /// The names of the spec's functions that the expression calls, directly or through other
+  /// functions.
   const std::set<std::string>& formulas() const { return formulas_; }
-  /// The value if the expression has no inputs; otherwise nullopt.
+  /// Value of an expression without inputs; nullopt for other expressions.
   std::optional<double> constant() const { return constant_; }
 
-  /// Computes the value from the variables, in the slots given by the SymbolTable of Compile, and
-  /// from the lists. The result may be NaN or infinite; the caller reports that with the values of
-  /// the inputs. NaN operands give NaN, unless `and`, `or` or `?:` do not use them.
+  /// Computes the value from the variables and lists, which are indexed by the slots and list
+  /// numbers of the SymbolTable that Compile() used. The result may be NaN or infinite; the caller
+  /// reports this together with the inputs. An operand that is NaN makes the result NaN, unless
+  /// `and`, `or` or `?:` ignores this operand.
   double Evaluate(std::span<const double> variables, std::span<const Sequence> lists = {}) const {
     return constant_ ? *constant_ : Run(variables, lists);
   }
-  /// Describes the first access beyond the end of a list ("there is no widths[7]: 'widths' has 5
-  /// values"); empty if there is none.
+  /// Returns a message about the first access beyond the end of a list ("there is no widths[7]:
+  /// 'widths' has 5 values"); an empty text if there is no such access.
   std::string DescribeMissingItem(std::span<const double> variables,
                                   std::span<const Sequence> lists) const;
 
   enum class Result { kNoText, kAny };
-  /// Compiles `text`; on failure returns nullopt and sets `error`. The language is described in
-  /// docs/manual.md, "Expressions".
+  /// Compiles `text`. On failure, returns nullopt and sets `error`. docs/manual.md, "Expressions",
+  /// describes the language.
   static std::optional<Expression> Compile(std::string_view text, const SymbolTable& names,
                                            Error& error, Result result = Result::kNoText);
 
@@ -128,15 +131,16 @@ class Expression {
   std::shared_ptr<const Program> program_;
 };
 
-/// Returns the names in `text` except built-in functions and constants, in order of first use;
-/// vectors without their component. Empty if `text` has invalid tokens. Used for the dependency
-/// graph of parameters, before any name is declared.
+/// Returns the names in `text`, in order of first use, without built-in functions and constants. A
+/// component of a vector is returned as the name of the vector. Returns an empty list if `text` has
+/// invalid tokens. The dependency graph of parameters is made from these names before any name is
+/// declared.
 std::vector<std::string> NamesUsedIn(std::string_view text);
 
 /// Returns true for reserved names: constants, functions and operators (`pi`, `min`, `and`).
 bool IsReserved(std::string_view name);
 
-/// Documentation of a built-in function or constant, for messages and the manual.
+/// Documentation of a built-in function or constant for messages and the manual.
 struct Function {
   std::string_view name;
   std::string_view usage;  // "clamp(x, lo, hi)"
@@ -145,8 +149,9 @@ struct Function {
 /// Returns all built-in functions and constants, sorted by name.
 std::span<const Function> Functions();
 
-/// Unit that can follow a number ("mm", "deg"). Its value in SI units is numerator / denominator,
-/// because 15 / 1000 is the double nearest to 0.015, and 15 * 0.001 is not.
+/// A unit that can follow a number ("mm", "deg"). The number times numerator / denominator is the
+/// value in SI units. Two factors are needed, because 15 / 1000 is the double nearest to 0.015, but
+/// 15 * 0.001 is not.
 struct Unit {
   std::string_view name;
   std::string_view doc;

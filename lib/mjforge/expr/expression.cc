@@ -1,4 +1,5 @@
-// Compiled expressions: compilation, evaluation, and the message for an index beyond a list.
+// Compiled expressions: compilation, evaluation, and the message about an index beyond the end of a
+// list.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -19,7 +20,7 @@ std::string Expression::DescribeMissingItem(std::span<const double> variables,
   const auto input = std::ranges::find_if(inputs_, [&](const Input& one) {
     return one.slot == access->list.slot && one.list == access->list.list;
   });
-  const bool is_vector = input->list < 0;  // "size.x"
+  const bool is_vector = input->list < 0;  // input->name has the form "size.x"
   const std::string name = is_vector ? input->name.substr(0, input->name.rfind('.')) : input->name;
   const std::string has =
       fmt::format("'{}' has {} value{}", name, access->size, access->size == 1 ? "" : "s");

@@ -9,10 +9,10 @@
 
 namespace mjforge::expr {
 
-/// Reference to a list or a vector among the variables of an expression.
+/// Reference to a list or a vector that is a variable of an expression.
 struct ListSource {
-  int slot = -1;       // slot of a list's length or of a vector's first component
-  int list = -1;       // number of the list; -1: a vector
+  int slot = -1;       // slot of the list's length, or of the vector's first component
+  int list = -1;       // number of the list; -1 for a vector
   int components = 0;  // number of components of a vector
 
   bool operator==(const ListSource&) const = default;
@@ -25,7 +25,7 @@ class ListValues {
              std::span<const Sequence> lists);
 
   std::span<const double> numbers() const { return numbers_; }
-  /// Returns the sum of the first `count` numbers, in [0, size].
+  /// Returns the sum of the first `count` numbers; 0 <= `count` <= size.
   double SumOf(std::size_t count) const;
 
  private:
@@ -33,14 +33,15 @@ class ListValues {
   const Sequence* sequence_ = nullptr;
 };
 
-/// A function of a list and a number. Some functions ignore the number. The result is NaN if the
-/// list has too few numbers.
+/// A built-in function of a list and a number, which some functions ignore. The result is NaN if
+/// the list has too few numbers.
 struct ListBuiltin {
-  std::string_view name;  // "[]" is the access to an element
+  std::string_view name;  // "[]" for the access to an element
   double (*function)(const ListValues& list, double argument);
 };
 
-/// Finds "[]", "len", "sum" (of the first numbers), "min" or "max"; returns null for other names.
+/// Returns the function "[]", "len", "sum" (of the first numbers), "min" or "max"; null for other
+/// names.
 const ListBuiltin* FindListBuiltin(std::string_view name);
 
 }  // namespace mjforge::expr

@@ -1,4 +1,4 @@
-// Conversion of numbers to text (ten digits, or shortest round trip) and of text to numbers.
+// Conversion of numbers to text (ten digits, or shortest exact text) and of text to numbers.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kDigits = 10;  // significant digits in MJCF files: 0.1 nm of 1 m
 
-// Powers of ten that are exact as doubles, up to 10^22.
+// Powers of ten up to 10^22, which are exact as doubles.
 constexpr std::array<double, 23> kPowers = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                             1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                             1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
@@ -28,9 +28,9 @@ struct Decimal {
   int exponent = 0;
 };
 
-// Returns the value times 10^(9 - exponent), which has ten digits before the point. The
-// two factors are exact, so the error of the product is at most half a unit in the last place,
-// about 1e-6 for a product below 1e10.
+// Returns the value times 10^(9 - exponent), which has ten digits before the point. Returns nullopt
+// if the power of ten is not exact. The two factors are exact, so the error of the product is at
+// most half a unit in the last place, about 1e-6 for a product below 1e10.
 std::optional<double> Scaled(double magnitude, int exponent) {
   const int shift = kDigits - 1 - exponent;
   if (shift >= 0 && shift <= kLargestPower) return magnitude * kPowers[static_cast<size_t>(shift)];
@@ -38,12 +38,12 @@ std::optional<double> Scaled(double magnitude, int exponent) {
   return std::nullopt;
 }
 
-// Returns the correctly rounded decimal, or nullopt if the rounding is uncertain: the power of ten
-// is not exact, or the fraction is too near to one half.
+// Returns the correctly rounded decimal. Returns nullopt if the rounding is uncertain, because the
+// power of ten is not exact or the fraction is too close to one half.
 std::optional<Decimal> Rounded(double magnitude) {
   const int binary =
       static_cast<int>((std::bit_cast<std::uint64_t>(magnitude) >> 52) & 0x7ff) - 1023;
-  // floor(binary * log10(2)) is the decimal exponent or one less.
+  // The decimal exponent is floor(binary * log10(2)) or one more.
   int exponent = (binary * 78913) >> 18;
   std::optional<double> scaled = Scaled(magnitude, exponent);
   if (scaled && *scaled >= kPowers[kDigits]) scaled = Scaled(magnitude, ++exponent);
@@ -57,9 +57,9 @@ std::optional<Decimal> Rounded(double magnitude) {
   return decimal;
 }
 
-// Returns the eight digits of a number below 10^8 as the bytes of a word, the first digit in the
-// lowest byte. Each step splits every part in two: 4 + 4 digits, 2 + 2, 1 + 1.
-// Source: P. Khuong, "How to print integers really fast", 2017.
+// Returns the eight digits of a number below 10^8, one per byte, the first digit in the lowest
+// byte. Each step splits all parts into halves: 4 + 4 digits, then 2 + 2, then 1 + 1. Source: P.
+// Khuong, "How to print integers really fast", 2017.
 std::uint64_t EightDigits(std::uint64_t number) {
   const std::uint64_t fours = number / 10'000 | (number % 10'000) << 32;
   const std::uint64_t hundreds = (fours * 10486 >> 20) & 0x0000'007f'0000'007f;
@@ -78,7 +78,7 @@ struct Digits {
   explicit Digits(std::uint64_t number)
       : high(EightDigits(number / 100'000'000)), low(EightDigits(number % 100'000'000)) {}
 
-  /// Number of digits without trailing zeros.
+  /// Returns the count of digits without trailing zeros.
   std::size_t count() const {
     const int zeros = low != 0 ? std::countl_zero(low) : 64 + std::countl_zero(high);
     return static_cast<std::size_t>(16 - zeros / 8);
@@ -92,8 +92,8 @@ struct Digits {
   }
 };
 
-// Writes a number without exponent; `exponent` (at least -4) belongs to the first digit. Returns
-// the end of the text; bytes after it are overwritten.
+// Writes a number without an exponent. `exponent`, at least -4, is the decimal exponent of the
+// first digit. Returns the end of the text; some bytes after the end are overwritten.
 char* WritePositional(char* out, const Digits& digits, int exponent) {
   if (exponent < 0) {
     constexpr std::array kStart = {'0', '.', '0', '0', '0', '0'};
@@ -133,15 +133,17 @@ char* WriteChars(char* out, Args... args) {
   return std::to_chars(out, out + kLongestNumber, args...).ptr;
 }
 
-// Writes a value of at most 15 digits with 1e-3 <= |value| < 1e4. Returns null for other values.
+// Writes a value that has at most 15 digits, if 1e-3 <= |value| < 1e4. Returns null for other
+// values.
 char* WriteShortDecimal(char* out, double value) {
-  constexpr int kCertain = 15;  // decimals of 15 digits survive a conversion to double and back
+  // A decimal of 15 digits is unchanged by a conversion to double and back.
+  constexpr int kCertain = 15;
   const double magnitude = std::abs(value);
   if (!(magnitude >= 1e-3 && magnitude < 1e4)) return nullptr;
   int exponent = -3;
   for (const double power : {1e-2, 1e-1, 1e0, 1e1, 1e2, 1e3}) exponent += magnitude >= power;
-  // The decimal reads back as `whole` / `power`, because the quotient of exact numbers is rounded
-  // in the same way as a decimal that is read.
+  // The decimal is parsed as the double `whole` / `power`, because the quotient of two exact
+  // numbers is rounded in the same way as a parsed decimal.
   const double power = kPowers[static_cast<size_t>(kCertain - 1 - exponent)];
   const double scaled = magnitude * power;
   auto whole = static_cast<std::uint64_t>(scaled);
@@ -176,9 +178,9 @@ std::optional<double> ParseInteger(std::string_view digits, int base) {
 
 }  // namespace
 
-// The text equals that of printf("%.10g") in the C locale: without exponent for 1e-4 <= |value| <
-// 1e10, otherwise with an exponent of at least two digits. MuJoCo writes its files in this format.
-// The slower std::to_chars is only used if the rounding is uncertain.
+// Writes the same text as printf("%.10g") in the C locale: without an exponent if 1e-4 <= |value| <
+// 1e10, otherwise with an exponent of at least two digits. MuJoCo writes MJCF files in this format.
+// std::to_chars, which is slower, is used only if the rounding is uncertain.
 char* WriteNumber(char* out, double value) {
   const double magnitude = std::abs(value);
   if (char* const end = WriteDigit(out, value)) return end;
@@ -203,8 +205,9 @@ std::string NumberText(double value) {
   return text;
 }
 
-// Drawn values have few digits. If a decimal of at most 15 digits reads back as the value, no other
-// decimal of at most 15 digits does, so it is the shortest.
+// Writes the shortest exact text. Drawn values have few digits, so WriteShortDecimal() is tried
+// first: a decimal of at most 15 digits that is parsed as `value` is the only such decimal, and
+// therefore the shortest.
 char* WriteExactNumber(char* out, double value) {
   const bool minus_zero = value == 0 && std::signbit(value);
   char* end = minus_zero ? nullptr : WriteDigit(out, value);
@@ -220,13 +223,13 @@ std::string ExactNumberText(double value) {
   return text;
 }
 
-// Numbers outside the range of a double (1e999, and 1e-999, which would become 0) are rejected.
+// Rejects numbers outside the range of a double (1e999), including 1e-999, which would become 0.
 std::optional<double> ParseNumber(std::string_view text) {
   if (text.starts_with("0x")) return ParseInteger(text.substr(2), 16);
   if (text.starts_with("0o")) return ParseInteger(text.substr(2), 8);
   const bool negative = text.starts_with('-');
   if (negative || text.starts_with('+')) text.remove_prefix(1);
-  // Reject "inf", "nan" and a second sign, which std::from_chars reads.
+  // Reject "inf", "nan" and a second sign, which std::from_chars would accept.
   if (text.empty() || (!IsDigit(text.front()) && text.front() != '.')) return std::nullopt;
   double value = 0;
   const char* end = text.data() + text.size();

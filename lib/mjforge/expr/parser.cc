@@ -19,10 +19,10 @@ namespace {
 
 using diag::Code;
 
-// Limits of the text; parsing within them cannot exhaust the stack.
+// Limits on text and nesting, within which the parser cannot exhaust the stack.
 constexpr std::size_t kMaxBytes = 10'000;
 constexpr int kMaxDepth = 200;
-// Largest number of calls of a spec's functions, whose chains can expand to 2^n steps.
+// Maximum count of calls of a spec's functions, because chains of n calls can have 2^n steps.
 constexpr int kMaxCalls = 1000;
 
 // Recursive descent with one function per level of precedence, from the loosest operator:
@@ -52,7 +52,7 @@ class Parser : ProgramBuilder {
   }
 
  private:
-  // Counts the nesting depth while a function runs.
+  // Counts the nesting depth during the lifetime of the guard.
   class DepthGuard {
    public:
     explicit DepthGuard(Parser& parser) : depth_(parser.state_.depth) { ++depth_; }
@@ -101,7 +101,7 @@ class Parser : ProgramBuilder {
 
   using Rule = OptionalOperand (Parser::*)();
 
-  // Parses rule (sign rule)* and rejects texts; `keyword` is an alternative to the first sign.
+  // Parses rule (sign rule)* and rejects texts; `keyword` is another spelling of the first sign.
   OptionalOperand Chain(Rule rule, std::initializer_list<std::string_view> signs, Type type,
                         std::string_view keyword = {}) {
     const std::size_t first = at_;
@@ -120,7 +120,7 @@ class Parser : ProgramBuilder {
     return left;
   }
 
-  // Tokens of a binary operator: the first token of its left operand, and the operator's sign.
+  // Indices of a binary operator's tokens: the first token of its left operand, and its sign.
   struct OperatorPlace {
     std::size_t first;
     std::size_t sign;
@@ -144,7 +144,7 @@ class Parser : ProgramBuilder {
     return Unary("!", &Parser::Negation, Type::kBoolean);
   }
 
-  // Parses the operand of a unary operator whose sign was already read.
+  // Parses the operand of a unary operator, whose sign was already read.
   OptionalOperand Unary(std::string_view sign, Rule rule, Type type) {
     const OptionalOperand operand = RejectText((this->*rule)());
     if (!operand) return operand;
@@ -251,7 +251,7 @@ class Parser : ProgramBuilder {
     return ResolveName(token, beside_text_);
   }
 
-  // Parses an element of a list: list[index].
+  // Parses the element of a list: list[index].
   OptionalOperand Element() {
     const Token& name = Now();
     const std::size_t open = tokens_[++at_].offset;
@@ -265,7 +265,7 @@ class Parser : ProgramBuilder {
     return AddElement(name, {*index, Source(first, end)});
   }
 
-  // Parses a call of a function of lists: sum(list), sum(list, n), len(list).
+  // Parses a call of a list function: sum(list), sum(list, n), len(list).
   OptionalOperand ListBuiltinCall(const ListBuiltin& builtin) {
     const Token& function = Now();
     const std::size_t open = tokens_[at_ + 1].offset;
@@ -304,8 +304,8 @@ class Parser : ProgramBuilder {
                       : AddDistance(tokens_[names[0]], tokens_[names[1]], function.offset);
   }
 
-  // Parses the arguments of a call, up to its ")". Applies `list_builtin`, unless null, to
-  // arguments that are lists. Returns false after an error.
+  // Parses the arguments of a call, up to the closing ")". If `list_builtin` is not null, it is
+  // applied to each argument that is a list. Returns false after an error.
   bool ReadArguments(const ListBuiltin* list_builtin, std::vector<Argument>& arguments) {
     const std::size_t open = tokens_[at_ + 1].offset;
     at_ += 2;
@@ -358,7 +358,7 @@ class Parser : ProgramBuilder {
     ++state_.calls;
     const OptionalOperand result =
         state_.calls > kMaxCalls ? std::nullopt : Inline(formula, std::move(arguments));
-    // The error names the call in the expression, not the nested one.
+    // The error names this call, which is in the expression's text, not the nested call.
     if (state_.calls > kMaxCalls) return Fail(TooManyCalls(name, kMaxCalls));
     if (result) state_.results.emplace(std::move(call), *result);
     return result;
@@ -374,7 +374,7 @@ class Parser : ProgramBuilder {
   }
 
   ParseState& state_;
-  bool beside_text_ = false;  // the left side of the comparison is a text
+  bool beside_text_ = false;  // true while the left operand of the current comparison is a text
 };
 
 }  // namespace

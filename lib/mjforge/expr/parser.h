@@ -1,4 +1,4 @@
-// Results of parsing an expression, and the parser's entry point. Private to lib/mjforge/expr.
+// Result of parsing an expression, and the entry point of the parser. Private to lib/mjforge/expr.
 #pragma once
 
 #include <cstdint>
@@ -25,27 +25,27 @@ struct ParsedExpression {
   std::set<std::string> formulas;         // names of called functions
 };
 
-/// Result of a parsed part of an expression.
+/// Operand with its type and dimension: the result of a parsed part of an expression.
 struct TypedOperand {
   Operand value;
   Type type = Type::kNumber;
-  std::size_t token = 0;  // index of a text's token
+  std::size_t token = 0;  // index of the token, if the operand is a text in quotes
   Dimension dimension = {};
 };
 
-/// Argument of a function or operand of an operator.
+/// Argument of a function, or operand of an operator.
 struct Argument {
   TypedOperand operand;
-  std::string_view source;  // the argument's text in the expression; may be empty
+  std::string_view source;  // source text of the argument; may be empty
 
   Dimension dimension() const {
     return operand.type == Type::kNumber ? operand.dimension : Dimension::Count();
   }
 };
 
-/// State shared by the parser of an expression and the parsers of the functions that it calls.
+/// State that the parser of an expression shares with the parsers of the functions that it calls.
 struct ParseState {
-  /// A call: the function, and step, bits, type and dimension of each argument.
+  /// A call: the function and, for each argument, step, bits of the constant, type and dimension.
   using Call =
       std::pair<const Formula*, std::vector<std::tuple<int, std::uint64_t, Type, Dimension>>>;
 
@@ -54,12 +54,12 @@ struct ParseState {
   Error& error;
   int depth = 0;
   int calls = 0;
-  /// Results of earlier calls, so that n functions that each call the next one twice need fewer
-  /// than 2^n steps.
+  /// Results of earlier calls. A repeated call is not expanded again, so that a chain of n
+  /// functions, each of which calls the next one twice, needs fewer than 2^n steps.
   std::map<Call, TypedOperand> results = {};
 };
 
-/// Parses and checks `text`. On failure returns false and sets `error`.
+/// Parses and checks `text`. On failure, returns false and sets `error`.
 bool Parse(std::string_view text, const SymbolTable& names, Expression::Result wanted,
            ParsedExpression& parsed, Error& error);
 

@@ -1,4 +1,4 @@
-// Compiled program of an expression: adding and running its steps.
+// Compiled program of an expression: adds and runs steps.
 #include "mjforge/expr/program.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ constexpr std::size_t kFewSteps = 32;
 
 }  // namespace
 
-// Compares bits, because 1 / 0 and 1 / -0 differ although 0 equals -0.
+// Compares the bits of constants, because 0 equals -0, but 1 / 0 differs from 1 / -0.
 bool Operand::IsSame(const Operand& other) const {
   return step == other.step &&
          std::bit_cast<std::uint64_t>(constant) == std::bit_cast<std::uint64_t>(other.constant);

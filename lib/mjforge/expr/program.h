@@ -1,4 +1,5 @@
-// Compiled program of an expression: steps on numbers. Private to lib/mjforge/expr.
+// Compiled program of an expression: a sequence of steps that compute numbers. Private to
+// lib/mjforge/expr.
 #pragma once
 
 #include <array>
@@ -13,25 +14,25 @@ namespace mjforge::expr {
 
 /// Operand of a step: a constant, or the result of an earlier step.
 struct Operand {
-  int step = -1;  // -1: the constant
+  int step = -1;  // index of the earlier step; -1: the operand is the constant
   double constant = 0;
 
   bool IsSame(const Operand& other) const;
 };
 
-/// Sequence of steps. Steps that depend on no variable are computed when they are added (constant
-/// folding), and equal steps are shared.
+/// Sequence of steps. A step whose operands are constants is computed when it is added (constant
+/// folding), and equal steps are added only once.
 class Program {
  public:
   Operand Variable(int slot);
-  /// Adds a call; the number of operands is that of the function's arguments, at most three.
+  /// Adds a call of a built-in function with one to three operands.
   Operand Apply(const Builtin& builtin, std::span<const Operand> operands);
   Operand Apply(const ListBuiltin& builtin, const ListSource& list, const Operand& argument);
   void SetResult(const Operand& result) { result_ = result; }
 
-  /// The result, if it does not depend on variables.
+  /// Result of the program if it does not depend on variables; otherwise nullopt.
   std::optional<double> constant() const;
-  /// Computes the result from the variables (by slot) and the lists.
+  /// Computes the result from the variables, indexed by slot, and the lists, indexed by number.
   double Run(std::span<const double> variables, std::span<const Sequence> lists) const;
 
   /// An access beyond the end of a list.
@@ -41,14 +42,15 @@ class Program {
     double argument;
     std::size_t size;
   };
-  /// Finds the first access beyond the end of a list.
+  /// Returns the first access beyond the end of a list; nullopt if there is none.
   std::optional<OutOfRange> FindOutOfRange(std::span<const double> variables,
                                            std::span<const Sequence> lists) const;
 
  private:
   struct Step {
     const Builtin* builtin = nullptr;
-    const ListBuiltin* list_builtin = nullptr;  // null together with builtin: read the variable
+    // If both are null, the step reads the variable in `slot`.
+    const ListBuiltin* list_builtin = nullptr;
     int slot = -1;
     ListSource list = {};
     std::array<Operand, 3> operands = {};

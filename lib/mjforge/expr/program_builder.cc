@@ -12,8 +12,8 @@
 namespace mjforge::expr {
 namespace {
 
-// Returns the dimension of every value of a list or a vector; unknown if the dimensions differ.
-// Booleans count as 0 and 1.
+// Returns the common dimension of all values of a list or vector; an unknown dimension if the
+// dimensions differ. Booleans are counts.
 Dimension DimensionOfItems(const SymbolTable::Variable& variable) {
   if (variable.type == Type::kBoolean) return Dimension::Count();
   const bool is_one = variable.dimensions.size() == 1;
@@ -148,7 +148,7 @@ ProgramBuilder::OptionalOperand ProgramBuilder::AddElement(const Token& list,
   const TypedOperand& index = argument.operand;
   if (!CheckCount(argument, "the number of a value in a list", list.offset, error_))
     return std::nullopt;
-  // Check the constant index of a vector now, because the number of components is known.
+  // A constant index of a vector is checked here, because the number of components is known.
   if (const bool is_known = !variable.is_list() && index.value.step < 0; is_known) {
     const double number = index.value.constant;
     for (int i = 0; i < variable.components; ++i) {

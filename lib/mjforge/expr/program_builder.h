@@ -1,4 +1,4 @@
-// Semantic actions of the parser: adds steps for names, literals and calls to a program. Private to
+// Semantic actions of the parser: add steps for names, literals and calls to a program. Private to
 // lib/mjforge/expr.
 #pragma once
 
@@ -25,29 +25,30 @@ class ProgramBuilder : protected TokenCursor {
   OptionalOperand Fail(Error error);
   OptionalOperand FailText(const TypedOperand& operand);
 
-  /// Adds a number with its unit; `token` is the token before the current one.
+  /// Adds a number and its unit; `token` is the token of the number, which was already read.
   OptionalOperand Number(const Token& token);
-  /// Returns a constant for the token before the current one.
+  /// Returns a constant whose token was just read.
   TypedOperand Literal(double value, Type type, Dimension dimension = {}) const;
   TypedOperand Quoted(const Token& token);
-  /// Adds a call of a function or operator whose name or sign is at `offset`. Sets an error at
-  /// `offset` if the dimensions of the arguments are wrong.
+  /// Adds a call of a function or operator. If the dimensions of the arguments are wrong, sets an
+  /// error, whose place is `offset`, the offset of the name or sign.
   OptionalOperand AddCall(const Builtin& builtin, Type type, std::span<const Argument> arguments,
                           std::size_t offset);
-  /// Resolves the name before the current token. `beside_text`: the name is compared with a text.
+  /// Returns the operand for a name, whose token was already read. `beside_text` is true if the
+  /// name is compared with a text.
   OptionalOperand ResolveName(const Token& token, bool beside_text);
 
   /// Returns true if the token with this index is the name of a list or a vector.
   bool IsListAt(std::size_t token) const;
   OptionalOperand AddElement(const Token& list, const Argument& argument);
-  /// Adds a call of a list function for the list named by the token with this index. `count` limits
-  /// the call to the first values; null means all.
+  /// Adds a call of a list function. `token` is the index of the token with the list's name. If
+  /// `count` is not null, the function applies only to the first `count` values.
   OptionalOperand AddListCall(const ListBuiltin& builtin, std::size_t token, const Argument* count);
 
   /// Adds the torque of the joint with this name.
   OptionalOperand AddTorque(const Token& joint);
-  /// Adds the Euclidean distance of two sites or vectors of three components. The function's name
-  /// is at `offset`.
+  /// Adds the Euclidean distance of two points, which are sites or vectors of three components.
+  /// `offset` is the offset of the function's name.
   OptionalOperand AddDistance(const Token& a, const Token& b, std::size_t offset);
 
   const SymbolTable& names_;
@@ -58,13 +59,14 @@ class ProgramBuilder : protected TokenCursor {
   OptionalOperand AddComponent(const Token& token, const SymbolTable::Variable& vector,
                                std::string_view component);
   TypedOperand AddInput(const Token& token, const SymbolTable::Variable& variable, int component);
-  /// Returns the position of a site, or a vector of three components; null after an error.
+  /// Returns the position of a site, or a vector of three components. Returns null, and sets an
+  /// error, for other names.
   const SymbolTable::Variable* FindPoint(const Token& name);
   ListSource AddList(const SymbolTable::Variable& variable);
   void RecordItem(const SymbolTable::Variable& variable, int item);
   void RecordInput(std::string_view name, const SymbolTable::Variable& variable, int slot);
 
-  Arguments arguments_;  // arguments of the function whose body is parsed
+  Arguments arguments_;  // operands for the arguments of the function whose body is parsed
 };
 
 }  // namespace mjforge::expr

@@ -1,4 +1,4 @@
-// Rounded numbers, speeds and distances for messages.
+// Text of rounded numbers, speeds and distances for messages.
 #include "mjforge/expr/rounded_text.h"
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace mjforge::expr {
 
 std::string RoundedText(double value, int digits) {
-  constexpr double kLargest = 1e9;  // larger numbers are written as powers of ten
+  constexpr double kLargest = 1e9;  // limit from which numbers are written with an exponent
   std::string text = fmt::format("{:.{}g}", value, digits);
   if (text.find("e+") == text.npos || std::abs(value) >= kLargest) return text;
   return fmt::format("{:.0f}", value);

@@ -1,4 +1,4 @@
-// Symbol table of an expression, and the characters of names.
+// Symbol table of an expression, and the syntax of names.
 #include <fmt/ranges.h>
 
 #include <algorithm>

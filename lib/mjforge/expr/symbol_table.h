@@ -17,17 +17,19 @@ namespace mjforge::expr {
 enum class Type { kNumber, kBoolean, kText };
 std::string_view TypeName(Type type);  // "number", "boolean", "text"
 
-/// Returns the number that represents a text among an expression's variables: 52 bits of the text's
-/// XXH64. Equal texts have equal numbers; different texts have different numbers in practice.
+/// Returns the number that represents a text among the variables of an expression: 52 bits of the
+/// text's XXH64. Equal texts have equal numbers. Different texts practically always have different
+/// numbers.
 double TextKey(std::string_view text);
 
-/// Returns the name of the variable that torque(shoulder) reads, "torque(shoulder)", or that
-/// distance(grip, tip) reads for the site `grip`, "grip.pos".
+/// Return the names of variables: "torque(shoulder)" for the joint `shoulder` in torque(shoulder),
+/// "grip.pos" for the site `grip` in distance(grip, tip).
 std::string TorqueVariable(std::string_view joint);
 std::string PositionVariable(std::string_view site);
 
-/// A function that a spec defines: an expression of its arguments (numbers) and of the names in
-/// scope. Must not call itself, directly or through other functions.
+/// A function that a spec defines: an expression that uses the function's arguments (numbers) and
+/// the names in scope. The function must not call itself, neither directly nor through other
+/// functions.
 struct Formula {
   std::string name;
   std::vector<std::string> arguments;
@@ -37,10 +39,11 @@ struct Formula {
   std::string Usage() const;  // "bulge(z)"
 };
 
-/// Symbol table: the names that an expression may use, and the slot of each in the array of
-/// variables passed to Evaluate(). A vector `v` of n components fills n slots (`v.x v.y v.z v.w`);
-/// booleans are 0 and 1; texts are TextKey()s. The slot of a list contains its length; the list
-/// itself has a number among the lists. Slots are not reused after Forget().
+/// Symbol table: the names that an expression may use, and the slot of each name, which is its
+/// index in the array of variables passed to Evaluate(). A vector `v` of n components has n slots
+/// (`v.x v.y v.z v.w`). Booleans are 0 and 1; texts are their TextKey()s. The slot of a list
+/// contains its length, and the list itself has a number, its index in the array of lists. Slots
+/// are not reused after Forget().
 class SymbolTable {
  public:
   struct Variable {
@@ -48,26 +51,26 @@ class SymbolTable {
     Type type = Type::kNumber;
     int slot = 0;
     int components = 1;
-    int list = -1;  // -1: not a list
+    int list = -1;  // number of the list; -1: not a list
     Dimensions dimensions = {};
 
     bool is_list() const { return list >= 0; }
   };
 
-  /// Declares a variable. The name must not be declared already.
+  /// Declares a variable. The name must not be in scope yet.
   const Variable& Declare(const std::string& name, Type type, int components = 1,
                           Dimensions dimensions = {});
   /// Declares a list of any length.
   const Variable& DeclareList(const std::string& name, Type type, Dimensions dimensions = {});
-  /// Declares a name with unknown members, so that NAME.MEMBER is a number for every MEMBER. Used
-  /// to continue reading after a finding.
+  /// Declares a name whose members are unknown: NAME.MEMBER is a number for every MEMBER. Reading
+  /// can then continue after an error in the declaration of NAME.
   void DeclareUnknown(std::string name) { unknown_.insert(std::move(name)); }
   /// Ends the scope of a name, such as a loop's variable.
   void Forget(std::string_view name);
   /// Declares a forgotten name again, with the slots that the name had.
   void Restore(const Variable& variable) { variables_.insert_or_assign(variable.name, variable); }
   const Variable* Find(std::string_view name) const;
-  /// Adds a function, or replaces the function of that name.
+  /// Adds a function. Replaces a function of the same name.
   void Define(const Formula& formula);
   const Formula* FindFormula(std::string_view name) const;
   const std::map<std::string, Formula, std::less<>>& formulas() const { return formulas_; }

@@ -1,4 +1,4 @@
-// Numbers that represent texts in expressions.
+// Numbers that represent texts in expressions (TextKey).
 #include <xxhash.h>
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 namespace mjforge::expr {
 
 double TextKey(std::string_view text) {
-  // With 52 bits, every value is exact as a double.
+  // A number of 52 bits is exact as a double.
   constexpr std::uint64_t kMask = (std::uint64_t{1} << 52) - 1;
   return static_cast<double>(XXH64(text.data(), text.size(), 0) & kMask);
 }

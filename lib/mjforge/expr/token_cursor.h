@@ -1,4 +1,4 @@
-// Current position in the tokens of an expression. Private to lib/mjforge/expr.
+// Cursor in the tokens of an expression. Private to lib/mjforge/expr.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,8 @@ class TokenCursor {
            std::find(kSigns.begin(), kSigns.end(), Now().text) != kSigns.end();
   }
 
-  // Returns the source text from one token up to the start of another, without blanks at its end.
+  // Returns the source text from the start of token `begin` to the start of token `end`, without
+  // blanks at its end.
   std::string_view Source(std::size_t begin, std::size_t end) const {
     const std::size_t from = tokens_[begin].offset;
     std::string_view source = text_.substr(from, tokens_[end].offset - from);

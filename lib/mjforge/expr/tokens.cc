@@ -11,8 +11,8 @@
 namespace mjforge::expr {
 namespace {
 
-// Longer signs come first. `=`, `&`, `|` and `..` are not valid in expressions, but the parser
-// reports these signs by name.
+// Longer signs come before their beginnings. `=`, `&`, `|` and `..` are not valid in expressions,
+// but they are tokens, so that the parser can report them by name.
 constexpr std::array<std::string_view, 26> kSigns = {
     "..", "<=", ">=", "==", "!=", "&&", "||", "+", "-", "*", "/", "^", "%",
     "(",  ")",  "[",  "]",  ",",  "?",  ":",  "<", ">", "!", "=", "&", "|"};
@@ -37,7 +37,8 @@ class Tokenizer {
   }
 
  private:
-  // Returns a character of the text; past the end '\0', which belongs to no token.
+  // Returns the character `ahead` places after the current one; '\0', which belongs to no token,
+  // past the end of the text.
   char Peek(std::size_t ahead = 0) const {
     return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
   }
@@ -68,7 +69,8 @@ class Tokenizer {
     return FailCharacter();
   }
 
-  // A point belongs to the number unless another point follows (`1..2` is a range).
+  // Skips a decimal number. A point belongs to the number unless a second point follows (`1..2` is
+  // a range).
   void SkipDecimal() {
     Skip(IsDigit);
     if (Peek() == '.' && Peek(1) != '.') {

@@ -12,7 +12,8 @@ constexpr Dimension kLength = {1, 0, 0};
 constexpr Dimension kMass = {0, 1, 0};
 constexpr Dimension kTime = {0, 0, 1};
 
-// Lengths come first: if two names are equally similar to a misspelled one, the first is suggested.
+// Units of length come first, because the first of several equally similar names is suggested for a
+// misspelled unit.
 constexpr std::array kUnits = {
     Unit{"mm", "millimetre, 0.001 m", kLength, 1, 1000},
     Unit{"cm", "centimetre, 0.01 m", kLength, 1, 100},

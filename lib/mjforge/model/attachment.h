@@ -12,12 +12,12 @@
 
 namespace mjforge::model {
 
-/// A body of an MJCF file and everything below it, with the numbers that MuJoCo compiled
-/// (autolimits, classes, angles and inertia options are resolved). Names come from the file;
-/// characters that a spec does not allow in names are replaced, also in references.
+/// A body of an MJCF file and everything below it, with the numbers that MuJoCo compiled, in which
+/// autolimits, classes, angles and inertia options are resolved. Names come from the file.
+/// Characters that a spec does not allow in names are replaced, also in references.
 struct Attachment {
-  /// The requested body first, with parent -1; parents before children. Every body has an explicit
-  /// inertia (explicit_inertial, mass_properties).
+  /// The requested body comes first, with parent -1, and parents come before children. Every body
+  /// has an explicit inertia (explicit_inertial, mass_properties).
   std::vector<Body> bodies;
   std::vector<Material> materials;
   std::vector<Texture> textures;
@@ -25,17 +25,18 @@ struct Attachment {
   /// Elements of contact, equality, tendon, actuator and sensor that refer only to elements of the
   /// attachment. The name of an element is empty if the element has no name in the file.
   std::vector<Section> sections;
-  /// Names of the first body's joints, which attaching removes.
+  /// Names of the first body's joints, which are removed when the body is attached.
   std::vector<std::string> root_joints;
 };
 
-/// Interface to the reader of MJCF files, which a library that uses MuJoCo implements.
+/// Interface to the reader of MJCF files. A library that uses MuJoCo implements it.
 class AttachmentSource {
  public:
   virtual ~AttachmentSource() = default;
-  /// Returns the body called `body` of `file` (the first body if `body` is empty); null after an
-  /// error. Every call adds all findings, including warnings, at `mark`, with notes that point into
-  /// the XML. Each file is read once; the result lives as long as this source.
+  /// Returns the body named `body` of `file`; the first body if `body` is empty. Returns null after
+  /// an error. Every call adds all findings of the file, including warnings, at `mark`, with notes
+  /// that refer to places in the XML. Each file is read only once; the result remains valid as long
+  /// as this source exists.
   virtual const Attachment* Attach(const std::filesystem::path& file, const std::string& body,
                                    diag::SourceMark mark, diag::Findings& findings) = 0;
 };

@@ -1,4 +1,4 @@
-// MJCF attributes and elements that mjforge carries without interpreting them.
+// MJCF attributes and elements that mjforge copies without interpreting them.
 
 #pragma once
 
@@ -21,7 +21,7 @@ struct Attribute {
   Applies applies = Applies::kBoth;
   sample::Numbers numbers;
   std::string text;
-  std::string_view refers = {};  // kind of element that the text names; see spec::FieldInfo
+  std::string_view refers = {};  // kind of element to which the text refers; see FieldInfo
 
   bool operator==(const Attribute&) const = default;
 };
@@ -42,7 +42,7 @@ struct Element {
   diag::SourceMark mark;
 };
 
-/// Returns the kind of element that an attribute of `element` refers to: `refers` or, if `refers`
+/// Returns the kind of element to which an attribute of `element` refers: `refers` or, if `refers`
 /// is "@objtype", the value of the attribute objtype of `element`.
 std::string_view KindOf(const Attribute& attribute, const Element& element);
 

@@ -8,16 +8,16 @@
 
 namespace mjforge::model {
 
-/// Extents of the collision parts (of all parts if none collides) at the start state, in the
-/// object's frame W; see BodyPoses(). Solids count with their exact extents, not with the extents
-/// of their convex pieces.
+/// Bounds of the collision parts (of all parts if none collides) at the start state, in the
+/// object's frame W; see BodyPoses(). Solids contribute their exact extents, not those of their
+/// convex pieces.
 struct Bounds {
   Box3 aabb;
   double top_offset = 0;         // aabb.max.z, m
   double bottom_offset = 0;      // aabb.min.z, m
   double horizontal_radius = 0;  // largest distance from the z axis of W, m
-  bool declared = false;         // true if `total_size` in the spec gives the bounds
-  Box3 swept;                    // box over the ranges of all joints; see SweptBounds()
+  bool declared = false;         // true if the bounds are `total_size` of the spec
+  Box3 swept;                    // box around all joint positions; see SweptBounds()
   Eigen::Vector3d half_size() const { return (aabb.max - aabb.min) / 2; }
 };
 

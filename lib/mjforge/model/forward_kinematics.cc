@@ -29,7 +29,8 @@ const Joint* FreeJointOf(const Body& body) {
   return found == body.joints.end() ? nullptr : &*found;
 }
 
-// Source: mj_kinematics of MuJoCo 2.2 (src/engine/engine_core_smooth.c).
+// Source of the order of rotation and translation: mj_kinematics of MuJoCo 2.2
+// (src/engine/engine_core_smooth.c).
 Pose JointMotion(const Joint& joint, const sample::Numbers& from, const sample::Numbers& to) {
   if (from.empty()) return to.empty() ? Pose() : JointMotion(joint, ZeroPosition(joint), to);
   if (to.empty()) return JointMotion(joint, from, ZeroPosition(joint));
@@ -43,8 +44,8 @@ Pose JointMotion(const Joint& joint, const sample::Numbers& from, const sample::
 
 namespace {
 
-// Returns the pose of a body in its parent; joints that `positions` does not contain are at their
-// start.
+// Returns the pose of a body in its parent. Joints that `positions` does not contain are at their
+// start positions.
 Pose PoseInParent(const Body& body, JointPositions positions) {
   Pose X_PB = body.X_PB;
   for (const Joint& joint : body.joints) {

@@ -1,4 +1,4 @@
-// Point test: decides if a point is in a shape or in an object.
+// Point test: returns whether a point is inside a shape or an object.
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 namespace mjforge::model {
 namespace {
 
-// Relative tolerance: a point computed to be on the surface, which counts as inside, may be off by
-// a few units in the last place of the numbers it was computed from.
+// Relative tolerance. A point on the surface is inside, but its computed coordinates may have
+// errors of a few units in the last place of the numbers from which they are computed.
 constexpr double kDoubleRounding = 1e-14;
 
 double SegmentDistance(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
@@ -40,8 +40,8 @@ double SolidAngle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eige
   return 2 * std::atan2(a.dot(b.cross(c)), below);
 }
 
-// Returns true for points on the surface or inside, where the solid angles of all triangles add up
-// to 4 pi (0 outside).
+// Returns true if the point is on the surface or inside. For a point inside, the solid angles of
+// all triangles add up to 4 pi; for a point outside, to 0.
 bool MeshContains(const TriangleMesh& mesh, const Eigen::Vector3d& p, double guard) {
   double angle = 0;
   for (const auto& triangle : mesh.triangles) {
@@ -66,7 +66,7 @@ double LargestSize(const Shape& shape) {
 }  // namespace
 
 bool Contains(const Shape& shape, const Pose& X_AG, const Eigen::Vector3d& p_A) {
-  // Products of coordinates larger than kFar overflow.
+  // Points farther away are outside of every shape; products of their coordinates would overflow.
   constexpr double kFar = 1e100;
   if (p_A.cwiseAbs().maxCoeff() > kFar) return false;
   const Eigen::Vector3d p = X_AG.q.conjugate() * (p_A - X_AG.p);

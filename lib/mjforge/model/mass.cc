@@ -7,12 +7,13 @@
 namespace mjforge::model {
 namespace {
 
-// Returns the principal moments of a capsule of mass 1 about its centre: a cylinder and two
-// hemispheres, whose centroids are at 3/8 r from their faces. Source: Goldstein, "Classical
-// Mechanics", 3rd ed., ch. 5.
+// Returns the principal moments of inertia of a capsule of mass 1 about its centre. The capsule
+// consists of a cylinder and two hemispheres, whose centroids are at 3/8 r from their faces.
+// Source: Goldstein, "Classical Mechanics", 3rd ed., ch. 5.
 Eigen::Vector3d CapsuleInertia(double radius, double half_length) {
   const double height = 2 * half_length;
-  const double spheres = 4 * radius / (4 * radius + 3 * height);  // share of the mass
+  // Fraction of the mass in the hemispheres.
+  const double spheres = 4 * radius / (4 * radius + 3 * height);
   const double cylinder = 1 - spheres;
   const double r2 = radius * radius;
   const double across = cylinder * (3 * r2 + height * height) / 12 +
@@ -20,7 +21,8 @@ Eigen::Vector3d CapsuleInertia(double radius, double half_length) {
   return {across, across, cylinder * r2 / 2 + spheres * 2 * r2 / 5};
 }
 
-// Returns the principal moments of a solid of mass 1 about its centre. Source: Goldstein.
+// Returns the principal moments of inertia of a solid of mass 1 about its centre. Source:
+// Goldstein.
 Eigen::Vector3d UnitInertia(const Shape& shape) {
   const Eigen::Vector3d& s = shape.size;
   const Eigen::Vector3d s2 = s.cwiseProduct(s);
@@ -43,8 +45,8 @@ Eigen::Vector3d UnitInertia(const Shape& shape) {
   return Eigen::Vector3d::Zero();
 }
 
-// Returns the mean vertex. Sums over tetrahedra from this point lose fewer digits than from an
-// origin far away.
+// Returns the mean M of the vertices. Sums over tetrahedra with the apex M have smaller rounding
+// errors than sums with a distant apex.
 Eigen::Vector3d Middle(const TriangleMesh& mesh) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& vertex : mesh.vertices) sum += vertex;
@@ -52,14 +54,16 @@ Eigen::Vector3d Middle(const TriangleMesh& mesh) {
 }
 
 // Divisors in the moments of a tetrahedron or a triangle (a, b, c) with weight w and s = a + b + c:
-// mass w / `mass`, centre of mass s / `first`, second moments w / `second` (aa' + bb' + cc' + ss').
+// the mass is w / `mass`, the centre of mass s / `first`, the second moments are w / `second` (aa'
+// + bb' + cc' + ss').
 struct Divisors {
   double mass = 1;
   double first = 1;
   double second = 1;
 };
 
-// Returns the mass properties of the triangles (a, b, c), summed relative to the mean vertex M.
+// Returns the sum of the mass properties over all triangles (a, b, c), whose corners are relative
+// to the mean vertex M.
 template <typename WeightOf>
 MassProperties SumOf(const TriangleMesh& mesh, double density, const Divisors& divisors,
                      const WeightOf& weight_of) {
@@ -88,14 +92,15 @@ MassProperties SumOf(const TriangleMesh& mesh, double density, const Divisors& d
   return result;
 }
 
-// Sums over the tetrahedra between M and each triangle, with weights det(a b c). Source: Tonon,
-// "Explicit exact formulas for the 3-D tetrahedron inertia tensor", 2004.
+// Returns the mass properties of a solid: the sum over the tetrahedra between M and each triangle,
+// with weights det(a b c). Source: Tonon, "Explicit exact formulas for the 3-D tetrahedron inertia
+// tensor", 2004.
 MassProperties MeshMass(const TriangleMesh& mesh, double density) {
   return SumOf(mesh, density, {.mass = 6, .first = 4, .second = 120},
                [](const auto& a, const auto& b, const auto& c) { return a.dot(b.cross(c)); });
 }
 
-// Returns the inertia of a point mass at distance vector `r`.
+// Returns the inertia tensor of a point mass at the position `r`.
 Eigen::Matrix3d PointInertia(double mass, const Eigen::Vector3d& r) {
   return mass * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
 }

@@ -1,4 +1,4 @@
-// Sums over parts and bodies: bounds, mass properties and counts.
+// Sums over parts and bodies: bounds, mass properties and counts of geoms.
 
 #include "mjforge/model/mass_and_bounds.h"
 
@@ -10,8 +10,8 @@
 namespace mjforge::model {
 namespace {
 
-// Returns the bounds of all parts that `for_each` visits. `for_each` calls its argument with each
-// part and the part's pose X_FG.
+// Returns the bounds of all parts that `for_each` visits. `for_each` calls its argument for each
+// part, with the part and its pose X_FG.
 template <typename ForEach>
 Bounds BoundsOfAll(const ForEach& for_each) {
   bool some_collide = false;
@@ -60,7 +60,7 @@ void ScaleMass(double factor, std::vector<Body>& bodies, std::size_t body, std::
   const auto scale = [factor](std::vector<Part>& parts, std::size_t first) {
     for (std::size_t i = first; i < parts.size(); ++i) {
       parts[i].mass *= factor;
-      parts[i].density = 0;  // the density no longer gives the mass
+      parts[i].density = 0;  // the density does not match the mass any more
     }
   };
   scale(bodies[body].parts, first_part);
@@ -94,10 +94,11 @@ MassProperties SubtreeMass(const std::vector<Body>& bodies, std::size_t first) {
   return sum;
 }
 
-// For MuJoCo a body with joints may get its mass from bodies that are fixed to it. Other simulators
-// treat a fixed body as a body with a fixed joint, and require mass on both sides of each joint.
+// Divides masses for simulators other than MuJoCo. In MuJoCo, a body with joints may get its mass
+// from bodies that are fixed to it. Other simulators treat a fixed body as a body with a fixed
+// joint, and require mass on both sides of each joint.
 void ShareMass(std::vector<Body>& bodies) {
-  std::vector<std::size_t> movers(bodies.size());  // M: the body or its ancestor with joints
+  std::vector<std::size_t> movers(bodies.size());  // M: the body itself or its ancestor with joints
   std::vector<Pose> X_MB(bodies.size());
   for (std::size_t i = 1; i < bodies.size(); ++i) {
     movers[i] = i;

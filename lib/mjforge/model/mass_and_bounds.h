@@ -8,27 +8,29 @@
 
 namespace mjforge::model {
 
-/// Returns the bounds of a part at the pose X_AG: of its exact solid if Part::extent is set,
-/// otherwise of its shape.
+/// Returns the bounding box of a part with the pose X_AG: of its exact solid if Part::extent is
+/// set, otherwise of its shape.
 Box3 BoundsOf(const Part& part, const Pose& X_AG);
-/// Returns the bounds of the parts with an index from `first` on; of the colliding parts only, if
-/// any part collides.
+/// Returns the bounds of the parts whose index is at least `first`. If any of these parts collides,
+/// only colliding parts are included.
 Bounds BoundsOf(const std::vector<Part>& parts, std::size_t first = 0);
-/// Returns bounds and mass of the body `first` and its descendants, at the start state, in the
-/// frame F of SubtreePoses().
+/// Return the bounds and the mass of the body `first` and its descendants at the start state, in
+/// the frame F of SubtreePoses().
 Bounds SubtreeBounds(const std::vector<Body>& bodies, std::size_t first);
 MassProperties SubtreeMass(const std::vector<Body>& bodies, std::size_t first);
-/// Returns the bounds of a box with these half sizes, m, for `total_size:`.
+/// Returns the bounds for `total_size:`, a box with these half sizes, m.
 Bounds DeclaredBounds(const Eigen::Vector3d& total_size);
 
-/// Updates mass properties and bounds of the object after a change of its bodies or their start.
+/// Updates the mass properties and bounds of the object. Call MeasureAtStart() after a change of
+/// the object's bodies or their start.
 void MeasureAtStart(Object& object);
 
-/// Multiplies by `factor` the masses of the parts of body `body` with an index from `first_part`
-/// on, and the masses of all bodies with an index from `first_body` on.
+/// Multiplies masses by `factor`: those of the parts of body `body` whose index is at least
+/// `first_part`, and those of all bodies whose index is at least `first_body`.
 void ScaleMass(double factor, std::vector<Body>& bodies, std::size_t body, std::size_t first_part,
                std::size_t first_body);
-/// Gives each massless body with joints half the mass of the first body that is fixed to it.
+/// Moves half the mass of a fixed child to each massless body with joints; the child is the first
+/// descendant that is fixed to the body and has mass.
 void ShareMass(std::vector<Body>& bodies);
 
 }  // namespace mjforge::model

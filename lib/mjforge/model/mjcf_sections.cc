@@ -1,4 +1,5 @@
-// Sections of MJCF in an object: their elements, and the kinds that attributes refer to.
+// Sections of MJCF in an object: their elements, and the kinds of elements to which attributes
+// refer.
 
 #include "mjforge/model/object.h"
 

@@ -1,5 +1,6 @@
-// Objects as numbers, and their geometry: bodies, parts, masses, bounds, poses, regions. Interfaces
-// to the reader of attached MJCF and to the search for places.
+// Public header of the library `model`: objects as numbers, and their geometry (bodies, parts,
+// masses, bounds, poses, regions); interfaces to the reader of attached MJCF and to the search for
+// places.
 
 #pragma once
 

@@ -1,5 +1,5 @@
-// An object as numbers in SI units: a tree of bodies with parts, joints and sites, its assets, and
-// the sections of MJCF that belong to it.
+// Object: numbers in SI units that describe a tree of bodies with parts, joints and sites, its
+// assets, and its sections of MJCF.
 
 #pragma once
 
@@ -27,30 +27,30 @@
 
 namespace mjforge::model {
 
-/// Maximum number of parts of an object. MuJoCo's loading time grows with its square, and is within
-/// the default time limit for this number even on a machine half as fast as ours.
+/// Maximum number of parts of an object. MuJoCo's loading time grows with the square of the number
+/// of parts; for the maximum, it is within the default time limit even on a slow machine.
 inline constexpr int kMaxParts = 40'000;
 
-/// Suffix of the visual geom if a part has two geoms; the collision geom has the name of the part.
+/// Suffix of the visual geom of a part with two geoms; the collision geom has the part's name.
 inline constexpr std::string_view kVisualSuffix = "_vis";
 
-/// A mesh, written inline (for the shapes of `solid`) or as a file that is copied into the output.
+/// A mesh that MJCF contains inline (shapes of `solid`), or a file that is copied into the output.
 struct MeshAsset {
   std::string name;
   TriangleMesh mesh;           // surface after scaling
   std::filesystem::path file;  // empty for inline meshes
-  /// True if the surface is the hull of the vertices, for which MuJoCo computes the triangles.
+  /// True if the surface is the convex hull of the vertices; MuJoCo computes its triangles.
   bool is_hull = false;
   std::string output_file;  // file name in assets/
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();
-  /// Other attributes of an attached file's mesh (refpos, refquat, inline vertices); `mesh` is the
-  /// result after all of them are applied.
+  /// Other attributes of a mesh of an attached file (refpos, refquat, inline vertices). All of them
+  /// are already applied to `mesh`.
   std::vector<Attribute> attributes;
   diag::SourceMark mark;
 };
 
 struct TextureFile {
-  std::string_view attribute = "file";  // or fileright, fileup, ...
+  std::string_view attribute = "file";  // "file", "fileright", "fileup", ...
   std::filesystem::path file;
   std::string output_file;  // file name in assets/
 
@@ -73,35 +73,35 @@ struct Material {
 
 enum class Role { kBoth, kCollision, kVisual };
 
-/// A rigid solid of a body B, written as a collision geom, a visual geom or both. A shape of the
-/// library `solid` becomes several parts: its render mesh, with its name, and the convex pieces
-/// NAME_0, NAME_1, ..., which collide.
+/// A rigid solid of a body B, written as a collision geom, a visual geom or both. A shape that the
+/// library `solid` makes becomes several parts: its visual render mesh, which has the name of the
+/// shape, and its colliding convex pieces NAME_0, NAME_1, ...
 struct Part {
   std::string name;
-  std::string piece_of;  // name of the shape that this part is a piece of; otherwise empty
+  std::string piece_of;  // for a convex piece, the name of its shape; otherwise empty
 
-  /// Returns the full name of the part in the spec that this part is, or is a piece of.
+  /// Returns the full name of the spec's part: this part or, for a convex piece, its shape.
   const std::string& NameInSpec() const { return piece_of.empty() ? name : piece_of; }
 
   Role role = Role::kBoth;
   Shape shape;
   int mesh = -1;  // index in Object::meshes
   Pose X_BG;
-  /// kg; 0 for most visual parts. If `density`, kg/m^3, is greater than 0, the density is written
-  /// instead, so that MuJoCo computes the mass from the number in the spec.
+  /// Mass, kg; 0 for most visual parts. If `density`, kg/m^3, is positive, MJCF contains the
+  /// density instead, so that MuJoCo computes the mass from the number in the spec.
   double mass = 0;
   double density = 0;
-  /// Mass properties of the exact solid at 1 kg/m^3, in the geom's frame G; nullopt if `shape` is
+  /// Mass properties of the exact solid at 1 kg/m^3, in the geom's frame G. If nullopt, `shape` is
   /// exact.
   std::optional<MassProperties> solid;
-  /// Convex hull of the exact solid, in the solid's frame S; null if `shape` has the same hull. A
-  /// single piece of each solid has the hull of the whole solid, the others have an empty hull.
+  /// Convex hull of the exact solid, in the solid's frame S. If null, `shape` has the same hull. A
+  /// single piece of each solid has the hull of the whole solid; all others have an empty hull.
   std::shared_ptr<const solid::Extent> extent;
   Pose X_GS;
-  bool is_shell = false;  // the mass is on the mesh's surface; `solid->mass` is the mesh's area
+  bool is_shell = false;  // true: mass on the mesh's surface; `solid->mass` is its area
   int material = -1;      // index in Object::materials
-  /// True for a geom of an attached file, which is written with its own name and no attributes but
-  /// its own. `role` then only decides if the geom collides.
+  /// True for a geom of an attached file, which is written with its own name and only its own
+  /// attributes. `role` then determines only whether the geom collides.
   bool as_is = false;
   std::vector<Attribute> attributes;
   diag::SourceMark mark;
@@ -112,11 +112,11 @@ struct Joint {
   std::string_view type = "free";  // free ball slide hinge
   Eigen::Vector3d pos = Eigen::Vector3d::Zero();
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
-  std::optional<Eigen::Vector2d> range;  // nullopt: not limited
-  /// Start position as in qpos: m or rad, for a ball joint w, x, y, z. Empty: the joint's zero.
+  std::optional<Eigen::Vector2d> range;  // nullopt: the joint is not limited
+  /// Start position as in qpos: m or rad; w, x, y, z for a ball joint. Empty: the joint's zero.
   sample::Numbers start;
-  /// Velocity at the start as in qvel, m/s or rad/s; the linear velocity of a free joint is in the
-  /// frame of its body's X_PB. Empty: at rest.
+  /// Start velocity as in qvel, m/s or rad/s. The linear velocity of a free joint is in the frame
+  /// of its body's X_PB. Empty: at rest.
   sample::Numbers start_velocity;
   std::vector<Attribute> attributes;
   diag::SourceMark mark;
@@ -134,30 +134,30 @@ struct Site {
 
 struct Body {
   std::string name;
-  int parent = -1;  // index in Object::bodies; -1: the world, for the root and for free bodies
+  int parent = -1;  // index in Object::bodies; -1 (the world) for the root and free bodies
   Pose X_PB;
   std::vector<Joint> joints;
   std::vector<Part> parts;
   std::vector<Site> sites;
   std::vector<Region> regions;
   double front = 0;  // angle of the body's front about z, counter-clockwise from -y, rad
-  /// Region or site that the body was placed at, as in the spec: "table.surface"; empty: the body
-  /// was not placed.
+  /// Region or site at which the body was placed, named as in the spec ("table.surface"); empty if
+  /// the body was not placed.
   std::string stands_at;
   std::vector<Element> elements;      // cameras and lights
   std::vector<Attribute> attributes;  // attributes of <body>
   MassProperties mass_properties;     // in B
-  /// True if an <inertial> element is written, so that MuJoCo does not compute the inertia: for
-  /// bodies with mesh parts, because releases of MuJoCo compute the mass of meshes differently, for
-  /// bodies whose geoms differ from the exact solid, and for attached bodies, which keep the
-  /// inertia of their file.
+  /// True if MJCF contains the inertia (<inertial>), so that MuJoCo does not compute it: for bodies
+  /// with mesh parts, because MuJoCo's releases compute the mass of meshes differently; for bodies
+  /// whose geoms differ from the exact solid; and for attached bodies, which have the inertia of
+  /// their file.
   bool explicit_inertial = false;
-  /// Index of the first body of the same attached file; -1 for other bodies.
+  /// Index of the first body of the same attached file; -1 for bodies that are not attached.
   int attached = -1;
   diag::SourceMark mark;
 };
 
-/// State of an actuator at the start: control, and activation if the actuator has one.
+/// State of an actuator at the start: control and, if the actuator has one, activation.
 struct Setpoint {
   std::string actuator;
   std::optional<double> ctrl;
@@ -168,11 +168,11 @@ struct Setpoint {
 struct Object {
   std::string name;
   std::vector<Body> bodies;         // the root first, parents before children
-  std::vector<Material> materials;  // only materials in use
+  std::vector<Material> materials;  // only those that elements use
   std::vector<Texture> textures;
-  std::vector<std::unique_ptr<MeshAsset>> meshes;  // equal meshes are stored once
+  std::vector<std::unique_ptr<MeshAsset>> meshes;  // equal meshes only once
   std::vector<Section> sections;                   // in the order of spec::Sections()
-  /// Empty if all actuators start at 0; otherwise one for each actuator, in the order of actuators.
+  /// Setpoints of all actuators, in the actuators' order; empty if all actuators start at 0.
   std::vector<Setpoint> setpoints;
   Bounds bounds;
   MassProperties mass_properties;       // in W, at the start state
@@ -180,21 +180,21 @@ struct Object {
   Checks checks;
   std::vector<Expectation> expectations;
   std::vector<Pile> piles;
-  std::vector<std::string> left_out;  // full names of bodies without room (`fewer: true`)
-  std::vector<diag::Finding> unmet;  // a finding for each condition of `expect:` that does not hold
+  std::vector<std::string> left_out;  // full names of bodies for which no place was found
+  std::vector<diag::Finding> unmet;   // findings, one for each violated condition of `expect:`
 };
 
-/// Returns X_WB of every body at the start state. W is the object's frame, in which X_PB of the
-/// root and of free bodies is given; for most objects W is the frame of the root.
+/// Returns the pose X_WB of every body at the start state. W is the object's frame, in which X_PB
+/// of the root and of free bodies is given; for most objects, W is the frame of the root.
 std::vector<Pose> BodyPoses(const Object& object);
 
-/// Returns the number of geoms in MJCF; a part that is both collision and visual has two.
+/// Returns the number of a body's geoms in MJCF; a part that collides and is visual has two.
 std::size_t GeomCount(const Body& body);
 
-/// Returns the elements of a section; none if the object does not have the section.
+/// Returns the elements of a section; an empty list if the object does not have the section.
 std::span<const Element> ElementsOf(const Object& object, std::string_view section);
 
-/// Returns true if the point is in a collision part at the start state.
+/// Returns true if the point is inside a collision part at the start state.
 bool Contains(const Object& object, const Eigen::Vector3d& p_W);
 
 }  // namespace mjforge::model

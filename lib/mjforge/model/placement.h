@@ -13,76 +13,77 @@
 
 namespace mjforge::model {
 
-/// A side of a body, as seen by somebody who looks the way the body's front looks: if its front is
-/// -y, right is -x.
+/// A side of a body, as seen by an observer who looks in the direction of the body's front: if the
+/// front is -y, the right is -x.
 enum class Side { kLeft, kRight, kFront, kBack };
 
-/// A neighbour that a body stands next to.
+/// A neighbour beside which a body is placed.
 struct Beside {
   int body = -1;  // index in Object::bodies
   Side side = Side::kRight;
   double front = 0;  // angle of the neighbour's front about z, from its -y axis, rad
-  double gap = 0;    // distance of the two bounding boxes along the side's direction, m
+  double gap = 0;    // distance of the bounding boxes in the direction of the side, m
 };
 
-/// Try to place a body, as drawn from `place:` of its spec. Points and directions are in the
-/// frame of the object.
+/// A try to place a body, with the values drawn from `place:` of its spec. Points and directions
+/// are in the frame of the object.
 struct PlaceTry {
-  int support = -1;                // index of the body that has the region or the site
+  int support = -1;                // index of the body to which the region or site belongs
   const Region* region = nullptr;  // null: the body is placed by a site of the support
-  /// Pose of the support's site, in the support, and of the body's own site, in the body: the
-  /// frames of both sites will coincide, except for the yaw. Used only if `region` is null; the
+  /// Pose of the support's site in the support, and of the body's own site in the body. The body is
+  /// placed so that both sites coincide, except for the yaw. Used only if `region` is null; the
   /// body may then overlap the support.
   Pose X_SupportSite;
   Pose X_BodySite;
-  /// Position of the footprint within its free play: numbers from -1 to 1; in a disc, a point of
-  /// the unit disc. With `beside`, offset along the neighbour's side: 0 aligns the centres of the
-  /// bounding boxes, -1 and 1 their ends. Left and right use the second number, front and back the
-  /// first.
+  /// Position of the footprint in the region: two numbers from -1 to 1, which span all positions at
+  /// which the footprint is inside; in a disc, a point of the unit disc. If `beside` is given, an
+  /// offset along the neighbour's side: 0 aligns the centres of the two bounding boxes, -1 and 1
+  /// align their ends. Left and right use the second number, front and back the first.
   Eigen::Vector2d uv = Eigen::Vector2d::Zero();
   std::optional<Beside> beside;
-  /// Turn about the vertical, rad. The body is turned first so that its front faces `facing` or
-  /// looks along `direction`, or has the direction of the neighbour's front; without any of them,
-  /// its axes are parallel to the axes of the region.
+  /// Rotation about the vertical, rad. Before this rotation, the body's front faces `facing`, or is
+  /// along `direction`, or has the direction of the neighbour's front. If none of these is given,
+  /// the body's axes are parallel to the axes of the region.
   double yaw = 0;
-  std::optional<Eigen::Vector2d> facing;     // a point, m
-  std::optional<Eigen::Vector2d> direction;  // horizontal, of any length but 0
+  std::optional<Eigen::Vector2d> facing;     // point that the front faces, m
+  std::optional<Eigen::Vector2d> direction;  // horizontal vector of any length but 0
   double front = 0;                          // angle of the body's front, from its -y axis, rad
-  /// Rotation of the body before the yaw; nullopt: as modelled or, if the body would tip over, as
-  /// in the stable pose with the least rotation.
+  /// Rotation of the body before the yaw. If nullopt, the body is placed as it is modelled or, if
+  /// it would tip over, in the stable pose with the smallest rotation.
   std::optional<Eigen::Quaterniond> lying;
-  /// Least distance to all other bodies, m. The support, and bodies whose parts are all below the
-  /// region, may be closer, but must not overlap the body.
+  /// Least distance to all other bodies, m. Exceptions are the support, and bodies whose parts are
+  /// all below the region: the distance to them may be smaller, but they must not overlap the body.
   double clear = 0;
-  double overhang = 0;  // share of the footprint that may lie outside, 0 .. 1
+  double overhang = 0;  // part of the footprint that may be outside of the region, 0 .. 1
 };
 
 enum class PlaceVerdict {
   kStands,
-  kTooLarge,  // the footprint does not fit into the region, wherever it is
-  kTooHigh,   // higher than the free height above the region
-  kOutside,   // the place that `beside` demands is outside of the region
-  kBlocked,   // too near to `blocker`
+  kTooLarge,  // the footprint does not fit into the region at any position
+  kTooHigh,   // the body is higher than the free height above the region
+  kOutside,   // the place that `beside` requires is outside of the region
+  kBlocked,   // the distance to `blocker` is too small
 };
 
 struct PlaceResult {
   PlaceVerdict verdict = PlaceVerdict::kStands;
-  Pose X_SupportBody;   // pose of the body in its support; set for kStands
-  int blocker = -1;     // index of the body that is too near
-  double distance = 0;  // from the body to the blocker, m; 0 if both overlap
-  Eigen::Vector2d footprint = Eigen::Vector2d::Zero();  // sides of its bounding rectangle, m
+  Pose X_SupportBody;   // pose of the body in its support, only for kStands
+  int blocker = -1;     // index of the body that blocks the place
+  double distance = 0;  // distance from the body to the blocker, m; 0 if they overlap
+  // Sides of the footprint's bounding rectangle, m.
+  Eigen::Vector2d footprint = Eigen::Vector2d::Zero();
 };
 
 /// An orientation in which a body is at rest on a level plane.
 struct StablePose {
   std::string name;  // upright, upside_down, on_front, on_back, on_left, on_right, on_left_2, ...
-  Eigen::Quaterniond rotation;  // for PlaceTry::lying
-  double margin = 0;            // smallest tilt that makes the body tip over, rad
+  Eigen::Quaterniond rotation;  // value for PlaceTry::lying
+  double margin = 0;            // smallest tilt that tips the body over, rad
   double probability = 0;       // probability that a random throw ends in this pose
 };
 
-/// Searches places for bodies of one object. A body is "below" another body if it is a descendant
-/// of that body. Bodies and their joints are at the start state.
+/// Searches for places for the bodies of one object. All descendants of a body are "below" that
+/// body. Bodies and their joints are at the start state.
 class Placer {
  public:
   Placer() = default;
@@ -90,24 +91,24 @@ class Placer {
   Placer& operator=(const Placer&) = delete;
   virtual ~Placer() = default;
 
-  /// Forgets all obstacles, and begins with another object, which must outlive the next calls.
-  /// Bodies may be added and moved between calls, but the parts of obstacles and of tried bodies
+  /// Removes all obstacles, and starts with another object, which must outlive all following calls.
+  /// Between calls, bodies may be added and moved, but the parts of obstacles and of tried bodies
   /// must not change.
   virtual void Begin(const Object& object) = 0;
 
-  /// Makes the body, and all bodies below it, an obstacle at its present pose. Bodies that are
+  /// Makes the body, with all bodies below it, an obstacle at its present pose. Bodies that are
   /// placed later must have at least the distance `clear`, m, to this obstacle.
   virtual void Stand(int body, double clear = 0) = 0;
 
-  /// Tries a place for a body that is not an obstacle yet, with all bodies below this body.
+  /// Tries a place for a body, with all bodies below it. The body must not be an obstacle.
   virtual PlaceResult Try(int body, const PlaceTry& where) = 0;
 
-  /// Returns the diameter of the largest upright cylinder that is as high as the body and fits into
-  /// the region of `where` among the obstacles, m.
+  /// Returns the diameter, m, of the largest upright cylinder that has the height of the body and
+  /// fits into the region of `where` between the obstacles.
   virtual double WidestGap(int body, const PlaceTry& where) = 0;
 
-  /// Returns the stable poses of a body, with all bodies below it; the most probable first. `front`
-  /// is the angle of its front, from its -y axis, rad.
+  /// Returns the stable poses of a body, with all bodies below it, the most probable pose first.
+  /// `front` is the angle of the body's front from its -y axis, rad.
   virtual std::vector<StablePose> StablePoses(int body, double front) = 0;
 };
 

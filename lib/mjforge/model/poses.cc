@@ -27,7 +27,7 @@ Eigen::Quaterniond FromXyAxes(const Eigen::Vector3d& x, const Eigen::Vector3d& y
   return Eigen::Quaterniond(axes).normalized();
 }
 
-// If z points exactly down, the half turn is about x, as in mjuu_z2quat of MuJoCo 2.2
+// If z points exactly down, the rotation is a half turn about x, as in mjuu_z2quat of MuJoCo 2.2
 // (src/user/user_util.cc).
 Eigen::Quaterniond FromZAxis(const Eigen::Vector3d& z) {
   const Eigen::Vector3d unit = z.stableNormalized();

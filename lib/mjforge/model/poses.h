@@ -6,7 +6,7 @@
 
 namespace mjforge::model {
 
-/// Pose of a frame B in a frame A, X_AB: a point p_B is p_A = q * p_B + p.
+/// Pose X_AB of a frame B in a frame A. The coordinates of a point are p_A = q * p_B + p.
 struct Pose {
   Eigen::Vector3d p = Eigen::Vector3d::Zero();            // m
   Eigen::Quaterniond q = Eigen::Quaterniond::Identity();  // unit
@@ -17,16 +17,18 @@ struct Pose {
   Pose Inverse() const { return {q.conjugate() * -p, q.conjugate()}; }
 };
 
-/// Returns the numbers of MJCF's `quat`: w, x, y, z.
+/// Returns the numbers of MJCF's `quat` in the order w, x, y, z.
 inline Eigen::Vector4d Wxyz(const Eigen::Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
-/// Rotates about the moving x, y and z axes in turn (MuJoCo's eulerseq "xyz"), rad.
+/// Returns the rotation about the moving x, y and z axes in this order (MuJoCo's eulerseq "xyz");
+/// angles in rad.
 Eigen::Quaterniond FromEuler(const Eigen::Vector3d& angles);
-/// Rotates by `angle`, rad, about `axis`, which has any length but 0.
+/// Returns the rotation by `angle`, rad, about `axis`, which may have any length but 0.
 Eigen::Quaterniond FromAxisAngle(const Eigen::Vector3d& axis, double angle);
 /// Returns the frame whose x axis is along `x` and whose y axis is in the plane of x and y, like
 /// MuJoCo's xyaxes. The vectors must not be parallel or zero.
 Eigen::Quaterniond FromXyAxes(const Eigen::Vector3d& x, const Eigen::Vector3d& y);
-/// Returns the smallest rotation that takes +z to `z` (not zero), like MuJoCo's zaxis.
+/// Returns the smallest rotation that maps +z to the direction of `z` (not zero), like MuJoCo's
+/// zaxis.
 Eigen::Quaterniond FromZAxis(const Eigen::Vector3d& z);
 
 }  // namespace mjforge::model

@@ -1,5 +1,5 @@
-// Horizontal radius of shapes: the largest distance of a point from the z axis. Lengths are Eigen's
-// norms, because the last bit of std::hypot depends on the processor.
+// Horizontal radius of shapes: the largest distance of a point from the z axis. Lengths are
+// computed by Eigen's norm(), because the last bit of std::hypot depends on the processor.
 
 #include <algorithm>
 #include <cmath>
@@ -9,21 +9,21 @@
 namespace mjforge::model {
 namespace {
 
-// Returns the largest distance from the origin of a point of the ellipse with centre (u, v) and
+// Returns the largest distance between the origin and a point of the ellipse with centre (u, v) and
 // half axes a >= b >= 0 along x and y.
 //
 // The unit vector t maximizes |c + A t| with c = (|u|, |v|) (by symmetry) and A = diag(a, b). A
-// Lagrange multiplier gives (l I - A^2) t = A c, and the maximum belongs to the root with l >= a^2
-// (this is the trust region problem; More and Sorensen, "Computing a trust region step", 1983).
+// Lagrange multiplier l gives (l I - A^2) t = A c, and the maximum belongs to the root with l >=
+// a^2 (this is the trust region problem; More and Sorensen, "Computing a trust region step", 1983).
 // With d = l - a^2, t1 = a u / d and t2 = b v / (d + a^2 - b^2), |t| decreases strictly with d.
-// Newton's method on 1 / |t| - 1, kept in a bracket, finds the root. An error in d changes the
-// distance, which is stationary there, only quadratically.
+// Newton's method on 1 / |t| - 1, restricted to a bracket, finds the root. The distance is
+// stationary at the root, so that an error in d changes the distance only quadratically.
 double FarthestOnEllipse(double u, double v, double a, double b) {
   u = std::abs(u);
   v = std::abs(v);
   const double gap = (a - b) * (a + b);
-  // A centre this close to the minor axis is treated as on the axis; the error is below the last
-  // bit of a.
+  // A centre this close to the minor axis is treated as if it were on the axis; the error is below
+  // the last bit of a.
   if (u < 1e-18 * a) {
     const double t2 = b * v >= gap ? 1 : b * v / gap;
     return Eigen::Vector2d(a * std::sqrt(1 - t2 * t2), v + b * t2).norm();
@@ -47,9 +47,10 @@ double FarthestOnEllipse(double u, double v, double a, double b) {
   return Eigen::Vector2d(u + a * t.x(), v + b * t.y()).norm();
 }
 
-// The distance from the z axis is a convex function, so that it is largest at an extreme point, on
-// the rim of an end disc. A disc with unit normal n, seen from above, is an ellipse with half axes
-// r across the tilt and r |n_z| along it.
+// Returns the horizontal radius of a cylinder. The distance from the z axis is a convex function,
+// so that it is largest at an extreme point, on the rim of an end disc. Seen from above, a disc
+// with the unit normal n is an ellipse, with half axes r across the tilt and r |n_z| along the
+// tilt.
 double CylinderRadius(double radius, double half_length, const Pose& X_AG) {
   const Eigen::Vector3d n = X_AG.q * Eigen::Vector3d::UnitZ();
   const double tilt = n.head<2>().norm();
@@ -65,9 +66,9 @@ double CylinderRadius(double radius, double half_length, const Pose& X_AG) {
   return largest;
 }
 
-// Returns the largest distance from the origin of a point of the ellipse E (unit ball) + p, where
-// the rows of E are ex and ey. The half axes are the singular values of E, computed from the
-// eigenvalues of the 2 x 2 matrix E E'.
+// Returns the largest distance between the origin and a point of the ellipse E (unit ball) + p,
+// where the rows of E are ex and ey. The half axes are the singular values of E, which are computed
+// from the eigenvalues of the 2 x 2 matrix E E'.
 double EllipseRadius(const Eigen::Vector3d& ex, const Eigen::Vector3d& ey,
                      const Eigen::Vector2d& p) {
   const double mean = (ex.squaredNorm() + ey.squaredNorm()) / 2;
@@ -82,17 +83,17 @@ double EllipseRadius(const Eigen::Vector3d& ex, const Eigen::Vector3d& ey,
   return FarthestOnEllipse(c * p.x() + s * p.y(), c * p.y() - s * p.x(), a, std::min(a, b));
 }
 
-// Seen from above, the ellipsoid R diag(s) (unit ball) + p is the ellipse whose E is the upper two
-// rows of R diag(s).
+// Returns the horizontal radius of an ellipsoid R diag(s) (unit ball) + p. Seen from above, it is
+// the ellipse whose matrix E consists of the upper two rows of R diag(s).
 double EllipsoidRadius(const Eigen::Vector3d& size, const Pose& X_AG) {
   const Eigen::Matrix3d scaled = X_AG.q.toRotationMatrix() * size.asDiagonal();
   return EllipseRadius(scaled.row(0), scaled.row(1), X_AG.p.head<2>());
 }
 
 // Returns the largest local maximum, within an arc, of the distance from the z axis; 0 if there is
-// none. On the arc q = p + cos(t) u + sin(t) v the derivative of the squared distance has at most
-// four roots. Roots at which the derivative falls are the maxima; they are bracketed, then
-// bisected.
+// none. On the arc q = p + cos(t) u + sin(t) v, the derivative of the squared distance has at most
+// four roots. The maxima are the roots at which the derivative changes from positive to negative;
+// they are bracketed, then bisected.
 double ArcRadius(const Eigen::Vector2d& p, const Eigen::Vector2d& u, const Eigen::Vector2d& v,
                  double angle) {
   constexpr int kSteps = 32;

@@ -1,4 +1,4 @@
-// Geometry of regions: positions of discs inside, and distances of points outside.
+// Geometry of regions: positions of discs inside a region, and distances of points outside.
 
 #include "mjforge/model/region.h"
 
@@ -32,7 +32,7 @@ Eigen::Vector2d PositionOfDisc(const Region& region, double radius, const Eigen:
     const Eigen::Vector2d play = (region.half_size.array() - region.margin - radius).cwiseMax(0);
     return uv.cwiseProduct(play);
   }
-  // Centre and radius of the largest disc about the mean of the corners.
+  // The largest disc about the mean of the corners has the radius `play`.
   const Eigen::Vector2d middle = MiddleOf(region);
   const double play = -DistanceOutside(region, middle);
   return middle + uv / std::max(1.0, uv.norm()) * std::max(0.0, play - region.margin - radius);

@@ -1,4 +1,4 @@
-// Regions: named level places on a body where other bodies can stand.
+// Regions: named level places on a body, on which other bodies can stand.
 
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace mjforge::model {
 
-/// Group of the sites of regions, which viewers hide.
+/// Group of the sites of regions. Viewers hide this group.
 inline constexpr int kRegionGroup = 5;
 
 enum class RegionType { kBox, kDisc, kPolygon };
@@ -22,38 +22,41 @@ enum class RegionType { kBox, kDisc, kPolygon };
 /// Returns the name of a type in specs: "box", "disc" or "polygon".
 std::string_view RegionTypeName(RegionType type);
 
-/// A level area of a body B, or the interior of a container, with the space above it. The area is
-/// in the xy plane of its frame R, whose z axis points up when the object is in its start state.
+/// A level area of a body B, or the interior of a container, with the space above. The area is in
+/// the xy plane of the region's frame R. The z axis of R points up in the start state of the
+/// object.
 struct Region {
   std::string name;  // name in the spec: "surface"
   std::string site;  // full name of the region's site in MJCF
   RegionType type = RegionType::kBox;
-  /// Half lengths of a box, or of a polygon's bounding box, along x and y, m; for a disc, both
+  /// Half lengths along x and y, m, of a box or of a polygon's bounding box. For a disc, both
   /// numbers are the radius.
   Eigen::Vector2d half_size = Eigen::Vector2d::Zero();
-  std::vector<Eigen::Vector2d> corners;  // corners of a convex polygon, counter-clockwise, m
+  std::vector<Eigen::Vector2d> corners;  // corners of a convex polygon in R, counter-clockwise, m
   Pose X_BR;
   double height = std::numeric_limits<double>::infinity();  // free height above the area, m
-  double margin = 0;   // least distance of footprints from the edge, m
-  double clear = 0;    // least distance between bodies that stand in the region, m
-  bool walls = false;  // true for an interior: bodies are lowered in, the floor may be uneven
+  double margin = 0;  // least distance of footprints from the edge, m
+  double clear = 0;   // least distance between bodies in the region, m
+  // True for an interior, into which bodies are lowered; its floor may be uneven.
+  bool walls = false;
   diag::SourceMark mark;
 };
 
 /// Returns the angle between the z axis of R and the vertical, rad.
 double TiltOf(const Pose& X_WR);
 
-/// Returns the mean of a polygon's corners, in the plane of R; for other regions the origin.
+/// Returns the mean of a polygon's corners, in the plane of R. For other regions, returns the
+/// origin.
 Eigen::Vector2d MiddleOf(const Region& region);
 
-/// Returns a centre, in the plane of R, at which a disc of this radius is inside the region. In a
-/// box, `uv` (from -1 to 1) covers all such centres; in a disc, and in the largest disc about the
-/// middle of a polygon, `uv` is a point of the unit disc. Returns the middle of the region if the
-/// disc is too large.
+/// Returns the centre, in the plane of R, of a disc of this radius inside the region. In a box,
+/// `uv` (two numbers from -1 to 1) spans all such centres. In a disc, and in the largest disc about
+/// the middle of a polygon, `uv` is a point of the unit disc. Returns the middle of the region if
+/// the disc is too large.
 Eigen::Vector2d PositionOfDisc(const Region& region, double radius, const Eigen::Vector2d& uv);
 
-/// Returns how far a point in the plane of R is outside of the region, m; at most 0 if the point is
-/// inside.
+/// Returns the distance, m, by which a point in the plane of R is outside of the region; 0 or
+/// negative if the point is inside.
 double DistanceOutside(const Region& region, const Eigen::Vector2d& p);
 
 }  // namespace mjforge::model

@@ -53,7 +53,7 @@ int SizeCount(GeomType type) {
   return 0;
 }
 
-// Source of the support functions: Ericson, "Real-Time Collision Detection", 2005, 9.5.
+// Source of the support functions below: Ericson, "Real-Time Collision Detection", 2005, 9.5.
 std::vector<Eigen::Vector3d> VerticesOf(const Shape& shape) {
   if (shape.type == GeomType::kMesh) return shape.mesh->vertices;
   if (shape.type != GeomType::kBox) return {};
@@ -107,8 +107,8 @@ Eigen::Vector3d SupportPoint(const Shape& shape, const Eigen::Vector3d& directio
   return Eigen::Vector3d::Zero();
 }
 
-// Every shape except the mesh is symmetric about its centre, so that one value of the support
-// function per axis gives both sides of the box.
+// All shapes except the mesh are symmetric about their centre, so that one value of the support
+// function per axis gives both sides of the bounding box.
 Box3 BoundsOf(const Shape& shape, const Pose& X_AG) {
   const Eigen::Matrix3d R_AG = X_AG.q.toRotationMatrix();
   if (shape.type == GeomType::kMesh) return MeshBounds(*shape.mesh, X_AG.p, R_AG);

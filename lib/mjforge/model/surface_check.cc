@@ -1,4 +1,5 @@
-// Closed-surface test: every edge of a mesh must belong to two triangles with opposite directions.
+// Check for closed surfaces: every edge of a mesh must belong to two triangles with opposite
+// directions.
 
 #include <cstdint>
 #include <unordered_map>
@@ -10,8 +11,8 @@
 namespace mjforge::model {
 namespace {
 
-// Numbers of triangles that use an edge from its smaller to its larger vertex (`up`) and the other
-// way (`down`).
+// Number of triangles that contain an edge in the direction from its smaller to its larger vertex
+// index (`up`), and in the opposite direction (`down`).
 struct EdgeUses {
   int up = 0;
   int down = 0;
@@ -31,8 +32,8 @@ std::optional<std::string> FindSurfaceDefect(const TriangleMesh& mesh) {
       ++(from < to ? uses.up : uses.down);
     }
   }
-  // Reports the edge with the fewest triangles, so that the result does not depend on the map's
-  // order.
+  // Report the edge with the fewest triangles, so that the result does not depend on the order of
+  // the hash map.
   int open = 0;
   bool is_reversed = false;
   for (const auto& [edge, uses] : edges) {

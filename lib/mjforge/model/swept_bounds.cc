@@ -14,12 +14,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Shape and its pose in the object's frame, with all joints at zero. Boxes are parallel to the axes
-// of the object's frame, because a box along other axes would need a larger box around itself.
+// A shape and its pose in the object's frame, with all joints at zero. The box around swept shapes
+// is parallel to the axes of that frame, because a box along other axes would need a larger box
+// around itself.
 struct PlacedShape {
   Shape shape;
   Pose X;
-  const solid::Extent* extent = nullptr;  // replaces the shape if not null
+  const solid::Extent* extent = nullptr;  // replaces `shape` if not null
 };
 using Shapes = std::vector<PlacedShape>;
 
@@ -37,8 +38,8 @@ Box3 BoxOf(const PlacedShape& placed, const Pose& X) {
   return placed.extent != nullptr ? BoundsOf(*placed.extent, X) : BoundsOf(placed.shape, X);
 }
 
-// Returns an upper bound of the distance of any point of the shapes from `p`, exact for spheres and
-// boxes.
+// Returns an upper bound of the distance between `p` and any point of the shapes. The bound is
+// exact for spheres and boxes.
 double RadiusAbout(const Vector3d& p, const Shapes& shapes) {
   double largest = 0;
   for (const PlacedShape& placed : shapes) {
@@ -52,10 +53,10 @@ double RadiusAbout(const Vector3d& p, const Shapes& shapes) {
   return largest;
 }
 
-// Inverse rotations of a hinge: for both ends of its range and for angles between the ends.
+// Inverse rotations of a hinge at both ends of its range and at angles between the ends.
 struct Turns {
   std::vector<Eigen::Quaterniond> back;
-  double excess = 0;  // upper bound of a + b - 1, see SweptSupport()
+  double excess = 0;  // upper bound of a + b - 1 in SweptSupport()
 };
 
 Turns TurnsOf(const Vector3d& axis, const Eigen::Vector2d& angles) {
@@ -72,10 +73,11 @@ Turns TurnsOf(const Vector3d& axis, const Eigen::Vector2d& angles) {
 // Returns an upper bound of the support function in `direction` while the shapes turn about an axis
 // through their origin.
 //
-// Shapes that turn by an angle have the support of fixed shapes in the direction turned back, which
-// moves on a cone. A direction d on an arc of angle w is a d1 + b d2 - (a + b - 1) c, where d1 and
-// d2 are its ends, c is the part of d along the axis, and 1 <= a + b <= 1 / cos(w / 2). The support
-// function h is convex and homogeneous, so that h(d) <= a h(d1) + b h(d2) + (a + b - 1) h(-c).
+// If shapes turn by an angle, their support is that of the fixed shapes in the direction turned
+// back by this angle. The direction turned back moves on a cone. A direction d on an arc of angle w
+// is a d1 + b d2 - (a + b - 1) c, where d1 and d2 are the ends of the arc, c is the part of d along
+// the axis, and 1 <= a + b <= 1 / cos(w / 2). The support function h is convex and homogeneous, so
+// that h(d) <= a h(d1) + b h(d2) + (a + b - 1) h(-c).
 double SweptSupport(const Shapes& shapes, const Vector3d& axis, const Turns& turns,
                     const Vector3d& direction) {
   const Vector3d along = axis * axis.dot(direction);
@@ -87,7 +89,7 @@ double SweptSupport(const Shapes& shapes, const Vector3d& axis, const Turns& tur
          turns.excess * (std::max(largest, 0.0) + std::max(SupportOf(shapes, -along), 0.0));
 }
 
-// Returns the range of a hinge or slide as displacements from its zero.
+// Returns the range of a hinge or slide as displacements from the joint's zero.
 Eigen::Vector2d DisplacementsOf(const Joint& joint) {
   constexpr double kHalfTurn = std::numbers::pi;
   const double zero = ZeroPosition(joint)[0];
@@ -98,8 +100,8 @@ Eigen::Vector2d DisplacementsOf(const Joint& joint) {
   return Eigen::Vector2d::Constant(joint.start.empty() ? 0 : joint.start[0] - zero);
 }
 
-// Returns the lower and upper support of the shapes along a unit vector while one joint moves. The
-// origin is the anchor of the joint; `turns` is used for hinges only.
+// Returns the lower and upper bound of the shapes along a unit vector while one joint moves. The
+// origin is the anchor of the joint; `turns` is used only for hinges.
 Eigen::Vector2d SweptInterval(const Shapes& shapes, const Joint& joint, const Vector3d& axis,
                               const Turns& turns, const Vector3d& unit) {
   if (joint.type == "hinge")
@@ -116,7 +118,7 @@ Eigen::Vector2d SweptInterval(const Shapes& shapes, const Joint& joint, const Ve
   return {still[0] + ways.minCoeff(), still[1] + ways.maxCoeff()};
 }
 
-// Replaces the shapes by a box around all their positions while the joint of a body moves.
+// Replaces the shapes by one box that contains them at all positions of the joint.
 void SweepJoint(const Joint& joint, const Pose& X_WB, Shapes& shapes) {
   const Vector3d anchor = X_WB * joint.pos;
   const Vector3d axis = X_WB.q * joint.axis.stableNormalized();

@@ -1,4 +1,4 @@
-// Apportionment by largest remainders, safe against rounding errors of the shares.
+// Apportionment by largest remainders that tolerates rounding errors of the shares.
 
 #include "mjforge/sample/apportion.h"
 
@@ -11,7 +11,7 @@ namespace mjforge::sample {
 namespace {
 
 // Remainders are rounded to multiples of this step, because shares have rounding errors: equal
-// remainders must compare equal, and a share of 2.9999999 counts as 3.
+// remainders must compare equal, and a share of 2.9999999 must be treated as 3.
 constexpr double kRemainderStep = 0x1p-20;
 
 }  // namespace
@@ -36,7 +36,7 @@ std::vector<std::uint64_t> LargestRemainder(std::span<const double> weights, std
   std::erase_if(order, [&](std::size_t i) { return weights[i] == 0; });
   std::ranges::stable_sort(
       order, [&](std::size_t a, std::size_t b) { return remainders[a] > remainders[b]; });
-  // A single round is enough, except for the rounding errors of huge totals.
+  // A single round is enough, except when rounding errors of huge totals leave more items.
   for (std::size_t i = 0; left > 0; i = (i + 1) % order.size(), --left) ++counts[order[i]];
   return counts;
 }

@@ -1,4 +1,4 @@
-// Apportionment of a number of items to weights, by largest remainders.
+// Apportionment: distributes a number of items according to weights, by largest remainders.
 
 #pragma once
 
@@ -8,9 +8,10 @@
 
 namespace mjforge::sample {
 
-/// Returns the number of items, out of `total`, for each weight: its share rounded down, and one
-/// more for the largest remainders (Hamilton's method); of equal remainders the first ones win.
-/// Weights are >= 0 with a positive sum; a weight of 0 gets no item. total <= 2^52.
+/// Distributes `total` items among the weights (Hamilton's method): each weight gets its share
+/// rounded down, and those with the largest remainders get one more item. If remainders are equal,
+/// the first ones get the item. Weights must be >= 0 and their sum positive; a weight of 0 gets no
+/// item. `total` is at most 2^52.
 std::vector<std::uint64_t> LargestRemainder(std::span<const double> weights, std::uint64_t total);
 
 }  // namespace mjforge::sample

@@ -15,7 +15,8 @@ using expr::NumberText;
 using spec::Distribution;
 using Message = std::optional<std::string>;
 
-// Larger than any useful count. The bound limits the time of the search for the quantile.
+// Maximum mean of a Poisson draw: larger than any useful count. The limit bounds the time of the
+// search for the quantile.
 constexpr double kMaxPoissonMean = 1e6;
 
 Message CheckNotNegative(std::string_view what, double value) {

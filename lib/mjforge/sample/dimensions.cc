@@ -1,4 +1,4 @@
-// Collects the streams of a spec's parameters by walking through their values.
+// Collects the streams of a spec's parameters by visiting their values recursively.
 
 #include "mjforge/sample/dimensions.h"
 
@@ -10,7 +10,7 @@ namespace {
 
 using spec::Distribution;
 
-// Above this limit not every whole number is a double, so that levels cannot be counted.
+// Maximum count of levels, up to which every whole number is exact as a double.
 constexpr double kMostLevels = 0x1p53;
 
 class StreamCollector {
@@ -42,7 +42,7 @@ class StreamCollector {
  private:
   void Add(const DrawnStream& stream) { streams_.push_back(stream); }
 
-  // Returns the length of a list if it is the same in all variants, else 0.
+  // Returns the length of a list if it is the same in all variants; otherwise 0.
   static std::size_t LengthOf(const spec::Value& count) {
     const double number = spec::ConstantOf(count).value_or(0);
     return spec::IsListLength(number) ? static_cast<std::size_t>(number) : 0;
@@ -85,7 +85,7 @@ class StreamCollector {
     }
   }
 
-  // Returns the stream of the draw itself, without its arguments.
+  // Returns the stream of the draw itself, without the draws in its arguments.
   static DrawnStream OwnStream(const spec::Draw& draw, StreamId path) {
     DrawnStream stream = {.stream = path, .split = {}};
     if (draw.distribution == Distribution::kChoice && draw.weights.empty()) {

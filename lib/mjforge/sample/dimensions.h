@@ -1,4 +1,4 @@
-// Streams that the parameters of a spec draw from, as dimensions of a sampling method.
+// Random streams of a spec's parameters, as dimensions of a sampling method.
 
 #pragma once
 
@@ -11,29 +11,31 @@
 
 namespace mjforge::sample {
 
-/// The draws of a spec's parameters from one stream.
+/// The draws of a spec's parameters that use the same stream.
 struct DrawnStream {
   StreamId stream = 0;
-  int numbers = 1;           // uniforms drawn; each is a dimension
-  std::uint64_t levels = 0;  // number of values of a discrete draw; 0: continuous or unknown
-  bool is_order = false;     // sort key of a list's item
-  /// Share of (0, 1) of the first of two levels; nullopt: all levels have equal shares.
+  int numbers = 1;           // count of uniform numbers drawn; each is a dimension
+  std::uint64_t levels = 0;  // number of values of a discrete draw; 0 if continuous or unknown
+  bool is_order = false;     // true for the sort key of an item of a shuffled list
+  /// For two levels of unequal probability: the part of (0, 1) that belongs to the first level. If
+  /// nullopt, all levels have equal probability.
   std::optional<double> split;
 };
 
-/// Returns the root of the paths of an outermost spec. The root depends on the spec's name, so that
-/// two families with the same seed draw different numbers.
+/// Returns the root stream of an outermost spec. The stream depends on the spec's name, so that two
+/// specs with the same seed draw different numbers.
 inline StreamId RootStream(const spec::ObjectSpec& spec) { return Child(kRootStream, spec.name); }
 
-/// Returns the root of the paths of an imported file. The root depends on the file's name only, so
-/// that all specs that import the file draw the same values.
+/// Returns the root stream of an imported file. The stream depends only on the file's name, so that
+/// all specs that import the file draw the same values.
 inline StreamId SharedStream(const spec::ObjectSpec& shared) {
   return Child(Child(kRootStream, "import"), shared.name);
 }
 
-/// Returns the streams of the parameters of imported files, then of the spec's own parameters in
+/// Returns the streams of all parameters: first those of imported files, then the spec's own in
 /// file order. A draw comes before the draws in its arguments, limits and options. The streams are
-/// those that Evaluator uses. A choice with `exact: true` draws no uniform and is left out.
+/// those that Evaluator uses. A choice with `exact: true` is left out, because it draws no uniform
+/// number.
 std::vector<DrawnStream> DrawnStreams(const spec::ObjectSpec& spec);
 
 }  // namespace mjforge::sample

@@ -13,48 +13,52 @@
 
 namespace mjforge::sample {
 
-/// Above this limit not every whole number is a double.
+/// Largest number up to which every whole number is exact as a double.
 inline constexpr double kMaxWhole = 0x1p53;
 
-/// Closed interval; infinite ends mean "no bound".
+/// Closed interval. An infinite end means that there is no bound.
 struct Interval {
   double lo;
   double hi;
 };
 
-/// Returns the interval that the spec gives: the ends of a uniform, log-uniform, triangular or
-/// integer draw, else the limits.
+/// Returns the interval that the spec states: the ends of a uniform, log-uniform, triangular or
+/// integer draw; for other distributions, `limits`.
 std::optional<Interval> StatedInterval(spec::Distribution distribution,
                                        std::span<const double> arguments,
                                        std::optional<Interval> limits);
 
-/// Returns a message about invalid arguments, such as "standard deviation -1 is negative", or
-/// nullopt if the arguments are valid. `limits` is the clip (truncation) or, for beta, the range.
+/// Returns a message about invalid arguments, such as "standard deviation -1 is negative"; nullopt
+/// if the arguments are valid. `limits` is the interval of `clip` (truncation) or, for the beta
+/// distribution, of `range`.
 std::optional<std::string> CheckArguments(spec::Distribution distribution,
                                           std::span<const double> arguments,
                                           std::optional<Interval> limits);
 
-/// Returns the value at u in (0, 1), not rounded, for every distribution except choice and cycle.
-/// CheckArguments() must have accepted the arguments. Truncation is exact: u is mapped into
-/// [F(lo), F(hi)], through the complement in the upper tail.
+/// Returns the quantile at u, in (0, 1), without rounding, for every distribution except choice and
+/// cycle. CheckArguments() must have accepted the arguments. The truncation to `limits` is exact: u
+/// is mapped to [F(lo), F(hi)], in the upper tail through the complement.
 double Quantile(spec::Distribution distribution, std::span<const double> arguments,
                 std::optional<Interval> limits, double u);
 
-/// Returns the smallest interval that contains every value. Rounding uses it.
+/// Returns the smallest interval that contains every value of the distribution. RoundWithin() needs
+/// it.
 Interval Support(spec::Distribution distribution, std::span<const double> arguments,
                  std::optional<Interval> limits);
 
-/// Returns index i with probability weights[i] / sum. Weights are >= 0 with a positive sum.
+/// Returns the index that u, in (0, 1), selects: index i has the probability weights[i] / sum.
+/// Weights must be >= 0 and their sum positive.
 std::size_t WeightedIndex(std::span<const double> weights, double u);
 
-/// Returns a uniform rotation from three uniforms, as a quaternion w x y z with w >= 0. Source:
-/// Shoemake, "Uniform random rotations", Graphics Gems III, 1992.
+/// Returns a uniformly distributed rotation from three uniform numbers, as a quaternion w x y z
+/// with w >= 0. Source: Shoemake, "Uniform random rotations", Graphics Gems III, 1992.
 std::array<double, 4> UniformRotation(double u0, double u1, double u2);
 
-/// Returns a uniform point of the unit sphere from two uniforms (Archimedes: z is uniform).
+/// Returns a uniformly distributed point of the unit sphere from two uniform numbers. The z of the
+/// point is uniformly distributed (Archimedes' theorem).
 std::array<double, 3> UniformDirection(double u0, double u1);
 
-/// Converts hue, saturation, value to red, green, blue; all are in [0, 1]. Source: Smith, "Color
+/// Converts hue, saturation and value to red, green and blue, all in [0, 1]. Source: Smith, "Color
 /// gamut transform pairs", SIGGRAPH 1978.
 std::array<double, 3> HsvToRgb(double h, double s, double v);
 

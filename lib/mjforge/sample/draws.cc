@@ -23,13 +23,15 @@ const spec::DistributionInfo& Info(Distribution distribution) {
   return spec::Distributions()[static_cast<std::size_t>(distribution)];
 }
 
-// Returns false for distributions of whole numbers and of true and false.
+// Returns true for distributions whose draws are rounded: all except those of integers and
+// booleans.
 bool IsRounded(Distribution distribution) {
   return distribution != Distribution::kInteger && distribution != Distribution::kPoisson &&
          distribution != Distribution::kBernoulli;
 }
 
-// The most arguments of a draw: three of a triangular draw, and two limits.
+// Largest number of arguments and limits of a draw: three arguments of a triangular draw, and two
+// limits.
 constexpr std::size_t kMostArguments = 5;
 
 template <std::size_t n>
@@ -84,7 +86,7 @@ const spec::Value* Evaluator::ChooseRow(const spec::Draw& draw, SourceMark mark,
   const double key = Variable(draw.key_slot);
   const auto row = std::isnan(key) ? rows.numbers.end() : rows.numbers.find(key);
   if (row == rows.numbers.end()) {
-    // All columns of the record have the same key, so report the missing row only once.
+    // All columns of the record have the same key, so the missing row is reported only once.
     if (!failed_) Fail(Code::kSampleBadArgument, mark, "no row has the key of this record");
     return nullptr;
   }
@@ -149,13 +151,14 @@ void Evaluator::AppendRotationAbout(const spec::RotationAbout& about, SourceMark
                                     StreamId path, Numbers& out) {
   Numbers axis;
   Vector(*about.axis, Child(path, "about"), axis);
-  // std::hypot of three numbers, unlike that of two, has the same last bit on every processor.
+  // std::hypot of three numbers has the same last bit on every processor; std::hypot of two numbers
+  // has not.
   double length = std::hypot(axis[0], axis[1], axis[2]);
   if (length == 0) {
     length = Fail(Code::kSampleBadArgument, mark,
                   "the axis to turn about is 0 0 0; it needs a direction");
   }
-  // From -pi/2 to pi/2, so that w is not negative.
+  // The half angle is between -pi/2 and pi/2, so that w is not negative.
   const double half_angle = std::numbers::pi * (Uniforms(path)[0] - 0.5);
   out.push_back(std::cos(half_angle));
   for (const double component : axis) out.push_back(std::sin(half_angle) * (component / length));

@@ -15,7 +15,7 @@ using diag::SourceMark;
 
 constexpr std::string_view kLeftOutHint = "it was left out by 'if', or is placed later";
 
-// Returns "[0.01, 0.02, 0.03, ...]".
+// Returns the first numbers of a list as text: "[0.01, 0.02, 0.03, ...]".
 std::string ListText(const std::vector<double>& numbers) {
   constexpr std::size_t kShown = 8;
   std::string text = "[";
@@ -64,8 +64,8 @@ double Evaluator::EvaluateExpression(const expr::Expression& expression, SourceM
   if (std::isfinite(result)) return result;
   for (const expr::Expression::Input& input : expression.inputs()) {
     if (!std::isnan(Variable(input.slot))) continue;
-    // The cause of a failed input was reported, unless the input is a property of a body that was
-    // left out: such a property was never set.
+    // The cause of a failed input was already reported. The exception is a property of a body that
+    // was left out, which was never set.
     if (failed_) return kFailedNumber;
     return Fail(Code::kExprNotFinite, mark,
                 fmt::format("expression '{}' uses '{}', which has no value in this variant",

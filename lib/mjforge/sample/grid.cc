@@ -1,4 +1,4 @@
-// Grid sampling: sharing out the levels, and the coordinates of a point.
+// Grid sampling: levels of each dimension, and the coordinates of a point.
 
 #include "mjforge/sample/grid.h"
 
@@ -12,19 +12,19 @@ namespace {
 
 constexpr std::uint64_t kMany = std::numeric_limits<std::uint64_t>::max();
 
-// Returns a * b, at most kMany.
+// Returns a * b, limited to kMany.
 std::uint64_t Product(std::uint64_t a, std::uint64_t b) {
   return a != 0 && b > kMany / a ? kMany : a * b;
 }
 
-// Returns low^(count - more) * (low + 1)^more, at most kMany.
+// Returns the number of points low^(count - more) * (low + 1)^more, limited to kMany.
 std::uint64_t PointsOf(std::uint64_t low, std::size_t count, std::size_t more) {
   std::uint64_t points = 1;
   for (std::size_t i = 0; i < count; ++i) points = Product(points, i < more ? low + 1 : low);
   return points;
 }
 
-// Returns the centre of a level's cell of (0, 1).
+// Returns the centre of the cell in (0, 1) that belongs to a level.
 double CentreOf(std::uint64_t level, std::uint64_t levels, std::optional<double> split) {
   if (split) return level == 0 ? *split / 2 : (1 + *split) / 2;
   return (static_cast<double>(level) + 0.5) / static_cast<double>(levels);
@@ -34,7 +34,7 @@ double CentreOf(std::uint64_t level, std::uint64_t levels, std::optional<double>
 
 Grid::Grid(std::span<const DrawnStream> streams, std::uint64_t size) {
   for (const DrawnStream& stream : streams) {
-    if (stream.is_order) continue;  // a grid of sort keys is not a grid of orders
+    if (stream.is_order) continue;  // random sort keys on a grid do not give all orders
     const auto count = static_cast<std::size_t>(stream.numbers);
     axes_of_.emplace(stream.stream, Axes{axes_.size(), count});
     axes_.insert(axes_.end(), count, Axis{stream.levels, 1, stream.split});
@@ -59,7 +59,7 @@ void Grid::ShareLevels(std::uint64_t size) {
   if (open.empty()) return;
   const std::uint64_t wanted = std::max<std::uint64_t>(1, size / discrete);
   std::uint64_t low = 1;
-  std::uint64_t high = wanted;  // binary search for the most levels that fit
+  std::uint64_t high = wanted;  // binary search for the largest number of levels
   while (low < high) {
     const std::uint64_t middle = high - (high - low) / 2;
     if (PointsOf(middle, open.size(), 0) <= wanted) {

@@ -14,28 +14,28 @@
 
 namespace mjforge::sample {
 
-/// A full factorial design: every combination of the levels of all dimensions; the first dimension
-/// varies slowest. A discrete dimension has one level per value. The other dimensions get equal
-/// numbers of levels, so that the grid has at most `size` points if possible; the first ones get
-/// one more level if the grid stays within `size`.
+/// A full factorial design: every combination of the levels of all dimensions, where the first
+/// dimension varies slowest. A discrete dimension has one level per value. All other dimensions
+/// have the same number of levels, which is as large as possible with at most `size` points. The
+/// first of these dimensions have one level more as long as the grid has at most `size` points.
 class Grid {
  public:
   Grid(std::span<const DrawnStream> streams, std::uint64_t size);
 
-  /// Replaces the uniforms of a stream by its coordinates of the point at `position`, the centres
-  /// of cells. Positions past the last point start over. The uniforms of a stream outside the grid
-  /// stay unchanged.
+  /// Replaces the uniform numbers of a stream by its coordinates at the grid point `position`,
+  /// which are centres of cells. Positions beyond the last point start again with the first one.
+  /// Does not change the uniform numbers of a stream that has no dimension in the grid.
   void Place(std::uint64_t position, StreamId stream, std::array<double, 4>& uniforms) const;
 
   /// Returns the number of points, at most 2^64 - 1.
   std::uint64_t points() const { return points_; }
-  /// Returns "4 x 5 x 5 = 100 points".
+  /// Returns the size of the grid as text: "4 x 5 x 5 = 100 points".
   std::string Text() const;
 
  private:
   struct Axis {
     std::uint64_t levels;         // at least 1
-    std::uint64_t stride;         // difference of position from one level to the next
+    std::uint64_t stride;         // difference of position between one level and the next
     std::optional<double> split;  // DrawnStream::split
   };
   struct Axes {

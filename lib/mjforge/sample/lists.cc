@@ -46,7 +46,7 @@ bool Evaluator::AppendItem(const spec::Value& item, Type type, StreamId path, It
   return true;
 }
 
-// Copies a list, or a vector, whose components become the items.
+// Returns the items of a list parameter, or the components of a vector parameter as items.
 std::optional<Items> Evaluator::CopyList(const spec::VariableReference& variable,
                                          const spec::Value& value) {
   Items items;
@@ -78,8 +78,8 @@ std::optional<Items> Evaluator::Repeat(const spec::Each& each, StreamId path) {
   return items;
 }
 
-// Sorts by a number drawn for each item, so that another item at the end does not change the order
-// of the first ones.
+// Draws a sort key for each item, so that adding an item at the end does not change the order of
+// the other items.
 std::vector<std::size_t> Evaluator::RandomOrder(std::size_t count, StreamId path) const {
   std::vector<double> keys(count);
   for (std::size_t i = 0; i < count; ++i) keys[i] = Uniforms(Child(path, i))[0];

@@ -34,7 +34,7 @@ std::vector<double> KeysOf(const std::vector<std::string>& texts) {
   return keys;
 }
 
-// Returns the numbers that stand for the items of a list in expressions.
+// Returns the numbers that represent the items of a list in expressions.
 std::vector<double> NumbersOf(const ParameterValue& list) {
   if (const auto* texts = std::get_if<std::vector<std::string>>(&list)) return KeysOf(*texts);
   if (const auto* booleans = std::get_if<std::vector<bool>>(&list))
@@ -49,7 +49,7 @@ std::vector<bool> BooleansOf(const std::vector<double>& numbers) {
   return booleans;
 }
 
-// Returns true if the value is of the parameter's kind.
+// Returns true if the value has the kind of the parameter.
 bool Accepts(const spec::Value& parameter, const ParameterValue& value) {
   const auto* numbers = std::get_if<std::vector<double>>(&value);
   if (std::holds_alternative<std::vector<std::string>>(value))
@@ -81,7 +81,7 @@ Evaluator::Evaluator(const spec::ObjectSpec& spec, DrawKey key, StreamId root,
       lists_(static_cast<std::size_t>(spec.names.list_count())),
       list_texts_(lists_.size()) {
   if (!variables_.empty()) variables_[0] = static_cast<double>(key.index);
-  // Imported parameters always begin with attempt 0, so that a retry in one spec does not change
+  // Imported parameters always start with attempt 0, so that a redraw in one spec does not change
   // the values that another spec imports.
   const DrawKey shared_key = {key.seed, key.index, 0};
   for (const auto& shared : spec.shared)

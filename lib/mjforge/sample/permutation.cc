@@ -1,4 +1,4 @@
-// Feistel network with cycle walking.
+// Pseudorandom permutation by a Feistel network with cycle walking.
 
 #include "mjforge/sample/permutation.h"
 
@@ -9,8 +9,8 @@
 namespace mjforge::sample {
 namespace {
 
-// Four rounds make a strong pseudorandom permutation of a large domain. Small domains need more
-// rounds, so that all permutations are about equally likely.
+// Four rounds make a strong pseudorandom permutation of a large domain. A small domain needs more
+// rounds to make all permutations about equally likely.
 constexpr std::uint64_t kRounds = 8;
 
 std::uint64_t RootRoundedUp(std::uint64_t size) {
@@ -20,7 +20,7 @@ std::uint64_t RootRoundedUp(std::uint64_t size) {
   return root;
 }
 
-// Scales a hash to 0 .. bound - 1; bound <= 2^32.
+// Maps a hash to 0 .. bound - 1; `bound` is at most 2^32.
 std::uint64_t Below(std::uint64_t bound, std::uint64_t hash) {
   return ((hash >> 32) * bound) >> 32;
 }
@@ -34,8 +34,8 @@ std::uint64_t Permuted(std::uint64_t position, std::uint64_t size, std::uint64_t
     std::uint64_t left = position / side;
     std::uint64_t right = position % side;
     for (std::uint64_t round = 0; round < kRounds; ++round) {
-      // right * kRounds + round is below 2^35 and differs for each pair (right, round), so that no
-      // two pairs have the same hash input.
+      // right * kRounds + round is below 2^35 and differs for each pair (right, round), so that all
+      // hash inputs differ.
       const std::uint64_t input = key + (right * kRounds + round + 1) * kGoldenGamma;
       std::uint64_t next = left + Below(side, Mix(input));
       if (next >= side) next -= side;

@@ -1,4 +1,4 @@
-// Philox, the counter-based random generator behind all random numbers, and a 64-bit hash.
+// Philox, the counter-based generator of all random numbers, and a 64-bit hash.
 
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace mjforge::sample {
 
-/// Last word of the counter, so that numbers for different purposes are independent.
+/// Last word of Philox's counter. Numbers for different purposes are independent of each other.
 enum class Purpose : std::uint64_t { kDraw, kLatin, kScramble, kExact };
 
 /// Returns a block of Philox4x64-10 with key (seed, 0) and counter (position, stream, attempt,
@@ -27,7 +27,7 @@ inline std::array<std::uint64_t, 4> PhiloxWords(std::uint64_t seed, std::uint64_
   return {words[0], words[1], words[2], words[3]};
 }
 
-/// Returns the top 52 bits of a word as a number in (0, 1), the centre of its cell.
+/// Returns the top 52 bits of a word as a number in (0, 1): the centre of one of 2^52 equal cells.
 inline double UniformOf(std::uint64_t word) {
   return (static_cast<double>(word >> 12) + 0.5) * 0x1p-52;
 }

@@ -13,10 +13,11 @@
 namespace mjforge::sample {
 namespace {
 
-constexpr std::size_t kMost = 1000;  // points of a shape; equals solid::kMostPoints
+// Maximum count of points of a shape; equals solid::kMostPoints.
+constexpr std::size_t kMost = 1000;
 
-// Calls `read` with the stream of each combination of the loops' values, until it returns false.
-// Returns false if `read` returned false, or if a range failed.
+// Calls `read` for each combination of the loops' values, with a stream of its own, until `read`
+// returns false. Returns false if `read` returned false, or if the range of a loop is invalid.
 template <typename Function>
 bool ForEachCombination(Evaluator& values, std::span<const spec::Loop> loops, StreamId path,
                         const Function& read) {
@@ -30,11 +31,11 @@ bool ForEachCombination(Evaluator& values, std::span<const spec::Loop> loops, St
   return true;
 }
 
-// Arc through three points, in the plane of the unit vectors x and y, whose origin is the first
+// Arc through three points. Its plane has the unit vectors x and y, and its origin is the first
 // point.
 class CircleThrough {
  public:
-  /// Returns the arc through three points; nullopt if the points are on a line.
+  /// Returns the arc through three points; nullopt if the points are on a straight line.
   static std::optional<CircleThrough> Of(const Numbers& first, const Numbers& second,
                                          const Numbers& last) {
     CircleThrough circle;
@@ -56,7 +57,8 @@ class CircleThrough {
     circle.v_ = v;
     circle.radius_ = std::sqrt(u * u + v * v);
     circle.from_ = std::atan2(-v, -u);
-    // The last point is to the left of the line to the second one, so that the arc turns left.
+    // The last point is on the left of the line from the first to the second point, so that the arc
+    // is counter-clockwise.
     circle.to_second_ = After(circle.from_, std::atan2(-v, to_b - u));
     circle.to_last_ = After(circle.from_, std::atan2(across - v, along - u));
     return circle;
@@ -69,7 +71,7 @@ class CircleThrough {
     for (std::size_t i = 0; i < 3; ++i) point[i] = first_[i] + along * x_[i] + across * y_[i];
   }
 
-  /// Interpolates between the values at the three points.
+  /// Interpolates between values given at the three points.
   double Between(double share, double first, double second, double last) const {
     const double angle = share * to_last_;
     if (angle <= to_second_) return std::lerp(first, second, angle / to_second_);
@@ -78,7 +80,7 @@ class CircleThrough {
 
  private:
   using Vector = std::array<double, 3>;
-  static constexpr double kSame = 1e-9;  // tolerance, as a share of the points' distances
+  static constexpr double kSame = 1e-9;  // tolerance, relative to the distances of the points
 
   static Vector Minus(const Numbers& a, const Numbers& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
@@ -86,7 +88,7 @@ class CircleThrough {
   static double Dot(const Vector& a, const Vector& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   }
-  /// Returns the counterclockwise angle from `start` to `end`, rad.
+  /// Returns the counter-clockwise angle from `start` to `end`, rad.
   static double After(double start, double end) {
     return end > start ? end - start : end - start + 2 * std::numbers::pi;
   }
@@ -102,8 +104,8 @@ class CircleThrough {
   double to_last_ = 0;
 };
 
-// Reader of one list of points. Member functions return false after a finding, or if the list is
-// full.
+// Reader of one list of points. Member functions return false after adding a finding, or if the
+// list has too many points.
 class PointReader {
  public:
   explicit PointReader(Evaluator& values) : values_(values) {}
@@ -191,8 +193,8 @@ class PointReader {
       const bool is_end = i == 0 || i == steps;
       Numbers point = i == 0 ? first : last;
       if (!is_end) circle->MoveTo(i / steps, point);
-      // If points have a fourth number, a tube's radius, interpolate between the radii at the
-      // points.
+      // Points of a tube may have a fourth number, the radius, which is interpolated between the
+      // three points.
       if (!is_end && point.size() == 4)
         point[3] = circle->Between(i / steps, first[3], second[3], last[3]);
       if (!AddToArc(arc, point)) return false;

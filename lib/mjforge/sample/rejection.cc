@@ -22,8 +22,8 @@ const ParameterValue* FindOverride(Overrides overrides, const spec::Parameter& p
 
 bool AnyChanges(std::span<const spec::Value> values, bool is_planned);
 
-// Returns true if a redraw can change the value. If exact choices are planned over the batch, a
-// redraw does not change them.
+// Returns true if a redraw can change the value. `is_planned` is true if exact choices are
+// distributed over the batch, because a redraw does not change them then.
 bool Changes(const spec::Value& value, bool is_planned) {
   if (const auto* draw = std::get_if<spec::Draw>(&value.form)) {
     const bool is_fixed = draw->rows != nullptr ||
@@ -57,8 +57,9 @@ bool Evaluator::SampleShared(Overrides overrides) {
   });
 }
 
-// Returns false for a requirement without a value, such as sqrt(-1) > 0, because another draw may
-// give the requirement a value. An infinite value or an index out of range is an error.
+// Returns true if the requirement is met. A requirement without a value, such as sqrt(-1) > 0, is
+// not met, because another draw may give it a value. An infinite value or an index out of range is
+// an error.
 bool Evaluator::Holds(const spec::Requirement& requirement) {
   const expr::Expression& expression = requirement.expression;
   const double value = expression.Evaluate(variables_, lists_);
@@ -87,7 +88,7 @@ std::optional<std::size_t> Evaluator::SampleParameters(Overrides overrides) {
 bool Evaluator::Sample(Overrides overrides) {
   if (!SampleShared(overrides)) return false;
   const bool is_planned = sampler_ != nullptr && sampler_->batch() > 0;
-  std::vector<std::uint64_t> rejections;  // number of rejected draws, by requirement
+  std::vector<std::uint64_t> rejections;  // number of draws that each requirement rejected
   for (std::uint64_t count = 0; count < kMaxAttempts; ++count, ++key_.attempt) {
     const std::optional<std::size_t> met = SampleParameters(overrides);
     if (!met) return false;
@@ -106,7 +107,7 @@ bool Evaluator::Sample(Overrides overrides) {
   return false;
 }
 
-// Reports a requirement that no redraw can meet.
+// Reports a requirement that is not met although no redraw can change its inputs.
 void Evaluator::ReportConstant(const spec::Requirement& requirement) {
   const std::string inputs = InputsText(requirement.expression);
   Fail(Code::kSampleRejected, requirement.mark,

@@ -12,22 +12,23 @@ namespace mjforge::sample {
 namespace {
 
 constexpr int kSignificantDigits = 6;
-constexpr int kMaxExactPower = 22;  // 10^22 is the largest power of ten that a double holds
+constexpr int kMaxExactPower = 22;  // 10^22 is the largest power of ten that is exact as a double
 constexpr double kPowersOfTen[kMaxExactPower + 1] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                      1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                                      1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-// Tolerance for ranges such as 0.03 - 0.02, which miss a power of ten by a rounding error and must
-// not get one more digit.
+// Tolerance for widths such as 0.03 - 0.02, which differ from a power of ten by a rounding error
+// and must not get one more digit.
 constexpr double kLogTolerance = 1e-9;
 
-// Returns the decimal places of a millionth of a range; minus infinity if the width is infinite.
+// Returns the number of decimal places of a millionth of the width; minus infinity if the width is
+// infinite.
 double PlacesFor(double width) {
   if (!std::isfinite(width)) return -std::numeric_limits<double>::infinity();
   return std::ceil(kSignificantDigits - std::log10(width) - kLogTolerance);
 }
 
-// Rounds to a multiple of 10^-places. The operands of the last step are exact, so that the result
-// is the double nearest to the decimal.
+// Rounds to a multiple of 10^-places. The operands of the last operation are exact, so that the
+// result is the double nearest to the decimal.
 double RoundByScaling(double value, int places) {
   const double power = kPowersOfTen[std::abs(places)];
   const double scaled = places < 0 ? value / power : value * power;
@@ -36,7 +37,7 @@ double RoundByScaling(double value, int places) {
   return places < 0 ? whole * power : whole / power;
 }
 
-// Rounds where the power of ten is not exactly a double.
+// Rounds if the power of ten is not exact as a double.
 double RoundByText(double value, int digits) {
   if (digits >= 16) return value;
   char text[40];

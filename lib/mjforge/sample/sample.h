@@ -1,4 +1,4 @@
-// Evaluator: draws the parameters of a spec for one variant and evaluates its values.
+// Evaluator: draws the parameters of a spec for one variant, and evaluates the values of the spec.
 
 #pragma once
 
@@ -21,15 +21,16 @@
 namespace mjforge::sample {
 
 /// Evaluates the values of one spec for one variant. Sample() draws the parameters and tests the
-/// requirements; then the model asks for the values of the spec's fields in any order. Every draw
-/// is a pure function of the key (seed, index, attempt) and of the value's path in the spec, and of
-/// the batch's size if the sampler depends on it.
+/// requirements. After that, the assembler requests the values of the spec's fields in any order.
+/// Every draw is a pure function of the key (seed, index, attempt) and of the value's path in the
+/// spec; some samplers also use the batch's size.
 ///
-/// A function that fails adds a finding and returns nullopt, or NaN if it returns numbers. Nothing
-/// is reported again for values that depend on a failed one. After the first failure the variant is
-/// useless, and failed() is true.
+/// A function that fails adds a finding, and returns nullopt, or NaN if it returns numbers. Values
+/// that depend on a failed value fail without another finding. After the first failure the variant
+/// is unusable, and failed() is true.
 ///
-/// Without a sampler all draws are random. A sampler must outlive the evaluator.
+/// Without a sampler, all draws are independent random numbers. The sampler must outlive the
+/// evaluator.
 class Evaluator {
  public:
   using Overrides = std::span<const std::pair<std::string, ParameterValue>>;
@@ -38,17 +39,17 @@ class Evaluator {
             const Sampler* sampler = nullptr);
 
   /// Draws the parameters until they meet all requirements; each redraw increases key().attempt.
-  /// Overrides replace the parameters' own values. Returns false after a finding: a draw failed, or
-  /// kMaxAttempts were rejected.
+  /// `overrides` replace the parameters' own values. Returns false, and adds a finding, if a draw
+  /// fails or if kMaxAttempts draws are rejected.
   bool Sample(Overrides overrides);
-  /// Draws the parameters once. Returns the position of the first requirement that does not hold,
-  /// or the number of requirements if all hold.
+  /// Draws the parameters once. Returns the index of the first requirement that is not met, or the
+  /// number of requirements if all are met; nullopt if a draw fails.
   std::optional<std::size_t> SampleParameters(Overrides overrides = {});
 
   double Number(const spec::Value& value, StreamId path);
   std::optional<bool> Boolean(const spec::Value& value, StreamId path);
   std::optional<std::string> Text(const spec::Value& value, StreamId path);
-  /// Replaces the content of `out` by the vector's components, or by the one value of a number.
+  /// Replaces the content of `out` by the components of a vector, or by a single number.
   void Vector(const spec::Value& value, StreamId path, Numbers& out);
   /// Evaluates a value of any kind. A single number in brackets is a vector.
   std::optional<ParameterValue> Any(const spec::Value& value, StreamId path);
@@ -56,27 +57,29 @@ class Evaluator {
   std::optional<std::vector<HoleOutline>> Outlines(const spec::Value& value, StreamId path);
   std::optional<LoopRange> RangeOf(const spec::Loop& loop);
   std::optional<bool> Condition(const expr::Expression& expression, diag::SourceMark mark);
-  /// Returns "a = 1, b = true": the values of an expression's names, without texts.
+  /// Returns "a = 1, b = true": the values of the names that the expression uses, without texts.
   std::string InputsText(const expr::Expression& expression) const;
 
   void SetVariable(int slot, double value);
   void SetVariable(int slot, std::string_view text);
   void SetVariable(const spec::Loop& loop, const LoopRange& range, std::size_t i);
-  /// Returns the variables of an entry's loops and its local values, for Restore().
+  /// Returns the current values of an entry's loop variables and local values, for Restore().
   SavedVariables Save(const spec::Entry& entry) const;
   void Restore(const SavedVariables& saved);
-  /// Marks the variables of a value as failed. `list` is the value's list of numbers; -1: none.
+  /// Marks the variables of a value as failed. `list` is the number of the value's list; -1 if it
+  /// has none.
   void ClearVariables(int slot, int list, const spec::Value& value);
-  /// Sets the variable of a number, boolean or text, or the variables of a vector from `slot` on.
+  /// Sets the variables of a parameter from slot `slot` on: one for a number, boolean or text, one
+  /// per component for a vector.
   void Assign(int slot, const ParameterValue& value);
-  /// Evaluates a local value and sets its variables. The draws belong to the stream `path`. Returns
-  /// false after a finding.
+  /// Evaluates a local value and sets its variables. Its draws use the stream `path`. Returns
+  /// false, and adds a finding, if the evaluation fails.
   bool SetLocal(const spec::Local& local, StreamId path);
 
-  /// Appends a uniform random rotation, a quaternion w x y z.
+  /// Appends a uniformly distributed random rotation as a quaternion w x y z.
   void AppendRotation(StreamId path, Numbers& out);
 
-  /// Returns four independent numbers in (0, 1), for draws that no value of the spec describes.
+  /// Returns four independent uniform numbers in (0, 1), for draws that are not values in the spec.
   std::array<double, 4> Uniforms(StreamId path) const {
     return sampler_ != nullptr ? sampler_->Uniforms(key_, path) : sample::Uniforms(key_, path);
   }
@@ -88,7 +91,7 @@ class Evaluator {
   const Sampler* sampler() const { return sampler_; }
   const spec::ObjectSpec& spec() const { return spec_; }
   bool failed() const { return failed_; }
-  /// Adds a finding of this variant and returns NaN.
+  /// Adds a finding about this variant, and returns NaN.
   double Fail(diag::Code code, diag::SourceMark mark, std::string message, std::string hint = {});
 
  private:
@@ -104,16 +107,17 @@ class Evaluator {
 
   // Defined in evaluator.cc.
   double Variable(int slot) const { return variables_[static_cast<std::size_t>(slot)]; }
-  /// Returns component i of the vector that a name refers to.
+  /// Returns component `i` of the vector to which a name refers.
   double Component(const spec::VariableReference& variable, int i, diag::SourceMark mark);
   double EvaluateExpression(const expr::Expression& expression, diag::SourceMark mark);
-  /// Appends a piece of a text. Returns false if the piece failed.
+  /// Appends the text of one piece. Returns false if its evaluation fails.
   bool AppendPiece(const spec::TextPiece& piece, diag::SourceMark mark, std::string& out);
   /// Returns the text whose TextKey() is the result of an expression.
   const std::string& TextOf(const expr::Expression& expression, double key) const;
-  /// Appends the components of a vector, or a number.
+  /// Appends the components of a vector, or a single number.
   void AppendVector(const spec::Value& value, StreamId path, Numbers& out);
-  /// Returns the stream of item i below path. Items that draw nothing need no stream of their own.
+  /// Returns the stream of item `i` below `path`. An item without draws needs no stream, and gets
+  /// `path` itself.
   static StreamId ItemStream(const spec::Value& item, StreamId path, std::size_t i);
 
   // Defined in lists.cc.
@@ -122,18 +126,21 @@ class Evaluator {
   std::optional<Items> Repeat(const spec::Each& each, StreamId path);
   std::optional<Items> Arrange(const spec::Arrangement& arrangement, StreamId path);
   std::optional<std::size_t> Length(const spec::Value& count, StreamId path);
-  /// Appends an item to a list of this type. Returns false if the item failed.
+  /// Appends an item to a list whose items have this type. Returns false if the evaluation of the
+  /// item fails.
   bool AppendItem(const spec::Value& item, expr::Type type, StreamId path, Items& out);
   /// Returns the numbers 0 to count - 1 in random order.
   std::vector<std::size_t> RandomOrder(std::size_t count, StreamId path) const;
 
   // Defined in draws.cc.
   double DrawNumber(const spec::Draw& draw, diag::SourceMark mark, StreamId path);
-  /// Returns the draw of a value that is a choice, a cycle or a record's column, else null.
+  /// Returns the draw of a value that is a choice, a cycle or a column of a record; null for other
+  /// values.
   static const spec::Draw* ChoiceOf(const spec::Value& value);
-  /// Chooses an option and replaces `path` by its stream. Returns null after a finding.
+  /// Chooses an option, and replaces `path` by the stream of the option. Returns null after adding
+  /// a finding.
   const spec::Value* Choose(const spec::Draw& draw, diag::SourceMark mark, StreamId& path);
-  /// Chooses the option of a record's column that belongs to the record's key.
+  /// Returns the option of a record's column that belongs to the drawn key of the record.
   const spec::Value* ChooseRow(const spec::Draw& draw, diag::SourceMark mark, StreamId& path);
   std::optional<std::size_t> DrawOption(const spec::Draw& draw, diag::SourceMark mark,
                                         StreamId path);
@@ -150,18 +157,19 @@ class Evaluator {
   StreamId root_;
   diag::Findings* findings_;
   const Sampler* sampler_;
-  std::vector<double> variables_;                     // by slot; NaN: failed, or not set
-  std::vector<std::string> texts_;                    // by slot
-  std::vector<expr::Sequence> lists_;                 // by list
-  std::vector<std::vector<std::string>> list_texts_;  // by list; empty for lists without texts
+  std::vector<double> variables_;      // indexed by slot; NaN if failed or not set
+  std::vector<std::string> texts_;     // indexed by slot
+  std::vector<expr::Sequence> lists_;  // indexed by number of the list
+  // Indexed by number of the list; empty for lists without texts.
+  std::vector<std::vector<std::string>> list_texts_;
   std::vector<Evaluator> shared_;  // evaluators of spec_.shared, the imported specs
   bool failed_ = false;
 };
 
-/// Number of redraws after which a variant counts as impossible.
+/// Number of rejected draws after which the requirements are reported as impossible.
 inline constexpr std::uint64_t kMaxAttempts = 1000;
 
-/// Returns an evaluator whose parameters Sample() has drawn; nullopt after a finding.
+/// Returns an evaluator after its Sample() drew the parameters; nullopt after adding a finding.
 std::optional<Evaluator> Sample(const spec::ObjectSpec& spec, DrawKey key, StreamId root,
                                 Evaluator::Overrides overrides, diag::Findings& findings,
                                 const Sampler* sampler = nullptr);

@@ -13,12 +13,14 @@ namespace {
 
 constexpr int kBits = 52;  // random bits of a uniform number
 
-// Flips bit i from the top if the top bit of a hash of the i bits above it is set.
+// Returns x with scrambled bits: bit i from the top is flipped if the top bit of a hash of the i
+// bits above it is set.
 std::uint64_t Scrambled(std::uint64_t x, std::uint64_t key) {
   std::uint64_t flips = 0;
   for (int i = 0; i < kBits; ++i) {
     const std::uint64_t above = (x >> 1) >> (63 - i);
-    const std::uint64_t node = (std::uint64_t{1} << i) | above;  // node of a binary tree
+    // Number of a node in a binary tree.
+    const std::uint64_t node = (std::uint64_t{1} << i) | above;
     flips |= (Mix(key + node * kGoldenGamma) >> 63) << (63 - i);
   }
   return x ^ flips;
@@ -37,8 +39,8 @@ Sobol::Sobol(std::span<const DrawnStream> streams, std::uint64_t seed) {
     }
   }
   if (dimensions_.empty()) return;
-  // Boost's engine returns points in the order of the Gray code. In that order, point 2^(j+1) - 1
-  // consists of the direction numbers of bit j. After seed(n) the engine returns point n + 1.
+  // The engine of Boost returns points in the order of the Gray code. In this order, point 2^(j+1)
+  // - 1 consists of the direction numbers of bit j. After seed(n), the engine returns point n + 1.
   boost::random::sobol engine(dimensions_.size());
   for (int bit = 0; bit < 64; ++bit) {
     engine.seed((~std::uint64_t{0} >> (63 - bit)) - 1);

@@ -12,25 +12,25 @@
 
 namespace mjforge::sample {
 
-/// Sobol's sequence, scrambled by the seed; any point can be computed directly. Direction numbers
+/// Sobol's sequence, scrambled by the seed. Any point can be computed directly. Direction numbers
 /// are those of Boost.Random (Joe, Kuo, "Constructing Sobol sequences with better two-dimensional
 /// projections", SIAM J. Sci. Comput. 30, 2008). The scrambling is nested and uniform (Owen,
-/// "Randomly permuted (t,m,s)-nets and (t,s)-sequences", 1995); its bits are not stored but hashed
-/// from the leading bits (Burley, "Practical hash-based Owen scrambling", JCGT 9, 2020). Point 0 is
-/// part of the sequence (Owen, "On dropping the first Sobol' point", 2020).
+/// "Randomly permuted (t,m,s)-nets and (t,s)-sequences", 1995). Its bits are not stored, but are
+/// hashes of the leading bits (Burley, "Practical hash-based Owen scrambling", JCGT 9, 2020). The
+/// sequence contains point 0 (Owen, "On dropping the first Sobol' point", 2020).
 class Sobol {
  public:
-  /// Assigns dimensions to the streams in order. Streams for which no direction numbers are left
-  /// get no dimension.
+  /// Assigns dimensions to the streams, in their order. Streams for which Boost.Random has no more
+  /// direction numbers get no dimension.
   Sobol(std::span<const DrawnStream> streams, std::uint64_t seed);
 
-  /// Replaces the uniforms of a stream by its coordinates of point `index`, in (0, 1). The uniforms
-  /// of a stream without a dimension stay unchanged.
+  /// Replaces the uniform numbers of a stream by its coordinates of point `index`, in (0, 1). Does
+  /// not change the uniform numbers of a stream without a dimension.
   void Place(std::uint64_t index, StreamId stream, std::array<double, 4>& uniforms) const;
 
  private:
   struct Dimension {
-    std::array<std::uint64_t, 64> directions;  // by bit of the index
+    std::array<std::uint64_t, 64> directions;  // direction number for each bit of the index
     std::uint64_t key;                         // scrambling key
   };
   struct Dimensions {

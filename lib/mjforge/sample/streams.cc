@@ -14,7 +14,7 @@ StreamId Child(StreamId parent, std::string_view name) {
 }
 
 StreamId Child(StreamId parent, std::size_t position) {
-  char digits[20];  // enough for 2^64 - 1
+  char digits[20];  // enough digits for 2^64 - 1
   const auto end = std::to_chars(digits, digits + sizeof(digits), position).ptr;
   return Child(parent, std::string_view(digits, static_cast<std::size_t>(end - digits)));
 }

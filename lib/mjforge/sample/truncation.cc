@@ -1,4 +1,4 @@
-// Truncated distributions by Boost.Math.
+// Quantiles of truncated distributions, computed by Boost.Math.
 
 #include "mjforge/sample/truncation.h"
 
@@ -15,8 +15,9 @@ namespace {
 
 namespace policies = boost::math::policies;
 
-// Errors give NaN or infinity, which the evaluator reports, instead of exceptions. Numbers are not
-// promoted to long double, for speed and for equal results on every machine.
+// Policy of Boost.Math: errors give NaN or infinity, which the evaluator reports, instead of
+// exceptions. Numbers are not promoted to long double, for speed and for equal results on every
+// machine.
 using Quiet = policies::policy<
     policies::domain_error<policies::ignore_error>, policies::pole_error<policies::ignore_error>,
     policies::overflow_error<policies::ignore_error>,
@@ -32,12 +33,13 @@ using Normal = boost::math::normal_distribution<Real, Quiet>;
 using Poisson = boost::math::poisson_distribution<double, Quiet>;
 using Beta = boost::math::beta_distribution<double, Quiet>;
 
-// The probabilities below (p) and above (q) each end of an interval.
+// Probabilities below (p) and above (q) each end of an interval.
 template <typename Real>
 struct Slice {
   Real p_lo, p_hi, q_lo, q_hi;
 
-  // Returns an upper bound of the interval's probability, 0 if the tail underflows.
+  // Returns an upper bound of the interval's probability; 0 if the probability of the tail
+  // underflows.
   Real Reach() const { return std::min(p_hi, q_lo); }
 };
 
@@ -58,10 +60,11 @@ Slice<Real> NormalSlice(Interval z) {
           cdf(complement(normal, hi))};
 }
 
-// Below this probability doubles lose digits by underflow, and long double is used.
+// If the probability of the interval is below this value, doubles lose digits by underflow, and
+// long double is used.
 constexpr double kSafeReach = 1e-280;
 
-// Returns the smallest interval that contains the same whole numbers >= 0.
+// Returns the smallest interval that contains the same non-negative whole numbers.
 Interval WholePart(Interval limits) {
   return {std::max(0.0, std::ceil(limits.lo)), std::floor(limits.hi)};
 }

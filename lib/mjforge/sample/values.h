@@ -20,7 +20,7 @@ namespace mjforge::sample {
 
 using Numbers = boost::container::small_vector<double, 6>;
 
-/// A number that could not be computed. Its finding has been added.
+/// A number that could not be computed. The reason was already reported in a finding.
 inline constexpr double kFailedNumber = std::numeric_limits<double>::quiet_NaN();
 
 /// Returns true if any of the numbers failed.
@@ -35,29 +35,29 @@ using ParameterValue = std::variant<double, bool, std::string, std::vector<doubl
                                     std::vector<std::string>, std::vector<bool>>;
 
 /// Rounds a number drawn from [lo, hi] to 6 significant digits, or to a millionth of hi - lo if
-/// that is finer. The result is never outside [lo, hi]. Infinite bounds mean "no bound".
+/// that is finer. The result is always in [lo, hi]. An infinite bound means that there is no bound.
 double RoundWithin(double lo, double hi, double value);
 
 /// The values of a list.
 struct Items {
-  std::vector<double> numbers;     // TextKey() of a text; 1 for true, 0 for false
-  std::vector<std::string> texts;  // empty for a list of other values
+  std::vector<double> numbers;     // a text is its TextKey(), true is 1, false is 0
+  std::vector<std::string> texts;  // texts of the items; empty for a list of other values
 };
 
-/// A list of points, and the place in the spec that each point comes from.
+/// A list of points, and the place in the spec from which each point comes.
 struct PointList {
-  std::size_t per_point = 2;  // coordinates of each point
+  std::size_t per_point = 2;  // number of coordinates per point
   Numbers numbers;
   std::vector<diag::SourceMark> marks;
 };
 
-/// The outline of a hole along an axis: 0, 1 and 2 are x, y and z.
+/// The outline of a hole along an axis. Axis 0, 1 or 2 is x, y or z.
 struct HoleOutline {
   PointList points;
   std::size_t axis = 2;
 };
 
-/// The saved value of a variable; `number` is the TextKey() of `text` if the variable is a text.
+/// The saved value of a variable. For a text, `number` is the TextKey() of `text`.
 struct SavedVariable {
   int slot = 0;
   double number = 0;
@@ -65,7 +65,7 @@ struct SavedVariable {
 };
 using SavedVariables = std::vector<SavedVariable>;
 
-/// The values that a loop's variable takes.
+/// The values of a loop's variable.
 struct LoopRange {
   std::size_t count = 0;
   std::optional<Items> items;  // nullopt: the variable is 0, 1, 2, ...

@@ -24,13 +24,14 @@ std::array<double, 4> UniformRotation(double u0, double u1, double u2) {
 
 std::array<double, 3> UniformDirection(double u0, double u1) {
   const double z = 2 * u0 - 1;
-  const double radius = 2 * std::sqrt(u0 * (1 - u0));  // radius of the circle at height z
+  // Radius of the circle of latitude at height z.
+  const double radius = 2 * std::sqrt(u0 * (1 - u0));
   const double angle = 2 * pi * u1;
   return {radius * std::cos(angle), radius * std::sin(angle), z};
 }
 
 std::array<double, 3> HsvToRgb(double h, double s, double v) {
-  const double position = h * 6;  // six sectors from red to red
+  const double position = h * 6;  // six sectors of the colour circle, starting with red
   const double sector = std::floor(position);
   const double f = position - sector;
   const double p = v * (1 - s);

@@ -13,7 +13,7 @@ namespace {
 
 using diag::Code;
 
-// Keys for the content of a body; a body has only one of these keys.
+// Keys for the content of a body. A body has only one of these keys.
 constexpr std::array<std::string_view, 3> kContents = {"parts", "spec", "mjcf"};
 
 // Keys that have no meaning for the links of a chain.
@@ -50,14 +50,15 @@ class BodyEntryReader {
     context_.spec.bodies.push_back(std::move(body));
   }
 
-  /// Returns the lists of joints, which ReadJoints() reads.
+  /// Returns the lists of joints that ReadJoints() will read.
   std::vector<const YamlNode*> joint_lists() const {
     std::vector<const YamlNode*> lists;
     for (const JointList& list : lists_) lists.push_back(list.joints);
     return lists;
   }
 
-  /// Reads the lists of joints, whose expressions can use the properties of all bodies.
+  /// Reads the lists of joints. Call ReadJoints() after all bodies are read, because the
+  /// expressions of joints can use the properties of all bodies.
   void ReadJoints() {
     for (const JointList& list : lists_) {
       BodyEntry& body = context_.spec.bodies[list.body];
@@ -92,7 +93,8 @@ class BodyEntryReader {
     CheckNeeds("body", "mjcf", map, context_);
   }
 
-  // Declares NAME.top and the other properties, and NAME.PARAMETER for the body's spec, if any.
+  // Declares NAME.top and the other properties of the body and, if the body has `spec:`,
+  // NAME.PARAMETER for each parameter of that spec.
   void DeclareProperties(BodyEntry& body) {
     const auto name = LiteralText(body.head.name);
     if (!name || !expr::IsName(*name)) return;
@@ -104,7 +106,7 @@ class BodyEntryReader {
     for (const Parameter& parameter : body.head.nested->parameters) {
       const bool hidden =
           std::ranges::find(BodyPropertyNames(), parameter.name) != BodyPropertyNames().end();
-      // A parameter has no slot if it is a list, or if a property has the same name.
+      // A parameter has no slot if it is a list, or if a property of bodies has the same name.
       body.parameter_slots.push_back(
           hidden || parameter.value.is_list
               ? -1
@@ -112,7 +114,7 @@ class BodyEntryReader {
     }
   }
 
-  // Reads `joints: free`, or notes the list of joints for ReadJoints().
+  // Reads `joints: free`, or stores the list of joints until ReadJoints() is called.
   void BeginJoints(const YamlNode& joints, BodyEntry& body) {
     body.has_joints = true;
     if (joints.kind == YamlNode::Kind::kScalar) {
@@ -133,7 +135,8 @@ class BodyEntryReader {
     return variables;
   }
 
-  // A list of joints, the index of its body, and the variables of the body's entry.
+  // A list of joints that is not read yet, the index of its body, and the variables of the body's
+  // entry.
   struct JointList {
     const YamlNode* joints;
     std::size_t body;
@@ -145,7 +148,7 @@ class BodyEntryReader {
   std::vector<JointList> lists_;
 };
 
-// Checks parents with literal names, because other names are known only after drawing.
+// Checks parents whose names are literals. Other names are known only after drawing.
 class ParentChecker {
  public:
   explicit ParentChecker(Context& context) : context_(context), bodies_(context.spec.bodies) {
@@ -209,14 +212,14 @@ class ParentChecker {
     ReportForward(i, found->second.front(), mark);
   }
 
-  // Returns true if a body of this name may result from a computed name or the content of an
+  // Returns true if a body named `parent` may result from a computed name or from the content of an
   // earlier entry.
   bool MayComeLater(std::string_view parent, std::size_t i) const {
     if (composed_before_ < i) return true;
     for (std::size_t k = 0; k < i; ++k) {
       const auto name = LiteralText(bodies_[k].head.name);
       if (name && parent.starts_with(*name) && parent.substr(name->size()).starts_with("_")) {
-        return true;  // bodies inside another spec or file are checked by the model
+        return true;  // the assembled model is checked for bodies inside another spec or file
       }
     }
     return false;
@@ -259,7 +262,8 @@ class ParentChecker {
   Context& context_;
   const std::vector<BodyEntry>& bodies_;
   std::map<std::string_view, std::vector<std::size_t>> by_name_;
-  std::size_t composed_before_ = static_cast<std::size_t>(-1);  // first entry with a computed name
+  // Index of the first entry with a computed name.
+  std::size_t composed_before_ = static_cast<std::size_t>(-1);
 };
 
 }  // namespace

@@ -20,7 +20,8 @@ std::optional<Bounds> Between(const Value& low, const Value& high) {
   return Bounds{*from, *to};
 }
 
-// Returns the bounds of all options of a choice; nullopt if an option has no bounds.
+// Returns the interval that contains the bounds of all options of a choice. Returns nullopt if an
+// option has no bounds.
 std::optional<Bounds> Around(const std::vector<Value>& options) {
   std::optional<Bounds> all;
   for (const Value& option : options) {

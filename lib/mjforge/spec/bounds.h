@@ -8,13 +8,15 @@ namespace mjforge::spec {
 
 struct Value;
 
-/// The closed interval that contains a number; infinite where a distribution has no limit.
+/// The closed interval that contains every value of a number. An end is infinite if the
+/// distribution has no limit there.
 struct Bounds {
   double low = 0;
   double high = 0;
 };
 
-/// Returns the bounds of a number; nullopt for other types and numbers that depend on other values.
+/// Returns the bounds of a number. Returns nullopt for values of other types, and for numbers that
+/// depend on other values.
 std::optional<Bounds> BoundsOf(const Value& value);
 
 /// Returns the bounds of each component of a vector; an empty list if a component has no bounds.

@@ -12,8 +12,8 @@ namespace {
 using diag::Code;
 using diag::SourceMark;
 
-// Returns the mapping `checks:` in which settings replace the values of the spec. A setting to null
-// removes a value, so that the default applies.
+// Returns the mapping `checks:`, in which settings replace values of the spec. A setting with the
+// value null removes the key, so that the default applies.
 YamlNode WithSettings(const YamlNode* checks, std::span<const NamedNode> settings) {
   YamlNode map;
   if (checks != nullptr) map = *checks;
@@ -47,7 +47,7 @@ std::string ReadReason(std::string_view key, const YamlNode& reason, std::string
   return context.values.ReadPlainText(key, reason);
 }
 
-// Returns the fields of a mapping, and reports those that are drawn.
+// Returns the fields of a mapping, and reports drawn values among them.
 std::vector<Field> ReadThresholds(const ElementInfo& element, const YamlNode& map,
                                   Context& context) {
   CheckKeys(element, map, context);
@@ -76,7 +76,7 @@ void ReadSettling(const YamlNode& settled, Context& context) {
       Checks::Settling{ReadThresholds(kSettlingElement, settled, context), settled.mark};
 }
 
-// Reads a text or a list of texts.
+// Reads the names in a text or a list of texts; `names` may be null.
 std::vector<Value> ReadNames(const YamlNode* names, Context& context) {
   std::vector<Value> texts;
   if (names == nullptr) return texts;

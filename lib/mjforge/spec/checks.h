@@ -1,4 +1,4 @@
-// The demands of a spec on its objects: `expect:` and `checks:`.
+// Parsed sections `expect:` and `checks:`, the conditions that a spec sets for its objects.
 
 #pragma once
 
@@ -13,9 +13,9 @@
 
 namespace mjforge::spec {
 
-/// The position of a joint in `at:`, a value for MuJoCo's qpos.
+/// An item of `at:`: the position of a joint, a value for MuJoCo's qpos.
 struct JointPosition {
-  Value joint;  // text
+  Value joint;  // a text: the joint's name
   diag::SourceMark mark;
   Value value;  // a number (m or rad), or the quaternion of a ball joint
 };
@@ -24,15 +24,15 @@ enum class ExpectationKind { kThat, kGap, kTouch, kApart, kInside };
 
 /// An entry of `expect:`.
 struct Expectation {
-  Entry entry;  // if, for, let; min and max as fields
+  Entry entry;  // if, for, let; `min` and `max` are in `fields`
   ExpectationKind kind = ExpectationKind::kThat;
   std::optional<expr::Expression> condition;  // only for kThat
-  std::vector<Value> names;                   // for other kinds: names of two bodies or parts
+  std::vector<Value> names;                   // for all other kinds: names of two bodies or parts
   std::vector<JointPosition> at;
   std::string doc;
 };
 
-/// The section `checks:`, in which settings (`checks.KEY`) replace the values of the spec.
+/// The section `checks:`. Settings (`checks.KEY`) replace values of this section.
 struct Checks {
   std::vector<Field> fields;
   struct Silence {
@@ -51,14 +51,14 @@ struct Checks {
   };
   std::optional<Settling> settled;
   struct JointCheck {
-    Entry entry;                // if, for, let; thresholds as fields
+    Entry entry;                // if, for, let; the thresholds are in `fields`
     std::vector<Value> joints;  // texts: names of joints
     std::vector<JointPosition> at;
     std::string skip;
   };
   std::vector<JointCheck> joints;
   struct Fitting {
-    Entry entry;  // if, for, let; the other keys as fields
+    Entry entry;  // if, for, let; all other keys are in `fields`
   };
   std::vector<Fitting> fits;
   struct Grasping {
@@ -68,7 +68,7 @@ struct Checks {
   };
   std::optional<Grasping> grasps;
   struct PartCheck {
-    Entry entry;               // if, for, let; limits as fields
+    Entry entry;               // if, for, let; the limits are in `fields`
     std::vector<Value> parts;  // texts: names of parts
   };
   std::vector<PartCheck> parts;

@@ -9,7 +9,8 @@
 namespace mjforge::spec {
 namespace {
 
-// Writes a value that all variants share. Returns false for others, and may write part of them.
+// Writes a value that is the same in all variants. For any other value, returns false, possibly
+// after writing a part of the value.
 bool WriteConstant(diag::Json& json, const Value& value) {
   if (const auto number = ConstantOf(value)) {
     json.Value(*number);

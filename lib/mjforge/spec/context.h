@@ -1,4 +1,4 @@
-// The state that the readers of one spec share, and the interfaces of these readers.
+// State that all readers of a spec share, and the interfaces of these readers.
 
 #pragma once
 
@@ -28,37 +28,41 @@ class NestedLoader {
   virtual std::optional<std::uint32_t> OpenFile(const std::string& name, diag::SourceMark mark) = 0;
 };
 
-/// State of reading one spec.
+/// State of reading one spec, which all readers of its sections share.
 struct Context {
   diag::Sources& sources;
   diag::Findings& findings;
   ObjectSpec& spec;
   NestedLoader& loader;
   ValueReader values;
-  std::vector<std::pair<std::string, diag::SourceMark>> locals = {};  // names in all `let:`
+  // Names and places of all local values (`let:`).
+  std::vector<std::pair<std::string, diag::SourceMark>> locals = {};
 };
 
-/// Reports keys that the element does not have, with suggestions.
+/// Reports keys of the mapping that the element does not have, with suggestions.
 void CheckKeys(const ElementInfo& element, const YamlNode& map, Context& context);
 
-/// Reports `key` if the mapping has this key without the key `other`, which it needs.
+/// Adds a finding if the mapping has `key` but not `other`, which `key` requires.
 void CheckNeeds(std::string_view key, std::string_view other, const YamlNode& map,
                 Context& context);
 
-/// Reports each of `keys` that the mapping has, because `key` excludes them for this reason.
+/// Adds a finding for each of `keys` that the mapping has beside `key`. `reason` is the text that
+/// explains why `key` excludes them.
 void RejectBeside(std::string_view key, std::span<const std::string_view> keys, const YamlNode& map,
                   std::string_view reason, Context& context);
 
 /// Reports required fields of the element that the mapping does not have.
 void RequireKeys(const ElementInfo& element, const YamlNode& map, Context& context);
 
-/// Returns true if the node is a mapping. Otherwise adds a finding; `what` is its expected content.
+/// Returns true if the node is a mapping. Otherwise adds a finding, in which `what` describes the
+/// expected content ("a part's keys").
 bool IsMap(const YamlNode& node, std::string_view what, Context& context);
-/// Returns true if the node is a list. Otherwise adds a finding; `what` is its expected content.
+/// Returns true if the node is a list. Otherwise adds a finding, in which `what` describes the
+/// expected content ("pairs of bodies").
 bool IsList(const YamlNode& node, std::string_view what, Context& context);
 
-/// Reads the fields of a mapping that hold a value. Reports fields that exclude each other (two
-/// orientations, density and mass).
+/// Reads the fields of a mapping whose kind is a value (HoldsValue), not structure. Reports fields
+/// that exclude each other (two orientations, density and mass).
 std::vector<Field> ReadFields(const ElementInfo& element, const YamlNode& map, Context& context);
 
 /// Reads the mapping under the key `element.name` of `map` into a child of `entry`, and returns the
@@ -72,20 +76,20 @@ bool ExcludeEachOther(const FieldInfo& a, const FieldInfo& b);
 /// Returns the field with this key; null if there is none.
 const Field* FindField(std::span<const Field> fields, Key id);
 
-/// Adds a finding unless expr::IsName(name); `what` has the name ("a parameter").
+/// Adds a finding unless expr::IsName(name). `what` describes the named thing ("a parameter").
 void CheckName(std::string_view what, std::string_view name, diag::SourceMark mark,
                diag::Findings& findings);
 
 /// Returns true if the name is not reserved in expressions (`pi`, `min`, `and`). Otherwise adds a
-/// finding; `what` has the name ("a parameter").
+/// finding, in which `what` describes the named thing ("a parameter").
 bool CheckNotReserved(std::string_view what, std::string_view name, diag::SourceMark mark,
                       diag::Findings& findings);
 
 /// Reads `functions:` and defines the functions for all expressions that are read later.
 void ReadFunctions(const YamlNode& functions, Context& context);
-/// Checks the bodies of the functions. Call this after the parameters are declared.
+/// Checks the bodies of the functions. Call CheckFunctions() after the parameters are declared.
 void CheckFunctions(Context& context);
-/// Returns `names` and, for each function among them, the names in the function's body.
+/// Returns `names` and, for each function among them, the names that the function's body uses.
 std::vector<std::string> WithNamesInFunctions(std::vector<std::string> names,
                                               const expr::SymbolTable& known);
 
@@ -103,15 +107,15 @@ void ReadMaterials(const YamlNode& materials, const std::filesystem::path& folde
                    Context& context);
 void ReadDefaults(const YamlNode& defaults, Context& context);
 
-/// Reads a list of parts, sites, cameras, lights or joints. Reports entries with the same name that
-/// exist in every variant.
+/// Reads a list of parts, sites, cameras, lights or joints. Reports repeated names among entries
+/// that exist in every variant.
 std::vector<Entry> ReadEntries(const ElementInfo& element, const YamlNode& list, Context& context);
 /// Reads `regions:` of an object or a body: a list of regions, or the word `auto`.
 std::vector<Entry> ReadRegions(const YamlNode& regions, Context& context);
 /// Reads `cameras:` and `lights:` of an object or a body.
 std::vector<Entry> ReadViews(const YamlNode& map, Context& context);
 void ReadJoints(const YamlNode& joints, Context& context);
-/// Reads `screw:` and `couple:` of a joint into its children.
+/// Reads `screw:` and `couple:` of a joint into children of the joint's entry.
 void ReadCouplings(const YamlNode& joint, Entry& entry, Context& context);
 /// Reports keys of a joint that exclude `detent:`, and a missing range.
 void CheckDetent(const YamlNode& joint, const Entry& entry, Context& context);
@@ -120,7 +124,7 @@ void CheckDetent(const YamlNode& joint, const Entry& entry, Context& context);
 std::optional<bool> IsFreeWord(const YamlNode& joints, Context& context);
 /// Reads positions of joints: `at:` of an entry of `expect:` or `checks:`.
 std::vector<JointPosition> ReadPositions(const YamlNode& positions, Context& context);
-/// Reads `pose:` of an object, a mapping or a list.
+/// Reads `pose:` of an object, which is a mapping or a list.
 std::vector<Entry> ReadStarts(const YamlNode& pose, Context& context);
 /// Reads `view:` of an object.
 void ReadView(const YamlNode& view, Context& context);
@@ -131,12 +135,15 @@ void ReadExpectations(const YamlNode& list, Context& context);
 /// joints of the root and of the bodies, which may use properties of all bodies. `bodies`
 /// and `joints` may be null.
 void ReadBodiesAndJoints(const YamlNode* bodies, const YamlNode* joints, Context& context);
-/// Declares the variables PREFIXtop, ... of a body's properties; returns the slot of the first.
+/// Declares a variable for each property of a body (PREFIXtop, PREFIXbottom, ...) and returns the
+/// slot of the first variable.
 int DeclareMeasures(const std::string& prefix, expr::SymbolTable& names);
 /// Declares the properties that are known only after all bodies are read: NAME.subtree_top and the
-/// other properties of subtrees, NAME.pos of sites, and torque(NAME) of the joints in these lists.
+/// other properties of subtrees, NAME.pos of sites, and torque(NAME) of the joints in
+/// `joint_lists`.
 void DeclareWholeProperties(std::span<const YamlNode* const> joint_lists, Context& context);
-/// Sets the slot of torque(NAME) of a joint. Reports torque() in keys that determine the torque.
+/// Sets the entry's slot to that of torque(NAME) of the joint. Reports uses of torque() in the keys
+/// from which the torque is computed.
 void ReadTorqueUse(const YamlNode& joint, Entry& entry, Context& context);
 
 /// Reads `place:` of a body's entry; returns nullopt if the body has none.

@@ -31,7 +31,7 @@ bool Has(std::span<const std::string_view> keys, std::string_view key) {
   return std::ranges::find(keys, key) != keys.end();
 }
 
-// Collects the changes of file references in the text of a spec, and applies them.
+// Collects changes of the file references in the text of a spec, and applies them.
 class TextCopier {
  public:
   TextCopier(const diag::Sources& sources, std::uint32_t source, fs::path from, fs::path to,
@@ -45,7 +45,7 @@ class TextCopier {
     }
   }
 
-  /// Changes the references to files below a node.
+  /// Collects changes of the references to files in a node and its inner nodes.
   void Visit(const YamlNode& node) {
     for (const YamlNode& item : node.items) Visit(item);
     for (const YamlNode::Pair& pair : node.pairs) {
@@ -60,7 +60,8 @@ class TextCopier {
 
   std::string Take() {
     for (const auto& [at, change] : changes_) text_.replace(at, change.first, change.second);
-    constexpr std::string_view kSchemaLine = "# yaml-language-server:";  // has a relative path
+    // Start of a line that is removed, because it contains a relative path.
+    constexpr std::string_view kSchemaLine = "# yaml-language-server:";
     if (text_.starts_with(kSchemaLine)) {
       text_.erase(0, text_.find('\n') + 1);
       if (text_.starts_with("#\n")) text_.erase(0, 2);
@@ -85,7 +86,8 @@ class TextCopier {
     return !name.empty() && fs::is_regular_file(file, error) ? std::optional(file) : std::nullopt;
   }
 
-  // Returns the file's name in the search path if it has one, else its path from the new folder.
+  // Returns the file's name in the search path if it has one, otherwise its path relative to the
+  // new folder.
   std::string ReferenceTo(const fs::path& file) const {
     for (const fs::path& shelf : search_path_) {
       fs::path name = file.lexically_relative(Canonical(shelf));
@@ -97,7 +99,7 @@ class TextCopier {
     return file.lexically_relative(to_).generic_string();
   }
 
-  // Replaces a quoted or plain scalar; scalars of other styles stay.
+  // Replaces a quoted or plain scalar. Leaves scalars in other YAML styles unchanged.
   void Replace(const YamlNode& scalar, const std::string& text) {
     std::size_t at = lines_[scalar.mark.line - 1] + scalar.mark.column - 1;
     while (at < text_.size() && (text_[at] == '&' || text_[at] == '!'))  // anchor or tag
@@ -110,7 +112,8 @@ class TextCopier {
     if (size > 0) changes_[at] = {size, Written(text)};
   }
 
-  // Returns the size of the quoted scalar that begins at a place; 0 if it does not end.
+  // Returns the size in bytes of the quoted scalar that begins at `begin`, with its quotes; 0 if
+  // the closing quote is missing.
   std::size_t QuotedSize(std::size_t begin) const {
     const char quote = text_[begin];
     for (std::size_t at = begin + 1; at < text_.size(); ++at) {
@@ -140,7 +143,8 @@ class TextCopier {
   fs::path to_;
   const std::vector<fs::path>& search_path_;
   std::vector<std::size_t> lines_;  // offset of each line
-  /// Changes by offset, from the last to the first: length of the old text, and new text.
+  /// Changes by offset, from the last to the first, so that offsets remain valid: length of the old
+  /// text, and new text.
   std::map<std::size_t, std::pair<std::size_t, std::string>, std::greater<>> changes_;
 };
 

@@ -25,8 +25,8 @@ struct TableCell {
 };
 using TableRow = std::vector<TableCell>;
 
-// Parser of CSV as in RFC 4180. Lines may also end with LF or CR alone, empty lines are skipped,
-// and blanks around a cell do not belong to it.
+// Parser of CSV according to RFC 4180. In addition, lines may end with LF or CR alone, empty lines
+// are skipped, and blanks around a cell are removed.
 class CsvParser {
  public:
   CsvParser(std::string_view text, SourceMark start)
@@ -65,7 +65,8 @@ class CsvParser {
     do {
       const std::size_t quote = text_.find('"', at_ + 1);
       if (quote == text_.npos) return std::nullopt;
-      cell += Take(quote - at_);  // begins with the opening quote or the second one of a pair
+      // Each taken piece begins with the opening quote, or with the second quote of a pair.
+      cell += Take(quote - at_);
       Take(1);
     } while (Peek() == '"');
     Skip(" \t");
@@ -75,7 +76,7 @@ class CsvParser {
 
   void Skip(std::string_view blanks) { Take(text_.find_first_not_of(blanks, at_) - at_); }
 
-  // Takes the next `count` bytes of the text, or all bytes left if there are fewer.
+  // Takes the next `count` bytes of the text, or all remaining bytes if there are fewer.
   std::string_view Take(std::size_t count) {
     const std::string_view taken = text_.substr(at_, count);
     for (const char c : taken) {
@@ -170,7 +171,8 @@ class TableReader {
                     fmt::format("'{}' is not a number; the column's unit is {}", cell.text, unit));
       return YamlNode::Scalar("1", cell.mark);
     }
-    // Append the unit, as in an expression, unless it is an SI unit.
+    // Append the column's unit, so that the cell is read like an expression, unless the unit is an
+    // SI unit.
     const auto named = expr::FindUnit(unit);
     const std::string_view carried = named && !named->is_si ? unit : std::string_view();
     return YamlNode::Scalar(std::string(Trim(cell.text)).append(carried), cell.mark);

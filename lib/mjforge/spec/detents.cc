@@ -9,7 +9,7 @@ namespace {
 
 using diag::Code;
 
-// Keys that exclude `detent:`: they give another spring, or determine the range (`screw`).
+// Keys that exclude `detent:`, because they define another spring or determine the range (`screw`).
 constexpr std::string_view kNotBeside[] = {"stiffness", "springdamper", "screw"};
 
 }  // namespace

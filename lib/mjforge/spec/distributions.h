@@ -7,7 +7,8 @@
 
 namespace mjforge::spec {
 
-/// A kind of random draw; its name is a key of the mapping that describes the draw.
+/// A kind of random draw. The name of the distribution is a key of the mapping that describes the
+/// draw.
 enum class Distribution {
   kUniform,
   kLogUniform,
@@ -26,11 +27,11 @@ enum class Distribution {
 struct DistributionInfo {
   std::string_view key;
   Distribution id;
-  int arguments;                 // count of numbers that it takes; -1: any count of any values
+  int arguments;  // count of numbers in the argument list; -1: any count of values of any type
   std::string_view usage;        // "{triangular: [lo, mode, hi]}"
-  std::string_view option = {};  // extra key: "clip", "range" or "weights"
+  std::string_view option = {};  // additional key: "clip", "range" or "weights"
   std::string_view doc = {};
-  std::string_view flag = {};  // extra key that is true or false: "exact"
+  std::string_view flag = {};  // additional key for true or false: "exact"
 };
 std::span<const DistributionInfo> Distributions();
 

@@ -38,7 +38,7 @@ bool Fits(const DistributionInfo& info, FieldKind kind) {
   return kind == FieldKind::kNumber || kind == FieldKind::kInteger || kind == FieldKind::kNumbers;
 }
 
-// Returns true if a mapping with the draw `main` may also have this key.
+// Returns true if a mapping that contains the draw `main` may also contain the key.
 bool IsOption(std::string_view key, std::string_view main) {
   if (const DistributionInfo* info = FindDistribution(main))
     return !key.empty() && (key == info->option || key == info->flag);
@@ -84,7 +84,7 @@ bool ValueReader::IsVectorForm(std::string_view key, const ExpectedForm& expecte
   return ((key == kAbout || key == kHsv) && allows(4)) || (key == kOnSphere && allows(3));
 }
 
-// Reports a drawn colour or quaternion in a field of other numbers; a parameter takes both.
+// Reports a drawn colour or quaternion in a field for other numbers. A parameter accepts both.
 void ValueReader::CheckMeaning(bool is_color, const ExpectedForm& expected, const YamlNode& node) {
   const std::string_view key = expected.key;
   if (key.empty() || (is_color ? key == "rgba" : key.ends_with("quat"))) return;
@@ -126,7 +126,8 @@ Value ValueReader::ReadVectorForm(std::string_view key, const ExpectedForm& expe
   return value;
 }
 
-// Reports a key that a draw does not have. `lost` is true if no key of the mapping names a draw.
+// Reports an unknown key of a draw's mapping. `lost` is true if the mapping contains no key of a
+// draw.
 void ValueReader::ReportUnknownKey(const YamlNode::Pair& pair,
                                    const std::vector<std::string_view>& known, bool lost) {
   if (pair.key == "for" || pair.key == "if") {
@@ -277,7 +278,8 @@ void ValueReader::ReadOptions(const ExpectedForm& expected, const YamlNode& list
     return item.kind == YamlNode::Kind::kList &&
            (item.items.size() > 4 || ItemType(item) != Type::kNumber);
   };
-  // If one option is a list, read short options as lists, too, not as vectors.
+  // If one option is a list, read all options as lists, also short ones, which would otherwise be
+  // vectors.
   Value kind;
   kind.is_list = expected.kind == FieldKind::kAnything && std::ranges::any_of(list.items, is_list);
   for (const YamlNode& item : list.items)

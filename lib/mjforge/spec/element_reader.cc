@@ -1,4 +1,4 @@
-// Readers that all elements share: known keys, fields with values, names.
+// Readers that all elements share: checks of keys, fields with values, names.
 
 #include <algorithm>
 #include <span>
@@ -12,7 +12,7 @@ namespace {
 
 using diag::Code;
 
-// Keys that exclude each other, because they give the same property.
+// Keys that exclude each other, because they define the same property.
 constexpr Key kOrientations[] = {Key::kQuat,   Key::kEuler, Key::kAxisAngle,
                                  Key::kXyAxes, Key::kZAxis, Key::kFromTo};
 constexpr Key kMasses[] = {Key::kDensity, Key::kMass};

@@ -25,7 +25,7 @@ struct Field {
   const FieldInfo* info = nullptr;
   Value value;
   diag::SourceMark mark;    // place of the key
-  bool is_default = false;  // from `defaults:`, because the entry does not have the key
+  bool is_default = false;  // true if the value comes from `defaults:`
 };
 
 /// A local value of an entry: `let: {gap: 1mm .. 3mm}`.
@@ -44,23 +44,24 @@ struct Entry {
   std::vector<Loop> loops;    // outermost first
   std::vector<Local> locals;  // in the order of the file
   Value name;                 // text; empty for a frame without a name
-  // Keys with a value, without `name`: the entry's own, then the defaults for missing keys.
+  // Keys that hold a value, without `name`: first the entry's own keys, then defaults for missing
+  // keys.
   std::vector<Field> fields;
   // True for a frame, whose pose is in `fields` and whose parts are `children`.
   bool is_frame = false;
   // Parts of a frame; `screw` and `couple` of a joint; inner elements of a section's element.
   std::vector<Entry> children;
-  // Slot (index of the variable) of torque(NAME) of a joint, or of NAME.pos.x of a site; -1 if no
+  // Slot (index of the variable) of torque(NAME) of a joint, or of NAME.pos of a site; -1 if no
   // expression uses the variable.
   int slot = -1;
-  // Only for `spec:` of a part or a body: the other spec, and the parameters set for it.
+  // Only for `spec:` of a part or a body: the referenced spec, and the parameters set for it.
   std::shared_ptr<const ObjectSpec> nested;
   std::vector<std::pair<std::string, Value>> overrides;
   // Pairs of a material of `nested` and the name of this spec's material that replaces it.
   std::vector<std::pair<std::string, Value>> substitutes;
 
   const Field* Find(Key id) const;
-  /// Returns the first child of that kind, or null.
+  /// Returns the first child that is an element of this kind; null if there is none.
   const Entry* FindChild(const ElementInfo& kind) const;
 };
 
@@ -75,8 +76,8 @@ inline constexpr std::string_view kSubtreePrefix = "subtree_";
 struct PlaceEntry {
   diag::SourceMark mark;
   std::vector<Field> fields;
-  std::vector<Field> beside;               // fields of `beside:`; empty without it
-  std::optional<std::vector<Field>> pile;  // fields of `pile:`
+  std::vector<Field> beside;  // fields of `beside:`; empty if the place has no `beside:`
+  std::optional<std::vector<Field>> pile;  // fields of `pile:`, if the place has it
 
   const Field* Find(Key id) const;
   const Field* FindBeside(Key id) const;
@@ -84,7 +85,7 @@ struct PlaceEntry {
 
 /// An entry of `bodies:`: inline parts, another spec, or an MJCF file.
 struct BodyEntry {
-  Entry head;  // name, if, for; spec and overrides; parent, pose, mass, mjcf, body as fields
+  Entry head;  // name, if, for; spec and overrides; `fields`: parent, pose, mass, mjcf, body
   std::vector<Entry> parts;
   std::vector<Entry> sites;
   std::vector<Entry> regions;
@@ -92,10 +93,12 @@ struct BodyEntry {
   std::vector<Entry> joints;
   bool has_joints = false;          // the body has `joints:`, possibly `none`
   bool is_free = false;             // `joints: free`
-  std::optional<PlaceEntry> place;  // replaces pose and parent
-  /// Slot of NAME.top; the other properties follow. -1 if no expression uses a property.
+  std::optional<PlaceEntry> place;  // place that determines pose and parent
+  /// Slot of NAME.top; the slots of the other properties follow. -1 if no expression uses a
+  /// property of the body.
   int first_property = -1;
-  /// Slot of NAME.subtree_top; the other properties follow. -1 if no expression uses one.
+  /// Slot of NAME.subtree_top; the slots of the other properties follow. -1 if no expression uses a
+  /// property of the subtree.
   int first_subtree_property = -1;
   /// Slot of NAME.PARAMETER for each of head.nested->parameters; -1 if expressions cannot use it.
   std::vector<int> parameter_slots;

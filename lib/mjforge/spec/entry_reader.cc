@@ -36,7 +36,7 @@ bool HasMaterial(const ObjectSpec& spec, std::string_view name) {
   return std::ranges::find(spec.materials, name, &Material::name) != spec.materials.end();
 }
 
-// Adds defaults, except for those that the entry's own fields replace or exclude.
+// Adds the defaults to an entry, without those that the entry's own fields replace or exclude.
 void AddDefaults(std::span<const Field> defaults, Entry& entry) {
   const std::size_t own = entry.fields.size();
   for (const Field& field : defaults) {
@@ -68,7 +68,7 @@ Entry EntryReader::Begin(const ElementInfo& element, const YamlNode& map, const 
   entry.element = &element;
   entry.mark = map.mark;
   if (const YamlNode* loops = map.Find("for")) entry.loops = context_.values.ReadLoops(*loops);
-  // Read the name before the local values, whose draws are keyed by the name.
+  // Read the name before the local values, because a drawn local value requires a name.
   ReadName(named, key, naming == Naming::kRequired, entry);
   if (const YamlNode* locals = map.Find("let")) {
     ReadLocals(*locals, named.Find(key) != nullptr, entry);

@@ -27,7 +27,8 @@ class EntryReader {
 
   /// Reads `spec:` with its `params:` and `materials:`.
   void ReadNested(const YamlNode& map, const YamlNode& spec, Entry& entry);
-  /// Reports keys of the element that have no meaning for `what` ("a frame").
+  /// Reports keys of the element that have no meaning for `what` ("a frame"): all keys except
+  /// `allowed`.
   void RejectKeys(const YamlNode& map, std::initializer_list<std::string_view> allowed,
                   const ElementInfo& element, std::string_view what);
 

@@ -14,7 +14,7 @@ namespace {
 using diag::Code;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Keys in the order of ExpectationKind.
+// The key of each kind of expectation, in the order of ExpectationKind.
 constexpr std::array kKinds = {Key::kThat, Key::kGap, Key::kTouch, Key::kApart, Key::kInside};
 
 class ExpectationReader {
@@ -56,7 +56,8 @@ class ExpectationReader {
     if (is_read) context_.spec.expectations.push_back(std::move(expectation));
   }
 
-  // Returns the only key that is a kind of expectation; null after a finding.
+  // Returns the pair whose key is a kind of expectation. Returns null, after adding a finding,
+  // unless the mapping has exactly one such pair.
   const YamlNode::Pair* KindOf(const YamlNode& map, ExpectationKind& kind) {
     const YamlNode::Pair* only = nullptr;
     for (const YamlNode::Pair& pair : map.pairs) {

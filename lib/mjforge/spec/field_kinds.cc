@@ -10,7 +10,7 @@
 namespace mjforge::spec {
 namespace {
 
-// Rows in the order of FieldKind.
+// Rows of the table in the order of FieldKind, one per kind.
 constexpr std::array kFieldKinds = {
     FieldKindInfo{FieldKind::kNumber, "number", "", "a number"},
     FieldKindInfo{FieldKind::kInteger, "whole number", "", "a number"},

@@ -8,13 +8,13 @@
 
 namespace mjforge::spec {
 
-/// Description of a field kind. A text is empty if it depends on the field's counts, bounds or
-/// words.
+/// Description of a field kind. A text is empty if it depends on the counts, bounds or words of the
+/// field.
 struct FieldKindInfo {
   FieldKind kind;
-  std::string_view takes;              // "list of parts"
-  std::string_view schema = {};        // members of its JSON Schema, with markers (schema.cc)
-  std::string_view drawn = "a value";  // description of a draw's result that fits
+  std::string_view takes;        // "list of parts"
+  std::string_view schema = {};  // members of the kind's JSON Schema, with markers (see schema.cc)
+  std::string_view drawn = "a value";  // description of a draw's result that suits the kind
 };
 
 const FieldKindInfo& InfoOf(FieldKind kind);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// The text of a key, and its enumerator if the code asks for the key.
+// The text of a key, with its enumerator if the code interprets the key.
 struct KeyName {
   std::string_view key;
   Key id = Key::kAttribute;
@@ -34,8 +34,8 @@ struct CountRange {
   int max;
 };
 
-// Functions that make rows from key, kind, unit, bounds, default and meaning. An empty text means
-// "none".
+// Functions that make the rows of the table from key, kind, unit, bounds, default and meaning. An
+// empty text means "none".
 constexpr FieldInfo Row(KeyName name, FieldKind kind, std::string_view default_text,
                         std::string_view doc) {
   return {.key = name.key, .id = name.id, .kind = kind, .default_text = default_text, .doc = doc};

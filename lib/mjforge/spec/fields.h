@@ -25,7 +25,7 @@ enum class FieldKind {
   kPosition,   // a position of a joint: a number, or the 4 numbers of a quaternion
   kPlainText,  // text without ${...}
   kFormat,     // the number 1, the version of the format
-  // Kinds of structure, which cannot be drawn or computed.
+  // Kinds of structure, whose content is neither drawn nor computed.
   kParameters,
   kFunctions,
   kConditions,
@@ -76,7 +76,7 @@ enum class FieldKind {
 /// Returns true for kinds that are a value, which may be drawn or computed.
 constexpr bool HoldsValue(FieldKind kind) { return kind <= FieldKind::kPosition; }
 
-/// The geoms of a part that an attribute is written to.
+/// Selection of a part's geoms to which an attribute is written.
 enum class Applies { kBoth, kCollision, kVisual };
 
 /// The motion of a joint, which selects one of the two units of a field ("rad or m").
@@ -88,20 +88,21 @@ struct FieldInfo {
   FieldKind kind = FieldKind::kNumber;
   int min_count = 1;
   int max_count = 1;
-  /// Unit: "m"; "rad or m" for a hinge or a slide; "s, 1" for the first and the second number; "any
-  /// one" for the three numbers of a direction, which may have any common unit; empty for plain
-  /// numbers.
+  /// Unit of the field: "m"; "rad or m" for a hinge or a slide; "s, 1" for the first and the second
+  /// number; "any one" for the three numbers of a direction, which may have any common unit; empty
+  /// for plain numbers.
   std::string_view unit = {};
   bool any_unit = false;                                    // units are not checked
-  std::string_view default_text = {};                       // for the manual; empty: no default
+  std::string_view default_text = {};                       // default, for the manual; empty: none
   std::string_view words = {};                              // allowed words, separated by spaces
   double lower = -std::numeric_limits<double>::infinity();  // inclusive unless `above`
   double upper = std::numeric_limits<double>::infinity();   // inclusive
   bool above = false;                                       // the lower bound is exclusive
   bool required = false;
   Applies applies = Applies::kBoth;
-  /// The kind of element that the text names: "joint", "body", "geom", ...; "@objtype": the kind in
-  /// the attribute objtype of the same element; empty: the text is not a reference.
+  /// The kind of element that the text refers to by name: "joint", "body", "geom", ...; "@objtype":
+  /// the kind is the value of the attribute objtype of the same element; empty: the text is not a
+  /// reference.
   std::string_view refers = {};
   std::string_view doc = {};  // a single sentence
 };

@@ -10,7 +10,8 @@
 namespace mjforge::spec {
 namespace {
 
-// Returns true if the text without quotes would have another meaning inside brackets.
+// Returns true if the text needs quotes in YAML brackets because it would have another meaning
+// without them.
 bool NeedsQuotes(std::string_view text) {
   return text.empty() || text.find_first_of(",[]{}") != std::string_view::npos ||
          std::string_view("&*!|>'\"%@`#-?: ").find(text.front()) != std::string_view::npos ||

@@ -18,7 +18,8 @@ using expr::Formula;
 constexpr std::size_t kMaxArguments = 16;
 constexpr int kMaxChain = 64;
 
-// Splits "bulge(z)" into name and arguments. Returns nullopt for text of another form.
+// Splits "bulge(z)" into the function's name and its arguments. Returns nullopt for text of another
+// form.
 std::optional<Formula> ReadHead(std::string_view text) {
   const std::size_t open = text.find('(');
   if (open == text.npos || !text.ends_with(')')) return std::nullopt;
@@ -74,8 +75,8 @@ diag::SourceMark MarkOf(const Formula& formula, const Context& context) {
   return std::ranges::find(all, formula.name, [](const auto& one) { return one.first; })->second;
 }
 
-// Reports functions that call each other in a circle or in a chain that is too long, and replaces
-// their bodies by a constant, so that their expansion ends.
+// Reports functions that call each other in a circle, or in a chain that is too long. Replaces
+// their bodies by a constant, so that the expansion of calls ends.
 void BreakCircles(Context& context) {
   expr::SymbolTable& names = context.spec.names;
   std::vector<const Formula*> all;

@@ -1,10 +1,10 @@
-// Keys of the spec language that the code interprets.
+// Identifiers of the keys of the spec language that the code interprets.
 
 #pragma once
 
 namespace mjforge::spec {
 
-/// Keys that the code interprets. kAttribute stands for any other key, whose value is written to
+/// Keys that the code interprets. kAttribute is used for any other key, whose value is written to
 /// the MJCF element unchanged.
 enum class Key {
   kAttribute,

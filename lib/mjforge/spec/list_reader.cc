@@ -37,8 +37,8 @@ bool ValueReader::IsBoolean(const YamlNode& node) const {
   return expression && expression->type() == Type::kBoolean;
 }
 
-// Returns kBoolean if an item can only be a boolean; kText if every item can be text and at least
-// one can only be text.
+// Returns the type of the list's items: kBoolean if any item is certainly a boolean; kText if every
+// item can be text and at least one is certainly text.
 Type ValueReader::ItemType(const YamlNode& list) const {
   if (std::ranges::any_of(list.items, [this](const auto& item) { return IsBoolean(item); }))
     return Type::kBoolean;

@@ -32,7 +32,8 @@ class SpecLoader : public NestedLoader {
  public:
   explicit SpecLoader(LoadState& state) : state_(state) {}
 
-  // Loads a spec; returns null if the file is not a mapping. Other errors make the result unusable.
+  // Loads a spec. Returns null if the file is not a mapping; after any other error, the result must
+  // not be used.
   std::unique_ptr<ObjectSpec> Load(std::uint32_t source, const fs::path& file,
                                    const fs::path& folder, std::span<const NamedNode> settings) {
     const auto root = state_.files.Parse(file, source);
@@ -125,7 +126,8 @@ class SpecLoader : public NestedLoader {
     if (joints != root.Find("joints")) ForgetJoints(root.Find("joints"), spec);
   }
 
-  // Removes `pose:` and `at:` of the root's own joints, which a setting replaces by other joints.
+  // Removes the start positions (`pose:`) and positions in expectations (`at:`) of the root's own
+  // joints, when a setting replaces these joints by others.
   static void ForgetJoints(const YamlNode* joints, ObjectSpec& spec) {
     if (joints == nullptr) return;
     for (const YamlNode& joint : joints->items) {
@@ -204,8 +206,8 @@ class SpecLoader : public NestedLoader {
   };
 
   // Appends the files that an `import:` names, each before the files that it imports itself. Skips
-  // files that were imported before; otherwise n files that import two others each could be read
-  // 2^n times.
+  // files that were imported before, because n files that each import two others could otherwise be
+  // read 2^n times.
   void CollectImports(const YamlNode& import, const fs::path& folder,
                       std::vector<ImportedFile>& files, Context& context) {
     if (import.kind == YamlNode::Kind::kScalar) {
@@ -231,16 +233,17 @@ class SpecLoader : public NestedLoader {
     files.push_back({*file, *std::move(root)});
     const YamlNode* import = files[at].root.Find("import");
     if (import == nullptr) return;
-    const YamlNode others = *import;  // a copy, because `files` grows
+    const YamlNode others = *import;  // a copy, because appending to `files` moves the node
     CollectImports(others, file->parent_path(), files, context);
   }
 
-  // Returns the parameters of a file, which all specs that import the file share.
+  // Returns the parameters of an imported file, which all specs that import the file share.
   std::shared_ptr<const ObjectSpec> Imported(const ImportedFile& from) {
     const auto& [file, root] = from;
     std::shared_ptr<const ObjectSpec>& known = state_.imported[file];
     if (known != nullptr) return known;
-    const fs::path folder = std::exchange(folder_, file.parent_path());  // base of table paths
+    // Base of the paths of tables.
+    const fs::path folder = std::exchange(folder_, file.parent_path());
     auto spec = std::make_shared<ObjectSpec>();
     spec->name = file.stem().string();
     DeclareIndex(spec->names);
@@ -261,7 +264,7 @@ class SpecLoader : public NestedLoader {
   }
 
   // Reads the materials and defaults of an imported file. Their expressions cannot use parameters
-  // of the file that imports it.
+  // of the importing file.
   void ReadImported(const ImportedFile& from, Context& context) {
     expr::SymbolTable names;
     DeclareIndex(names);
@@ -279,7 +282,7 @@ class SpecLoader : public NestedLoader {
   std::set<fs::path> imported_;
 };
 
-// Parses a setting as the YAML line `name: text`, so that marks match the line in messages.
+// Parses a setting as the YAML line `name: text`, so that marks match the line shown in findings.
 void ParseSetting(const Setting& setting, std::vector<NamedNode>& out, diag::Sources& sources,
                   diag::Findings& findings) {
   const std::uint32_t source = sources.Add(setting.origin, setting.name + ": " + setting.text);

@@ -47,8 +47,8 @@ std::vector<fs::path> YamlFilesBelow(const fs::path& folder) {
   return files;
 }
 
-// Folders whose specs share their names with others: robosuite's ten objects, and scenes of a crate
-// or a desk. A name without a folder means one of these only if no other spec has the name.
+// Folders whose specs share their names with specs elsewhere: objects of robosuite, and scenes. A
+// name without a folder refers to a spec in these folders only if no other spec has the name.
 constexpr std::array<std::string_view, 2> kSearchedLast = {"robosuite", "scenes"};
 
 std::optional<fs::path> Named(const std::string& name, const fs::path& shelf) {
@@ -118,7 +118,8 @@ std::vector<std::string> ListSpecs(const fs::path& folder) {
     std::string why_not;
     const auto text = bytes::ReadStart(file, kMaxYamlBytes, why_not);
     if (!text) continue;
-    // Skip files without parts and bodies: they are imports, such as libraries of materials.
+    // Skip files without parts and bodies, because they can only be imported (libraries of
+    // materials).
     if (text->find("\nparts:") == std::string::npos &&
         text->find("\nbodies:") == std::string::npos) {
       continue;

@@ -12,15 +12,15 @@
 namespace mjforge::spec {
 
 /// Returns the file that `reference` names, with or without `.yaml` or `.yml`. Searches `folder`,
-/// then each folder of the search path, and then, for a name without a folder, all files below the
-/// search path, sorted, but those in `robosuite/` and `scenes/` last. Returns nullopt if no file is
-/// found.
+/// then each folder of the search path. Finally, if the name has no folder, searches all files
+/// below the search path in sorted order, with those in `robosuite/` and `scenes/` last. Returns
+/// nullopt if no file is found.
 std::optional<std::filesystem::path> Locate(const std::string& reference,
                                             const std::filesystem::path& folder,
                                             std::span<const std::filesystem::path> search_path);
 
-/// Returns the paths in `folder` and in the folders of the search path at which a file that
-/// Locate() did not find may appear later.
+/// Returns the paths in `folder` and in the folders of the search path at which Locate() would find
+/// a file of this name. A program that watches files uses them after Locate() failed.
 std::vector<std::string> Candidates(const std::string& reference,
                                     const std::filesystem::path& folder,
                                     std::span<const std::filesystem::path> search_path);

@@ -35,7 +35,8 @@ void ReadMaterial(const YamlNode::Pair& pair, const std::filesystem::path& folde
   context.spec.materials.push_back(std::move(material));
 }
 
-// Keys that cannot have defaults: name, repetition, content and place of an entry.
+// Keys that cannot have defaults, because each entry has its own: name, condition, repetition,
+// content, ends, outline.
 constexpr Key kWithoutDefault[] = {Key::kName,   Key::kIf,        Key::kFor,    Key::kSpec,
                                    Key::kParams, Key::kMaterials, Key::kFrame,  Key::kParts,
                                    Key::kFromTo, Key::kUp,        Key::kPolygon};

@@ -14,12 +14,13 @@
 namespace mjforge::spec {
 namespace {
 
-// An element: its name, then its attributes. `#` marks numbers, `#1,2` a list with these defaults,
-// `?` true or false, `=kind` the name of another element; other attributes are text. Elements of
-// greater depth are allowed inside the element before them. `class` is left out, because generated
-// files have no defaults.
+// An element: its name, then its attributes. Suffixes give the type of an attribute: `#` numbers,
+// `#1,2` numbers with these defaults, `?` true or false, `=kind` the name of another element;
+// without a suffix, the attribute is text. Lines of greater depth are the elements allowed inside
+// the preceding element. The attribute `class` is left out, because generated files have no
+// defaults.
 struct SchemaLine {
-  std::string_view section;  // empty: the same as in the line before
+  std::string_view section;  // empty: the section of the line before
   int depth;
   std::string_view element;
   std::string_view attributes;
@@ -132,8 +133,8 @@ constexpr SchemaLine kLines[] = {
     {"", 0, "user", "name objtype objname=@objtype datatype needstage dim#" MJFORGE_SENSED},
 };
 
-// Elements of bodies besides geoms, joints and sites, with the attributes that generated files
-// have.
+// Elements inside a body besides geoms, joints and sites, with the attributes that generated files
+// use.
 constexpr SchemaLine kBodyLines[] = {
     {"body", 0, "camera", "name fovy# ipd# pos# quat# mode target=body user#"},
     {"", 0, "light",
@@ -148,7 +149,7 @@ constexpr SchemaLine kBodyLines[] = {
 #undef MJFORGE_SENSED
 #undef MJFORGE_FRAME
 
-// Maximum length of a list of numbers; only `data` and `user` may be that long.
+// Maximum length of a list of numbers. Only the attributes `data` and `user` may be so long.
 constexpr int kMostNumbers = 500;
 
 FieldInfo Parse(std::string_view word) {
@@ -171,7 +172,7 @@ FieldInfo Parse(std::string_view word) {
   return field;
 }
 
-// Table of the parsed lines. Its spans refer to lists in deques, which never move.
+// Table of the parsed lines. Its spans refer to vectors in deques, whose addresses never change.
 class SchemaTable {
  public:
   explicit SchemaTable(std::span<const SchemaLine> lines) {
@@ -186,7 +187,8 @@ class SchemaTable {
   std::span<const SectionInfo> sections() const { return sections_; }
 
  private:
-  // Removes and returns the first line and all lines before the next one with is_next(line).
+  // Removes and returns the first line with all following lines before the next one for which
+  // is_next() is true.
   template <typename IsNext>
   static std::span<const SchemaLine> TakeUntil(IsNext is_next, std::span<const SchemaLine>& lines) {
     const auto next = std::ranges::find_if(lines.subspan(1), is_next);

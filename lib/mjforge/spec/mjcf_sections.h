@@ -14,12 +14,13 @@ struct SectionInfo {
   std::string_view name;  // "sensor"
   /// True if the section is a single element with attributes (`option`), not a list of elements.
   bool is_element = false;
-  /// The allowed elements. If `is_element`, the only one is the section itself.
+  /// The allowed elements. If `is_element` is true, the list contains only the section itself.
   std::span<const ElementInfo> elements;
 
   const ElementInfo* Find(std::string_view element) const;
 };
-/// Returns the sections in the order of MJCF files. Source: mj_printSchema of MuJoCo 2.2.2.
+/// Returns the sections in the order in which MJCF files have them. Source: mj_printSchema of
+/// MuJoCo 2.2.2.
 std::span<const SectionInfo> Sections();
 const SectionInfo* FindSection(std::string_view name);
 /// Returns the element `camera` or `light` of a body; null for other names.

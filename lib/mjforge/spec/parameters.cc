@@ -32,7 +32,8 @@ void CheckParameterName(const YamlNode::Pair& pair, Context& context) {
   }
 }
 
-// Returns a parameter's value as the user wrote it, without `doc`, `unit` and `section`.
+// Returns the text of a parameter's value as the user wrote it, without `doc`, `unit` and
+// `section`.
 std::string SourceText(const YamlNode& node) {
   if (node.kind == YamlNode::Kind::kScalar) return node.text;
   if (!IsLongForm(node)) return FlowText(node);
@@ -43,7 +44,8 @@ std::string SourceText(const YamlNode& node) {
 }
 
 // Returns the indices of the parameters that each parameter uses, directly or through functions.
-// The names come from the text, because expressions are compiled only after the order is known.
+// Searches the source text for names, because expressions are compiled only after the order is
+// known.
 Dependencies UsesOf(const std::vector<ParameterNode>& declared, const expr::SymbolTable& names) {
   std::map<std::string, std::size_t, std::less<>> position;
   for (const ParameterNode& parameter : declared) position.emplace(parameter.name, position.size());
@@ -70,7 +72,7 @@ Dependencies UsesOf(const std::vector<ParameterNode>& declared, const expr::Symb
   return uses;
 }
 
-// Returns the parameters with their own values, without settings.
+// Returns the parameters with the values of the spec, without settings.
 std::vector<Parameter> OwnParameters(const YamlNode& params, Context& context) {
   ObjectSpec own;
   own.shared = context.spec.shared;
@@ -84,8 +86,8 @@ std::vector<Parameter> OwnParameters(const YamlNode& params, Context& context) {
   return std::move(own.parameters);
 }
 
-// Reports a setting of another kind than the parameter's own value, and replaces it by a value of
-// that kind, so that uses of the parameter are not reported as well.
+// Reports a setting whose kind differs from the kind of the parameter's own value. Replaces the
+// setting by a value of that kind, so that uses of the parameter are not reported as well.
 void CheckSetting(const Parameter& own, const YamlNode& node, Parameter& parameter,
                   Context& context) {
   const Value& wanted = own.value;
@@ -110,7 +112,7 @@ void CheckSetting(const Parameter& own, const YamlNode& node, Parameter& paramet
                 .is_list = wanted.is_list};
 }
 
-// Returns a list of words, "M3, M4, M5", or the first words of a long list and their count.
+// Returns a list of words, "M3, M4, M5"; for a long list, the first words and the count of all.
 std::string SomeOf(std::span<const std::string> words) {
   constexpr std::size_t kShown = 12;
   std::string text =
@@ -118,7 +120,7 @@ std::string SomeOf(std::span<const std::string> words) {
   return words.size() > kShown ? fmt::format("{}, ... ({} in all)", text, words.size()) : text;
 }
 
-// Reports a setting of a record's key that is a constant but not one of the keys.
+// Reports a setting of a record's key if it is a constant that no row has as its key.
 void CheckKey(const ParameterNode& declared, const Value& value, Context& context) {
   const auto number = ConstantOf(value);
   if (!number || declared.rows->numbers.contains(*number)) return;
@@ -128,7 +130,8 @@ void CheckKey(const ParameterNode& declared, const Value& value, Context& contex
       fmt::format("the rows are {}", SomeOf(declared.rows->names)));
 }
 
-// Gives a parameter's value the dimensions of its unit, and reports a value of other dimensions.
+// Assigns the dimensions of a parameter's unit to its value, and reports a value of other
+// dimensions.
 void ApplyUnit(Parameter& parameter, Context& context) {
   Value& value = parameter.value;
   if (value.type != expr::Type::kNumber) return;
@@ -141,7 +144,7 @@ void ApplyUnit(Parameter& parameter, Context& context) {
   }
 }
 
-// Reports a unit that is not an SI unit, because values of parameters are in SI units.
+// Reports a unit that is not an SI unit, because the values of parameters are in SI units.
 void CheckIsSi(const Parameter& parameter, diag::SourceMark mark, Context& context) {
   const auto unit = expr::FindUnit(parameter.unit);
   if (!unit || unit->is_si) return;
@@ -152,8 +155,9 @@ void CheckIsSi(const Parameter& parameter, diag::SourceMark mark, Context& conte
       fmt::format("write `unit: {}`, and 15{} for 15 {}", si, parameter.unit, parameter.unit));
 }
 
-// Reads the value of a parameter. `own` is the parameter without the setting, null if there is no
-// setting; `key` is the key of the record that the parameter is a column of, or null.
+// Reads the value of a parameter. `own` is the parameter as the spec declares it, or null if no
+// setting replaces its value. `key` is the key of the record to which the parameter belongs as a
+// column, or null.
 void ReadOne(Parameter& parameter, const ParameterNode& declared, const Parameter* own,
              const Parameter* key, Context& context) {
   const YamlNode& node = declared.node;
@@ -180,8 +184,9 @@ void ReadOne(Parameter& parameter, const ParameterNode& declared, const Paramete
   parameter.list = variable.list;
 }
 
-// Returns false, and adds a finding, if a text is set that is not an option of the parameter's
-// choice, because parts with a condition on the text would silently be left out.
+// Returns false, and adds a finding, if a parameter that chooses from texts is set to a text that
+// is not an option. Parts with a condition on the text would otherwise be left out without a
+// message.
 bool CheckPinnedChoice(const YamlNode& own, const YamlNode& pinned, Context& context) {
   const YamlNode* value = own.kind == YamlNode::Kind::kMap ? own.Find("value") : nullptr;
   const YamlNode& bare = value != nullptr ? *value : own;
@@ -199,7 +204,8 @@ bool CheckPinnedChoice(const YamlNode& own, const YamlNode& pinned, Context& con
   return false;
 }
 
-// Replaces the nodes of parameters by their settings. Returns true for each parameter that was set.
+// Replaces the nodes of parameters by their settings. Returns a flag for each parameter: true if it
+// was set.
 std::vector<bool> ApplySettings(std::span<const NamedNode> settings,
                                 std::vector<ParameterNode>& declared, Context& context) {
   std::vector<bool> is_set(declared.size());
@@ -230,7 +236,8 @@ std::vector<bool> ApplySettings(std::span<const NamedNode> settings,
   return is_set;
 }
 
-// Returns the key of the record that a parameter is a column of; null for other parameters.
+// Returns the key of the record to which parameter `i` belongs as a column; null if there is no
+// such record.
 const Parameter* KeyOf(std::span<const ParameterNode> declared, std::size_t i,
                        std::span<const Parameter> parameters) {
   if (declared[i].rows == nullptr || declared[i].is_key()) return nullptr;
@@ -238,7 +245,8 @@ const Parameter* KeyOf(std::span<const ParameterNode> declared, std::size_t i,
   return &parameters[i];
 }
 
-// Adds parameters and functions of imported files, unless the spec defines the same names.
+// Adds parameters and functions of imported files, except those whose names the spec itself
+// defines.
 void AddShared(const YamlNode* params, Context& context) {
   ObjectSpec& spec = context.spec;
   for (std::size_t file = 0; file < spec.shared.size(); ++file) {

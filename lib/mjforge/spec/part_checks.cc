@@ -33,7 +33,8 @@ void CheckSizes(const Entry& part, const ShapeInfo& shape, Context& context) {
     }
     return;
   }
-  // Skip draws: options may differ in length, so the model checks the length of the drawn one.
+  // Skip draws of vectors, because their options may differ in length. The model checks the length
+  // of the drawn option.
   const bool exact = !std::holds_alternative<Draw>(size->value.form) || size->value.components == 1;
   const int wanted = fromto != nullptr ? shape.sizes_fromto : shape.sizes;
   if (exact && size->value.components != 0 && size->value.components != wanted) {

@@ -14,14 +14,15 @@ using diag::Code;
 // Keys of a body that exclude `place:`, because they also determine the body's pose.
 constexpr std::string_view kOtherPlaces[] = {"parent",    "pos",    "quat", "euler",
                                              "axisangle", "xyaxes", "zaxis"};
-// Keys that have no meaning beside `by`, because the two sites already decide the whole pose.
+// Keys that have no meaning together with `by`, because the two sites already determine the whole
+// pose.
 constexpr std::string_view kNotWithSites[] = {"uv", "beside", "facing", "lying", "overhang"};
 
-// Keys that have no meaning beside `pile`, because the simulation decides the pose.
+// Keys that have no meaning together with `pile`, because a simulation determines the pose.
 constexpr std::string_view kNotInPiles[] = {"uv",     "by",    "beside", "yaw",
                                             "facing", "lying", "clear",  "overhang"};
 
-// Reads `facing`: the name of a body, the 2 numbers of a point, or the 3 numbers of a direction.
+// Reads `facing`: the name of a body, a point (2 numbers), or a direction (3 numbers).
 void ReadFacing(const YamlNode::Pair& pair, std::vector<Field>& fields, Context& context) {
   const bool is_name = pair.value.kind == YamlNode::Kind::kScalar;
   Value value =

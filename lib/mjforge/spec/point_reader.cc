@@ -193,7 +193,7 @@ std::vector<Loop> ValueReader::ReadLoops(const YamlNode& loops) {
                                        : "a loop's count cannot be drawn here",
                     "draw it as a parameter and use that parameter's name");
     }
-    // The variable has the dimensions of the list's values; a counter is a plain number.
+    // The variable has the dimensions of the list's values; a counter (`{i: 8}`) is a plain number.
     expr::Dimensions dimensions = loop.range.dimensions;
     if (!loop.over_values()) {
       CheckPlain("a loop's count", loop.range);

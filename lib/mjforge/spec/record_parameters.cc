@@ -1,9 +1,10 @@
-// Reader of record parameters, which one draw selects together.
+// Reader of record parameters, in which one draw selects several values together.
 //
 // `style: {choice: [{name: modern, leg: 3cm}, ...]}` becomes the parameters `style.name` and
 // `style.leg`; `cup: {rows: cups.csv}` becomes one parameter for each column of the table. The
-// first column is the key if its values differ: the key is drawn, and the other columns are looked
-// up. Otherwise a column `row` with the numbers of the rows is added as the key.
+// first column is the record's key if all its values differ: the key is drawn, and the other
+// columns are looked up in the drawn row. Otherwise a column `row` with the numbers of the rows is
+// added as the key.
 
 #include <algorithm>
 #include <set>
@@ -24,7 +25,7 @@ const YamlNode& WithoutLongForm(const YamlNode& node) {
   return value != nullptr ? *value : node;
 }
 
-// Returns the pair with the options of a record; null if the parameter is not a record.
+// Returns the pair that contains the options of a record; null if the parameter is not a record.
 const YamlNode::Pair* OptionsOf(const YamlNode& node) {
   const auto is_record = [](const YamlNode& option) {
     return option.kind == YamlNode::Kind::kMap &&
@@ -84,7 +85,8 @@ class RecordParameterReader {
     }
     declared.front().record = parameter_.key;
     declared.front().node = KeyNode(node, options, columns);
-    // Show a table as written in the spec (`{rows: ...}`), because all keys would be too long.
+    // Show a table as the spec writes it (`{rows: ...}`), because the list of all keys would be too
+    // long.
     declared.front().source = is_table ? "" : FlowText(declared.front().node);
     return declared;
   }
@@ -137,8 +139,8 @@ class RecordParameterReader {
     }
   }
 
-  // Returns the rows by their values in this column, if these are constants or texts and all
-  // different; otherwise null.
+  // Returns the rows, found by their values in this column. Returns null unless these values are
+  // constants or texts, and all different.
   std::shared_ptr<const RecordRows> KeyOf(const TableColumn& column) const {
     auto rows = std::make_shared<RecordRows>();
     for (const YamlNode& cell : column.cells) {
@@ -164,7 +166,8 @@ class RecordParameterReader {
     return rows;
   }
 
-  // Returns the record's draw for its key: the first column's values replace the options.
+  // Returns the draw of the record's key: the record's own draw, in which the values of the first
+  // column replace the options.
   YamlNode KeyNode(const YamlNode& node, const YamlNode::Pair& options,
                    std::vector<TableColumn>& columns) {
     YamlNode key = node;

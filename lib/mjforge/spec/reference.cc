@@ -55,7 +55,8 @@ std::string ElementTable(const ElementInfo& element) {
   return out + "\n";
 }
 
-// Returns the attributes and their references, without meanings, which are in MuJoCo's manual.
+// Returns the names of the attributes, with the kinds of elements that they refer to. Their
+// meanings are in MuJoCo's manual.
 std::string AttributeList(const ElementInfo& element) {
   std::string out;
   for (const FieldInfo& field : element.fields) {

@@ -1,8 +1,8 @@
-// The JSON Schema of a spec (draft-07), with which an editor completes and checks specs.
+// JSON Schema of specs (draft-07), with which an editor completes and checks specs.
 //
-// The schema checks structure; names, expressions and references are checked only by the parser.
+// The schema checks structure. Names, expressions and references are checked only by the parser.
 // schema.json is the schema with markers "@KIND NAME", which are replaced by text made from the
-// tables of the language. This text may contain markers, too.
+// tables of the language. The inserted text may contain markers, too.
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@ namespace {
 
 using JsonMembers = std::vector<std::string>;
 
-// Schema of an expression: text that is not a number, because a quoted number is text in a spec.
+// Schema of an expression: text that is not a number, because specs read a quoted number as text.
 constexpr std::string_view kExpression =
     R"x("type": "string", "pattern": "^(?![-+]?(\\d+\\.?\\d*|\\.\\d+)([eE][-+]?\\d+)?$)")x";
 constexpr std::string_view kNamePattern = R"("^[A-Za-z][A-Za-z0-9_]*$")";
@@ -44,7 +44,7 @@ std::string Joined(const JsonMembers& members) {
   return fmt::format("{}", fmt::join(members, ", "));
 }
 
-// Returns the text of each item of a list.
+// Returns text(item) for each item of a list.
 template <typename List, typename Text>
 JsonMembers Each(const List& list, Text text) {
   JsonMembers members;
@@ -52,7 +52,7 @@ JsonMembers Each(const List& list, Text text) {
   return members;
 }
 
-// Returns a member whose value is an object.
+// Returns a JSON member whose value is an object with the given members.
 std::string Member(std::string_view key, std::string_view members) {
   return fmt::format(R"("{}": {{{}}})", key, members);
 }
@@ -121,7 +121,7 @@ std::string Word(const FieldInfo& field) {
 std::string PlainText(const FieldInfo& field) {
   if (field.id == Key::kName)
     return fmt::format(R"("type": "string", "pattern": {})", kNamePattern);
-  // Numbers are allowed because `unit: 1` is text in a spec but a number in YAML.
+  // Allow numbers, because `unit: 1` is text in a spec but a number in YAML.
   return R"("anyOf": [{"type": "string"}, {"type": "number"}])";
 }
 
@@ -148,7 +148,7 @@ std::string SectionProperties() {
   }));
 }
 
-// Returns the schema of the value of a field.
+// Returns the schema of the values that a field accepts.
 std::string Taken(const FieldInfo& field) {
   switch (field.kind) {
     case FieldKind::kNumber:
@@ -195,7 +195,7 @@ std::string DrawArguments(const DistributionInfo& info) {
 std::string DrawForm(const DistributionInfo& info, const JsonMembers& more_properties) {
   JsonMembers properties = {Member(info.key, DrawArguments(info))};
   if (info.option == "weights") {
-    // Allow a text, too: the name of the column of a record that contains the weights.
+    // Also allow a text, the name of the record's column that contains the weights.
     properties.push_back(
         Member(info.option, R"("anyOf": [{"@list number", "minItems": 1}, {"type": "string"}])"));
   } else if (!info.option.empty()) {
@@ -217,7 +217,8 @@ bool Gives(const DistributionInfo& info, std::string_view kind) {
 
 // --- Schemas of MJCF sections -----------------------------------------------
 
-// Returns the schema of a mapping whose only key is one of the elements.
+// Returns the schema of a mapping with one key that names one of the elements; `properties` are
+// additional members.
 std::string OneOf(std::span<const ElementInfo> elements, JsonMembers properties);
 
 std::string Attributes(const ElementInfo& element, bool children_by_name) {
@@ -256,7 +257,7 @@ std::string Doc(std::string_view element) {
   return fmt::format(R"("description": {})", Quoted(FindElement(element)->doc));
 }
 
-// Returns the JSON properties of a parameter besides its value: doc, unit and section.
+// Returns the JSON properties that describe a parameter: doc, unit and section.
 std::string About(std::string_view /*none*/) {
   const ElementInfo& parameter = kParameterElement;
   return Joined({Property(*parameter.Find(Key::kDoc)), Property(*parameter.Find(Key::kUnit)),
@@ -283,7 +284,8 @@ std::string DrawsWithDoc(std::string_view none) {
   }));
 }
 
-// Returns one definition for each length (min to max count) of a number list without bounds.
+// Returns one definition for each pair of minimum and maximum count of a number list without
+// bounds.
 std::string NumberLists(std::string_view /*none*/) {
   std::set<std::string> done;
   JsonMembers lists;

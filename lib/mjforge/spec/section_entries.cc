@@ -11,7 +11,7 @@ namespace {
 
 using diag::Code;
 
-// A section of MJCF that specs do not have, and a hint at what replaces it.
+// A section of MJCF that specs do not accept, and a hint at the keys that replace it.
 struct ForeignSection {
   std::string_view section;
   std::string_view hint;
@@ -107,7 +107,8 @@ class SectionEntryReader {
                           diag::DidYouMean(pair.key, Sections(), &SectionInfo::name));
   }
 
-  // Reads a section that is one element (option, size), with inner elements by their names.
+  // Reads a section that is a single element (option, size). Its inner elements are keys of the
+  // same mapping.
   void ReadElementSection(const SectionInfo& info, const YamlNode::Pair& pair) {
     const ElementInfo& element = info.elements.front();
     if (!IsMap(pair.value, fmt::format("the attributes of '{}'", info.name), context_)) return;
@@ -190,7 +191,7 @@ class SectionEntryReader {
     }
   }
 
-  // Reports and removes `if`, `for` and `let` among attributes.
+  // Reports `if`, `for` and `let` among the attributes of an element, and removes them.
   void RejectRepetition(YamlNode& attributes) {
     std::erase_if(attributes.pairs, [this](const YamlNode::Pair& pair) {
       if (!IsOfEntry(pair)) return false;
@@ -205,8 +206,8 @@ class SectionEntryReader {
     return pair.key == "if" || pair.key == "for" || pair.key == "let";
   }
 
-  // Returns the only key beside `if`, `for` and `let`, which names an element; null after a
-  // finding.
+  // Returns the pair besides `if`, `for` and `let`, whose key names the element. Returns null,
+  // after adding a finding, unless there is exactly one such pair.
   const YamlNode::Pair* OnlyElement(std::span<const ElementInfo> known, std::string_view owner,
                                     const YamlNode& item) {
     const YamlNode::Pair* only = nullptr;

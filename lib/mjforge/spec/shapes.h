@@ -12,18 +12,18 @@ namespace mjforge::spec {
 /// A type of part, and the keys that it takes.
 struct ShapeInfo {
   std::string_view type;
-  int sizes = 0;         // count of numbers in `size`; 0: no `size`
-  int sizes_fromto = 0;  // count of numbers in `size` beside `fromto`; 0: no `fromto`
+  int sizes = 0;         // count of numbers in `size`; 0: the type has no `size`
+  int sizes_fromto = 0;  // count of numbers in `size` beside `fromto`; 0: the type has no `fromto`
   std::span<const Key> required = {};
-  std::span<const Key> optional = {};  // besides `size` and `fromto`
-  std::span<const Key> of_round = {};  // optional keys that need `round`
+  std::span<const Key> optional = {};  // optional keys, without `size` and `fromto`
+  std::span<const Key> of_round = {};  // optional keys that require the key `round`
 
   bool Takes(Key key) const;
 };
 /// Returns the shape of a type; null if there is none.
 const ShapeInfo* FindShape(std::string_view type);
 
-/// Returns true if the key has a meaning for some types of parts only.
+/// Returns true if the key has a meaning for only some types of parts.
 bool IsOfAShape(Key key);
 
 }  // namespace mjforge::spec

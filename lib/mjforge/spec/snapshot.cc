@@ -31,7 +31,8 @@ std::string TextOf(const rapidjson::Value& value) {
   return {value.GetString(), value.GetStringLength()};
 }
 
-// Adds texts by path from a list of [path, text]; returns false for a list of another form.
+// Adds the texts of a JSON list of [path, text] to `texts`. Returns false for a list of another
+// form.
 bool ReadTexts(const rapidjson::Value& list, Texts& texts) {
   for (const rapidjson::Value& file : list.GetArray()) {
     if (!IsTexts(file) || file.Size() != 2) return false;
@@ -47,7 +48,8 @@ void WriteTexts(diag::Json& json, std::string_view key, const Texts& texts) {
   json.EndArray();
 }
 
-// Fills the snapshot; returns false if a member is missing or has another type.
+// Reads the members of the JSON object into the snapshot. Returns false if a member is missing or
+// has another type.
 bool ReadMembers(const rapidjson::Document& json, Snapshot& snapshot) {
   for (const char* name : {"spec", "text_name", "folder"}) {
     if (!json.HasMember(name) || !json[name].IsString()) return false;

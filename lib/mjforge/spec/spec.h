@@ -1,4 +1,4 @@
-// Loading of YAML into an ObjectSpec: a family of objects, checked before any value is drawn.
+// ObjectSpec, a family of objects loaded from YAML and checked before any value is drawn.
 
 #pragma once
 
@@ -49,7 +49,7 @@ struct Material {
   std::string name;
   diag::SourceMark mark;
   std::vector<Field> fields;
-  std::vector<Field> texture;    // empty: none
+  std::vector<Field> texture;    // empty: the material has no texture
   std::filesystem::path folder;  // base of relative paths
 
   const Field* Find(Key id) const;
@@ -74,26 +74,29 @@ struct PictureView {
     double value = 0;  // rad or m
     diag::SourceMark mark;
   };
-  std::optional<double> azimuth;    // deg, viewing direction about z; 0: along x
-  std::optional<double> elevation;  // deg, viewing direction; -90: down
+  std::optional<double> azimuth;  // deg, direction of view about z; 0: along x
+  // Degrees, direction of view above the horizontal plane; -90: straight down.
+  std::optional<double> elevation;
   std::vector<Position> pose;
 };
 
 struct ObjectSpec {
   std::string name;
   std::string description;
-  std::string file;                          // name that is shown to the user
-  diag::SourceMark mark;                     // beginning of the spec
-  std::filesystem::path folder;              // base of relative paths
-  std::vector<std::filesystem::path> files;  // every file read, in order of first reading
-  std::string sha256;                        // hash of the texts of `files`, in hexadecimal
+  std::string file;              // name of the file in findings
+  diag::SourceMark mark;         // beginning of the spec
+  std::filesystem::path folder;  // base of relative paths
+  // All files read, in the order in which they were first read.
+  std::vector<std::filesystem::path> files;
+  std::string sha256;  // hash of the texts of `files`, in hexadecimal
   /// The applied settings, from files and from the caller: name, YAML flow text.
   std::vector<std::pair<std::string, std::string>> settings;
 
-  expr::SymbolTable names;  // parameters, loop variables; slot 0 is `index`
-  std::vector<std::pair<std::string, diag::SourceMark>> functions;  // name and place of each
-  std::vector<Parameter> parameters;                                // in file order
-  std::vector<int> evaluation_order;                                // indices into parameters
+  expr::SymbolTable names;  // parameters and loop variables; slot 0 is `index`
+  // Name and place of each function.
+  std::vector<std::pair<std::string, diag::SourceMark>> functions;
+  std::vector<Parameter> parameters;  // in file order
+  std::vector<int> evaluation_order;  // indices into parameters
   /// Imported files with parameters, each as a spec with only a name, parameters and requirements.
   /// All specs that import a file share its parameters, whose draws are keyed by the file's name.
   std::vector<std::shared_ptr<const ObjectSpec>> shared;
@@ -107,23 +110,24 @@ struct ObjectSpec {
   RootJoints root_joints = RootJoints::kFree;
   std::vector<Entry> joints;
   std::vector<BodyEntry> bodies;
-  std::vector<Entry> pose;     // starts of joints and actuators, which are the entries' names
-  std::optional<Field> start;  // a word of StartForm
+  std::vector<Entry> pose;     // start values; an entry's name is that of a joint or an actuator
+  std::optional<Field> start;  // text of StartForm: "zero" or "keyframe"
   std::vector<Section> sections;
   std::optional<Field> mass;   // kg, of the whole object
   std::optional<Field> front;  // direction of the front: x, y
   Placement placement = Placement::kCenter;
-  bool has_place = false;           // a body here or in a nested spec has `place:`
-  DrawKinds draws;                  // draws here and in nested specs
+  bool has_place = false;           // true if a body of this spec or of a nested one has `place:`
+  DrawKinds draws;                  // kinds of draws in this spec and in nested ones
   std::optional<Field> total_size;  // half sizes of the whole object, m
   std::vector<Expectation> expectations;
-  /// Slots of the variables `mass` and `bounds.x` in expectations; -1 if a parameter has the name.
+  /// Slots of the variables `mass` and `bounds` in expectations; -1 if a parameter has that name.
   int mass_slot = -1;
   int bounds_slot = -1;
   Checks checks;
   PictureView view;
 
-  /// Finds a parameter by its name, or the key of a record by the record's name; null if missing.
+  /// Returns the parameter of this name or, for the name of a record, the key of the record.
+  /// Returns null if there is none.
   const Parameter* FindParameter(std::string_view parameter) const;
   /// Returns the value of a parameter of this spec, also if an imported file declares it.
   const Value& ValueOf(const Parameter& parameter) const;
@@ -133,7 +137,7 @@ struct ObjectSpec {
 struct Setting {
   std::string name;
   std::string text;              // YAML flow text: "0.02", "1 .. 2", "{choice: [box, cylinder]}"
-  std::string origin = "--set";  // shown in findings
+  std::string origin = "--set";  // name of the setting's source in findings
 };
 
 struct LoadOptions {
@@ -141,16 +145,18 @@ struct LoadOptions {
   /// Files with a YAML mapping of parameter names to values (`--params`); applied before
   /// `settings`.
   std::vector<std::filesystem::path> parameter_files;
-  /// Folders with specs, first match wins: MJFORGE_PATH, then the installed catalogue.
+  /// Folders in which specs are searched, in this order: MJFORGE_PATH, then the installed
+  /// catalogue.
   std::vector<std::filesystem::path> search_path;
-  /// Snapshot whose files and texts replace those on the disk; null: none. The load adds all other
-  /// files that it reads. Two loads must not use one snapshot at the same time.
+  /// Snapshot whose files and texts replace those on the disk; null if none is used. The load adds
+  /// all other files that it reads. Two loads must not use one snapshot at the same time.
   Snapshot* snapshot = nullptr;
 };
 
 /// Loads the spec that `reference` names: a path, a name relative to a folder of the search path
-/// ("tools/hammer"), or its last part ("hammer"); "-" is standard input. Adds every text read to
-/// `sources` and every problem to `findings`. Returns null if there is an error.
+/// ("tools/hammer"), or the last part of such a name ("hammer"); "-" is standard input. Adds every
+/// text that is read to `sources` and every problem to `findings`. Returns null if there is an
+/// error.
 std::unique_ptr<ObjectSpec> LoadSpec(const std::string& reference, const LoadOptions& options,
                                      diag::Sources& sources, diag::Findings& findings);
 
@@ -163,15 +169,15 @@ std::unique_ptr<ObjectSpec> LoadSpecText(const std::string& name, std::string te
 /// Returns the specs in a folder of the search path: names for LoadSpec ("tools/hammer"), sorted.
 std::vector<std::string> ListSpecs(const std::filesystem::path& folder);
 
-/// Returns the text of a spec for a copy in `folder` (empty: the working folder): references to
-/// files lead from there to the same files, unless the spec computes their names, and the line that
-/// tells an editor of the schema is left out. Returns nullopt, after adding findings, if the spec
-/// has errors.
+/// Returns the text of a spec, changed for a copy in `folder` (empty: the working folder).
+/// References to files are rewritten so that they name the same files from there, unless the spec
+/// computes their names. The comment line that names the JSON Schema for editors is removed.
+/// Returns nullopt, after adding findings, if the spec has errors.
 std::optional<std::string> CopiedText(const std::string& reference,
                                       const std::filesystem::path& folder,
                                       const LoadOptions& options, diag::Sources& sources,
                                       diag::Findings& findings);
-/// Returns the text of a small commented spec, to start from.
+/// Returns the text of a small commented spec, a starting point for new specs.
 std::string StarterText();
 
 /// Returns the text of schemas/object.schema.json, which is made from the field table.

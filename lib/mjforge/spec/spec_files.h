@@ -1,4 +1,4 @@
-// The files that a spec is made of: the spec itself, nested specs, imports and tables.
+// Files that a spec consists of: the spec itself, nested specs, imports and tables.
 
 #pragma once
 
@@ -19,15 +19,15 @@ namespace mjforge::spec {
 /// Returns the canonical path of a file, or `file` itself if there is none.
 std::filesystem::path Canonical(const std::filesystem::path& file);
 
-/// Returns the file that `reference` names in `folder` or in the search path of the options: from
-/// the options' snapshot or else from the disk; nullopt if there is no such file.
+/// Returns the file that `reference` names in `folder` or in the search path of the options. Asks
+/// the options' snapshot first, then the disk. Returns nullopt if there is no such file.
 std::optional<std::filesystem::path> FindFile(const std::string& reference,
                                               const std::filesystem::path& folder,
                                               const LoadOptions& options);
 
 /// Reads a file, adds its text to `sources` and returns the number of the source. Takes the text
-/// from `snapshot` if that is not null and has it, otherwise from the disk. Returns nullopt, and
-/// adds a finding with `name`, if reading fails.
+/// from the list `held_texts` of `snapshot` if `snapshot` is not null and contains the file,
+/// otherwise from the disk. Returns nullopt, and adds a finding with `name`, if reading fails.
 std::optional<std::uint32_t> ReadSource(const std::filesystem::path& file, std::string_view name,
                                         diag::SourceMark mark, Snapshot* snapshot,
                                         diag::Sources& sources, diag::Findings& findings,
@@ -49,12 +49,14 @@ class SpecFiles {
   std::optional<std::filesystem::path> Find(const std::string& reference,
                                             const std::filesystem::path& folder,
                                             diag::SourceMark mark);
-  /// Returns true, and adds a finding, if the file is being read, because it refers to itself then.
+  /// Returns true, and adds a finding, if the file is being read already: it then refers to itself,
+  /// directly or through other files.
   bool IsOpen(const std::filesystem::path& file, diag::SourceMark mark);
   /// Reads the file unless it was read before, and returns its number among the sources. Returns
   /// nullopt, and adds a finding, if reading fails.
   std::optional<std::uint32_t> Open(const std::filesystem::path& file, diag::SourceMark mark);
-  /// Parses the file whose text has the number `source`; returns nullopt if ParseYaml() does.
+  /// Parses the file, whose text is the source with this number. Returns nullopt if ParseYaml()
+  /// does.
   std::optional<YamlNode> Parse(const std::filesystem::path& file, std::uint32_t source);
 
   /// Marks a file as being read during the lifetime of this object.
@@ -81,9 +83,9 @@ class SpecFiles {
   const LoadOptions& options_;
   diag::Sources& sources_;
   diag::Findings& findings_;
-  std::vector<std::filesystem::path> open_;  // specs and imports being read, outermost first
+  std::vector<std::filesystem::path> open_;  // files that are being read, outermost first
   std::vector<std::filesystem::path> files_;
-  std::vector<std::uint32_t> source_ids_;  // number of each of `files_` among the sources
+  std::vector<std::uint32_t> source_ids_;  // number of each file of `files_` among the sources
 };
 
 }  // namespace mjforge::spec

@@ -1,4 +1,4 @@
-// Warnings of parameters, functions, local values and materials that are never used.
+// Warnings about parameters, functions, local values and materials that are never used.
 
 #include <algorithm>
 
@@ -43,7 +43,8 @@ void DropUnusedProperties(Context& context) {
 }
 
 void ReportUnused(const YamlNode* materials, Context& context) {
-  // After an error, not everything was read, so names that are used would be reported.
+  // Skip the check after an error: parts of the spec were not read, so names that they use would be
+  // reported as unused.
   if (context.findings.HasErrors()) return;
   const auto& silenced = context.spec.checks.silenced;
   if (std::ranges::find(silenced, diag::Code::kSpecUnused, &Checks::Silence::code) !=

@@ -16,7 +16,7 @@ using expr::Dimension;
 using expr::Dimensions;
 using expr::Type;
 
-// Returns the unit of one component: "s, 1" lists one unit per component; a single unit applies to
+// Returns the unit of one component. "s, 1" has one unit per component; a single unit applies to
 // all components. A component without a unit is a plain number.
 std::string_view UnitAt(std::string_view units, int component) {
   const std::vector<std::string_view> all = Split(units, ", ");
@@ -25,14 +25,15 @@ std::string_view UnitAt(std::string_view units, int component) {
   return at < all.size() ? all[at] : std::string_view();
 }
 
-// Returns the unit for a motion: "rad or m" has the unit of rotations first, then that of slides.
+// Returns the unit for a joint's motion: "rad or m" contains the unit of rotations first, then the
+// unit of slides.
 std::string_view UnitOf(Motion motion, std::string_view unit) {
   const std::vector<std::string_view> both = Split(unit, " or ");
   if (motion == Motion::kAny) return unit;
   return motion == Motion::kTurn ? both.front() : both.back();
 }
 
-// Unit of directions, which may have any unit, because only the ratio of their numbers counts.
+// Unit of directions, which may have any unit, because only the ratios of their numbers matter.
 constexpr std::string_view kAnyOne = "any one";
 
 bool Fits(std::string_view unit, const Dimension& dimension) {
@@ -68,7 +69,7 @@ std::optional<Dimensions> Common(const Dimensions& a, const Dimensions& b) {
   return both;
 }
 
-// Returns the different units in a direction ("in m and in kg"); nullopt if the units agree.
+// Returns the different units in a direction ("in m and in kg"); nullopt if all units are the same.
 std::optional<std::string> Clash(const FieldInfo& field, const Value& value) {
   const auto* list = std::get_if<List>(&value.form);
   Dimension common;
@@ -142,7 +143,7 @@ void ValueReader::CheckDrawBounds(const FieldInfo& field, const Draw& draw, int 
   if (draw.distribution == Distribution::kChoice || draw.distribution == Distribution::kCycle) {
     for (const Value& option : draw.arguments) CheckBounds(field, option, position);
   } else if (draw.distribution == Distribution::kUniform) {
-    // Allow ends of a range that are equal to an exclusive bound.
+    // Allow ends of a range that equal an exclusive bound.
     FieldInfo ends = field;
     ends.above = false;
     ends.kind = FieldKind::kNumber;
@@ -215,7 +216,7 @@ Dimensions ValueReader::Measured(const DistributionInfo& info, const ExpectedFor
   switch (info.id) {
     case Distribution::kChoice:
     case Distribution::kCycle:
-      // For a field, CheckUnits compares each option with the field's unit.
+      // For a field, CheckUnits() compares the unit of each option with the field's unit.
       return expected.key.empty() ? Agree("the values to choose from", draw.arguments)
                                   : Dimensions();
     case Distribution::kUniform:

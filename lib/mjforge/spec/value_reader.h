@@ -19,14 +19,15 @@ namespace mjforge::spec {
 /// Names that values refer to.
 struct UsedNames {
   std::set<std::string, std::less<>> names;    // parameters, functions, loops, bodies
-  std::set<std::string, std::less<>> members;  // whole names with a point: "arm.top", "size.x"
+  std::set<std::string, std::less<>> members;  // members with their owners: "arm.top", "size.x"
   std::set<std::string, std::less<>> materials;
-  bool any_material = false;  // a material's name is computed, so that any may be used
+  bool any_material = false;  // true if a material's name is computed, so that any may be used
 
   void Add(const UsedNames& other);
   /// Adds a name in an expression: "r", "size.x", "arm.top".
   void AddName(std::string_view name);
-  /// Returns true if a member's name begins with `prefix`: "arm.subtree_".
+  /// Returns true if an expression uses a member whose full name begins with `prefix`
+  /// ("arm.subtree_").
   bool HasMember(std::string_view prefix) const;
 };
 
@@ -38,14 +39,14 @@ class ValueReader {
       : names_(names), sources_(sources), findings_(findings) {}
 
   /// Reads the value of a field whose kind is a value, not structure. `motion` is the motion of the
-  /// joint that has the field.
+  /// joint that the field belongs to.
   Value Read(const FieldInfo& field, const YamlNode& node, Motion motion = Motion::kAny);
 
   /// Reads a value whose type follows from its form (a parameter, an option of a choice). A mapping
   /// may have `extra_keys` besides the distribution.
   Value ReadAnything(const YamlNode& node, std::span<const std::string_view> extra_keys = {});
 
-  /// Reads a value of any kind. If `wanted` is a list, even a short list in brackets is read as a
+  /// Reads a value of any kind. If `wanted` is a list, a short list in brackets is also read as a
   /// list, not as a vector.
   Value ReadLike(const Value& wanted, const YamlNode& node,
                  std::span<const std::string_view> extra_keys = {});
@@ -57,44 +58,45 @@ class ValueReader {
                    std::span<const std::string_view> extra_keys = {}) {
     return ReadMapping({.kind = kind}, map, extra_keys);
   }
-  /// Returns true if the node can only be text and has no expressions.
+  /// Returns true if the node is certainly text, and contains no expressions.
   bool IsPlainText(const YamlNode& node) const;
 
-  /// Reads `for:`. The variables stay declared until EndLoops().
+  /// Reads `for:`. The loop variables remain declared until EndLoops().
   std::vector<Loop> ReadLoops(const YamlNode& loops);
   void EndLoops(const std::vector<Loop>& loops);
-  /// Returns true if the name of a loop variable or a local value is not used yet. Otherwise adds a
-  /// finding.
+  /// Returns true if the key of `pair` is a valid, unused name for a loop variable or a local
+  /// value. Otherwise adds a finding.
   bool CheckLocalName(std::string_view what, const YamlNode::Pair& pair);
 
-  /// Reads a field of kind kPosition. `motion` is the motion of the joint that has the field.
+  /// Reads a field of kind kPosition of a joint with this motion.
   Value ReadPosition(const FieldInfo& field, const YamlNode& node, Motion motion);
   Value ReadNumber(const YamlNode& node);
   Value ReadText(const YamlNode& node);
   /// Reads a boolean expression. Returns nullopt, and adds a finding, if the expression is wrong.
   std::optional<expr::Expression> ReadCondition(const YamlNode& node);
-  /// Reports a number whose unit is not that of the field. `position` is the index of the value's
+  /// Reports a number whose unit does not fit the field. `position` is the index of the value's
   /// first number among the numbers of the field.
   void CheckUnits(const FieldInfo& field, const Value& value, int position = 0,
                   Motion motion = Motion::kAny);
-  /// Returns true if the value has the dimensions `wanted`. Otherwise adds a finding about `what`
-  /// ("parameter 'r'").
+  /// Returns true if the value has the dimensions `wanted`. Otherwise adds a finding, in which
+  /// `what` describes the value ("parameter 'r'").
   bool CheckUnit(std::string_view what, const expr::Dimensions& wanted, const Value& value);
-  /// Reports a number with a unit if `what` ("a weight") must be a plain number.
+  /// Reports a number with a unit if only a plain number is allowed. `what` describes it ("a
+  /// weight").
   void CheckPlain(std::string_view what, const Value& value);
-  /// The kinds of draws among the values read so far.
+  /// Returns the kinds of draws among the values read so far.
   const DrawKinds& draws() const { return draws_; }
-  /// Names that the values read so far refer to.
+  /// Returns the names that the values read so far refer to.
   const UsedNames& uses() const { return uses_; }
   /// Adds the names that the values of another reader refer to.
   void AddUses(const ValueReader& other) { uses_.Add(other.uses_); }
   /// Reports errors in the body of a function. Its arguments must be declared.
   void CheckBody(const expr::Formula& formula);
-  /// Reads text without interpolation. Returns an empty text after a finding.
+  /// Reads text without interpolation. Returns an empty text after adding a finding.
   std::string ReadPlainText(std::string_view what, const YamlNode& node);
 
  private:
-  // The form of the value that a field takes.
+  // The form of value that a field accepts.
   struct ExpectedForm {
     FieldKind kind = FieldKind::kAnything;
     int min_count = 1;
@@ -111,12 +113,13 @@ class ValueReader {
   Value ReadAxisOutlines(const ExpectedForm& expected, const YamlNode& map);
   Value ReadPoints(const ExpectedForm& expected, const YamlNode& node);
   Value ReadPoint(const ExpectedForm& expected, const YamlNode& node);
-  // Reads {for: loops, KEY: value}; calls `read` for the value.
+  // Reads {for: loops, KEY: value}, where `read` reads the value.
   template <typename Reader>
   Value ReadPointLoop(const YamlNode& map, std::string_view key, Reader&& read);
   Value ReadArc(const ExpectedForm& expected, const YamlNode& map);
   std::vector<Value> ReadArcMeasures(const YamlNode& arc);  // radius, from, to
-  /// Reads the key `axis` of `what`: x, y or z (default), as 0, 1 or 2.
+  /// Reads the key `axis` of the mapping: x, y or z (default), as 0, 1 or 2. `what` names the
+  /// mapping in findings.
   Value ReadAxis(const YamlNode& map, std::string_view what, std::string_view hint);
   void AllowKeys(const YamlNode& map, std::initializer_list<std::string_view> allowed,
                  std::string_view what);
@@ -152,7 +155,7 @@ class ValueReader {
   // Returns the common dimensions of values. If the dimensions differ, adds a finding and returns
   // an empty list, which means unknown dimensions.
   expr::Dimensions Agree(std::string_view what, std::span<const Value> values);
-  // Returns the dimensions of a draw.
+  // Returns the dimensions of the values that a draw produces.
   expr::Dimensions Measured(const DistributionInfo& info, const ExpectedForm& expected,
                             const Draw& draw);
   void CheckRangeOrder(const Value& lo, const Value& hi, diag::SourceMark mark);
@@ -161,7 +164,7 @@ class ValueReader {
   Value Wrong(const YamlNode& node, std::string_view expected);
   // Returns a substitute for a wrong value, which passes all later checks.
   static Value Harmless(const YamlNode& node);
-  // Adds a finding for an error in the text that begins `begin` bytes after `mark`.
+  // Adds a finding for an error in a text that begins `begin` bytes after `mark`.
   void Report(expr::Error error, diag::SourceMark mark, std::size_t begin);
   diag::SourceMark At(diag::SourceMark mark, std::size_t offset) const;
 
@@ -189,7 +192,7 @@ std::vector<std::string_view> Split(std::string_view text, std::string_view sepa
 /// Appends the names in the expressions of a node and its inner nodes; names may repeat.
 void CollectNames(const YamlNode& node, std::vector<std::string>& names);
 
-/// Returns true for the keys of a parameter's mapping that are texts about its value.
+/// Returns true for the keys of a parameter's mapping that describe its value: doc, unit, section.
 inline bool IsAboutValue(std::string_view key) {
   return key == "doc" || key == "unit" || key == "section";
 }

@@ -10,8 +10,8 @@
 namespace mjforge::spec {
 namespace {
 
-// Returns true for the integers that `condim` cannot be; MuJoCo has contacts of 1, 3, 4 and 6
-// dimensions.
+// Returns true for the integers within the bounds of `condim` that MuJoCo does not support.
+// Contacts have 1, 3, 4 or 6 dimensions.
 bool IsInvalidCondim(const FieldInfo& field, double number) {
   return field.key == "condim" && (number == 2 || number == 5);
 }

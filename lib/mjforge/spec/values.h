@@ -56,7 +56,8 @@ struct Arrangement {
   std::shared_ptr<const Value> count;  // null: all items
 };
 
-/// The parameter ObjectSpec::shared[file]->parameters[position] of an imported file.
+/// A reference to the parameter ObjectSpec::shared[file]->parameters[position], which an imported
+/// file declares.
 struct SharedParameter {
   std::size_t file = 0;
   std::size_t position = 0;
@@ -66,21 +67,21 @@ struct SharedParameter {
 bool IsListLength(double number);
 inline constexpr std::string_view kListLengthRule = "must be a whole number, 0 to 100000";
 
-/// The rows of a record, by their keys.
+/// The rows of a record, found by the values of the record's key.
 struct RecordRows {
   std::map<double, std::size_t> numbers;  // row of each key; a text's key is its expr::TextKey()
-  std::vector<std::string> names;         // key of each row, as written
+  std::vector<std::string> names;         // value of the key in each row, as written
 };
 
 /// A draw from a distribution.
 struct Draw {
   Distribution distribution = Distribution::kUniform;
   std::vector<Value> arguments;  // numbers; for choice and cycle the options
-  std::vector<Value> limits;     // `clip` or `range`: empty or two numbers
-  std::vector<Value> weights;    // choice: empty or one number per option
-  bool exact = false;            // choice: the counts over a batch follow the weights
-  /// Only for a column of a record: the option is not drawn, but looked up by the key's value,
-  /// which is in slot `key_slot`.
+  std::vector<Value> limits;     // `clip` or `range`: two numbers; empty if not given
+  std::vector<Value> weights;    // only for a choice: one number per option, or empty
+  bool exact = false;            // only for a choice: the counts over a batch follow the weights
+  /// Only for a column of a record: the option is not drawn, but looked up by the value of the
+  /// record's key, which is in slot `key_slot`.
   std::shared_ptr<const RecordRows> rows;
   int key_slot = 0;
 };
@@ -96,23 +97,25 @@ struct HsvColor {
   std::vector<Value> items;
 };  // rgba: {hsv: [h, s, v, (a)]}, each 0 to 1
 
-/// An item of a list of points that is repeated for each value of the variables: {for: {i: 8}, at:
-/// [x, y]}; in a list of outlines: {for: {i: 8}, points: [...]}.
+/// An item of a list of points or outlines that is repeated for each value of the loop variables:
+/// {for: {i: 8}, at: [x, y]} repeats a point, {for: {i: 8}, points: [...]} repeats an outline.
 struct PointLoop {
   std::shared_ptr<const std::vector<Loop>> loops;  // the outermost loop first
-  std::shared_ptr<const Value> at;
+  std::shared_ptr<const Value> at;                 // the repeated point or outline
 };
 
-/// An item of a list that stands for the points of an arc, including both ends: {arc: [[x, y],
-/// radius, from, to], steps: 8}, in space {arc: [[x, y, z], radius, from, to], axis: z} or 3
-/// points.
+/// An item of a list of points that is replaced by the points of an arc, including both ends: {arc:
+/// [[x, y], radius, from, to], steps: 8} in the plane, {arc: [[x, y, z], radius, from, to], axis:
+/// z} in space, or {arc: [p, q, r]} through three points.
 struct Arc {
-  std::shared_ptr<const Value> center;  // or the first of three points
-  std::vector<Value> measures;          // radius, from, to, in space the axis; or points 2 and 3
+  std::shared_ptr<const Value> center;  // center, or the first of three points
+  // Radius, from, to and, in space, the axis; or the second and third point.
+  std::vector<Value> measures;
   std::shared_ptr<const Value> steps;
 };
 
-/// Outlines of holes along an axis, an item of a list of outlines: {axis: x, outlines: [...]}.
+/// An item of a list of outlines that contains outlines of holes along an axis: {axis: x, outlines:
+/// [...]}.
 struct AxisOutlines {
   std::size_t axis = 2;  // 0, 1 or 2: x, y or z
   std::shared_ptr<const Value> outlines;
@@ -130,7 +133,7 @@ struct DrawKinds {
   }
 };
 
-/// A value of any form.
+/// A value as written in a spec, in any of its forms, with its type and dimensions.
 struct Value {
   diag::SourceMark mark;
   expr::Type type = expr::Type::kNumber;
@@ -154,13 +157,13 @@ struct Loop {
   bool over_values() const { return range.is_list || range.components > 1; }
 };
 
-/// Returns true if both values are numbers, texts, vectors of the same length, or lists of the same
-/// type.
+/// Returns true if both values are numbers, texts, vectors of the same length, or lists of items of
+/// the same type.
 bool IsSameKind(const Value& a, const Value& b);
 
 /// Returns the units of the dimensions, "s, 1"; empty if they are unknown.
 std::string UnitText(const expr::Dimensions& dimensions);
-/// Returns true if any of the dimensions is not that of a plain number.
+/// Returns true if any of the dimensions differs from that of a plain number.
 bool IsMeasured(const expr::Dimensions& dimensions);
 /// Returns the dimensions of units such as "m" or "s, 1"; nullopt for any other text.
 std::optional<expr::Dimensions> DimensionsOf(std::string_view units);
@@ -187,7 +190,7 @@ std::string KindText(const Value& value);
 /// Returns true if the number is valid for the field: finite, within the bounds, and an integer if
 /// the field takes integers.
 bool Holds(const FieldInfo& field, double number);
-/// Returns the rule that an invalid finite number breaks: "must be at least 0".
+/// Returns the rule that a finite but invalid number violates: "must be at least 0".
 std::string Rule(const FieldInfo& field, double number);
 
 }  // namespace mjforge::spec

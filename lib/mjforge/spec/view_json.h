@@ -7,8 +7,8 @@ namespace mjforge::spec {
 
 struct PictureView;
 
-/// Returns an object with the members `azimuth` and `elevation`, in degrees, as far as the view has
-/// them, and `pose`: an object of joints and their positions, rad or m.
+/// Returns a JSON object with `azimuth` and `elevation` in degrees, if the view has them, and
+/// `pose`, an object with the position of each joint in rad or m.
 std::string ViewJson(const PictureView& view);
 
 }  // namespace mjforge::spec

@@ -1,4 +1,4 @@
-// Reader of `view:`: how pictures show the object.
+// Reader of `view:`, the direction of view and the pose for pictures.
 
 #include <numbers>
 
@@ -11,8 +11,9 @@ namespace {
 
 using diag::Code;
 
-// Returns the number of a constant. Otherwise returns nullopt, and adds a finding unless there is
-// one already, because pictures of all variants are taken in the same way.
+// Returns the number of a constant. Otherwise returns nullopt, and adds a finding unless the value
+// was reported already. Drawn numbers are not allowed, because pictures of all variants have the
+// same view.
 std::optional<double> FixedNumber(std::string_view name, diag::SourceMark mark, const Value& value,
                                   Context& context) {
   const std::optional<double> number = ConstantOf(value);

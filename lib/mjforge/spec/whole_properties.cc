@@ -16,13 +16,13 @@ using diag::Code;
 // The dimension of a torque, N m.
 constexpr expr::Dimension kTorque{2, 1, -2};
 
-// Keys of a joint that cannot use torque(), because torques are computed from these keys.
+// Keys of a joint that cannot use torque(), because these keys determine the torque.
 constexpr std::string_view kGeometry[] = {"type", "pos", "axis", "for", "if", "let"};
 
-// Types of the joints that have a torque.
+// Types of joints that have a torque.
 constexpr std::string_view kTurning[] = {"hinge", "ball"};
 
-// Returns the type that `defaults:` gives joints.
+// Returns the default type of joints: the one in `defaults:`, otherwise "hinge".
 std::string_view DefaultType(const Context& context) {
   const Field* type = FindField(context.spec.defaults.joint, Key::kType);
   return type == nullptr ? "hinge" : LiteralText(type->value).value_or("");
@@ -39,8 +39,8 @@ void DeclareTorque(const YamlNode& joint, Context& context) {
   if (names.Find(torque) == nullptr) names.Declare(torque, expr::Type::kNumber, 1, {kTorque});
 }
 
-// Slots by name. A name is declared only once, because entries with different conditions may share
-// it, and not at all if a parameter of a nested spec has it.
+// Slot of each declared name. A name is declared only once, because several entries with different
+// conditions may have it. A name is not declared if a parameter of a nested spec has it.
 using Declared = std::map<std::string, int>;
 
 void DeclarePositions(std::vector<Entry>& sites, expr::SymbolTable& names, Declared& declared) {
@@ -75,7 +75,7 @@ void DeclareWholeProperties(std::span<const YamlNode* const> joint_lists, Contex
   Declared declared;
   for (BodyEntry& body : context.spec.bodies) {
     DeclareSubtree(body, names, declared);
-    // Skip sites of a body with `place:`, because its pose is not known yet.
+    // Skip the sites of a body with `place:`, because the body's pose is not known yet.
     if (!body.place) DeclarePositions(body.sites, names, declared);
   }
   DeclarePositions(context.spec.sites, names, declared);

@@ -22,8 +22,8 @@ namespace {
 using diag::Code;
 using diag::SourceMark;
 
-// Maximum count of nodes that all aliases together may copy: enough for shared vectors, too small
-// for a "billion laughs" attack.
+// Maximum count of nodes that all aliases together may copy. The limit allows shared vectors, but
+// stops a "billion laughs" attack.
 constexpr std::size_t kMaxAliasNodes = 100'000;
 
 std::size_t CountNodes(const YamlNode& node, std::size_t limit) {
@@ -39,7 +39,7 @@ std::size_t CountNodes(const YamlNode& node, std::size_t limit) {
   return count;
 }
 
-// Exception that stops yaml-cpp's parser after a finding.
+// Exception that stops yaml-cpp's parser after a finding was added.
 struct Stop {};
 
 class TreeBuilder : public YAML::EventHandler {
@@ -75,7 +75,7 @@ class TreeBuilder : public YAML::EventHandler {
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                 const std::string& value) override {
     CheckTag(mark, tag, value);
-    // Read `!hollow` as the plain word `hollow`, because the tag was reported.
+    // Read `!hollow` as the plain word `hollow`, because CheckTag() already reported the tag.
     const bool is_word = value.empty() && tag.size() > 1 && tag.front() == '!';
     YamlNode node = YamlNode::Scalar(is_word ? tag.substr(1) : value, At(mark));
     node.quoted = tag == "!";
@@ -107,9 +107,9 @@ class TreeBuilder : public YAML::EventHandler {
   struct OpenNode {
     YamlNode node;
     YAML::anchor_t anchor = 0;
-    bool flow = false;  // a list in brackets
+    bool flow = false;  // true for a list in brackets
     bool has_key = false;
-    bool keep = true;  // false: drop the value, because its key is repeated
+    bool keep = true;  // false: the value is dropped, because its key is repeated
     std::string key;
     SourceMark key_mark;
     std::map<std::string, SourceMark, std::less<>> keys;

@@ -2,9 +2,9 @@
 
 #pragma once
 
-// The tree is made from yaml-cpp's events, because yaml-cpp's nodes are not suitable: an alias has
-// its anchor's mark, an empty value has the next token's mark, duplicate keys are accepted, and an
-// anchor inside itself is a cycle.
+// The tree is made from yaml-cpp's events, because yaml-cpp's own nodes are not suitable: an alias
+// has the mark of its anchor, an empty value has the mark of the next token, duplicate keys are
+// accepted, and an alias inside its own anchor makes a cycle.
 
 #include <optional>
 #include <string>
@@ -21,10 +21,10 @@ struct YamlNode {
   struct Pair;
 
   Kind kind = Kind::kNull;
-  diag::SourceMark mark;        // an empty value has its key's mark
+  diag::SourceMark mark;        // place of the node; an empty value has its key's mark
   std::string text;             // text of a kScalar
   bool quoted = false;          // kScalar: in quotes, so never a number
-  bool flow = false;            // kScalar: an item of a [list, in brackets]
+  bool flow = false;            // kScalar: an item of a list in brackets
   std::vector<YamlNode> items;  // items of a kList
   std::vector<Pair> pairs;      // pairs of a kMap in file order; keys are unique
 
@@ -42,12 +42,12 @@ struct YamlNode::Pair {
   YamlNode value;
 };
 
-/// Maximum size of a YAML text in bytes. A spec of a hundred thousand parts is far shorter.
+/// Maximum size of a YAML text in bytes. Even a spec with a hundred thousand parts is far shorter.
 inline constexpr std::size_t kMaxYamlBytes = 8u << 20;
 
 /// Parses the text of a source. Returns nullopt, and adds findings, if the text is empty, binary,
-/// too long, not exactly one YAML document, nested too deeply, or expands too many aliases. Reports
-/// repeated keys and tags, too, but continues.
+/// too long, not exactly one YAML document, nested too deeply, or expands too many aliases. Also
+/// reports repeated keys and tags, but continues after them.
 std::optional<YamlNode> ParseYaml(std::uint32_t file, const diag::Sources& sources,
                                   diag::Findings& findings);
 

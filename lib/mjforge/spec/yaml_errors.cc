@@ -12,8 +12,8 @@
 namespace mjforge::spec {
 namespace {
 
-// Returns the value at `begin` of a line with braces or brackets: to the first blank, comma or
-// closing bracket outside `${...}`.
+// Returns the value that begins at `begin` in a line with braces or brackets. The value ends before
+// the first blank, comma or closing bracket outside `${...}`.
 std::string_view FlowValue(std::string_view line, std::size_t begin) {
   bool inside = false;
   std::size_t end = begin;
@@ -25,7 +25,8 @@ std::string_view FlowValue(std::string_view line, std::size_t begin) {
   return inside ? std::string_view() : line.substr(begin, end - begin);
 }
 
-// Returns the value that ends the line: the text after the first `key: ` or `- ` of the line.
+// Returns the value that ends the line: the text after the first `key: ` or, without one, the first
+// `- ` before the column.
 std::string_view LineValue(std::string_view line, std::size_t column) {
   const std::string_view before = line.substr(0, column);
   std::size_t begin = before.find(": ");
@@ -36,7 +37,7 @@ std::string_view LineValue(std::string_view line, std::size_t column) {
   return Trim(value);
 }
 
-// Returns the value in quotes, of a kind that the value does not contain if possible.
+// Returns the value in quotes of a kind that the value does not contain, if possible.
 std::string Quoted(std::string_view value) {
   if (value.find('\'') == value.npos) return fmt::format("'{}'", value);
   if (value.find_first_of("\"\\") == value.npos) return fmt::format("\"{}\"", value);
@@ -50,7 +51,8 @@ std::string QuoteHint(std::string_view value) {
                        : fmt::format("write {}", Quoted(value));
 }
 
-// Returns the offset of the last `${` before the column; npos if a `}` between the two closes it.
+// Returns the offset of the last `${` before the column; npos if a `}` between the offset and the
+// column closes the `${`.
 std::size_t OpenInterpolation(std::string_view line, std::size_t column) {
   const std::size_t open = line.substr(0, column).rfind("${");
   if (open == line.npos) return open;
@@ -89,7 +91,7 @@ std::string Reworded(const std::string& message) {
   return message;
 }
 
-// Returns the hint for brackets or braces that seem not to end.
+// Returns a hint for brackets or braces that seem to have no end; empty if the cause is unknown.
 std::string FlowHint(std::string_view line) {
   if (HasItem(line))
     return "in braces or brackets an item of a list is quoted: [\"widths[i]\", 0, 0]";
@@ -103,7 +105,7 @@ std::string FlowHint(std::string_view line) {
 SyntaxError ExplainSyntax(const std::string& error, std::string_view line, std::size_t column) {
   const std::size_t open = OpenInterpolation(line, column);
   if (open != line.npos && column == open + 2) {
-    // YAML reads the brace as the beginning of a mapping.
+    // YAML interprets the brace of `${` as the beginning of a mapping.
     const std::string_view value = FlowValue(line, line.find_last_of(" ,[{", open) + 1);
     const bool has_colon = value.empty() || value.find(": ") != value.npos;
     return {"in braces or brackets a value with '${...}' needs quotes",

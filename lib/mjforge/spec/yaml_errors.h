@@ -12,8 +12,8 @@ struct SyntaxError {
   std::string hint;  // may be empty
 };
 
-/// Explains an error that yaml-cpp found at a column (from 1) of a line. Recognizes expressions of
-/// specs that YAML reads as something else: `${...}` in braces, `c ? a : b`, `widths[i]`.
+/// Explains an error that yaml-cpp found at a column (counted from 1) of a line. Recognizes
+/// expressions of specs that YAML misinterprets: `${...}` in braces, `c ? a : b`, `widths[i]`.
 SyntaxError ExplainSyntax(const std::string& error, std::string_view line, std::size_t column);
 
 }  // namespace mjforge::spec

@@ -1,4 +1,4 @@
-// Makes file names of assets absolute by MuJoCo's rules.
+// Makes the file names of assets absolute by MuJoCo's rules.
 #include "mjforge/xml/asset_files.h"
 
 #include <system_error>
@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Folders of asset files, from the compiler's settings.
+/// Settings of the element `compiler` that determine the paths of assets.
 struct Folders {
   std::string mesh;
   std::string texture;
@@ -34,7 +34,7 @@ Folders TakeFolders(XmlElement& root) {
     if (const std::string* dir = section.Find("meshdir")) folders.mesh = WithEnd(*dir);
     if (const std::string* dir = section.Find("texturedir")) folders.texture = WithEnd(*dir);
     if (const std::string* strip = section.Find("strippath")) {
-      // Keeps other values, so that MuJoCo rejects them.
+      // Keep an invalid value, so that MuJoCo rejects the file.
       if (*strip != "true" && *strip != "false") continue;
       folders.strip = *strip == "true";
     }
@@ -43,8 +43,8 @@ Folders TakeFolders(XmlElement& root) {
   return folders;
 }
 
-/// Returns an absolute path. Resolves links in the folder, but not a link that is the file itself,
-/// because MuJoCo chooses the format by the extension of the file's name.
+/// Returns an absolute path. Symbolic links in the folder's path are resolved, but the file itself
+/// may be a symbolic link, because MuJoCo selects the format by the extension of the file's name.
 fs::path Absolute(const fs::path& file) {
   std::error_code error;
   const fs::path whole = fs::absolute(file, error);

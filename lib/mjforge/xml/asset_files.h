@@ -1,4 +1,4 @@
-// Names of the files that the assets of an MJCF file refer to.
+// File names of the assets in an MJCF file.
 #pragma once
 
 #include <filesystem>
@@ -11,13 +11,13 @@
 
 namespace mjforge::xml {
 
-/// The attributes of assets that name a file.
+/// The attributes of assets that contain the name of a file.
 inline constexpr std::string_view kFileAttributes[] = {
     "file", "fileright", "fileleft", "fileup", "filedown", "filefront", "fileback"};
-/// Maps absolute paths to the paths by which messages name the files.
+/// Maps the absolute path of a file to the path that messages show.
 using FileNames = std::map<std::string, std::string>;
-/// Makes file names absolute by MuJoCo's rules, and removes the settings of these rules (meshdir,
-/// texturedir, strippath). Adds a finding for each file that cannot be read.
+/// Makes the file names of assets absolute by MuJoCo's rules, and removes the compiler settings of
+/// these rules (meshdir, texturedir, strippath). Adds a finding for each file that cannot be read.
 FileNames ResolveFiles(XmlElement& root, const std::filesystem::path& folder,
                        diag::Findings& findings);
 

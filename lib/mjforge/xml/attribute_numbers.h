@@ -7,9 +7,11 @@
 
 namespace mjforge::xml {
 
-/// Returns the numbers of a list separated by blanks; an empty vector if a word is not a number.
+/// Returns the numbers of a list that is separated by blanks; an empty list if a word is not a
+/// number.
 std::vector<double> NumbersOf(std::string_view text);
-/// Returns the numbers separated by blanks, each in the shortest form that is read back exactly.
+/// Returns the numbers as text, separated by blanks. Each number is the shortest text that is
+/// parsed as exactly this number.
 std::string TextOf(const std::vector<double>& numbers);
 
 }  // namespace mjforge::xml

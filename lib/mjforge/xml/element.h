@@ -1,4 +1,4 @@
-// An element of an MJCF file with its place, and findings about it.
+// An element of an MJCF file, with its place, and findings about elements.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ struct XmlElement {
   std::vector<std::pair<std::string, std::string>> attributes;
   std::vector<XmlElement> children;
   diag::SourceMark mark;
-  /// The unique name that MuJoCo sees if the element has no name in the file.
+  /// Unique name that is added for MuJoCo if the element has no name in the file; otherwise empty.
   std::string generated_name;
 
   /// Returns the value of an attribute; null if the element does not have it.
@@ -29,8 +29,8 @@ struct XmlElement {
   std::string Description() const;
 };
 
-/// Adds a finding with a note at `place` in the MJCF file, and returns the finding, so that the
-/// caller can set the place in the spec.
+/// Adds a finding with a note at `place`, which is in the MJCF file. Returns the finding, so that
+/// the caller can set the finding's own place, which is in the spec.
 diag::Finding& AddError(diag::Findings& findings, diag::Code code, diag::SourceMark place,
                         std::string message, std::string hint = {});
 diag::Finding& AddWarning(diag::Findings& findings, diag::Code code, diag::SourceMark place,

@@ -1,4 +1,4 @@
-// Writes a tree of elements as XML text.
+// Writers of a tree of elements as XML text.
 #include "mjforge/xml/element_text.h"
 
 #include <algorithm>
@@ -9,14 +9,14 @@
 namespace mjforge::xml {
 namespace {
 
-/// Appends the element to `out`; calls `start` before each element.
+/// Appends an element and its children to `out`. Calls `start` before each element.
 template <typename Start>
 void Write(const XmlElement& element, std::string& out, const Start& start) {
   start(element);
   out += '<';
   out += element.tag;
   const auto write = [&](std::string_view name, const std::string& value) {
-    // Replaces control characters, which XML attributes cannot contain.
+    // Replace control characters, which XML attributes cannot contain, by spaces.
     const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' '; };
     std::string text = value;
     std::ranges::replace_if(text, is_control, ' ');

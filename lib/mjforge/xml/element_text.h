@@ -1,4 +1,4 @@
-// Writes a tree of elements as XML text.
+// Writers of a tree of elements as XML text.
 #pragma once
 
 #include <string>
@@ -9,14 +9,15 @@
 
 namespace mjforge::xml {
 
-/// A tree of elements as one text for MuJoCo, in which each element starts on a line of its own.
+/// XML text of a tree of elements for MuJoCo, in which each element starts on a separate line.
 struct FlatText {
   std::string text;
-  std::vector<const XmlElement*> lines;  // elements that start on lines 1, 2, ... of `text`
+  // Lines[i] is the element that starts on line i + 1 of `text`.
+  std::vector<const XmlElement*> lines;
 };
 FlatText Flatten(const XmlElement& root);
-/// Returns a text in which the elements of the root's file are on the same lines as in the file, at
-/// least up to the first include.
+/// Returns XML text in which the elements of the root's file are on the same lines as in the file,
+/// at least up to the first include.
 std::string FlattenInPlace(const XmlElement& root);
 
 /// Escapes a text for the value of an attribute in double quotes.

@@ -1,4 +1,4 @@
-// Writes the elements of an MJCF text as JSON, for readers without an XML parser.
+// Conversion of MJCF to JSON, for readers that have no XML parser.
 #include "mjforge/xml/elements_json.h"
 
 #include <algorithm>
@@ -14,7 +14,8 @@ namespace {
 constexpr int kMaxElementDepth = 100;
 constexpr std::string_view kDigits = "0123456789";
 
-// Removes the digits at the start of the text; returns false if it starts with no digit.
+// Removes the digits at the start of the text. Returns false if the text starts with another
+// character.
 bool SkipDigits(std::string_view& text) {
   const std::size_t end = std::min(text.find_first_not_of(kDigits), text.size());
   text.remove_prefix(end);
@@ -42,8 +43,8 @@ bool IsJsonNumber(std::string_view word) {
   return word.empty();
 }
 
-// Calls `use` with each word, separated by blanks, until it returns false. Returns the number of
-// words, or 0 if `use` returned false.
+// Calls `use` for each word of a text separated by blanks, until `use` returns false. Returns the
+// number of words; 0 if `use` returned false.
 template <typename Use>
 int EachWord(std::string_view text, const Use& use) {
   constexpr std::string_view kBlanks = " \t\r\n";
@@ -68,7 +69,7 @@ void WriteValue(std::string_view value, diag::Json& json) {
   if (numbers > 1) json.EndArray();
 }
 
-// Appends an element to `json`. Returns false if elements are nested too deep.
+// Appends an element to `json`. Returns false if elements are nested too deeply.
 bool WriteElement(const pugi::xml_node& element, int depth, diag::Json& json) {
   if (depth > kMaxElementDepth) return false;
   json.StartArray();

@@ -13,10 +13,10 @@ namespace mjforge::xml {
 /// Returns the place of the byte at `offset` of a source text.
 diag::SourceMark MarkAt(const diag::Sources& sources, std::uint32_t source, std::size_t offset);
 
-/// Returns the place of the first character that is not blank on a line of a source text.
+/// Returns the place of the first character on a line that is not blank.
 diag::SourceMark MarkOfLine(const diag::Sources& sources, std::uint32_t source, int line);
 
-/// Returns the place of an attribute in the text of its element, or the place of the element if the
+/// Returns the place of an attribute of an element. Returns the place of the element if the source
 /// text does not contain the attribute.
 diag::SourceMark MarkOfAttribute(const diag::Sources& sources, const XmlElement& element,
                                  std::string_view attribute);

@@ -1,4 +1,4 @@
-// Reads an MJCF file, and replaces each include by the contents of the included file.
+// Reader of an MJCF file that replaces each include by the contents of the included file.
 #include "mjforge/xml/tree_reader.h"
 
 #include <algorithm>
@@ -19,11 +19,11 @@ namespace {
 namespace fs = std::filesystem;
 using diag::Code;
 
-/// Deepest allowed nesting of elements, so that recursive functions do not exhaust the stack. (The
-/// XML reader of MuJoCo 2.2 stops at 100.)
+/// Maximum nesting of elements, so that recursive functions do not exhaust the stack. (The XML
+/// reader of MuJoCo 2.2 stops at 100.)
 constexpr int kMaxDepth = 1000;
 
-/// Offsets of the lines of a text, to find the places of elements.
+/// Offsets of the lines of a text, by which the places of elements are found.
 class Lines {
  public:
   Lines(std::uint32_t source, std::string_view text) : source_(source) {
@@ -32,7 +32,8 @@ class Lines {
     }
   }
 
-  /// Returns the place of the element's '<', one byte before the tag, whose offset pugixml returns.
+  /// Returns the place of an element's '<', one byte before the offset that pugixml returns (that
+  /// of the tag).
   diag::SourceMark MarkOf(const pugi::xml_node& node) const {
     const auto offset =
         static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug() - 1, 0));
@@ -46,8 +47,9 @@ class Lines {
   std::vector<std::size_t> starts_ = {0};
 };
 
-/// Reads a tree and replaces each `<include>` by the contents of its file, as MuJoCo 2.2 does: each
-/// file at most once, and relative to the folder of the main file.
+/// Reads a tree of elements. Each `<include>` is replaced by the contents of the included file, as
+/// in MuJoCo 2.2: a file may be included only once, and its name is relative to the folder of the
+/// main file.
 class TreeReader {
  public:
   TreeReader(const fs::path& main, diag::Sources& sources, diag::Findings& findings)
@@ -113,7 +115,7 @@ class TreeReader {
     return good;
   }
 
-  /// Reports an invalid include; `note` may add a second place. Returns false.
+  /// Reports an invalid include, and returns false. `note` may contain a second place.
   bool ReportInclude(diag::SourceMark place, const std::string& what, std::string hint = {},
                      const diag::Note& note = {}) {
     diag::Finding& finding =
@@ -182,7 +184,7 @@ class TreeReader {
   diag::Sources& sources_;
   diag::Findings& findings_;
   std::vector<fs::path> open_;
-  std::map<std::string, diag::SourceMark> read_;  // places of the includes, by file
+  std::map<std::string, diag::SourceMark> read_;  // place of the include of each file that was read
 };
 
 }  // namespace

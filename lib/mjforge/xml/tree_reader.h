@@ -10,11 +10,12 @@
 
 namespace mjforge::xml {
 
-/// Returns the canonical path of a file, which is the same for all paths to the file.
+/// Returns the canonical path of a file. All paths of the same file have the same canonical path.
 std::string CanonicalName(const std::filesystem::path& file);
 
-/// Reads the file and all files that it includes into `sources`. Returns nullopt after an error.
-/// Findings have notes with places in the XML; the caller sets the findings' own places.
+/// Reads an MJCF file and all files that it includes into `sources`. Returns nullopt, after adding
+/// findings, if there is an error. The findings have notes with places in the XML; the caller sets
+/// the findings' own places.
 std::optional<XmlElement> ReadXml(const std::filesystem::path& file, diag::Sources& sources,
                                   diag::Findings& findings);
 

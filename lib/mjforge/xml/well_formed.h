@@ -1,4 +1,4 @@
-// Checks that a text is XML, and that it is MJCF.
+// Checks that a text is well-formed XML, and that it is MJCF.
 #pragma once
 
 #include <cstddef>
@@ -19,14 +19,15 @@ struct XmlFault {
 };
 std::optional<XmlFault> FindXmlFault(std::string_view text);
 /// Returns the fault of a text that is not XML or whose root element is not `<mujoco>`; nullopt for
-/// MJCF. Sets `has_includes`, unless null, if the text is XML: true if it includes other files.
+/// MJCF. If the text is XML and `has_includes` is not null, sets `has_includes` to true if the text
+/// includes other files, otherwise to false.
 std::optional<XmlFault> FindMjcfFault(std::string_view text, bool* has_includes = nullptr);
 
-/// Returns the code for a file that cannot be read: model/file-not-found if it does not exist,
-/// otherwise yaml/cannot-read.
+/// Returns the code of the finding for a file that cannot be read: model/file-not-found if the file
+/// does not exist, otherwise yaml/cannot-read.
 diag::Code UnreadableCode(const std::filesystem::path& file);
 
-/// Returns the name of a file in messages; "<stdin>" for standard input.
+/// Returns the name of a file as messages show it; "<stdin>" for standard input.
 std::string ShownName(const std::filesystem::path& file);
 
 }  // namespace mjforge::xml

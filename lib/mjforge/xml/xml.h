@@ -1,4 +1,5 @@
-// MJCF files as XML: trees of elements with their places in the text.
+// Public header of the library `xml`: MJCF files as trees of XML elements with their places in the
+// text.
 #pragma once
 
 #include "mjforge/xml/asset_files.h"
