@@ -67,8 +67,8 @@ bool Subtract(const Cell& cell, std::vector<Polytope>& polyhedra, double near, s
 /// are no more such pairs.
 void JoinPolyhedra(std::vector<Polytope>& polyhedra, double near);
 
-/// Returns the number of groups of polyhedra; polyhedra of different groups share no part of a
-/// face.
+/// Returns the number of connected components, where polyhedra are connected if faces of them
+/// overlap in an area.
 std::size_t CountSeparateParts(const std::vector<Polytope>& polyhedra, double near);
 
 }  // namespace mjforge::solid

@@ -102,7 +102,7 @@ std::optional<Bounded> UnionOf(const Polytope& a, const Polytope& b) {
   return Bounded(*std::move(hull));
 }
 
-/// Returns true if the faces of two polyhedra in a common plane have an area in common.
+/// Returns true if a face of a and a face of b are in one plane and overlap in an area.
 bool ShareArea(const Polytope& a, const Polytope& b, double near) {
   const auto common = CommonPlane(a, b, near);
   if (!common) return false;

@@ -116,7 +116,8 @@ class LatheMesher {
     const std::vector<std::size_t>& sources = outline_.sources;
     const std::size_t a = sources[edge];
     const std::size_t b = sources[outline_.Next(edge)];
-    const bool closes = std::max(a, b) - std::min(a, b) > 1;  // from the last point to the first
+    const bool closes = std::max(a, b) - std::min(a, b) > 1;  // the edge joins the last point to
+                                                              // the first
     return closes && sources[corner] == 0 ? along_.back() : along_[sources[corner]];
   }
 
