@@ -16,7 +16,7 @@ namespace {
 // Number of geoms for which MuJoCo's default nconmax of 100 contacts is enough; a geom flat on the
 // floor makes at most four.
 constexpr std::size_t kGeomsThatFit = 24;
-constexpr double kContactsOfManyPairs = 300;  // limit, in addition to two per pair
+constexpr double kContactsOfManyPairs = 300;  // limit of contacts that exceed two per pair
 constexpr double kSpareContacts = 50;         // contacts come and go while placed bodies settle
 // Number of constraints, without contacts, for which MuJoCo's default njmax of 500 is enough.
 constexpr std::size_t kRowsThatFit = 300;
@@ -54,12 +54,12 @@ std::vector<std::size_t> CountLyingGeoms(const model::Object& object, bool scene
   return geoms;
 }
 
-/// Returns the number of contacts to allocate: four for a geom that lies flat. Few of the many
-/// pieces of a dish or a drawer lie flat, and each further piece has one contact, as in a stack of
-/// bowls.
+/// Returns the number of contacts to allocate: four for each geom that lies flat, up to a limit for
+/// each child of the world, and one for each further geom. Few of the many pieces of a dish or a
+/// drawer lie flat; in a stack of bowls each piece has about one contact.
 double ContactsOf(const std::vector<std::size_t>& geoms) {
-  // Contacts of flat geoms of a child of the world, in addition to one per geom. The root has a
-  // larger limit, because it may be large.
+  // Largest number of contacts of one child of the world in addition to one per geom. The root has
+  // a larger limit, because it may be large.
   constexpr double kFlat = 24;
   constexpr double kFlatOfRoot = 300;
   double contacts = 0;
@@ -172,7 +172,7 @@ void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer) 
   std::vector<std::size_t> lying;
   if (scene || bodies > 1) lying = CountLyingGeoms(object, scene);
   const std::size_t geoms = std::accumulate(lying.begin(), lying.end(), std::size_t{0});
-  // Touching pairs of geoms in addition to one for each geom.
+  // Number of touching pairs of geoms that exceeds the number of geoms.
   std::size_t more = 0;
   const bool placed = HasPlacedBodies(object);
   if (placed) more = std::max(geoms, CountTouchingPairs(object)) - geoms;
@@ -198,7 +198,7 @@ void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer) 
     // freedom.
     nstack = 400 * contacts + 1e6;
   } else if (bodies > kBodiesThatFit || standard > kMostStack) {
-    // Adds one number for each pair of bodies.
+    // Adds one number for each pair of bodies, because MuJoCo's stack has a list of pairs.
     nstack = std::min(standard, kMostStack) + static_cast<double>(bodies * bodies);
   }
   WriteSize(njmax, contacts, nstack, writer);

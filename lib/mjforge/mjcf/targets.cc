@@ -29,7 +29,9 @@ constexpr UnsupportedFeature kMjxUnsupported[] = {
     {.section = "actuator", .attribute = "biastype", .text = "user"},
     {.section = "option", .attribute = "integrator", .text = "implicit", .drops_element = false},
     {.section = "option", .attribute = "solver", .text = "PGS", .drops_element = false},
-    {.section = "option", .attribute = "noslip_iterations", .drops_element = false},  // ignored
+    {.section = "option",
+     .attribute = "noslip_iterations",
+     .drops_element = false},  // MJX ignores this option
     {.section = "option", .element = "flag", .attribute = "energy", .drops_element = false},
     {.section = "option", .element = "flag", .attribute = "override", .drops_element = false},
     {.section = "option", .element = "flag", .attribute = "fwdinv", .drops_element = false},
