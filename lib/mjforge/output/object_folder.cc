@@ -33,7 +33,7 @@ void RemoveIfAbandoned(const std::filesystem::path& file) {
   ::close(descriptor);
 }
 
-// Returns true for a folder, and false for a link to one.
+// Returns true for a folder, and false for a symbolic link to a folder.
 bool IsOwnFolder(const std::filesystem::path& path) {
   std::error_code ignored;
   return std::filesystem::is_directory(std::filesystem::symlink_status(path, ignored));
