@@ -124,9 +124,9 @@ std::optional<Vector2d> PositionInDisc(const model::Region& region, const Footpr
   return -around.center + std::min(share, 1.0) * std::max(farthest, 0.0) * way;
 }
 
-// Finds, by bisection, how far the footprint can be moved from the middle. The share of its area
-// outside does not decrease on the way, because the area of the intersection of convex sets is a
-// log-concave function of the translation (Brunn-Minkowski).
+// Finds, by bisection, the largest distance by which the footprint can be moved from the middle.
+// The share of its area outside does not decrease with the distance, because the area of the
+// intersection of convex sets is a log-concave function of the translation (Brunn-Minkowski).
 std::optional<Vector2d> PositionWithOverhang(const model::Region& region,
                                              const Footprint& footprint, const Polygon& outline,
                                              const Vector2d& uv, double overhang) {
@@ -172,7 +172,8 @@ bool FitsAt(const model::Region& region, const Footprint& footprint, const Vecto
   } else {
     const auto is_inside = [&](const HalfPlane& border) {
       return border.normal.dot(translation) + footprint.Support(border.normal) <=
-             border.limit + 2 * kFitTolerance;  // twice that of PositionIn(), for rounding
+             border.limit + 2 * kFitTolerance;  // twice the tolerance of PositionIn(), because of
+                                                // rounding
     };
     if (std::ranges::all_of(BordersOf(region), is_inside)) return true;
   }

@@ -26,7 +26,7 @@ struct Support {
   Eigen::Vector3d p_W;      // a point of the plane
   Eigen::Vector3d up_W;     // normal of the plane
   bool is_ignored = false;  // the supporting body may overlap
-  /// Placed bodies under the supporting body, such as the lower bowls of a stack, and that body.
+  /// The supporting body and the placed bodies under it, such as the lower bowls of a stack.
   std::vector<int> below = {};
 };
 

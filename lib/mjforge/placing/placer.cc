@@ -114,7 +114,7 @@ struct Stance {
   std::optional<Vector2d> at;  // nullopt: the footprint does not fit into the region
 };
 
-// A try at a place in a region.
+// Evaluates one attempt (PlaceTry) to place a body in a region.
 class RegionTry {
  public:
   RegionTry(const model::Object& object, const Orientation& of, const PlaceTry& where)
@@ -173,8 +173,8 @@ class RegionTry {
     }
   }
 
-  // Returns the angle of the body's front in L, rad; that of the upright body if the front points
-  // up or down.
+  // Returns the angle of the body's front in L, rad. If the front points up or down, returns the
+  // angle for the upright body.
   double FrontAngle() const {
     constexpr double kSteep = 0.1;
     const Vector2d front = DirectionAt(where_.front);
