@@ -31,7 +31,8 @@ std::string WithPlaces(std::string_view base, std::span<const NewPlace> places);
 std::string WithFrictions(std::string_view base,
                           std::span<const std::pair<std::string, double>> joints);
 
-/// Returns the base plus those of the materials, and of their textures, that the base lacks.
+/// Returns the base with those of the given materials, and their textures, added that the base
+/// lacks.
 std::string WithMaterials(std::string_view base, std::span<const Material> materials);
 
 }  // namespace mjforge::family

@@ -62,7 +62,8 @@ bool IsRight(std::string_view array, unsigned base, unsigned variants) {
   }
 }
 
-// Returns true if the element has the body's rotation in all variants, or the inertia frame's.
+// Returns true if in all variants the element has the rotation of its body, or in all variants the
+// rotation of the inertia frame.
 bool HasOneRotation(unsigned variants) {
   return IsRight({}, kBodyRotation, variants) || IsRight({}, kInertiaRotation, variants);
 }

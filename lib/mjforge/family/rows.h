@@ -30,7 +30,8 @@ std::string DifferenceOf(const Header& header, const Header& other);
 /// A variant in a file of rows.
 struct RowView {
   std::span<const double> values;
-  std::vector<const Material*> materials;     // only names and elements are the variant's
+  std::vector<const Material*> materials;     // `numbers` are those of the first variant; see
+                                              // `looks`
   std::vector<std::array<double, 10>> looks;  // numbers of these materials in the variant
   std::vector<sample::ParameterValue> parameters;
 };
