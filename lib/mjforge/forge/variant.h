@@ -43,10 +43,12 @@ using manifest::Validation;
 /// Options that apply to all variants of a batch.
 struct Options {
   std::uint64_t seed = 0;
-  std::optional<std::uint64_t> place_seed = {};  // another seed for the places of `place:` alone
+  std::optional<std::uint64_t> place_seed = {};  // seed for the draws of `place:` alone, in place
+                                                 // of `seed`
   mjcf::Target target = mjcf::Target::kMujoco;
   mjcf::AssetForm assets = mjcf::AssetForm::kInline;
-  bool each = false;  // files of all objects of a scene; `document` is then the scene for MuJoCo
+  bool each = false;  // one file for each object of a scene; `document` is then the whole scene,
+                      // for validation
   std::string name;   // valid for CheckName; empty: the name of the spec
   std::uint64_t attempt = 0;  // first attempt; earlier ones are not tried
   OnInvalid on_invalid = OnInvalid::kFail;
