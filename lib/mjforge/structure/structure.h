@@ -63,7 +63,8 @@ struct Difference {
   bool is_coincidence = false;
 };
 /// Returns the differences. If the number or the names of the elements of a kind differ, only
-/// elements with names that both structures have are compared, and no ids of other elements.
+/// elements with names that both structures have are compared, and fields with ids of other
+/// elements are not.
 std::vector<Difference> DifferencesOf(const Structure& a, const Structure& b);
 
 /// Describes a difference for a message: "geom_type of 'handle' and 'neck' is box, not cylinder",
