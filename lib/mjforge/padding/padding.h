@@ -21,7 +21,7 @@ class Superset {
   /// Adds the parts, sites and meshes of a variant.
   void Add(const model::Object& object);
 
-  /// Gives an object all parts, sites and meshes that the bodies of these names have in any
+  /// Gives each body of an object all parts, sites and meshes that the body of this name has in any
   /// variant, in an order that is the same for all objects. An element is renamed if its name
   /// belongs to an element of another type in another variant: "handle" is a box, "handle.cylinder"
   /// the cylinder.
