@@ -31,7 +31,8 @@ struct BatchStructures {
   std::uint64_t more = 0;      // number of variants whose structures are not in the list
   std::vector<DifferingField> fields;
   std::string why_unknown;                    // reason why fields are not compared; empty: they are
-  std::vector<report::Separator> separators;  // separate structures, if no fields are compared
+  std::vector<report::Separator> separators;  // parameters that separate structures, if no fields
+                                              // are compared
 };
 
 /// Compares the structures of a batch. Generates one variant of each structure again, from the spec
