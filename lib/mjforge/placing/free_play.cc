@@ -61,8 +61,8 @@ double ShareOutside(const std::vector<HalfPlane>& borders, const Polygon& outlin
 
 double Between(double low, double high, double u) { return low + (high - low) * (u + 1) / 2; }
 
-// Returns the point of a convex polygon that belongs to (u, v), each from -1 to 1: u is mapped to
-// the extent of the polygon along x, v to the extent along y at this x.
+// Maps numbers (u, v), each from -1 to 1, to a point of a convex polygon: u to the extent of the
+// polygon along x, v to the extent along y at this x.
 Vector2d PointIn(const Polygon& polygon, const Vector2d& uv) {
   Eigen::AlignedBox2d box;
   for (const Vector2d& p : polygon) box.extend(p);
