@@ -1,5 +1,6 @@
-// Table of the elements and attributes that MJCF gained between MuJoCo 2.2.2 and 4.0: the release
-// that introduced each, and its effect; and of the lists whose lengths changed.
+// Table of the elements and attributes that MJCF gained between MuJoCo 2.2.2 and 4.0, with the
+// release that introduced each and its effect, and table of the lists of numbers whose lengths
+// changed.
 //
 // The facts come from MuJoCo's schema (mj_printSchema) in each release, and from its changelog.
 #pragma once

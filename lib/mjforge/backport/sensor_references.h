@@ -1,4 +1,4 @@
-// Names that sensors refer to.
+// Check of the names that sensors refer to.
 #pragma once
 
 #include "mjforge/diag/diag.h"

@@ -1,4 +1,4 @@
-// Text changes of the base MJCF of a family, which is the MJCF of one variant. The changes are made
+// Edits of the text of a family's base MJCF, which is the MJCF of one variant. The edits are made
 // line by line, because the writer of MJCF puts each element on a line of its own.
 
 #pragma once

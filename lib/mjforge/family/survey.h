@@ -15,7 +15,7 @@ namespace mjforge::family {
 
 /// Result of reading all variants of a family once.
 struct Survey {
-  std::uint64_t count = 0;      // variants
+  std::uint64_t count = 0;      // number of variants
   std::vector<double> first;    // numbers of the first variant
   std::vector<bool> varies;     // true for each number that differs between variants
   std::vector<unsigned> flags;  // for each number of a kFlag array: bit v is set if a variant has

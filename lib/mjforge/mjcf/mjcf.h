@@ -31,8 +31,7 @@ struct Provenance {
   std::string target;
   std::string assets_as;    // form of assets (kAssetForms); empty: inline
   std::string sampler;      // empty: random
-  std::uint64_t batch = 0;  // number of variants in the batch; 0: variants do not depend on that
-                            // number
+  std::uint64_t batch = 0;  // variants in the batch; 0: variants do not depend on their number
 };
 /// Reads the opening comment of a generated file; returns nullopt if the file has no such comment.
 std::optional<Provenance> ReadProvenance(std::string_view mjcf);

@@ -29,7 +29,7 @@ struct HalfPlane {
 
 bool IsDisc(const model::Region& region) { return region.type == model::RegionType::kDisc; }
 
-// Returns the half planes whose intersection is the region without its margin; for a disc, half
+// Returns the half planes whose intersection is the region, shrunk by its margin; for a disc, half
 // planes at kTangents tangents.
 std::vector<HalfPlane> BordersOf(const model::Region& region) {
   std::vector<HalfPlane> borders;
@@ -50,7 +50,7 @@ std::vector<HalfPlane> BordersOf(const model::Region& region) {
   return borders;
 }
 
-// Returns the share of the footprint's area outside of the borders after a translation.
+// Returns the share of the footprint's area that is outside of the borders after a translation.
 double ShareOutside(const std::vector<HalfPlane>& borders, const Polygon& outline,
                     const Vector2d& translation) {
   Polygon inside = outline;

@@ -204,8 +204,9 @@ class RegionTry {
     return (NeighbourPose().q * Vector3d(front.x(), front.y(), 0)).head<2>();
   }
 
-  // Returns the position next to the neighbour, by the bounding boxes of both bodies along the
-  // neighbour's front and across it.
+  // Returns the position beside the neighbour: `gap` away in the direction of `side`, and shifted
+  // along the neighbour's side by a drawn number. Distances are between extents of the bodies along
+  // and across the neighbour's front.
   Vector2d NextTo(double yaw) const {
     const model::Beside& beside = *where_.beside;
     const Vector2d front = NeighbourFront().normalized();

@@ -9,11 +9,11 @@
 
 namespace mjforge::solid {
 
-/// Triangulation and convex partition of an area, as indices of its corners, counter-clockwise;
-/// neighbouring polygons share whole sides. Ear clipping makes the shortest cut first; merging
-/// removes the longest cuts first where the result is convex. Without holes the partition has at
-/// most four times the minimum number of polygons. Source: Hertel and Mehlhorn, "Fast triangulation
-/// of simple polygons", 1983.
+/// Triangulation and convex partition of an area. A polygon is a list of indices of the area's
+/// corners, counter-clockwise; neighbouring polygons share whole sides. Ear clipping makes the
+/// shortest cut first. Merging removes the longest cuts first, each only if the merged polygon is
+/// convex. Without holes the partition has at most four times the minimum number of polygons.
+/// Source: Hertel and Mehlhorn, "Fast triangulation of simple polygons", 1983.
 struct ConvexPartition {
   std::vector<std::array<int, 3>> triangles;
   std::vector<std::vector<int>> convex;

@@ -21,8 +21,8 @@ struct HoleGroup {
   std::size_t other_points = 0;
 };
 
-/// Returns the holes clockwise. Returns nullopt and sets `fault` if a hole is no valid outline, is
-/// not inside of `around`, or meets another hole.
+/// Returns the outlines of the holes, clockwise. Returns nullopt and sets `fault` if a hole is no
+/// valid outline, is not inside of `around`, or meets another hole.
 std::optional<std::vector<Outline>> HolesIn(const Outline& around, const HoleGroup& group,
                                             Fault& fault);
 

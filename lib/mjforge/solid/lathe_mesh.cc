@@ -22,7 +22,7 @@ struct Ring {
   bool is_tip() const { return place.x() == 0; }
 };
 
-/// The faces of a visible edge of the outline, between two rings.
+/// Band of faces that a visible edge of the outline sweeps, between two rings.
 struct Band {
   int from = 0;
   int to = 0;
@@ -116,8 +116,7 @@ class LatheMesher {
     const std::vector<std::size_t>& sources = outline_.sources;
     const std::size_t a = sources[edge];
     const std::size_t b = sources[outline_.Next(edge)];
-    const bool closes = std::max(a, b) - std::min(a, b) > 1;  // the edge joins the last point to
-                                                              // the first
+    const bool closes = std::max(a, b) - std::min(a, b) > 1;  // from the last point to the first
     return closes && sources[corner] == 0 ? along_.back() : along_[sources[corner]];
   }
 

@@ -17,7 +17,7 @@ struct SweepFrame {
   Eigen::Vector3d cut;  // normal of the plane that cuts the tube: differs from `tangent` at corners
   double radius = 0;
   double slope = 0;       // change of the radius per length
-  double arc_length = 0;  // along the path's chords, m
+  double arc_length = 0;  // from the path's start, along its chords, m
   Eigen::Vector3d y() const { return tangent.cross(x); }
 };
 
