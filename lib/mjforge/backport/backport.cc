@@ -107,7 +107,7 @@ class Backporter {
         const MjcfList* list = FindList(parent.tag, child.tag, name);
         if (list == nullptr || list->since <= version_) continue;
         const std::vector<double> numbers = xml::NumbersOf(value);
-        if (numbers.empty()) continue;  // MuJoCo rejects the text
+        if (numbers.empty()) continue;  // MuJoCo rejects a list without numbers
         if (const auto resized = Resized(*list, numbers)) {
           changed = changed || *resized != numbers;
           if (*resized != numbers) value = xml::TextOf(*resized);
@@ -270,7 +270,7 @@ class Backporter {
   /// keeps all frames.
   std::string ConversionCommand() const {
     std::string file = sources_.Name(root_.mark.file);
-    if (file.starts_with('<')) file = "FILE.xml";  // standard input
+    if (file.starts_with('<')) file = "FILE.xml";  // standard input has no file name
     return fmt::format(
         "python3 -c \"import mujoco; s = mujoco.MjSpec.from_file('{}'); [setattr(f, a, '') for f "
         "in s.frames for a in ('name', 'childclass')]; s.compile(); open('{}-flat.xml', "

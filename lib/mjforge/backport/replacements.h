@@ -20,8 +20,8 @@ class Replacements {
 
   /// Makes all replacements.
   void Run();
-  /// Returns an empty text if the attribute was replaced (or the element, if `attribute` is empty),
-  /// the reason if the attribute has no effect in this file, and nullopt otherwise.
+  /// Returns an empty text if the attribute was replaced, or the element if `attribute` is empty.
+  /// If the attribute has no effect in this file, returns the reason. Otherwise returns nullopt.
   std::optional<std::string_view> Find(const xml::XmlElement* element,
                                        std::string_view attribute) const;
 

@@ -27,9 +27,9 @@ using structure::kInertia;
 using structure::kInertiaRotation;
 using structure::kNone;
 
-// Offsets of moved elements, in m for positions and in half of rad for rotations: far above the
-// tolerance of 1e-6, and different for inertia frames and other elements, so that moving both makes
-// no new coincidence.
+// Offsets of moved elements: m for positions, and half the angle in rad for rotations about x, y
+// and z. The offsets are far above the tolerance of 1e-6, and differ between inertia frames and
+// other elements, so that moving both makes no new coincidence.
 constexpr double kBodyOffset = 1e-5;
 constexpr double kOffset = 2e-5;
 

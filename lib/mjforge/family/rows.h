@@ -61,13 +61,13 @@ class RowsFile {
  private:
   struct Chunk {
     std::uint64_t offset = 0;   // position of the numbers in the file, in bytes
-    std::uint64_t count = 0;    // variants
+    std::uint64_t count = 0;    // number of variants
     std::uint64_t details = 0;  // number of bytes after the numbers
   };
   struct Family {
     Header header;
     std::uint64_t row = 0;    // number of doubles of a variant
-    std::uint64_t count = 0;  // variants
+    std::uint64_t count = 0;  // number of variants
     std::vector<Chunk> chunks;
   };
   std::string ReadAt(std::uint64_t offset, std::uint64_t count);

@@ -60,9 +60,9 @@ struct Options {
   /// The variants form a family: each has the numbers of its compiled model, and structures may
   /// differ in fields that depend on numbers being exactly zero or equal. Needs a validation.
   bool family = false;
-  /// For a family: each variant is padded to have the geoms and sites of this many variants from
-  /// layout_first on; 0: no padding. batch::OptionsOf replaces other values by the number of
-  /// variants of the batch.
+  /// For a family: number of variants, from layout_first on, whose geoms and sites every variant
+  /// also has; 0: no padding. batch::OptionsOf replaces other values by the number of variants of
+  /// the batch.
   std::uint64_t pad = 0;
   /// The geoms and sites to pad with, from FindSuperset(). Null: the generator finds them.
   std::shared_ptr<const padding::Superset> superset = nullptr;

@@ -62,7 +62,7 @@ inline constexpr std::size_t kHashDigits = 16;
 struct GeneratedFile {
   enum class Kind { kMesh, kTexture };
   Kind kind = Kind::kMesh;
-  std::size_t index = 0;          // in Object::meshes or Object::textures
+  std::size_t index = 0;          // index in Object::meshes or Object::textures
   std::size_t hash_position = 0;  // offset of the placeholder in the text, bytes
 };
 

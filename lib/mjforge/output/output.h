@@ -124,7 +124,7 @@ class ObjectFolder {
   OverwritePolicy overwrite_;
   MadeFolders folders_;
   std::filesystem::path last_folder_;       // folder of the last file
-  std::set<std::filesystem::path> assets_;  // assets that are written
+  std::set<std::filesystem::path> assets_;  // assets that were written already
 };
 
 /// Removes the temporary files that killed processes left when writing `files`. Keeps temporary

@@ -33,7 +33,7 @@ class Superset {
   template <typename Element>
   struct Slots {
     std::vector<Element> elements;
-    std::map<std::string, std::size_t> positions;  // by key
+    std::map<std::string, std::size_t> positions;  // index in `elements`, by key
 
     /// Returns the position of a key; inserts the element at `next` if the key is new.
     template <typename Make>
@@ -56,9 +56,9 @@ class Superset {
   PartSlot NewSlot(const model::Part& part, const model::Object& object);
   bool IsOptional(const PartSlot& slot) const { return slot.count < count_; }
 
-  std::size_t count_ = 0;                    // variants
+  std::size_t count_ = 0;                    // number of variants
   std::map<std::string, BodySlots> bodies_;  // by name
-  Slots<std::string> meshes_;                // names
+  Slots<std::string> meshes_;                // names of the meshes
   std::set<std::string> geom_names_, site_names_, mesh_names_;
 };
 

@@ -42,7 +42,7 @@ struct Orientation {
   std::optional<Eigen::Quaterniond> asked;  // nullopt: as modelled, if stable
   Eigen::Quaterniond q_LB;
   std::vector<BodyShape> shapes;  // in the body's frame B
-  Footprint footprint;            // in L
+  Footprint footprint;            // in frame L
   double bottom = 0;              // least z in L, m
   double height = 0;              // m
 };
