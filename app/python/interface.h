@@ -35,7 +35,7 @@ struct MjforgeRequest {
   const char* on_invalid;
   const char* validate;
   std::uint64_t seed;
-  std::uint64_t batch;              // number of variants; 0: unknown, an error if it is needed
+  std::uint64_t batch;              // number of variants; 0: unknown, an error if draws need it
   const std::uint64_t* place_seed;  // seed of the places alone; null: they follow from `seed`
 };
 

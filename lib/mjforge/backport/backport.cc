@@ -98,8 +98,8 @@ class Backporter {
   }
 
  private:
-  /// Writes lists of numbers in the lengths that the release requires, and reports the lists that
-  /// mean something else in each of these lengths. Returns true if the tree changed.
+  /// Writes lists of numbers in the lengths that the release requires, and reports each list that
+  /// no list of the required length can express. Returns true if the tree changed.
   bool ResizeLists(xml::XmlElement& parent) {
     bool changed = false;
     for (xml::XmlElement& child : parent.children) {
@@ -210,8 +210,8 @@ class Backporter {
            std::ranges::find(kOfModel, section.tag) != std::end(kOfModel);
   }
 
-  /// Warns that an attribute (empty: the element) is removed, unless it is replaced; reports it as
-  /// an error if the model would mean something else without it.
+  /// Warns that an attribute is removed (the element, if `attribute` is empty), unless it is
+  /// replaced. Reports an error if the model would mean something else without it.
   void ReportRemoval(const xml::XmlElement& element, const std::string& attribute,
                      const std::string& value, const MjcfFeature& feature, bool in_default) {
     std::string_view reason = ReasonOf(feature.effect);

@@ -12,8 +12,8 @@
 
 namespace mjforge::backport {
 
-/// Replaces attributes that releases after `version` added by older ones with exactly the same
-/// meaning, if there are any.
+/// Replaces attributes that releases after `version` added by older attributes with exactly the
+/// same meaning, where such attributes exist.
 class Replacements {
  public:
   Replacements(DefaultClasses& elements, int version) : elements_(elements), version_(version) {}

@@ -39,7 +39,7 @@ std::optional<Vector3d> NearestInside(const Simplex& simplex) {
   const Vector3d a = edges.col(0);
   const Vector3d b = edges.col(1);
   const Vector3d c = edges.col(2);
-  Vector3d weights = Vector3d::Zero();  // weight of each edge
+  Vector3d weights = Vector3d::Zero();  // barycentric coordinates, without that of the first corner
   if (simplex.count == 2) {
     weights.x() = -first.dot(a) / a.squaredNorm();
   } else if (simplex.count == 3) {

@@ -24,15 +24,15 @@ struct NewPlace {
   std::optional<Eigen::Vector4d> quat;
 };
 
-/// Returns the base with these poses.
+/// Returns the base MJCF with these poses in place of its own.
 std::string WithPlaces(std::string_view base, std::span<const NewPlace> places);
 
-/// Returns the base with these values of `frictionloss`, each with the name of its joint.
+/// Returns the base MJCF with these values of `frictionloss`, each paired with the name of its
+/// joint.
 std::string WithFrictions(std::string_view base,
                           std::span<const std::pair<std::string, double>> joints);
 
-/// Returns the base with those of the given materials, and their textures, added that the base
-/// lacks.
+/// Returns the base MJCF with the given materials and their textures; adds those that are missing.
 std::string WithMaterials(std::string_view base, std::span<const Material> materials);
 
 }  // namespace mjforge::family

@@ -76,7 +76,8 @@ struct GeomBox {
   std::size_t tree;
 };
 
-// Returns the boxes of all colliding geoms, sorted along x.
+// Returns the boxes of all colliding geoms, sorted along x. The boxes are enlarged, so that boxes
+// up to kNear apart touch.
 std::vector<GeomBox> GeomBoxes(const model::Object& object) {
   constexpr double kNear = 2e-4;  // m; placed bodies start at most 0.1 mm apart
   const std::vector<model::Pose> X_WB = model::BodyPoses(object);
@@ -179,7 +180,7 @@ void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer) 
   if (geoms + 2 * more <= kGeomsThatFit && rows <= kRowsThatFit && bodies <= kBodiesThatFit) return;
   const double dofs = CountDofs(object);
   const double most = MostRows(dofs);
-  // A contact has four pyramid edges (condim 3).
+  // Number of contacts. A contact needs four constraint rows, its pyramid edges (condim 3).
   double contacts = scene ? 100 : 0;
   if (geoms + 2 * more > kGeomsThatFit) {
     // Counts up to eight contacts for a pair, as for a box on a box, but about two for each of many

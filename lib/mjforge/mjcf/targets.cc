@@ -22,7 +22,7 @@ constexpr UnsupportedFeature kMjxUnsupported[] = {
     {.section = "sensor", .element = "tendonlimitvel"},
     {.section = "sensor", .element = "tendonlimitfrc"},
     {.section = "sensor", .element = "user"},
-    {.section = "actuator", .attribute = "body"},  // also of adhesion actuators
+    {.section = "actuator", .attribute = "body"},  // includes adhesion actuators
     {.section = "actuator", .attribute = "cranksite"},
     {.section = "actuator", .attribute = "dyntype", .text = "user"},
     {.section = "actuator", .attribute = "gaintype", .text = "user"},

@@ -1,4 +1,4 @@
-// Obstacles, the placed bodies: distances to them, and lowering of objects onto them.
+// Placed bodies as obstacles: distances to them, and lowering of objects onto them.
 
 #pragma once
 

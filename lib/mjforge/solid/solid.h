@@ -90,7 +90,7 @@ struct Lathe {
   /// Sides of the pieces in a whole turn. A piece protrudes from the solid by at most
   /// r (1 / cos(pi / facets) - 1), and never into a cavity.
   int facets = 16;
-  double crease = kDefaultCrease;  // edges that turn by more are sharp
+  double crease = kDefaultCrease;  // edges whose faces differ by a larger angle are sharp
   TextureMapping texture = {};
 
   bool operator==(const Lathe&) const = default;
