@@ -47,8 +47,8 @@ struct Options {
                                                  // of `seed`
   mjcf::Target target = mjcf::Target::kMujoco;
   mjcf::AssetForm assets = mjcf::AssetForm::kInline;
-  bool each = false;  // one file for each object of a scene; `document` is then the whole scene,
-                      // for validation
+  bool each = false;  // writes each object of a scene to its own file; `document` is then the whole
+                      // scene
   std::string name;   // valid for CheckName; empty: the name of the spec
   std::uint64_t attempt = 0;  // first attempt; earlier ones are not tried
   OnInvalid on_invalid = OnInvalid::kFail;

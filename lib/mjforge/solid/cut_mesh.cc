@@ -108,9 +108,9 @@ class CutMesher {
   }
 
   /// Adds the parts of a strip that are on the prism's surface, which are the parts inside of both
-  /// other extrusions. Where sides of several extrusions coincide, only the first of these
-  /// extrusions, in the order z, x, y, adds its strip: a part of a later extrusion is left out if
-  /// the space on its outer side is outside of an earlier extrusion.
+  /// other extrusions. If sides of several extrusions coincide, only the first of these extrusions,
+  /// in the order z, x, y, adds its strip: a part of a later extrusion is left out if the space on
+  /// its outer side is outside of an earlier extrusion.
   void AddStrip(std::size_t axis, const Strip& strip) {
     const SectionPlane& plane = kSectionPlanes[axis];
     const double low = box_.min()[plane.axis];

@@ -106,7 +106,7 @@ std::vector<ConvexPiece> PiecesOf(const BasePolygon& base, const Prism& prism) {
     return pieces;
   }
   AddPieces(sections.middle, edge, pieces);
-  // Pieces of the cross section at the ends of a bevelled prism run through the full height. They
+  // Pieces of the cross section at the ends of a bevelled prism run through the full height, and
   // omit the bevelled edges.
   if (prism.bevel > 0) AddPieces(sections.end, top, pieces);
   return pieces;
