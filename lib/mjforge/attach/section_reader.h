@@ -17,8 +17,7 @@ namespace mjforge::attach {
 struct Reference {
   mjtObj kind = mjOBJ_UNKNOWN;
   int id = -1;
-  std::string_view attribute = {};       // attribute with the target's name; empty: a child element
-                                         // has it
+  std::string_view attribute = {};       // attribute with the target's name; empty: a child has it
   std::string_view kind_attribute = {};  // attribute with the target's kind (objtype); empty: none
 };
 

@@ -30,8 +30,8 @@ std::string DifferenceOf(const Header& header, const Header& other);
 /// A variant in a file of rows.
 struct RowView {
   std::span<const double> values;
-  std::vector<const Material*> materials;     // `numbers` are those of the first variant; see
-                                              // `looks`
+  /// Materials of the variant; their `numbers` are those of the first variant, see `looks`.
+  std::vector<const Material*> materials;
   std::vector<std::array<double, 10>> looks;  // numbers of these materials in the variant
   std::vector<sample::ParameterValue> parameters;
 };

@@ -18,14 +18,12 @@ struct Survey {
   std::uint64_t count = 0;      // number of variants
   std::vector<double> first;    // numbers of the first variant
   std::vector<bool> varies;     // true for each number that differs between variants
-  std::vector<unsigned> flags;  // for each number of a kFlag array: bit v is set if a variant has
-                                // the flag v
+  std::vector<unsigned> flags;  // for each number of a kFlag array: bit v is set if a variant has v
   std::vector<double> largest;  // largest value of each number
 
   /// All materials in the order of their first variants, with the numbers of these variants.
   std::vector<Material> materials;
-  std::vector<std::array<bool, 10>> look_varies;  // for each material: true for each number that
-                                                  // varies
+  std::vector<std::array<bool, 10>> look_varies;  // for each material: numbers that vary
   std::set<std::string> other_textures;  // materials whose texture differs between variants
 
   struct Parameter {

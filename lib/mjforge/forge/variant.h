@@ -43,12 +43,10 @@ using manifest::Validation;
 /// Options that apply to all variants of a batch.
 struct Options {
   std::uint64_t seed = 0;
-  std::optional<std::uint64_t> place_seed = {};  // seed for the draws of `place:` alone, in place
-                                                 // of `seed`
+  std::optional<std::uint64_t> place_seed = {};  // seed for the draws of `place:`; empty: `seed`
   mjcf::Target target = mjcf::Target::kMujoco;
   mjcf::AssetForm assets = mjcf::AssetForm::kInline;
-  bool each = false;  // writes each object of a scene to its own file; `document` is then the whole
-                      // scene
+  bool each = false;  // each object of a scene gets a file; `document` is then the whole scene
   std::string name;   // valid for CheckName; empty: the name of the spec
   std::uint64_t attempt = 0;  // first attempt; earlier ones are not tried
   OnInvalid on_invalid = OnInvalid::kFail;

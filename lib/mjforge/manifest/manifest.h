@@ -65,8 +65,7 @@ struct Record : mjcf::Provenance {
   };
   std::vector<Place> places;
   std::string pile_mujoco;            // release of MuJoCo that settled the piles; empty: no piles
-  std::vector<std::string> left_out;  // bodies left out for want of room (`fewer: true` in
-                                      // `place:`)
+  std::vector<std::string> left_out;  // bodies without room, left out by `fewer: true`
   Validation validate = Validation::kLoad;
   std::string mujoco;     // release of MuJoCo that checked the variant; empty: not checked
   std::string structure;  // key of the structure (structure.h); empty: not loaded in MuJoCo

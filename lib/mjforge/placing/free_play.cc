@@ -172,8 +172,7 @@ bool FitsAt(const model::Region& region, const Footprint& footprint, const Vecto
   } else {
     const auto is_inside = [&](const HalfPlane& border) {
       return border.normal.dot(translation) + footprint.Support(border.normal) <=
-             border.limit + 2 * kFitTolerance;  // twice the tolerance of PositionIn(), because of
-                                                // rounding
+             border.limit + 2 * kFitTolerance;  // twice the tolerance of PositionIn()
     };
     if (std::ranges::all_of(BordersOf(region), is_inside)) return true;
   }
