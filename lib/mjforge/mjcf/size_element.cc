@@ -173,7 +173,7 @@ void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer) 
   std::vector<std::size_t> lying;
   if (scene || bodies > 1) lying = CountLyingGeoms(object, scene);
   const std::size_t geoms = std::accumulate(lying.begin(), lying.end(), std::size_t{0});
-  // Number of touching pairs of geoms that exceeds the number of geoms.
+  // Number of touching pairs of geoms beyond one per geom.
   std::size_t more = 0;
   const bool placed = HasPlacedBodies(object);
   if (placed) more = std::max(geoms, CountTouchingPairs(object)) - geoms;

@@ -21,8 +21,8 @@ struct ConvexPartition {
 ConvexPartition PartitionOf(const Area& area);
 
 /// Returns a partition of an area into convex polygons, counter-clockwise. If all sides of the area
-/// are parallel to the axes, the polygons are rectangles in rows, from below; otherwise the result
-/// is ConvexPartition::convex.
+/// are parallel to the axes, the polygons are rectangles in rows, from below; otherwise they
+/// are those of ConvexPartition::convex.
 std::vector<std::vector<Point2>> ConvexPolygonsOf(const Area& area);
 
 /// Sine of the largest turn that counts as straight.
