@@ -83,7 +83,7 @@ std::string FindConflict(const GenerateOptions& options, const batch::Request& r
   return {};
 }
 
-// Returns the message if --each does not fit other options; empty if there is no conflict.
+// Returns an error message if --each contradicts other options; otherwise an empty text.
 std::string FindEachConflict(const GenerateOptions& options, const batch::Request& request) {
   if (!request.variant.each) return {};
   const Kind kind = request.destination.kind;
@@ -97,7 +97,7 @@ std::string FindEachConflict(const GenerateOptions& options, const batch::Reques
                      options.target, fmt::join(targets, ", "));
 }
 
-// Returns the message if --layout does not fit other options; empty if there is no conflict.
+// Returns an error message if --layout contradicts other options; otherwise an empty text.
 std::string FindLayoutConflict(const GenerateOptions& options, const batch::Request& request) {
   if (request.variant.layout == manifest::Layout::kAny) return {};
   if (request.variant.validation == manifest::Validation::kNone)

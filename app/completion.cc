@@ -227,7 +227,8 @@ void AddValues(CLI::Option& option, const std::string& before, const CommandLine
       AddSpecs(before, completions.word().substr(before.size()), completions);
     } else if (value == "<setting>") {
       AddParameters(before, line.Spec(), completions);
-      // Adds the many thresholds only without a spec, or after the value's first character.
+      // Thresholds of checks are many: adds them only if there is no spec, or after the value's
+      // first character.
       if (line.Spec().empty() || completions.word() != before) AddThresholds(before, completions);
     } else if (value == "<joint>") {
       AddJoints(before, line, completions);

@@ -6,8 +6,8 @@
 
 namespace mjforge::app {
 
-/// Returns the largest share of all variants that may fail if none of `passed` (at least 1) random
-/// variants failed, with a confidence of 95 %: the one-sided bound of Clopper and Pearson.
+/// Returns, with a confidence of 95 %, the largest share of all variants that may fail if none of
+/// `passed` (at least 1) random variants failed: the one-sided bound of Clopper and Pearson.
 double LargestFailingShare(std::uint64_t passed);
 
 /// Returns a sentence about all variants of a spec, after `passed` variants and no failure: the

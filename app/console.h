@@ -52,13 +52,14 @@ class Console {
 
   /// Prints and clears `findings`; returns their exit status.
   ExitStatus Report();
-  /// Prints the first 50 findings, in file order, and the number of other findings plus `more`.
+  /// Prints the first 50 findings, in file order, and then the number of findings that were not
+  /// printed plus `more`.
   void Show(diag::Findings found, const diag::Sources& places, std::uint64_t more = 0) const;
   /// Returns the text that Show prints.
   std::string TextOf(diag::Findings found, const diag::Sources& places,
                      std::uint64_t more = 0) const;
   /// Prints a line, unless --quiet was given. Control characters are escaped, because the line may
-  /// contain text of other people's files.
+  /// contain text from other people's files.
   void PrintLine(std::string_view line) const;
   bool quiet() const { return quiet_; }
 

@@ -17,7 +17,7 @@ constexpr std::size_t kMaxRows = 40;  // rows per table
 
 std::string Short(double number) {
   return std::abs(number) >= 100 ? fmt::format("{:.0f}", number)
-                                 : fmt::format("{:.3g}", number + 0.0);  // without "-0"
+                                 : fmt::format("{:.3g}", number + 0.0);  // avoids "-0"
 }
 
 // A unit in which numbers are shown.

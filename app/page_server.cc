@@ -21,8 +21,8 @@ using boost::system::error_code;
 using tcp = asio::ip::tcp;
 
 // Limit of connections that have not yet sent a request with the token. If there are more, the
-// oldest one is closed, so that connections by other users' programs cannot keep a browser away,
-// which sends its request at once.
+// oldest one is closed, so that connections of other users' programs cannot keep out a browser,
+// whose request arrives at once.
 constexpr std::size_t kMostStrangers = 64;
 constexpr std::chrono::milliseconds kInterval(100);  // interval between looks at the spec's files
 constexpr std::chrono::seconds kLongestWait(15);     // time limit of a page that waits for a change
@@ -72,7 +72,7 @@ std::string BodyOf(std::string_view json, std::string_view picture) {
   return fmt::format("{}{}{}", LengthBytes(json.size()), json, picture);
 }
 
-// Ends the name of each file. No file name contains this byte.
+// Terminator of each file name in an encoded answer. No file name contains this byte.
 constexpr char kEnd = '\0';
 
 }  // namespace

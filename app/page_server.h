@@ -73,7 +73,7 @@ class PageServer {
   std::vector<Waiting> waiting_;
   // Connections that have not yet sent a request with the token, by number.
   std::map<std::uint64_t, CloseConnection> strangers_;
-  std::uint64_t accepted_ = 0;  // number of the last connection
+  std::uint64_t accepted_ = 0;  // number of the last accepted connection
 };
 
 /// Encodes an answer of the worker for AnswerOf: the files to watch, and the body of the response.

@@ -1,4 +1,4 @@
-// Requests that wait for the one worker process.
+// Queue of requests to a worker process.
 #pragma once
 
 #include <boost/asio/io_context.hpp>

@@ -30,8 +30,9 @@ struct BatchStructures {
   std::uint64_t variants = 0;  // number of variants whose structure is known
   std::uint64_t more = 0;      // number of variants whose structures are not in the list
   std::vector<DifferingField> fields;
-  std::string why_unknown;                    // reason why fields are not compared; empty: they are
-  std::vector<report::Separator> separators;  // separate structures, if no fields are compared
+  std::string why_unknown;  // reason why fields are not compared; empty: they are
+  /// Parameters that separate structures, if no fields are compared.
+  std::vector<report::Separator> separators;
 };
 
 /// Compares the structures of a batch. Generates one variant of each structure again, from the spec

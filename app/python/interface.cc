@@ -164,7 +164,7 @@ void SetFiles(const mjcf::MjcfDocument& document, MjforgeMaker& maker) {
   maker.files_json = json.Take();
 }
 
-using Inputs = std::vector<std::vector<std::string>>;  // path and SHA-256 of files
+using Inputs = std::vector<std::vector<std::string>>;  // path and SHA-256 of each file
 
 // Adds the files that the maker's current variant uses and that no earlier variant used.
 void AddInputs(MjforgeMaker& maker, Inputs& inputs) {

@@ -25,7 +25,7 @@ struct MjforgeSnapshot;
 struct MjforgeRequest {
   MjforgeSnapshot* snapshot;
   const char* const* settings;  // name, value, name, value, ...
-  std::size_t setting_count;    // pairs
+  std::size_t setting_count;    // number of pairs
   const char* const* parameter_files;
   std::size_t parameter_file_count;
   const char* name;  // name of the object; empty: the spec's name
@@ -35,7 +35,7 @@ struct MjforgeRequest {
   const char* on_invalid;
   const char* validate;
   std::uint64_t seed;
-  std::uint64_t batch;              // number of variants; 0: unknown, an error if it is needed
+  std::uint64_t batch;              // number of variants; 0: unknown, an error if draws need it
   const std::uint64_t* place_seed;  // seed of the places alone; null: they follow from `seed`
 };
 
@@ -49,9 +49,9 @@ struct MjforgeVariant {
                          // before; empty: none
 };
 
-/// Makes a snapshot without reading a file: of the spec `reference`, a file or a name in the search
-/// path, whose last folder is `catalogue`; or, if `reference` is null, of `text`, YAML. Returns
-/// null only if there is not enough memory.
+/// Makes a snapshot without reading a file. The spec is `reference`, a file or a name in the search
+/// path, whose last folder is `catalogue`; or, if `reference` is null, the YAML text `text`.
+/// Returns null only if there is not enough memory.
 MjforgeSnapshot* MjforgeNewSnapshot(const char* reference, const char* text, const char* catalogue);
 /// Makes a snapshot from a text of MjforgeSnapshotText. Returns null if the text is damaged.
 MjforgeSnapshot* MjforgeReadSnapshot(const char* text, std::size_t size);
@@ -132,7 +132,7 @@ MjforgeText MjforgeCatalogue(const char* catalogue);
 /// Returns the path of the manifest of a shard (0 of 1: of the whole batch) that the command writes
 /// with `-o output`; empty if it writes none. The text is valid until the next call in this thread.
 MjforgeText MjforgeManifest(const char* output, std::uint64_t shard, std::uint64_t shards);
-/// Returns "0.1.0".
+/// Returns the version of mjforge, such as "0.1.0".
 const char* MjforgeVersion();
 
 }  // extern "C"

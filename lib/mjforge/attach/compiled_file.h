@@ -33,9 +33,11 @@ class CompiledFile {
   /// Returns the element from which MuJoCo compiled this object and no other; null if a composite
   /// or a replicate made the object.
   const XmlElement* ElementOf(mjtObj kind, int id) const;
-  /// Returns the element from which MuJoCo compiled an object. For an object of a composite or a
-  /// replicate, returns the composite or the replicated element with the longest name with which
-  /// the object's name begins, or else the first composite or the root.
+  /// Returns the element from which MuJoCo compiled an object. Objects that a composite or a
+  /// replicate made have no element of their own, but their names begin with the composite's
+  /// `prefix` or with the name of a replicated element. For such an object, returns the element
+  /// with the longest matching prefix or name; if none matches, the first composite, or the root if
+  /// there is no composite.
   const XmlElement& OriginOf(mjtObj kind, int id) const;
   /// Returns the name of a compiled object; an empty text if the object has no name in the file.
   std::string NameOf(mjtObj kind, int id) const;

@@ -17,8 +17,8 @@ namespace mjforge::attach {
 struct Reference {
   mjtObj kind = mjOBJ_UNKNOWN;
   int id = -1;
-  std::string_view attribute = {};       // attribute with the name; empty: in a child element
-  std::string_view kind_attribute = {};  // attribute with the kind (objtype); empty: none
+  std::string_view attribute = {};       // attribute with the target's name; empty: a child has it
+  std::string_view kind_attribute = {};  // attribute with the target's kind (objtype); empty: none
 };
 
 /// Copies elements of sections (contact, tendon, ...) into an attachment.

@@ -98,8 +98,8 @@ class Backporter {
   }
 
  private:
-  /// Writes lists of numbers in the lengths that the release requires, and reports the lists that
-  /// mean something else in each of these lengths. Returns true if the tree changed.
+  /// Writes lists of numbers in the lengths that the release requires, and reports each list that
+  /// no list of the required length can express. Returns true if the tree changed.
   bool ResizeLists(xml::XmlElement& parent) {
     bool changed = false;
     for (xml::XmlElement& child : parent.children) {
@@ -107,7 +107,7 @@ class Backporter {
         const MjcfList* list = FindList(parent.tag, child.tag, name);
         if (list == nullptr || list->since <= version_) continue;
         const std::vector<double> numbers = xml::NumbersOf(value);
-        if (numbers.empty()) continue;  // MuJoCo rejects the text
+        if (numbers.empty()) continue;  // MuJoCo rejects a list without numbers
         if (const auto resized = Resized(*list, numbers)) {
           changed = changed || *resized != numbers;
           if (*resized != numbers) value = xml::TextOf(*resized);
@@ -210,8 +210,8 @@ class Backporter {
            std::ranges::find(kOfModel, section.tag) != std::end(kOfModel);
   }
 
-  /// Warns that an attribute (empty: the element) is removed, unless it is replaced; reports it as
-  /// an error if the model would mean something else without it.
+  /// Warns that an attribute is removed (the element, if `attribute` is empty), unless it is
+  /// replaced. Reports an error if the model would mean something else without it.
   void ReportRemoval(const xml::XmlElement& element, const std::string& attribute,
                      const std::string& value, const MjcfFeature& feature, bool in_default) {
     std::string_view reason = ReasonOf(feature.effect);
@@ -270,7 +270,7 @@ class Backporter {
   /// keeps all frames.
   std::string ConversionCommand() const {
     std::string file = sources_.Name(root_.mark.file);
-    if (file.starts_with('<')) file = "FILE.xml";  // standard input
+    if (file.starts_with('<')) file = "FILE.xml";  // standard input has no file name
     return fmt::format(
         "python3 -c \"import mujoco; s = mujoco.MjSpec.from_file('{}'); [setattr(f, a, '') for f "
         "in s.frames for a in ('name', 'childclass')]; s.compile(); open('{}-flat.xml', "

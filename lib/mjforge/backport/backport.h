@@ -19,12 +19,12 @@ enum class Use {
 };
 
 /// Changes the tree so that it means the same in release `version` (a mjVERSION_HEADER), and
-/// returns true if the tree changed. Ranges apply without `limited`, as in MuJoCo 3.0 and later;
-/// later elements and attributes are replaced by older ones. A later feature without a replacement
-/// is removed with a warning if the feature affects only pictures or how a model is computed;
-/// otherwise it is an error. Each attribute is reported once per file, at its first place. With
-/// kWholeModel, warns of attributes that releases after `version` reject. Frames and replicates of
-/// kBodies stay in the tree if the MuJoCo of this build expands them.
+/// returns true if the tree changed. Ranges apply without `limited`, as in MuJoCo 3.0 and later.
+/// Elements and attributes of later releases are replaced by equivalent older ones. If there are
+/// none, a feature that affects only pictures or how a model is computed is removed with a warning;
+/// any other feature is an error. Each attribute is reported once per file, at its first place.
+/// With kWholeModel, warns of attributes that releases after `version` reject. With kBodies, frames
+/// and replicates stay in the tree if the MuJoCo of this build expands them.
 bool BackportMjcf(xml::XmlElement& root, int version, Use use, const diag::Sources& sources,
                   diag::Findings& findings);
 

@@ -19,7 +19,7 @@ constexpr std::pair<std::string_view, std::string_view> kLimits[] = {{"range", "
                                                                      {"forcerange", "forcelimited"},
                                                                      {"actrange", "actlimited"}};
 
-/// Returns true if any element below has a range without the attribute that enables it.
+/// Returns true if any descendant of the element has a range without the attribute that enables it.
 bool NeedsLimits(const xml::XmlElement& element) {
   const auto lacks = [&](const auto& limit) {
     return element.Find(limit.first) != nullptr && element.Find(limit.second) == nullptr;

@@ -1,5 +1,6 @@
-// Table of the elements and attributes that MJCF gained between MuJoCo 2.2.2 and 4.0: the release
-// that introduced each, and its effect; and of the lists whose lengths changed.
+// Table of the elements and attributes that MJCF gained between MuJoCo 2.2.2 and 4.0, with the
+// release that introduced each and its effect, and table of the lists of numbers whose lengths
+// changed.
 //
 // The facts come from MuJoCo's schema (mj_printSchema) in each release, and from its changelog.
 #pragma once
@@ -40,9 +41,11 @@ struct MjcfList {
   std::string_view where;  // in the form of MjcfFeature::where
   std::string_view names;  // attributes, separated by blanks
   int since = 0;           // the first release that accepts another length
-  /// The numbers of a list in an older release. Missing numbers at the end have these values.
+  /// Default values of the list in an older release, which requires a list of this length. Numbers
+  /// that are missing at the end of a list have these values.
   std::string_view usual;
-  /// The number that changes nothing beyond this length; empty: a copy of the list's first number.
+  /// Value of additional numbers (beyond the length of `usual`) that have no effect. If empty,
+  /// additional numbers have no effect if they equal the list's first number.
   std::string_view beyond = {};
 };
 
@@ -55,10 +58,10 @@ const MjcfFeature* FindFeature(std::string_view parent, std::string_view tag);
 const MjcfFeature* FindFeature(std::string_view parent, std::string_view tag,
                                std::string_view attribute, std::string_view value);
 
-/// Returns true if one of the places, in the form of MjcfFeature::where, is that of the element.
+/// Returns true if `where`, in the form of MjcfFeature::where, includes the element.
 bool IsAt(std::string_view where, std::string_view parent, std::string_view tag);
-/// Returns true if one of the names, in the form of MjcfFeature::names, is the attribute's, and its
-/// row applies to the value.
+/// Returns true if `names`, in the form of MjcfFeature::names, includes the attribute with this
+/// value.
 bool HasAttribute(std::string_view names, std::string_view attribute, std::string_view value);
 
 /// Returns the section whose elements share defaults with this one: "actuator" for a `<motor>`.

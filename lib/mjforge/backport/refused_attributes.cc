@@ -39,7 +39,8 @@ constexpr Row kRows[] = {
     {"visual/map", "znear", 230, Accepted::kPositive},
     {"mujoco/statistic", "extent", 230, Accepted::kPositive},
     {"visual/headlight", "active", 4000000, Accepted::kUpToTwo},
-    // From 3.0 on, MuJoCo reads integers as such; 2.2 rounds a number and ignores further ones.
+    // From 3.0 on, MuJoCo requires an integer here; 2.2 rounds a number, and ignores further
+    // numbers.
     {"option", "iterations noslip_iterations", 300, Accepted::kInteger},
     {"mujoco/size",
      "njmax nconmax nstack nuserdata nkey nuser_body nuser_jnt nuser_geom nuser_site nuser_cam "

@@ -13,8 +13,8 @@ namespace mjforge::backport {
 /// The reason why later releases reject an attribute.
 struct AttributeRefusal {
   int since = 0;                // first release that rejects the attribute, as mjVERSION_HEADER
-  std::string wanted;           // "an integer"; empty: this value is not accepted
-  bool is_about_value = false;  // true: other values of the attribute are accepted
+  std::string wanted;           // required kind of value, "an integer"; empty: none is accepted
+  bool is_about_value = false;  // true: only this value is rejected
 };
 
 /// Returns the reason why releases after `version` reject this attribute; nullopt if they accept
@@ -23,7 +23,7 @@ std::optional<AttributeRefusal> FindRefusal(std::string_view parent, std::string
                                             std::string_view attribute, std::string_view value,
                                             int version);
 
-/// Returns "has 'znear=0'; MuJoCo 2.3.0 and later require ...".
+/// Returns the end of a warning: "has 'znear=0'; MuJoCo 2.3.0 and later require ...".
 std::string RefusalText(const AttributeRefusal& refusal, std::string_view attribute,
                         std::string_view value);
 

@@ -12,16 +12,16 @@
 
 namespace mjforge::backport {
 
-/// Replaces attributes that releases after `version` added by older ones with exactly the same
-/// meaning, if there are any.
+/// Replaces attributes that releases after `version` added by older attributes with exactly the
+/// same meaning, where such attributes exist.
 class Replacements {
  public:
   Replacements(DefaultClasses& elements, int version) : elements_(elements), version_(version) {}
 
   /// Makes all replacements.
   void Run();
-  /// Returns an empty text if the attribute was replaced (or the element, if `attribute` is empty),
-  /// the reason if the attribute has no effect in this file, and nullopt otherwise.
+  /// Returns an empty text if the attribute was replaced, or the element if `attribute` is empty.
+  /// If the attribute has no effect in this file, returns the reason. Otherwise returns nullopt.
   std::optional<std::string_view> Find(const xml::XmlElement* element,
                                        std::string_view attribute) const;
 

@@ -1,4 +1,4 @@
-// Names that sensors refer to.
+// Check of the names that sensors refer to.
 #pragma once
 
 #include "mjforge/diag/diag.h"
@@ -6,9 +6,9 @@
 
 namespace mjforge::backport {
 
-/// Adds an error for each name in a sensor that no element of the file has, because no MuJoCo reads
-/// such a file, even if the sensor itself is left out. Checks nothing in files with elements that
-/// MuJoCo expands, because the expansion creates names.
+/// Adds an error for each name in a sensor that no element of the file has, because every release
+/// of MuJoCo rejects such a file, and removing the sensor would hide the mistake. Checks nothing in
+/// files with elements that MuJoCo expands, because the expansion creates names.
 void CheckReferences(const xml::XmlElement& sensor, const xml::XmlElement& root,
                      const diag::Sources& sources, diag::Findings& findings);
 

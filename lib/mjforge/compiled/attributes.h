@@ -28,7 +28,7 @@ struct ArrayField {
   /// MuJoCo's default; nullopt if the attribute has no default.
   std::optional<std::array<double, 6>> usual = std::array<double, 6>{};
   Rows rows = Rows::kElement;
-  Flags needs = nullptr;                       // applies only if this flag is set; null: always
+  Flags needs = nullptr;                       // flag that enables the attribute; null: none
   engine::Count mjModel::*variable = nullptr;  // count of user values, instead of `count`
 
   /// Returns true for flags. `directional` of lights is a flag, too, although a number since 3.3.3.

@@ -39,7 +39,7 @@ std::optional<Vector3d> NearestInside(const Simplex& simplex) {
   const Vector3d a = edges.col(0);
   const Vector3d b = edges.col(1);
   const Vector3d c = edges.col(2);
-  Vector3d weights = Vector3d::Zero();  // weight of each edge
+  Vector3d weights = Vector3d::Zero();  // barycentric coordinates, without that of the first corner
   if (simplex.count == 2) {
     weights.x() = -first.dot(a) / a.squaredNorm();
   } else if (simplex.count == 3) {
@@ -78,10 +78,10 @@ Vector3d Reduce(Simplex& simplex) {
   return nearest;
 }
 
-// Returns the point of a convex set that is nearest to the origin, or any of its points if all
-// points are farther than `limit` (m); `farthest` is the set's support function, `middle` its
-// approximate centre, `size` its size (m). Gilbert, Johnson and Keerthi, "A fast procedure for
-// computing the distance between complex objects in three-dimensional space", 1988.
+// Returns the point of a convex set that is nearest to the origin, or any point of the set if all
+// points are farther than `limit`, m. `farthest` is the set's support function, `middle` its
+// approximate centre, `size` its size, m. Source: Gilbert, Johnson and Keerthi, "A fast procedure
+// for computing the distance between complex objects in three-dimensional space", 1988.
 template <typename Farthest>
 Vector3d NearestToOrigin(Farthest farthest, const Vector3d& middle, double size,
                          double limit = std::numeric_limits<double>::infinity()) {

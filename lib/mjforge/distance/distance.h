@@ -28,8 +28,8 @@ Eigen::Vector3d Separation(const PlacedShape& a, const PlacedShape& b);
 /// Distance of two shapes, m; 0 if they overlap.
 double Distance(const PlacedShape& a, const PlacedShape& b);
 
-/// Distance of two shapes, m, if it is at most `limit`; otherwise some number between `limit` and
-/// the largest distance of the shapes' points, which takes a fraction of the time of Distance().
+/// Distance of two shapes, m, if it is at most `limit`; otherwise a number between `limit` and the
+/// largest distance between points of the shapes. Takes a fraction of the time of Distance().
 double DistanceUpTo(double limit, const PlacedShape& a, const PlacedShape& b);
 
 /// Distance of two shapes, m; if the shapes overlap, minus the penetration depth, which is the

@@ -106,8 +106,8 @@ bool AddShortage(const std::string& message, std::vector<Shortage>& shortages) {
   return true;
 }
 
-/// Loads a text, and again with a larger stack if the stack of MuJoCo 2.2 is too small. `load`
-/// loads the text that it is given: the original or one with another stack size.
+/// Loads a text, and again with a larger stack if the stack of MuJoCo 2.2 is too small. `load` is
+/// called with the text, or with a copy of the text that has another stack size.
 template <typename LoadText>
 Loaded LoadWithStack(const std::string& text, const LoadText& load) {
   const auto load_once = [&](const std::string& attempt) {

@@ -17,11 +17,11 @@ struct FileFault {
   std::string message;
 };
 
-/// Returns the first file that is not a regular file or is too large, because opening a pipe waits
-/// and reading a device may never end; or the texture or height field at which the total of all
-/// pixels exceeds bytes::kMaxPixels, because a small file may decode to very many pixels; nullopt
-/// if there is no such fault. Missing files are not faults, because MuJoCo reports them. `folder`
-/// is the folder of the text.
+/// Returns the first fault among the files that a text refers to; nullopt if there is none. A fault
+/// is a file that is not regular or is too large, because opening a pipe waits and reading a device
+/// may never end. Another fault is the texture or height field at which the total of all pixels
+/// exceeds bytes::kMaxPixels, because a small file may decode to very many pixels. Missing files
+/// are not faults, because MuJoCo reports them. `folder` is the folder of the text.
 std::optional<FileFault> FindFileFault(std::string_view text, const std::filesystem::path& folder);
 
 }  // namespace mjforge::engine

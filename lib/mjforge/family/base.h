@@ -1,4 +1,4 @@
-// Text changes of the base MJCF of a family, which is the MJCF of one variant. The changes are made
+// Edits of the text of a family's base MJCF, which is the MJCF of one variant. The edits are made
 // line by line, because the writer of MJCF puts each element on a line of its own.
 
 #pragma once
@@ -24,14 +24,15 @@ struct NewPlace {
   std::optional<Eigen::Vector4d> quat;
 };
 
-/// Returns the base with these poses.
+/// Returns the base MJCF with these poses in place of its own.
 std::string WithPlaces(std::string_view base, std::span<const NewPlace> places);
 
-/// Returns the base with these values of `frictionloss`, each with the name of its joint.
+/// Returns the base MJCF with these values of `frictionloss`, each paired with the name of its
+/// joint.
 std::string WithFrictions(std::string_view base,
                           std::span<const std::pair<std::string, double>> joints);
 
-/// Returns the base plus those of the materials, and of their textures, that the base lacks.
+/// Returns the base MJCF with the given materials and their textures; adds those that are missing.
 std::string WithMaterials(std::string_view base, std::span<const Material> materials);
 
 }  // namespace mjforge::family

@@ -44,7 +44,7 @@ class BlobReader {
     return number;
   }
   std::string_view Text() { return Raw(Number<std::uint64_t>()); }
-  /// Reads the length of a list. Throws if the bytes left are fewer than one per entry.
+  /// Reads the length of a list. Throws if fewer bytes are left than the list has entries.
   std::uint64_t Count() {
     const auto count = Number<std::uint64_t>();
     if (count > bytes_.size()) throw std::runtime_error("it is cut short or damaged");

@@ -20,9 +20,9 @@ inline constexpr std::string_view kGeomFlags = "geom_sameframe";
 inline constexpr std::string_view kSiteFlags = "site_sameframe";
 inline constexpr std::string_view kJointFlags = "jnt_simple";
 
-/// Adds the arrays of flags: a structure::SameFrame for each body, geom and site, and for each
-/// joint 1 if it allows its body to be simple (body_simple), because its anchor is the origin and
-/// its axis is a coordinate axis.
+/// Adds the arrays of flags. A body, geom or site has a structure::SameFrame. A joint has 1 if its
+/// anchor is the origin and its axis is a coordinate axis, so that its body can be simple
+/// (body_simple); otherwise 0.
 void AddCoincidences(const mjModel& m, Numbers& numbers);
 
 }  // namespace mjforge::family

@@ -112,7 +112,7 @@ class Rows {
   Shapes shapes_;
   std::uint64_t count_ = 0;
   std::vector<double> values_;
-  std::vector<std::string> parameters_;  // names
+  std::vector<std::string> parameters_;  // names of the parameters
   std::vector<Material> materials_;      // distinct; `numbers` are those of the first variant
   std::string details_;                  // materials and parameters of each variant
 };

@@ -27,9 +27,9 @@ using structure::kInertia;
 using structure::kInertiaRotation;
 using structure::kNone;
 
-// Offsets of moved elements, in m for positions and in half of rad for rotations: far above the
-// tolerance of 1e-6, and different for inertia frames and other elements, so that moving both makes
-// no new coincidence.
+// Offsets of moved elements: m for positions, and half the angle in rad for rotations about x, y
+// and z. The offsets are far above the tolerance of 1e-6, and differ between inertia frames and
+// other elements, so that moving both makes no new coincidence.
 constexpr double kBodyOffset = 1e-5;
 constexpr double kOffset = 2e-5;
 
@@ -62,7 +62,8 @@ bool IsRight(std::string_view array, unsigned base, unsigned variants) {
   }
 }
 
-// Returns true if the element has the body's rotation in all variants, or the inertia frame's.
+// Returns true if in all variants the element has the rotation of its body, or in all variants the
+// rotation of the inertia frame.
 bool HasOneRotation(unsigned variants) {
   return IsRight({}, kBodyRotation, variants) || IsRight({}, kInertiaRotation, variants);
 }

@@ -14,8 +14,8 @@ namespace mjforge::family {
 
 struct FinalBase {
   std::string text;
-  /// Indices of elements that are stored even if they are constant, because their numbers in the
-  /// base differ from those of the variants; by the name of the array.
+  /// Elements that are stored even if they are constant, because their numbers in the base differ
+  /// from those of the variants: indices of elements by the name of the array.
   std::map<std::string, std::set<std::size_t>> moved;
 };
 

@@ -185,8 +185,9 @@ class FamilyFile {
     }
   }
 
-  // Writes the names of all materials in the order of the base, and those of their numbers that
-  // vary. A variant without a material gets the numbers of the first variant with that material.
+  // Writes the names of all materials in the order of the base, and the numbers of materials that
+  // vary between variants. A variant without a material gets the numbers of the first variant with
+  // that material.
   void WriteMaterials() {
     if (survey_.materials.empty()) return;
     std::vector<std::string> names;

@@ -30,7 +30,8 @@ std::string DifferenceOf(const Header& header, const Header& other);
 /// A variant in a file of rows.
 struct RowView {
   std::span<const double> values;
-  std::vector<const Material*> materials;     // only names and elements are the variant's
+  /// Materials of the variant; their `numbers` are those of the first variant, see `looks`.
+  std::vector<const Material*> materials;
   std::vector<std::array<double, 10>> looks;  // numbers of these materials in the variant
   std::vector<sample::ParameterValue> parameters;
 };
@@ -60,13 +61,13 @@ class RowsFile {
  private:
   struct Chunk {
     std::uint64_t offset = 0;   // position of the numbers in the file, in bytes
-    std::uint64_t count = 0;    // variants
+    std::uint64_t count = 0;    // number of variants
     std::uint64_t details = 0;  // number of bytes after the numbers
   };
   struct Family {
     Header header;
     std::uint64_t row = 0;    // number of doubles of a variant
-    std::uint64_t count = 0;  // variants
+    std::uint64_t count = 0;  // number of variants
     std::vector<Chunk> chunks;
   };
   std::string ReadAt(std::uint64_t offset, std::uint64_t count);

@@ -15,7 +15,7 @@ namespace mjforge::family {
 
 /// Result of reading all variants of a family once.
 struct Survey {
-  std::uint64_t count = 0;      // variants
+  std::uint64_t count = 0;      // number of variants
   std::vector<double> first;    // numbers of the first variant
   std::vector<bool> varies;     // true for each number that differs between variants
   std::vector<unsigned> flags;  // for each number of a kFlag array: bit v is set if a variant has v
@@ -23,7 +23,7 @@ struct Survey {
 
   /// All materials in the order of their first variants, with the numbers of these variants.
   std::vector<Material> materials;
-  std::vector<std::array<bool, 10>> look_varies;  // numbers of a material that vary
+  std::vector<std::array<bool, 10>> look_varies;  // for each material: numbers that vary
   std::set<std::string> other_textures;  // materials whose texture differs between variants
 
   struct Parameter {

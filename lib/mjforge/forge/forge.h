@@ -68,7 +68,8 @@ struct Recipe {
   std::string reference;
   /// File of the spec if `reference` is only a file name; otherwise empty.
   std::filesystem::path file;
-  /// Parameters set from outside, files first; each name once.
+  /// Names and values of the applied settings, those from files before those of the caller; each
+  /// name once.
   std::vector<std::pair<std::string, std::string>> settings;
   /// Snapshot of a spec that has no file (spec::SnapshotText); otherwise empty.
   std::string snapshot;
@@ -113,7 +114,7 @@ class Generator {
   enum class Outcome { kOk, kFailed, kHopeless };  // hopeless: further attempts would fail, too
   void Reset(std::uint64_t index, std::uint64_t attempt, Variant& variant);
   Outcome Attempt(std::uint64_t index, std::uint64_t attempt, Variant& variant);
-  /// Assembles the object of these parameters; returns nullopt after an error.
+  /// Assembles the object from drawn values; returns nullopt after an error.
   std::optional<model::Object> Assemble(sample::Evaluator& values, Variant& variant);
   /// Makes the object of a variant before padding (Options::pad) and before its piles are settled;
   /// returns nullopt after an error.
@@ -121,7 +122,7 @@ class Generator {
                                         Variant& variant);
   /// Simulates the piles of an object until they are at rest; returns false after an error.
   bool SettlePiles(model::Object& object, Variant& variant);
-  /// Assembles the object of these parameters and writes its MJCF; returns false after an error.
+  /// Assembles the object from drawn values and writes its MJCF; returns false after an error.
   bool Build(sample::Evaluator& values, Variant& variant);
   void Validate(Variant& variant);
   /// Sets `reference_` for Layout::kOne: the first valid variant, whose structure all variants must

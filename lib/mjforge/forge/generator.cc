@@ -198,7 +198,8 @@ bool Generator::Build(sample::Evaluator& values, Variant& variant) {
   std::optional<model::Object> object = Assemble(values, variant);
   if (!object || !SettlePiles(*object, variant)) return false;
   if (options_.each && !SplitScene(*object, variant)) return false;
-  // Ignores warnings about the scene with --each, because WritePart adds those of each object.
+  // Ignores warnings about the scene with --each, because WritePart adds the warnings about each
+  // object.
   diag::Findings of_scene;
   mjcf::Adapt(*object, target, options_.each ? of_scene : variant.findings);
   if (of_scene.HasErrors()) variant.findings.Append(std::move(of_scene));

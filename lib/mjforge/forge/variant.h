@@ -43,10 +43,10 @@ using manifest::Validation;
 /// Options that apply to all variants of a batch.
 struct Options {
   std::uint64_t seed = 0;
-  std::optional<std::uint64_t> place_seed = {};  // another seed for the places of `place:` alone
+  std::optional<std::uint64_t> place_seed = {};  // seed for the draws of `place:`; empty: `seed`
   mjcf::Target target = mjcf::Target::kMujoco;
   mjcf::AssetForm assets = mjcf::AssetForm::kInline;
-  bool each = false;  // files of all objects of a scene; `document` is then the scene for MuJoCo
+  bool each = false;  // each object of a scene gets a file; `document` is then the whole scene
   std::string name;   // valid for CheckName; empty: the name of the spec
   std::uint64_t attempt = 0;  // first attempt; earlier ones are not tried
   OnInvalid on_invalid = OnInvalid::kFail;
@@ -58,9 +58,9 @@ struct Options {
   /// The variants form a family: each has the numbers of its compiled model, and structures may
   /// differ in fields that depend on numbers being exactly zero or equal. Needs a validation.
   bool family = false;
-  /// For a family: each variant is padded to have the geoms and sites of this many variants from
-  /// layout_first on; 0: no padding. batch::OptionsOf replaces other values by the number of
-  /// variants of the batch.
+  /// For a family: number of variants, from layout_first on, whose geoms and sites every variant
+  /// also has; 0: no padding. batch::OptionsOf replaces other values by the number of variants of
+  /// the batch.
   std::uint64_t pad = 0;
   /// The geoms and sites to pad with, from FindSuperset(). Null: the generator finds them.
   std::shared_ptr<const padding::Superset> superset = nullptr;

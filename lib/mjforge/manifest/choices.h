@@ -22,7 +22,7 @@ enum class OnInvalid {
   kSkip,      // a warning is reported, and the other variants are made
   kResample,  // the variant is drawn again, up to forge::kMaxResamples times, then treated as kFail
 };
-/// Structures of a batch's variants (structure.h).
+/// Requirement on the structures (structure.h) of a batch's variants.
 enum class Layout {
   kAny,    // a variant may have any structure
   kOne,    // a variant is invalid if its structure differs from that of the first valid variant

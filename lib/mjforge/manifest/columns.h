@@ -40,7 +40,7 @@ class Columns {
   /// and their inner columns have a value for each row.
   const std::vector<Column>& Finish();
   std::size_t rows() const { return rows_; }
-  /// The different texts of all columns.
+  /// Distinct texts of all columns, each once.
   const std::vector<std::string>& texts() const { return texts_; }
 
  private:

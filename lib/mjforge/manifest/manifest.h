@@ -65,14 +65,14 @@ struct Record : mjcf::Provenance {
   };
   std::vector<Place> places;
   std::string pile_mujoco;            // release of MuJoCo that settled the piles; empty: no piles
-  std::vector<std::string> left_out;  // bodies of `fewer: true` entries of `place:` without room
+  std::vector<std::string> left_out;  // bodies without room, left out by `fewer: true`
   Validation validate = Validation::kLoad;
   std::string mujoco;     // release of MuJoCo that checked the variant; empty: not checked
   std::string structure;  // key of the structure (structure.h); empty: not loaded in MuJoCo
   Layout layout = Layout::kAny;
   std::optional<std::uint64_t> layout_first;  // Layout::kOne: index of the batch's first variant
-  /// In a family: each variant is padded to have the geoms and sites of this many variants from
-  /// layout_first on.
+  /// Number of variants, from layout_first on, whose geoms and sites every variant of a family has
+  /// (--pad); 0: no padding.
   std::uint64_t pad = 0;
   bool mocap = false;  // in the family's base model, fixed bodies are mocap bodies
   std::optional<physics::Result> physics;  // empty if not requested or not measurable

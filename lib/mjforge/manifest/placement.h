@@ -18,7 +18,8 @@ struct PlacedFile {
   model::Pose pose;  // pose of the object's root body in the scene at the start
   std::string at;    // region or site where `place:` put the object; empty: no `place:`
   bool is_free = false;
-  /// Joints other than a free root joint: name in the file, and its numbers in qpos at the start.
+  /// For each joint other than a free root joint: its name in the file, and its numbers in qpos at
+  /// the start.
   std::vector<std::pair<std::string, sample::Numbers>> joints;
 };
 

@@ -21,7 +21,7 @@ struct RecordField {
   /// was expected: "a text".
   std::string_view (*read)(const rapidjson::Value&, Record&);
   bool (*is_absent)(const Record&) = nullptr;            // true: the field is left out; null: never
-  bool (*same)(const Record&, const Record&) = nullptr;  // null: the value may vary in a batch
+  bool (*same)(const Record&, const Record&) = nullptr;  // null: records of a batch may differ
 };
 
 /// Returns all fields in the order in which a line has them.

@@ -18,7 +18,8 @@
 namespace mjforge::manifest {
 
 using diag::Json;
-/// The kind of value that a member must have, "a text"; empty if the value has that kind.
+/// Result of reading a value: empty on success, otherwise the kind of value that the member must
+/// have, such as "a text".
 using ExpectedKind = std::string_view;
 
 template <typename T>

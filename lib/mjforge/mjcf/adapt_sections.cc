@@ -155,7 +155,7 @@ class UnsupportedFilter {
 
   const TargetRules& rules_;
   diag::Findings& findings_;
-  std::set<std::pair<std::string, std::string>> dropped_;  // kind, name
+  std::set<std::pair<std::string, std::string>> dropped_;  // kind and name of each
 };
 
 // Drops texture files for single sides of a cube, because the host resolves only the attribute

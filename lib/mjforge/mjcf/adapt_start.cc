@@ -15,9 +15,9 @@ namespace {
 using diag::Code;
 
 // Returns true if the zero configuration should be the start of the object, unless there are
-// obstacles. Reasons: a keyframe contains the poses of free bodies and would ignore the frame to
-// which the file is attached; placed bodies would overlap at another zero; some hosts read no
-// keyframes.
+// obstacles. Reasons: a keyframe has poses of free bodies in the world frame, which are wrong if
+// the file is attached to another frame; placed bodies would overlap at any other zero
+// configuration; some hosts read no keyframes.
 bool WantsStartAtZero(const model::Object& object, const TargetRules& rules) {
   if (object.start_form) return *object.start_form == model::StartForm::kZero;
   const auto needs_zero = [](const model::Body& body) {

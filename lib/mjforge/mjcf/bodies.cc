@@ -123,8 +123,8 @@ class BodyWriter {
     writer_.CloseEmpty();
   }
 
-  // Writes a geom without mass: the region box, or a geom of an attached file, of which the body
-  // has an inertial element.
+  // Writes a geom without mass: the region box, or a geom of an attached file, whose body has an
+  // <inertial> element.
   void WriteAttachedGeom(const model::Part& part) {
     writer_.OpenElement("geom", part.mark);
     writer_.WriteText("name", part.name);

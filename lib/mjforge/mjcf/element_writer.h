@@ -46,7 +46,7 @@ class ElementWriter {
   void WriteNumber(std::string_view name, double value) { WriteNumbers(name, {&value, 1}); }
   void WriteNumbers(std::string_view name, std::span<const double> values,
                     NumberFormat format = NumberFormat::kExact);
-  /// Writes the first `count` components.
+  /// Writes the first `count` components of a vector as an attribute.
   template <typename V>
   void WriteVector(std::string_view name, const V& value, std::size_t count = V::SizeAtCompileTime,
                    NumberFormat format = NumberFormat::kExact) {

@@ -17,7 +17,7 @@ diag::SourceMark MjcfDocument::Origin(int line) const {
 
 std::size_t MeshBytes(std::string_view text) {
   std::size_t bytes = 0;
-  // ElementWriter puts each element on a line of its own.
+  // Adds up the lengths of lines, because ElementWriter puts each element on a line of its own.
   while (!text.empty()) {
     const std::size_t size = std::min(text.find('\n'), text.size() - 1) + 1;
     const std::string_view line = text.substr(0, size);

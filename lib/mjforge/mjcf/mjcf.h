@@ -20,7 +20,7 @@ namespace mjforge::mjcf {
 /// Content of the opening comment of a generated file: enough to regenerate the file.
 struct Provenance {
   std::string version;
-  std::string spec;  // name or path on the command line
+  std::string spec;  // name or path of the spec, as given on the command line
   std::string spec_sha256;
   std::vector<std::pair<std::string, std::string>> settings;  // names and values of --set
   std::uint64_t seed = 0;
@@ -31,7 +31,7 @@ struct Provenance {
   std::string target;
   std::string assets_as;    // form of assets (kAssetForms); empty: inline
   std::string sampler;      // empty: random
-  std::uint64_t batch = 0;  // variants in the batch; 0: the variant does not depend on their number
+  std::uint64_t batch = 0;  // variants in the batch; 0: variants do not depend on their number
 };
 /// Reads the opening comment of a generated file; returns nullopt if the file has no such comment.
 std::optional<Provenance> ReadProvenance(std::string_view mjcf);
@@ -62,7 +62,7 @@ inline constexpr std::size_t kHashDigits = 16;
 struct GeneratedFile {
   enum class Kind { kMesh, kTexture };
   Kind kind = Kind::kMesh;
-  std::size_t index = 0;          // in Object::meshes or Object::textures
+  std::size_t index = 0;          // index in Object::meshes or Object::textures
   std::size_t hash_position = 0;  // offset of the placeholder in the text, bytes
 };
 
@@ -73,8 +73,8 @@ struct MjcfDocument {
   /// Offset at which a <size> element may be inserted, bytes; npos if MuJoCo must get the text
   /// unchanged (a scene has contacts).
   std::size_t size_position = 0;
-  /// Offset at which an element of the world may be inserted, bytes, right before the root body;
-  /// npos if the file has its own floor.
+  /// Offset at which a child element of <worldbody> may be inserted, right before the root body,
+  /// bytes; npos if the file has its own floor.
   std::size_t world_position = 0;
   /// True if the host adds a free joint to the root body, so that the file must not have one.
   bool host_adds_free_joint = false;
@@ -113,7 +113,7 @@ void Adapt(model::Object& object, Target target, diag::Findings& findings);
 /// Returns the size of all <mesh> elements of the text, bytes.
 std::size_t MeshBytes(std::string_view text);
 
-/// Returns a <texture> element without random marks, because random marks differ between releases
+/// Returns a <texture> element without mark="random", because random marks differ between releases
 /// of MuJoCo.
 std::string TextureElement(const model::Texture& texture);
 

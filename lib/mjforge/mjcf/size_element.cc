@@ -64,11 +64,11 @@ std::vector<std::size_t> CountLyingGeoms(const model::Object& object, bool scene
   return geoms;
 }
 
-/// Returns the number of contacts to allocate: four for a geom that lies flat. Few of the many
-/// pieces of a dish or a drawer lie flat, and each further piece has one contact, as in a stack of
-/// bowls.
+/// Returns the number of contacts to allocate: four for each geom that lies flat, up to a limit for
+/// each child of the world, and one for each further geom. Few of the many pieces of a dish or a
+/// drawer lie flat; in a stack of bowls each piece has about one contact.
 double ContactsOf(const std::vector<std::size_t>& geoms) {
-  constexpr double kFlatContactsOfRoot = 300;  // more than of others, because it may be large
+  constexpr double kFlatContactsOfRoot = 300;  // larger, because the root may be large
   double contacts = 0;
   for (std::size_t i = 0; i < geoms.size(); ++i) {
     const auto count = static_cast<double>(geoms[i]);
@@ -231,7 +231,7 @@ void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer) 
   if (contacts_fit && rows <= kRowsThatFit && bodies <= kBodiesThatFit) return;
   const double dofs = CountDofs(object);
   const double most = MostRows(dofs);
-  // A contact has four pyramid edges (condim 3).
+  // Number of contacts. A contact needs four constraint rows, its pyramid edges (condim 3).
   double contacts = scene ? kContactsThatFit : 0;
   if (!contacts_fit) contacts = std::min(needed, most / 4);
   const double njmax = std::min(4 * contacts + static_cast<double>(rows) + (scene ? 0 : 500), most);
@@ -243,7 +243,7 @@ void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer) 
     // freedom.
     nstack = 400 * contacts + 1e6;
   } else if (bodies > kBodiesThatFit || standard > kMostStack) {
-    // Adds one number for each pair of bodies.
+    // Adds one number for each pair of bodies, because MuJoCo's stack has a list of pairs.
     nstack = std::min(standard, kMostStack) + static_cast<double>(bodies * bodies);
   }
   WriteSize(njmax, contacts, nstack, writer);

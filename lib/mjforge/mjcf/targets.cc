@@ -22,14 +22,14 @@ constexpr UnsupportedFeature kMjxUnsupported[] = {
     {.section = "sensor", .element = "tendonlimitvel"},
     {.section = "sensor", .element = "tendonlimitfrc"},
     {.section = "sensor", .element = "user"},
-    {.section = "actuator", .attribute = "body"},  // includes adhesion
+    {.section = "actuator", .attribute = "body"},  // includes adhesion actuators
     {.section = "actuator", .attribute = "cranksite"},
     {.section = "actuator", .attribute = "dyntype", .text = "user"},
     {.section = "actuator", .attribute = "gaintype", .text = "user"},
     {.section = "actuator", .attribute = "biastype", .text = "user"},
     {.section = "option", .attribute = "integrator", .text = "implicit", .drops_element = false},
     {.section = "option", .attribute = "solver", .text = "PGS", .drops_element = false},
-    {.section = "option", .attribute = "noslip_iterations", .drops_element = false},  // ignored
+    {.section = "option", .attribute = "noslip_iterations", .drops_element = false},  // no effect
     {.section = "option", .element = "flag", .attribute = "energy", .drops_element = false},
     {.section = "option", .element = "flag", .attribute = "override", .drops_element = false},
     {.section = "option", .element = "flag", .attribute = "fwdinv", .drops_element = false},

@@ -68,7 +68,7 @@ struct TargetRules {
   bool repeats_start = false;  // the file has a keyframe even if the start is at zero
 
   // Support for elements, which are otherwise dropped with a warning.
-  bool supports_sections = true;       // contact, sensor, ...
+  bool supports_sections = true;       // sections such as contact and sensor
   bool supports_texture_sides = true;  // textures composed of several files
   std::span<const UnsupportedFeature> unsupported = {};
 

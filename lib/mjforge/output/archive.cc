@@ -32,7 +32,8 @@ using Writer = std::unique_ptr<archive, Free<archive_write_free>>;
 using Reader = std::unique_ptr<archive, Free<archive_read_free>>;
 using Entry = std::unique_ptr<archive_entry, Free<archive_entry_free>>;
 
-// Throws if a call failed; this happens only if memory is exhausted or libarchive lacks a format.
+// Throws if a call of libarchive failed, which happens only if memory is exhausted or libarchive
+// lacks a format.
 void Require(int status, archive* writer) {
   if (status != ARCHIVE_OK) {
     if (archive_errno(writer) == ENOMEM) throw std::bad_alloc();

@@ -53,8 +53,8 @@ class ArchiveReader {
   ArchiveReader(const ArchiveReader&) = delete;
   ArchiveReader& operator=(const ArchiveReader&) = delete;
 
-  /// Returns the name of the next member; nullopt at the end of the archive and if reading fails.
-  /// `why_not` is set only if reading fails.
+  /// Returns the name of the next member. At the end of the archive, or if reading fails, returns
+  /// nullopt; sets `why_not` only if reading fails.
   std::optional<std::string> Next(std::string& why_not);
   /// Returns the bytes of the member that Next named; nullopt, and sets `why_not`, if reading
   /// fails. To be called at most once per member.

@@ -31,7 +31,8 @@ struct Destination {
   ArchiveFormat format = ArchiveFormat::kTar;
   std::uint64_t per_archive = 0;  // kArchives: number of variants in each archive
 
-  /// Returns true if the batch has one file, or a series of files of many variants each.
+  /// Returns true if each output file contains many variants: an archive, a series of archives, or
+  /// families.
   bool IsArchive() const {
     return kind == Kind::kArchive || kind == Kind::kArchives || kind == Kind::kFamily;
   }
@@ -71,8 +72,9 @@ std::optional<std::uint64_t> ReadIndex(std::string_view digits);
 /// Number of files in a folder; files with larger indices go to subfolders, so that the path of a
 /// file depends only on its index.
 inline constexpr std::uint64_t kFilesPerFolder = 10'000;
-/// Endings of a variant's file, after VariantStem(): an object, and the placement of a scene whose
-/// objects have files of their own, beside it in a folder of the variant.
+/// Endings of a variant's file name, appended to VariantStem(). An object has a single file. A
+/// scene whose objects have files of their own (--each) has a folder with these files and its
+/// placement.
 inline constexpr std::string_view kObjectEnding = ".xml";
 inline constexpr std::string_view kPlacementEnding = "/placement.json";
 /// Returns the path of a variant's file within the folder: "hammer_000042.xml",

@@ -9,9 +9,9 @@
 
 namespace mjforge::output {
 
-/// Data that a power cut may destroy. kNone: all files, even under their final names, that the
-/// system has not yet written to the disk by itself (up to half a minute of work). kBatch: no file
-/// that a manifest lists.
+/// Data that a power cut may destroy. kNone: all files that the system has not yet written to the
+/// disk by itself (up to half a minute of work), even if the files have their final names. kBatch:
+/// no file that a manifest lists.
 enum class Durability { kNone, kBatch };
 inline constexpr std::string_view kDurabilities[] = {"none", "batch"};
 

@@ -155,7 +155,7 @@ class Header {
 // Adds version, flags, method (no compression) and time (the earliest that a zip file can have).
 Header& AddCommon(Header& header, bool is_large) {
   constexpr unsigned kVersion = 20;
-  constexpr unsigned kLargeVersion = 45;  // sizes of 64 bits
+  constexpr unsigned kLargeVersion = 45;  // version with sizes of 64 bits
   constexpr unsigned kChecksumFollows = 1U << 3;
   constexpr unsigned kUtf8Name = 1U << 11;
   constexpr unsigned kFirstDay = 1U << 5 | 1U;  // 1980-01-01

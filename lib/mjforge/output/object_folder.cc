@@ -33,7 +33,7 @@ void RemoveIfAbandoned(const std::filesystem::path& file) {
   ::close(descriptor);
 }
 
-// Returns true for a folder, and false for a link to one.
+// Returns true for a folder, and false for a symbolic link to a folder.
 bool IsOwnFolder(const std::filesystem::path& path) {
   std::error_code ignored;
   return std::filesystem::is_directory(std::filesystem::symlink_status(path, ignored));
@@ -69,8 +69,8 @@ std::optional<std::uint64_t> IndexOfFile(std::string_view file) {
 
 namespace {
 
-// Removes all abandoned temporary files in the folders of variants (--each); `is_object` selects
-// these folders, by their names with the ending of an object's file.
+// Removes all abandoned temporary files in the folders of variants (--each). `is_object` selects
+// these folders: its argument is the folder's name with the ending of an object's file.
 void RemoveAbandonedParts(const std::filesystem::path& folder,
                           const std::function<bool(const std::string&)>& is_object) {
   const auto is_any = [](const std::string&) { return true; };

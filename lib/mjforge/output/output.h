@@ -32,8 +32,8 @@ struct OverwritePolicy {
   // SHA-256 of assets that earlier runs of the same batch wrote. An existing file may be replaced
   // if its old or its new content has one of these hashes.
   std::set<std::string> assets = {};
-  // Names and SHA-256 of assets that earlier objects refer to. Existing files with these names may
-  // only be replaced by content with that hash.
+  // Names and SHA-256 of assets that earlier objects refer to. An existing file with one of these
+  // names may only be replaced by content with the hash given here.
   std::map<std::string, std::string> kept_assets = {};
 };
 
@@ -107,8 +107,8 @@ class ObjectFolder {
 
   /// Writes an object's file, whose name may contain folders, after the assets beside it. Each
   /// asset is written once. Files that mjforge did not make are replaced only if the overwrite
-  /// policy allows it. `hashes` are manifest::Record::assets; a finding is added if an asset's hash
-  /// differs, because the asset was changed meanwhile.
+  /// policy allows it. `hashes` are manifest::Record::assets; if the hash of an asset differs from
+  /// them, adds a finding, because the asset was changed while the batch was made.
   bool Write(const std::string& file, const mjcf::MjcfDocument& document, diag::Findings& findings,
              const AssetHashes& hashes = {});
 
@@ -124,7 +124,7 @@ class ObjectFolder {
   OverwritePolicy overwrite_;
   MadeFolders folders_;
   std::filesystem::path last_folder_;       // folder of the last file
-  std::set<std::filesystem::path> assets_;  // assets that are written
+  std::set<std::filesystem::path> assets_;  // assets that were written already
 };
 
 /// Removes the temporary files that killed processes left when writing `files`. Keeps temporary

@@ -21,7 +21,7 @@ class Superset {
   /// Adds the parts, sites and meshes of a variant.
   void Add(const model::Object& object);
 
-  /// Gives an object all parts, sites and meshes that the bodies of these names have in any
+  /// Gives each body of an object all parts, sites and meshes that the body of this name has in any
   /// variant, in an order that is the same for all objects. An element is renamed if its name
   /// belongs to an element of another type in another variant: "handle" is a box, "handle.cylinder"
   /// the cylinder.
@@ -33,7 +33,7 @@ class Superset {
   template <typename Element>
   struct Slots {
     std::vector<Element> elements;
-    std::map<std::string, std::size_t> positions;  // by key
+    std::map<std::string, std::size_t> positions;  // index in `elements`, by key
 
     /// Returns the position of a key; inserts the element at `next` if the key is new.
     template <typename Make>
@@ -56,9 +56,9 @@ class Superset {
   PartSlot NewSlot(const model::Part& part, const model::Object& object);
   bool IsOptional(const PartSlot& slot) const { return slot.count < count_; }
 
-  std::size_t count_ = 0;                    // variants
+  std::size_t count_ = 0;                    // number of variants
   std::map<std::string, BodySlots> bodies_;  // by name
-  Slots<std::string> meshes_;                // names
+  Slots<std::string> meshes_;                // names of the meshes
   std::set<std::string> geom_names_, site_names_, mesh_names_;
 };
 

@@ -8,7 +8,7 @@
 
 namespace mjforge::placing {
 
-/// A shape of a body that is a given body A or below A.
+/// A shape of a given body A or of a body below A.
 struct BodyShape {
   int body = -1;
   model::Shape shape;

@@ -106,7 +106,7 @@ Disc EnclosingDisc(std::span<const Disc> discs) {
     if (reach <= around.radius * (1 + kRelativeRounding)) return around;
     std::vector<Disc> larger = basis;
     const Disc next = Extend(larger, *farthest);
-    if (!std::isfinite(next.radius) || next.radius <= around.radius) break;  // stopped by rounding
+    if (!std::isfinite(next.radius) || next.radius <= around.radius) break;  // because of rounding
     around = next;
     basis = std::move(larger);
   }

@@ -1,4 +1,4 @@
-// Smallest enclosing disc of discs.
+// Smallest disc that encloses given discs.
 
 #pragma once
 

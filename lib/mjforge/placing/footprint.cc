@@ -21,7 +21,7 @@ constexpr int kGenerators = 256;    // lines on the side of a tilted cylinder
 constexpr int kCapsuleSteps = 32;
 constexpr double kLevel = 1e-9;  // tolerance of level axes: sine of the tilt, or rise in m
 // Largest number of pairs of a vertex below and one above the plane for which all connecting lines
-// are sliced; of larger meshes, only the edges of the convex hull are.
+// are sliced. For larger meshes, only the edges of the convex hull are sliced.
 constexpr std::size_t kMostPairs = 100'000;
 
 Vector2d UnitAt(int i) {
@@ -29,8 +29,8 @@ Vector2d UnitAt(int i) {
   return {std::cos(angle), std::sin(angle)};
 }
 
-// Collects the discs and points whose convex hull is, seen from above, that of all points of convex
-// shapes below a level plane.
+// Collects discs and points in the xy plane. Their convex hull is the convex hull, seen from above,
+// of all points of convex shapes below a level plane.
 class Slicer {
  public:
   explicit Slicer(double level) : level_(level) {}
@@ -88,7 +88,8 @@ class Slicer {
     discs_.push_back({center.head<2>(), std::sqrt((radius - above) * (radius + above))});
   }
 
-  // Adds balls of a capsule, from its lower end to the last ball that reaches below the plane.
+  // Adds discs of balls along the axis of a capsule, from its lower end to the last ball that
+  // reaches below the plane.
   void AddCapsule(const Vector3d& center, const Vector3d& half, double radius) {
     const Vector3d low = center - half;
     const double rise = 2 * half.z();
@@ -96,8 +97,8 @@ class Slicer {
     const double end = is_level ? 1 : std::min(1.0, (level_ + radius - low.z()) / rise);
     const int steps = is_level ? 1 : kCapsuleSteps;
     for (int i = 0; i <= steps; ++i) {
-      // Sets the balls closer towards the end, where the discs shrink fastest: like the square root
-      // of the distance to the end.
+      // Spaces the balls more closely towards the end, where the radius of their discs shrinks
+      // fastest: like the square root of the distance to the end.
       const double rest = 1 - static_cast<double>(i) / steps;
       AddBall(low + 2 * half * (end * (1 - rest * rest)), radius);
     }

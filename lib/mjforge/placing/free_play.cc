@@ -29,7 +29,7 @@ struct HalfPlane {
 
 bool IsDisc(const model::Region& region) { return region.type == model::RegionType::kDisc; }
 
-// Returns the half planes whose intersection is the region without its margin; for a disc, half
+// Returns the half planes whose intersection is the region, shrunk by its margin; for a disc, half
 // planes at kTangents tangents.
 std::vector<HalfPlane> BordersOf(const model::Region& region) {
   std::vector<HalfPlane> borders;
@@ -50,7 +50,7 @@ std::vector<HalfPlane> BordersOf(const model::Region& region) {
   return borders;
 }
 
-// Returns the share of the footprint's area outside of the borders after a translation.
+// Returns the share of the footprint's area that is outside of the borders after a translation.
 double ShareOutside(const std::vector<HalfPlane>& borders, const Polygon& outline,
                     const Vector2d& translation) {
   Polygon inside = outline;
@@ -61,8 +61,8 @@ double ShareOutside(const std::vector<HalfPlane>& borders, const Polygon& outlin
 
 double Between(double low, double high, double u) { return low + (high - low) * (u + 1) / 2; }
 
-// Returns the point of a convex polygon that belongs to (u, v), each from -1 to 1: u is mapped to
-// the extent of the polygon along x, v to the extent along y at this x.
+// Maps numbers (u, v), each from -1 to 1, to a point of a convex polygon: u to the extent of the
+// polygon along x, v to the extent along y at this x.
 Vector2d PointIn(const Polygon& polygon, const Vector2d& uv) {
   Eigen::AlignedBox2d box;
   for (const Vector2d& p : polygon) box.extend(p);
@@ -124,9 +124,9 @@ std::optional<Vector2d> PositionInDisc(const model::Region& region, const Footpr
   return -around.center + std::min(share, 1.0) * std::max(farthest, 0.0) * way;
 }
 
-// Finds, by bisection, how far the footprint can be moved from the middle. The share of its area
-// outside does not decrease on the way, because the area of the intersection of convex sets is a
-// log-concave function of the translation (Brunn-Minkowski).
+// Finds, by bisection, the largest distance by which the footprint can be moved from the middle.
+// The share of its area outside does not decrease with the distance, because the area of the
+// intersection of convex sets is a log-concave function of the translation (Brunn-Minkowski).
 std::optional<Vector2d> PositionWithOverhang(const model::Region& region,
                                              const Footprint& footprint, const Polygon& outline,
                                              const Vector2d& uv, double overhang) {
@@ -172,7 +172,7 @@ bool FitsAt(const model::Region& region, const Footprint& footprint, const Vecto
   } else {
     const auto is_inside = [&](const HalfPlane& border) {
       return border.normal.dot(translation) + footprint.Support(border.normal) <=
-             border.limit + 2 * kFitTolerance;  // twice that of PositionIn(), for rounding
+             border.limit + 2 * kFitTolerance;  // twice the tolerance of PositionIn()
     };
     if (std::ranges::all_of(BordersOf(region), is_inside)) return true;
   }

@@ -10,17 +10,17 @@
 
 namespace mjforge::placing {
 
-/// Returns the translation of the footprint, in the frame of the region, that belongs to the
-/// numbers `uv`, each from -1 to 1 or, in a disc, within the unit disc. The numbers are mapped onto
-/// all translations that keep the footprint within the region and its margin (Minkowski erosion of
-/// the region by the footprint). With an `overhang`, the share of the footprint's area that may be
-/// outside, the numbers are mapped onto all translations that keep this share. Returns nullopt if
-/// there is no such translation.
+/// Maps two drawn numbers `uv` to a translation of the footprint in the region's frame. Each number
+/// is from -1 to 1; in a round region, `uv` is a point of the unit disc. The result can be any
+/// translation that keeps the footprint in the region, at least the region's margin away from its
+/// border (Minkowski erosion of the region by the footprint). With an `overhang`, the share of the
+/// footprint's area that may be outside, the result can be any translation that keeps this share.
+/// Returns nullopt if there is no such translation.
 std::optional<Eigen::Vector2d> PositionIn(const model::Region& region, const Footprint& footprint,
                                           const Eigen::Vector2d& uv, double overhang);
 
-/// Returns true if the translated footprint is within the region and its margin, except for the
-/// share `overhang` of its area.
+/// Returns true if the translated footprint is in the region, at least the region's margin away
+/// from its border, except for the share `overhang` of its area.
 bool FitsAt(const model::Region& region, const Footprint& footprint,
             const Eigen::Vector2d& translation, double overhang);
 

@@ -1,4 +1,4 @@
-// Obstacles, the placed bodies: distances to them, and lowering of objects onto them.
+// Placed bodies as obstacles: distances to them, and lowering of objects onto them.
 
 #pragma once
 
@@ -25,8 +25,8 @@ struct Support {
   int body = -1;
   Eigen::Vector3d p_W;      // a point of the plane
   Eigen::Vector3d up_W;     // normal of the plane
-  bool is_ignored = false;  // the supporting body may overlap
-  /// Placed bodies under the supporting body, such as the lower bowls of a stack, and that body.
+  bool is_ignored = false;  // true: the supporting body is no obstacle
+  /// The supporting body and the placed bodies under it, such as the lower bowls of a stack.
   std::vector<int> below = {};
 };
 
@@ -44,8 +44,8 @@ class Obstacles {
   void Add(const model::Object& object, int body, double clear);
 
   /// Returns the first obstacle that overlaps the shapes, or is nearer than `clear` or than the
-  /// obstacle's own `clear`. No distance is required to the supporting body, the bodies under it
-  /// and shapes wholly below the support: these must only not overlap.
+  /// obstacle's own `clear`. The supporting body, the bodies under it and shapes wholly below the
+  /// support may be at any distance, but must not overlap the shapes.
   std::optional<Blocker> FindBlocker(std::span<const distance::PlacedShape> shapes, double clear,
                                      const Support& support) const;
 

@@ -42,7 +42,7 @@ struct Orientation {
   std::optional<Eigen::Quaterniond> asked;  // nullopt: as modelled, if stable
   Eigen::Quaterniond q_LB;
   std::vector<BodyShape> shapes;  // in the body's frame B
-  Footprint footprint;            // in L
+  Footprint footprint;            // in frame L
   double bottom = 0;              // least z in L, m
   double height = 0;              // m
 };
@@ -114,7 +114,7 @@ struct Stance {
   std::optional<Vector2d> at;  // nullopt: the footprint does not fit into the region
 };
 
-// A try at a place in a region.
+// Evaluates one attempt (PlaceTry) to place a body in a region.
 class RegionTry {
  public:
   RegionTry(const model::Object& object, const Orientation& of, const PlaceTry& where)
@@ -173,8 +173,8 @@ class RegionTry {
     }
   }
 
-  // Returns the angle of the body's front in L, rad; that of the upright body if the front points
-  // up or down.
+  // Returns the angle of the body's front in L, rad. If the front points up or down, returns the
+  // angle for the upright body.
   double FrontAngle() const {
     constexpr double kSteep = 0.1;
     const Vector2d front = DirectionAt(where_.front);
@@ -204,8 +204,9 @@ class RegionTry {
     return (NeighbourPose().q * Vector3d(front.x(), front.y(), 0)).head<2>();
   }
 
-  // Returns the position next to the neighbour, by the bounding boxes of both bodies along the
-  // neighbour's front and across it.
+  // Returns the position beside the neighbour: `gap` away in the direction of `side`, and shifted
+  // along the neighbour's side by a drawn number. Distances are between extents of the bodies along
+  // and across the neighbour's front.
   Vector2d NextTo(double yaw) const {
     const model::Beside& beside = *where_.beside;
     const Vector2d front = NeighbourFront().normalized();

@@ -8,9 +8,9 @@
 
 namespace mjforge::placing {
 
-/// Height of a placed object above its support, m: less than the 0.1 mm that an object may fall,
-/// and larger than rounding errors of numbers in MJCF, so that objects do not overlap. The `margin`
-/// of a geom, at which MuJoCo makes contacts without force, is ignored.
+/// Height of a placed object above its support, m: less than 0.1 mm, so that the object hardly
+/// falls, and larger than rounding errors of numbers in MJCF, so that objects do not overlap. The
+/// `margin` of a geom, at which MuJoCo makes contacts without force, is ignored.
 inline constexpr double kContactGap = 5e-5;
 
 /// Returns a placer. Distances are exact: colliding parts are convex, because MuJoCo replaces a

@@ -38,7 +38,7 @@ Vector3d OnSphere(int around, int along) {
           std::sin(latitude)};
 }
 
-// Adds points of a shape, in A, whose hull is the shape or close to it.
+// Adds points, in A, whose convex hull is a shape or approximates it.
 void AddPoints(const BodyShape& of, std::vector<Vector3d>& points_A) {
   const Vector3d& size = of.shape.size;
   const auto add = [&](const Vector3d& p_G) { points_A.push_back(of.X_AG * p_G); };
@@ -187,8 +187,9 @@ class RestFinder {
     return face;
   }
 
-  // Makes a face the representative of the pose if its normal is nearer to one of the six sides or,
-  // if equally near, to an earlier side.
+  // Makes a face the representative of the pose if its normal is nearer to one of the six sides
+  // than the representative's normal; if both are equally near, the face with the earlier side is
+  // used.
   void Represent(const Vector3d& normal, Rest& rest) const {
     rest.is_stable = true;
     for (std::size_t side = 0; side < sides_.size(); ++side) {

@@ -10,9 +10,9 @@ namespace mjforge::placing {
 
 /// Returns the poses in which a body, with all bodies below it, rests on a face of its convex hull
 /// with its centre of mass above that face. Faces between which the body rolls (round sides) are
-/// one pose. The probability of a pose is the share of directions, seen from the centre of mass, in
-/// which its faces are. A pose is named after the side that is down; `front` is the angle of the
-/// body's front, from its -y axis, rad.
+/// one pose. The probability of a pose is the solid angle of its faces, seen from the centre of
+/// mass, as a share of the sum over all poses. A pose is named after the side that is down; `front`
+/// is the angle of the body's front, from its -y axis, rad.
 std::vector<model::StablePose> StablePosesOf(const model::Object& object, int body, double front);
 
 }  // namespace mjforge::placing

@@ -44,7 +44,7 @@ Eigen::AlignedBox2d BoxOf(const model::Region& region) {
 struct Place {
   const model::Region& region;
   const model::Pose& X_WR;
-  double half_height;  // m, of the body that shall stand on the disc
+  double half_height;  // m, half the height of the body to be placed on the disc
   const Obstacles& obstacles;
   const Support& support;
 };

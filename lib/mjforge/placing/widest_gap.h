@@ -7,9 +7,9 @@
 
 namespace mjforge::placing {
 
-/// Returns the diameter, m, to a millimetre, of the largest disc within the region and its margin
-/// above which no body is up to `height`, m; 0 if there is no such disc. X_WR is the pose of the
-/// region. The body that has the region is no obstacle.
+/// Returns the diameter, m, to a millimetre, of the largest disc in the region, at least the
+/// region's margin away from its border, above which no body is up to `height`, m; 0 if there is no
+/// such disc. X_WR is the pose of the region. The body that has the region is no obstacle.
 double WidestGap(const model::Region& region, const model::Pose& X_WR, double height,
                  const Obstacles& obstacles, const Support& support);
 

@@ -26,10 +26,10 @@ struct Cell {
   Eigen::AlignedBox3d box;
 };
 
-/// The coordinate plane in which a cross section is given, and the axis perpendicular to this
-/// plane: 0, 1 and 2 are x, y and z.
+/// Coordinate plane of a cross section: the axes of its two coordinates, and the axis perpendicular
+/// to the plane. Axes 0, 1 and 2 are x, y and z.
 struct SectionPlane {
-  int u = 0;  // first coordinate of a Point2
+  int u = 0;  // axis of the first coordinate of a Point2
   int v = 1;
   int axis = 2;
 
@@ -38,7 +38,8 @@ struct SectionPlane {
 /// Planes of the cross sections of holes along x, y and z.
 inline constexpr SectionPlane kSectionPlanes[] = {{1, 2, 0}, {0, 2, 1}, {0, 1, 2}};
 
-/// Returns the cells of a convex partition of an area, unbounded along the axis of `plane`.
+/// Returns the cells of a convex partition of an area. Each cell is a convex polygon extruded
+/// without end in both directions along the axis of `plane`.
 std::vector<Cell> CellsOf(const Area& area, const SectionPlane& plane);
 
 /// Returns the part of a polygon in a half-space; empty if there is none. Points up to `near`, m,
@@ -51,7 +52,7 @@ double AreaOf(const SpacePolygon& polygon);
 /// Returns true if the area of the polygon is at most its perimeter times `width`, m.
 bool IsThin(const SpacePolygon& polygon, double width);
 
-/// Returns the parts of the polygons that would be in a cell if they were moved by `offset`. The
+/// Returns the parts of the polygons that, if moved by `offset`, would be in one of the cells. The
 /// offset decides to which of two cells a polygon on their common plane belongs. Parts thinner than
 /// the offset's length are rounding errors and are removed.
 std::vector<SpacePolygon> ClippedByCells(const std::vector<SpacePolygon>& polygons,
@@ -67,8 +68,8 @@ bool Subtract(const Cell& cell, std::vector<Polytope>& polyhedra, double near, s
 /// are no more such pairs.
 void JoinPolyhedra(std::vector<Polytope>& polyhedra, double near);
 
-/// Returns the number of groups of polyhedra; polyhedra of different groups share no part of a
-/// face.
+/// Returns the number of connected components, where polyhedra are connected if faces of them
+/// overlap in an area.
 std::size_t CountSeparateParts(const std::vector<Polytope>& polyhedra, double near);
 
 }  // namespace mjforge::solid

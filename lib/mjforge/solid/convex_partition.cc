@@ -158,7 +158,7 @@ class PolygonMerger {
 
   const std::vector<Point2>& corners_;
   std::vector<std::vector<int>> polygons_;
-  std::map<std::pair<int, int>, std::size_t> owners_;  // polygon of each directed side
+  std::map<std::pair<int, int>, std::size_t> owners_;  // by side: index of its polygon
 };
 
 }  // namespace

@@ -9,19 +9,20 @@
 
 namespace mjforge::solid {
 
-/// Triangulation and convex partition of an area, as indices of its corners, counter-clockwise;
-/// neighbouring polygons share whole sides. Ear clipping makes the shortest cut first; merging
-/// removes the longest cuts first where the result is convex. Without holes the partition has at
-/// most four times the minimum number of polygons. Source: Hertel and Mehlhorn, "Fast triangulation
-/// of simple polygons", 1983.
+/// Triangulation and convex partition of an area. A polygon is a list of indices of the area's
+/// corners, counter-clockwise; neighbouring polygons share whole sides. Ear clipping makes the
+/// shortest cut first. Merging removes the longest cuts first, each only if the merged polygon is
+/// convex. Without holes the partition has at most four times the minimum number of polygons.
+/// Source: Hertel and Mehlhorn, "Fast triangulation of simple polygons", 1983.
 struct ConvexPartition {
   std::vector<std::array<int, 3>> triangles;
   std::vector<std::vector<int>> convex;
 };
 ConvexPartition PartitionOf(const Area& area);
 
-/// Returns a partition of an area into convex polygons, counter-clockwise: rectangles, in rows from
-/// below, if all its sides are parallel to the axes, otherwise the convex polygons of PartitionOf.
+/// Returns a partition of an area into convex polygons, counter-clockwise. If all sides of the area
+/// are parallel to the axes, the polygons are rectangles in rows, from below; otherwise they
+/// are those of ConvexPartition::convex.
 std::vector<std::vector<Point2>> ConvexPolygonsOf(const Area& area);
 
 /// Sine of the largest turn that counts as straight.

@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 // Distance at which a point inside or outside of a face is tested, as a share of the prism's size.
 constexpr double kBeside = 1e-8;
 
-/// A side of an extruded outline: a rectangle along the axis of its section.
+/// Rectangle that one side of an outline sweeps when the outline is extruded along its axis.
 struct Strip {
   Point2 from = Point2::Zero();
   Point2 to = Point2::Zero();
@@ -107,10 +107,10 @@ class CutMesher {
     }
   }
 
-  /// Adds the parts of a strip that are on the surface: all other extrusions must be on the inner
-  /// side of these parts. If several extrusions end in one plane, only the first of the extrusions
-  /// along z, x and y adds the surface there: parts of a later extrusion must have the earlier
-  /// extrusions on their outer side, too.
+  /// Adds the parts of a strip that are on the prism's surface, which are the parts inside of both
+  /// other extrusions. If sides of several extrusions coincide, only the first of these extrusions,
+  /// in the order z, x, y, adds its strip: a part of a later extrusion is left out if the space on
+  /// its outer side is outside of an earlier extrusion.
   void AddStrip(std::size_t axis, const Strip& strip) {
     const SectionPlane& plane = kSectionPlanes[axis];
     const double low = box_.min()[plane.axis];
@@ -149,7 +149,7 @@ class CutMesher {
   const Prism& prism_;
   const CutSections& sections_;
   Eigen::AlignedBox3d box_;
-  Eigen::AlignedBox2d picture_;  // bounds of the picture on the caps
+  Eigen::AlignedBox2d picture_;  // bounds of the caps in the coordinates of OnPicture()
   double beside_ = 0;
   std::array<std::vector<Cell>, 3> cells_;
   Point2 cap_scale_;

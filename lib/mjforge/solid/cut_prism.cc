@@ -68,7 +68,7 @@ std::optional<CutSections> SectionsOf(const Prism& prism, const BasePolygon& bas
   return sections;
 }
 
-/// Returns a loop of an area as an area of its own.
+/// Returns the outline or one hole of an area as an area without holes.
 Area LoopOf(const Area& area, std::size_t loop) {
   const auto [first, count] = area.Loop(loop);
   const auto begin = area.corners.begin() + static_cast<std::ptrdiff_t>(first);

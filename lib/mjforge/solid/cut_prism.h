@@ -9,8 +9,9 @@
 
 namespace mjforge::solid {
 
-/// Cross sections of three extrusions along x, y and z, whose intersection is the solid. The
-/// sections along x and y are rectangles around the prism, each with the holes along its axis.
+/// Cross sections of three extrusions along x, y and z; the solid is the intersection of the
+/// extrusions. The sections along x and y are rectangles around the prism, each with the holes
+/// along its axis.
 using CutSections = std::array<Area, 3>;
 
 /// Makes a prism with holes along x or y. The pieces fill the prism exactly. `base` has the polygon

@@ -126,7 +126,7 @@ class ExtrusionMesher {
 
   const Prism& prism_;
   const PrismSections& sections_;
-  Eigen::AlignedBox2d picture_;  // bounds of the picture on the caps
+  Eigen::AlignedBox2d picture_;  // bounds of the caps in the coordinates of OnPicture()
   Point2 cap_scale_;
   Point2 side_scale_;
   TriangleMesh mesh_;

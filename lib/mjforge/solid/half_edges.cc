@@ -33,7 +33,8 @@ std::vector<int> HalfEdges::FacesAround(int vertex) const {
   int neighbour = start;
   do {
     faces.push_back(FaceAt(vertex, neighbour));
-    // The face across the edge continues from this vertex along its next half-edge.
+    // In the face to the left of the half-edge from `neighbour` to `vertex`, the next half-edge
+    // runs from `vertex` to the next neighbour.
     neighbour = next_.at({neighbour, vertex}).second;
   } while (neighbour != start);
   std::ranges::reverse(faces);

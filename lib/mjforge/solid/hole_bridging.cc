@@ -66,8 +66,8 @@ class HoleBridger {
     return Nearest(from, Point2(x, from.y()), end);
   }
 
-  /// Returns the x at which the ray from `from` along +x hits side ab of a polygon, for a side that
-  /// goes upwards; nullopt if the ray misses the side.
+  /// Returns the x at which the ray from `from` along +x hits side ab of a polygon; nullopt if the
+  /// ray misses the side, or if the side does not go upwards.
   static std::optional<double> RayHit(const Point2& from, const Point2& a, const Point2& b) {
     if (!(a.y() <= from.y() && b.y() >= from.y() && a.y() < b.y())) return std::nullopt;
     const double x = a.x() + (from.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());

@@ -9,7 +9,7 @@
 namespace mjforge::solid {
 namespace {
 
-/// Returns the fault of the last hole, without Fault::loop; nullopt if the hole is inside of
+/// Returns the fault of the last hole (Fault::loop is not set); nullopt if the hole is inside of
 /// `around` and meets no other hole.
 std::optional<Fault> FaultOfLast(const std::vector<Outline>& holes, const Outline& around,
                                  std::string_view along) {

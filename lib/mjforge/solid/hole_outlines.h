@@ -16,12 +16,13 @@ struct HoleGroup {
   std::span<const std::vector<Point2>> outlines;
   std::size_t first_loop = 1;   // Fault::loop of the first hole
   std::string_view along = {};  // "x" or "y", for messages; empty for holes along z
-  /// Number of points of the rest of the shape; kMostPoints limits the total.
+  /// Number of points of the outline and of the holes of earlier groups, because kMostPoints limits
+  /// the total.
   std::size_t other_points = 0;
 };
 
-/// Returns the holes clockwise. Returns nullopt and sets `fault` if a hole is no valid outline, is
-/// not inside of `around`, or meets another hole.
+/// Returns the outlines of the holes, clockwise. Returns nullopt and sets `fault` if a hole is no
+/// valid outline, is not inside of `around`, or meets another hole.
 std::optional<std::vector<Outline>> HolesIn(const Outline& around, const HoleGroup& group,
                                             Fault& fault);
 

@@ -22,7 +22,8 @@ struct BasePolygon {
 
   /// Returns quadrature nodes on the boundary after all sides are moved inwards by `inset`.
   std::vector<QuadratureNode> BoundaryAt(double inset) const;
-  /// Returns the cross sections for this bevel; `per_turn` and `inside` as for PointsOf.
+  /// Returns the cross sections of a prism whose bevel has this width, m. `per_turn` and `inside`
+  /// are arguments of PointsOf().
   PrismSections SectionsAt(double bevel, int per_turn, bool inside) const;
   /// Returns the corners of a loop after all sides are moved inwards by `inset`.
   std::vector<RoundedCorner> CornersOf(std::size_t loop, double inset) const;

@@ -65,8 +65,9 @@ bool IsWithin(const Polytope& b, const Polytope& a, std::size_t but, double near
   return true;
 }
 
-/// Returns the area of the common face if the union of a and b is convex, which is the case if a
-/// and b are on the inner side of all other faces of each other; otherwise nullopt.
+/// Returns the area of the common face of a and b if their union is convex; otherwise nullopt. The
+/// union is convex if each polyhedron is on the inner side of all other faces of the other
+/// polyhedron.
 std::optional<double> AreaBetween(const Polytope& a, const Polytope& b, double near) {
   const auto common = CommonPlane(a, b, near);
   if (!common || !IsWithin(b, a, common->first, near) || !IsWithin(a, b, common->second, near))
@@ -102,7 +103,7 @@ std::optional<Bounded> UnionOf(const Polytope& a, const Polytope& b) {
   return Bounded(*std::move(hull));
 }
 
-/// Returns true if the faces of two polyhedra in a common plane have an area in common.
+/// Returns true if a face of a and a face of b are in one plane and overlap in an area.
 bool ShareArea(const Polytope& a, const Polytope& b, double near) {
   const auto common = CommonPlane(a, b, near);
   if (!common) return false;

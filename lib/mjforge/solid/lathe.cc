@@ -12,8 +12,8 @@
 namespace mjforge::solid {
 namespace {
 
-// Distance from the axis, relative to the profile, up to which a point is moved onto the axis; the
-// end of a computed arc misses the axis by a rounding error.
+// Points up to this distance from the axis, relative to the profile's size, are moved onto the
+// axis, because the end of a computed arc misses the axis by a rounding error.
 constexpr double kOnAxis = 1e-9;
 
 /// Moves points close to the axis onto the axis. Returns false and sets `fault` if a point is

@@ -22,7 +22,7 @@ struct Ring {
   bool is_tip() const { return place.x() == 0; }
 };
 
-/// The faces of a visible edge of the outline, between two rings.
+/// Band of faces that a visible edge of the outline sweeps, between two rings.
 struct Band {
   int from = 0;
   int to = 0;
@@ -120,8 +120,8 @@ class LatheMesher {
     return closes && sources[corner] == 0 ? along_.back() : along_[sources[corner]];
   }
 
-  /// Returns the number of surfaces between the middle of an edge, on its outer side, and far away
-  /// from the axis: 2 for the inside of a cup, 0 for its outside.
+  /// Returns the number of surfaces that a ray crosses which begins on the outer side of an edge,
+  /// at its middle, and points away from the axis: 2 for the inside of a cup, 0 for its outside.
   int CoversOf(std::size_t edge) const {
     constexpr double kBeside = 1e-9;  // m
     const Point2 place = (At(edge) + At(outline_.Next(edge))) / 2 + kBeside * NormalOf(edge);

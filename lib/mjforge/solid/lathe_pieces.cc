@@ -80,8 +80,8 @@ class LathePieceMaker {
     return polygons;
   }
 
-  /// Moves all corners of polygons that became too thin to the circumscribed polygon. Returns false
-  /// if nothing changed.
+  /// Finds polygons that became too thin, and moves all their corners onto the circumscribed
+  /// polygon. Returns false if nothing changed.
   bool Widen(const std::vector<Polygon>& polygons, std::vector<double>& factors) const {
     bool changed = false;
     for (std::size_t i = 0; i < polygons.size(); ++i) {

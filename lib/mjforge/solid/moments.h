@@ -19,8 +19,9 @@ struct QuadratureNode {
 std::vector<QuadratureNode> NodesOf(std::span<const Point2> outline);
 std::vector<QuadratureNode> NodesOf(const std::vector<RoundedCorner>& corners);
 
-/// Returns the mass of the solid that an outline in r, z fills when revolved about z from angle 0
-/// to `angle`, rad (theorem of Pappus and Guldinus, for all moments up to the second).
+/// Returns the mass of the solid that an outline in r, z sweeps when it is revolved about z from
+/// angle 0 to `angle`, rad. Applies the theorem of Pappus and Guldinus to all moments up to the
+/// second.
 Mass RevolvedMass(std::span<const QuadratureNode> boundary, double angle);
 
 /// Moments of a solid of density 1 about a point.

@@ -33,7 +33,7 @@ struct Area {
   Area() = default;
   explicit Area(const std::vector<Point2>& loop) { Add(loop); }
   void Add(const std::vector<Point2>& loop);
-  /// Returns the first corner and the number of corners of a loop.
+  /// Returns the index of the first corner of loop i, and the number of its corners.
   std::pair<std::size_t, std::size_t> Loop(std::size_t i) const;
 };
 

@@ -53,7 +53,7 @@ std::vector<Point2> ConvexPolygonOf(std::vector<Point2> points, double straight)
   for (const Point2& p : points) add(p, 1);
   const std::size_t upper = hull.size();
   for (std::size_t i = points.size() - 1; i-- > 0;) add(points[i], upper);
-  hull.pop_back();  // the first point again
+  hull.pop_back();  // removes the repeated first point
   return hull;
 }
 

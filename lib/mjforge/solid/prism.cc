@@ -106,7 +106,8 @@ std::vector<ConvexPiece> PiecesOf(const BasePolygon& base, const Prism& prism) {
     return pieces;
   }
   AddPieces(sections.middle, edge, pieces);
-  // The inset polygon runs through the full height.
+  // Pieces of the cross section at the ends of a bevelled prism run through the full height, and
+  // omit the bevelled edges.
   if (prism.bevel > 0) AddPieces(sections.end, top, pieces);
   return pieces;
 }

@@ -23,8 +23,8 @@ double RoundToWhole(double number) {
 double ChordError(double half_size, double share) { return std::min(0.25e-3, share * half_size); }
 
 int SegmentsPerTurn(double radius, double chord_error, double angle) {
-  constexpr int kFewest = 16;       // in a whole turn
-  constexpr int kMostVisible = 48;  // within `angle`
+  constexpr int kFewest = 16;       // fewest segments in a whole turn
+  constexpr int kMostVisible = 48;  // most segments within `angle`
   const double share = angle / kWholeTurn;
   int count = kFewest;
   while (radius * (1 - std::cos(std::numbers::pi / count)) > chord_error &&

@@ -25,15 +25,15 @@ int SegmentsPerTurn(double radius, double chord_error, double angle);
 void AddQuad(int a, int b, int c, int d, TriangleMesh& mesh);
 
 /// Makes the render mesh of a lathe. `outline` is its closed profile or the outline of its wall;
-/// the sources of the outline's corners are points of `lathe.profile`.
+/// Outline::sources are indices in `lathe.profile`.
 TriangleMesh MakeLatheMesh(const Lathe& lathe, const Outline& outline,
                            const ConvexPartition& partition);
 
 /// Makes the render mesh of a prism with these cross sections.
 TriangleMesh MakeExtrusionMesh(const Prism& prism, const PrismSections& sections);
 
-/// Returns the coordinates of a point on a picture that is projected from above: to the picture's
-/// right, and down.
+/// Returns the position of a point in the picture of a texture that is projected from above: to the
+/// picture's right, and down.
 inline Point2 OnPicture(const TextureMapping& texture, const Point2& p) {
   return texture.is_turned ? Point2(p.y(), p.x()) : Point2(p.x(), -p.y());
 }

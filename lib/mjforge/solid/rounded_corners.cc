@@ -12,7 +12,7 @@ namespace mjforge::solid {
 namespace {
 
 constexpr double kNoTurn = 1e-9;     // turns up to this are straight, rad
-constexpr double kTolerance = 1e-9;  // relative to a side's length
+constexpr double kTolerance = 1e-9;  // tolerance as a share of a side's length
 
 double TurnAt(const Outline& outline, std::size_t i) {
   const Point2 in = outline.corners[i] - outline.corners[outline.Previous(i)];

@@ -90,7 +90,7 @@ void AddCone(const Vector3d& v, const std::vector<Vector3d>& normals, double r, 
 // The Minkowski sum of a polytope and a ball consists of the polytope, slabs on its faces, sectors
 // of cylinders along its edges and sectors of balls at its vertices.
 Mass RoundedMass(const Polytope& polytope, double radius) {
-  Vector3d origin = Vector3d::Zero();  // inside, to reduce cancellation
+  Vector3d origin = Vector3d::Zero();  // inside the polytope, to reduce cancellation
   for (const Vector3d& p : polytope.vertices)
     origin += p / static_cast<double>(polytope.vertices.size());
   const auto at = [&](int i) {

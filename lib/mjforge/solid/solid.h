@@ -65,13 +65,13 @@ struct Solid {
   Extent extent = {};  // empty if the vertices of the pieces, or of the render mesh, are exact
 };
 
-/// Scale of texture coordinates. MuJoCo ignores `texrepeat` for meshes with texture coordinates.
+/// Texture coordinates of a mesh, with all repetitions, because MuJoCo ignores `texrepeat`.
 struct TextureMapping {
   enum class Unit { kNone, kWhole, kMetre };
-  /// Length over which the picture is repeated: no texture coordinates at all, the whole surface
-  /// (once around and along), or one metre.
+  /// Length over which the picture appears `repeat` times: the whole surface (around and along), or
+  /// one metre. With kNone the mesh has no texture coordinates.
   Unit unit = Unit::kWhole;
-  Eigen::Vector2d repeat = Eigen::Vector2d::Ones();  // around, along
+  Eigen::Vector2d repeat = Eigen::Vector2d::Ones();  // repetitions around and along
   /// Turns a picture that is projected from above by 90 degrees: its upper edge is at the lowest x
   /// in place of the highest y.
   bool is_turned = false;
@@ -90,7 +90,7 @@ struct Lathe {
   /// Sides of the pieces in a whole turn. A piece protrudes from the solid by at most
   /// r (1 / cos(pi / facets) - 1), and never into a cavity.
   int facets = 16;
-  double crease = kDefaultCrease;  // edges that turn by more are sharp
+  double crease = kDefaultCrease;  // edges whose faces differ by a larger angle are sharp
   TextureMapping texture = {};
 
   bool operator==(const Lathe&) const = default;
@@ -107,7 +107,7 @@ struct Prism {
   std::vector<std::vector<Eigen::Vector2d>> holes_y = {};  // along y: outlines in x, z
   double height = 0;
   double round = 0;  // radius of the polygon's corners
-  double bevel = 0;  // width of the cut at all edges of both ends, along z and across
+  double bevel = 0;  // width of the chamfer at all edges of both ends, along z and across
   int facets = 16;   // segments of the pieces' rounded corners in a whole turn
   double crease = kDefaultCrease;
   TextureMapping texture = {};

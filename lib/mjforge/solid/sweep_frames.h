@@ -17,14 +17,14 @@ struct SweepFrame {
   Eigen::Vector3d cut;  // normal of the plane that cuts the tube: differs from `tangent` at corners
   double radius = 0;
   double slope = 0;       // change of the radius per length
-  double arc_length = 0;  // along the path's chords, m
+  double arc_length = 0;  // from the path's start, along its chords, m
   Eigen::Vector3d y() const { return tangent.cross(x); }
 };
 
-/// Returns frames at both ends of each segment and between them: `per_turn` in a whole turn of an
-/// arc or in four cubic segments. The frames rotate as little as possible about the path; on a
-/// closed path the last frame equals the first. Source: Wang, Juettler, Zheng and Liu, "Computation
-/// of rotation minimizing frames", 2008.
+/// Returns frames at both ends of each segment and, in arcs and cubic segments, between the ends:
+/// `per_turn` in a whole turn of an arc or in four cubic segments. The frames rotate as little as
+/// possible about the path; on a closed path the last frame equals the first. Source: Wang,
+/// Juettler, Zheng and Liu, "Computation of rotation minimizing frames", 2008.
 std::vector<SweepFrame> SweepFramesOf(const std::vector<PathSegment>& segments, bool closed,
                                       int per_turn);
 

@@ -44,7 +44,8 @@ class SweepMesher {
   }
 
  private:
-  /// Returns a point at the distance r around the path, on the plane that cuts the tube.
+  /// Returns a point at the distance r from the path, on the plane that cuts the tube. `share` is
+  /// the point's angle about the path, as a share of a whole turn.
   static Vector3d At(const SweepFrame& frame, double share, double r) {
     const Vector3d across = r * Across(frame, share);
     return frame.p + across - across.dot(frame.cut) / frame.tangent.dot(frame.cut) * frame.tangent;

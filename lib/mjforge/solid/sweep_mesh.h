@@ -10,7 +10,8 @@ namespace mjforge::solid {
 
 TriangleMesh MakeSweepMesh(const std::vector<PathSegment>& segments, const Tube& tube);
 
-/// Makes capsules, cylinders at the ends of an open path, and cones where the radius changes.
+/// Makes the convex pieces of a tube: capsules, cylinders at the ends of an open path, and cones
+/// where the radius changes.
 std::vector<ConvexPiece> MakeSweepPieces(const std::vector<PathSegment>& segments,
                                          const Tube& tube);
 

@@ -15,8 +15,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kSame = 1e-12;      // distance of equal points, relative to the longest line
-constexpr double kTurnsBack = 1e-6;  // limit of 1 + cosine of the turn
-constexpr double kFits = 1e-9;       // tolerance relative to a line's length
+constexpr double kTurnsBack = 1e-6;  // a path turns back if 1 + cosine of its turn is at most this
+constexpr double kFits = 1e-9;       // tolerance as a share of a line's length
 
 class PathReader {
  public:
@@ -56,7 +56,7 @@ class PathReader {
  private:
   struct Corner {
     double turn = 0;   // rad
-    double taken = 0;  // length that the corner removes from both lines, m
+    double taken = 0;  // length that the corner removes from each of its two lines, m
   };
 
   bool HasCorner(std::size_t i) const {

@@ -10,8 +10,9 @@
 
 namespace mjforge::start {
 
-/// An element that would mean something else if the object's zero configuration were its start: it
-/// depends on qpos0 in a way that MJCF cannot state, or by numbers that only MuJoCo computes.
+/// An element whose meaning would change if the zero configuration were moved to the start, because
+/// the element depends on qpos0 in a way that MJCF cannot state, or through numbers that only
+/// MuJoCo computes.
 struct Obstacle {
   diag::SourceMark mark;
   std::string reason;

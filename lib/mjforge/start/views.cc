@@ -28,8 +28,9 @@ std::vector<Eigen::Vector3d> CentresOfMass(const std::vector<model::Body>& bodie
   return moments;
 }
 
-// Rewrites the pose of a camera or light so that, along the axes of the world, its pose relative to
-// the point that it follows is the same with the body at `after` as with the body at `before`.
+// Rewrites the pose of a camera or light that follows a point without turning with its body. With
+// the body at `after`, the orientation in the world and the offset from the followed point, along
+// the axes of the world, are those that the element had with the body at `before`.
 void Move(const Pose& before, const Eigen::Vector3d& followed_before, const Pose& after,
           const Eigen::Vector3d& followed_after, Element& view) {
   const Eigen::Quaterniond turn = (after.q.conjugate() * before.q).normalized();

@@ -51,8 +51,8 @@ class ViolationFinder {
                        first->type == "slide" ? "m" : "rad"));
   }
 
-  // Reports a connect or weld whose bodies are not where it holds them. The anchor of a connect is
-  // a point of body 1, that of a weld a point of body 2; a weld also fixes the orientation.
+  // Reports a connect or weld that the start violates. The anchor of a connect is a point of body
+  // 1, that of a weld a point of body 2; a weld also fixes the orientation.
   void CheckBodies(const Element& equality) {
     const Pose X_12 = configurations_.RelativePose(equality, configurations_.start());
     const Pose zero = configurations_.RelativePose(equality, configurations_.zero());

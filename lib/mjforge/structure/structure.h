@@ -54,7 +54,7 @@ Structure StructureOf(const mjModel_& m, std::string_view object_name);
 struct Difference {
   std::string field;                  // "geom_type"; "ngeom" for a count; "geom names"
   std::vector<std::string> elements;  // elements that differ, or that only one of the two has
-  std::pair<std::string, std::string> values;  // values of the first element, or counts
+  std::pair<std::string, std::string> values;  // values of the first of the elements, or counts
   /// Differing elements with their values in the second structure, as text. Two structures differ
   /// from a third one in the same way if these texts are equal.
   std::string contents;
@@ -63,7 +63,8 @@ struct Difference {
   bool is_coincidence = false;
 };
 /// Returns the differences. If the number or the names of the elements of a kind differ, only
-/// elements with names that both structures have are compared, and no ids of other elements.
+/// elements with names that both structures have are compared, and fields with ids of other
+/// elements are not.
 std::vector<Difference> DifferencesOf(const Structure& a, const Structure& b);
 
 /// Describes a difference for a message: "geom_type of 'handle' and 'neck' is box, not cylinder",

@@ -122,8 +122,8 @@ void Comparison::CompareStart(double lift) {
   CompareStartPoses(lift);
 }
 
-// Compares the poses in the start state with those that the object computes, because the record and
-// the bounds depend on the latter.
+// Compares the start poses that MuJoCo computes with those of model::BodyPoses, on which the record
+// and the bounds depend.
 void Comparison::CompareStartPoses(double lift) {
   const compiled::Data d = compiled::MakeData(m_);
   std::copy_n(m_.key_qpos, m_.nq, d->qpos);

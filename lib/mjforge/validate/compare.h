@@ -17,10 +17,10 @@
 
 namespace mjforge::validate {
 
-/// Relative tolerance of numbers.
+/// Relative tolerance of the numbers in a compiled model.
 inline constexpr double kRelative = 1e-9;
 
-/// Element to compare, for messages. The element's full name is `name` followed by `suffix`.
+/// Kind and name of a compared element, for messages. The full name is `name` followed by `suffix`.
 struct ComparedElement {
   std::string_view kind;  // "geom"
   std::string_view name;

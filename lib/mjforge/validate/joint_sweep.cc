@@ -231,7 +231,7 @@ class Sweeper {
   model::Pose X_AW_;
   bool any_collides_ = false;
   std::vector<int> body_end_;  // end of the range of ids of each body's subtree
-  std::map<std::tuple<int, int, int>, DeepestContact> deepest_;  // by joint and bodies
+  std::map<std::tuple<int, int, int>, DeepestContact> deepest_;  // by joint and pair of bodies
 };
 
 }  // namespace

@@ -92,8 +92,9 @@ class SelfCollisions {
 
   bool InHost() const { return object_.bodies.front().name.empty(); }
 
-  /// Returns a body's name as written in the spec: without the object's prefix. The root has the
-  /// object's name, whatever name it gets from a host, the model that includes the object.
+  /// Returns a body's name as written in the spec: without the object's prefix. For the root,
+  /// returns the object's name, because a host (a model that includes the object) may give the root
+  /// another name.
   std::string_view AuthorsName(const model::Body& body) const {
     if (InHost() && body.parent == 0) return object_.name;
     std::string_view name = body.name;

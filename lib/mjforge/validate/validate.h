@@ -42,7 +42,7 @@ struct Sweep {
   static constexpr int kSteps = 65;
   static constexpr int kCombinations = 512;
 
-  /// The deepest contact of two bodies that a joint causes.
+  /// The deepest contact of two bodies that was found while a joint moved.
   struct Contact {
     std::string joint;  // empty: several joints together, or all at zero
     double value = 0;   // position of the joint, rad or m; of a ball joint the angle from zero
@@ -52,7 +52,7 @@ struct Sweep {
     std::string geom2;
     double depth = 0;  // m
   };
-  std::vector<Contact> contacts;  // by joint, then body; contacts of several joints last
+  std::vector<Contact> contacts;  // sorted by joint, then body; contacts of several joints are last
   /// Names of unlimited slides, which do not move because they have no range.
   std::vector<std::string> held;
   /// Box around all colliding geoms (all geoms if none collides) in all poses, in the frame of an
