@@ -163,11 +163,11 @@ def _product_sides(product):
     return part + " x ".join(f"{side:g}" for side in product.sides) + " mm"
 
 
-def _share(passed, row):
-    share = 100 * passed / row["variants"]
+def _share(row, passed, counted):
+    share = 100 * row[passed] / row[counted]
     # Never rounded up to all of them.
     text = f"{math.floor(10 * share) / 10:g}"
-    return f"{text} % of {row['variants']} ({row['date']})"
+    return f"{text} % of {row[counted]} ({row['date']})"
 
 
 def measures(family, product, row):
@@ -179,8 +179,9 @@ def measures(family, product, row):
         rows[1].append(_product_mass(product.mass))
         rows[2].append(_table_cell(_product_sides(product)))
     if row:
-        rows += [["pass the physical checks", _share(row["physics"], row)],
-                 ["pass `--profile simready`, too", _share(row["simready"], row)]]
+        rows.append(["pass the physical checks", _share(row, "physics", "variants")])
+        if row["profiled"]:
+            rows.append(["pass `--profile simready`, too", _share(row, "simready", "profiled")])
     columns = len(rows[0])
     lines = ["| " + " | ".join(cells + [""] * (columns - len(cells))) + " |" for cells in rows]
     return [lines[0], "| --- " * columns + "|", *lines[1:], ""]

@@ -59,14 +59,14 @@ class Families(unittest.TestCase):
 class Page(unittest.TestCase):
     def test_measures_stand_beside_those_of_the_product(self):
         product = products.Product("A | B", 0.45, "", [250, 180.5, 100], "maker's data")
-        row = {"variants": 400, "physics": 400, "simready": 399, "date": "2026-11-27"}
+        row = {"variants": 400, "physics": 400, "profiled": 300, "simready": 299, "date": "2026-11-27"}
         self.assertEqual(catalogue.measures(box_family(), product, row), [
             "|  | 2 variants | A \\| B (maker's data) |",
             "| --- | --- | --- |",
             "| mass | 400 to 500 g | 450 g |",
             "| sides | 200 to 300 x 150 to 200 x 100 mm | 250 x 180.5 x 100 mm |",
             "| pass the physical checks | 100 % of 400 (2026-11-27) |  |",
-            "| pass `--profile simready`, too | 99.7 % of 400 (2026-11-27) |  |",
+            "| pass `--profile simready`, too | 99.6 % of 300 (2026-11-27) |  |",
             ""])
 
     def test_what_is_not_known_is_left_out(self):
@@ -103,6 +103,7 @@ class Page(unittest.TestCase):
         for spec, row in shares.read().items():
             with self.subTest(spec):
                 self.assertTrue(f"% of {row['variants']} ({row['date']})" in chapters[spec])
+                self.assertTrue(f"% of {row['profiled']} ({row['date']})" in chapters[spec])
 
 
 class Products(unittest.TestCase):
@@ -180,7 +181,7 @@ class Shares(unittest.TestCase):
         return printed.getvalue()
 
     def rows(self):
-        return {spec: (row["variants"], row["physics"], row["simready"])
+        return {spec: (row["variants"], row["physics"], row["profiled"], row["simready"])
                 for spec, row in shares.read(self.file).items()}
 
     def test_what_does_not_run_is_not_counted_as_failed(self):
@@ -191,8 +192,16 @@ class Shares(unittest.TestCase):
     def test_errors_of_the_benchmark_are_none_of_the_physical_checks(self):
         printed = self.count("3")
         # Of a/two no variant passes the benchmark, so that nothing is written.
-        self.assertEqual(self.rows(), {"a/one": (3, 2, 1), "a/two": (3, 2, 0)})
+        self.assertEqual(self.rows(), {"a/one": (3, 2, 3, 1), "a/two": (3, 2, 3, 0)})
         self.assertIn("a/one: of 3 variants 2 pass the physical checks, 1 --profile simready", printed)
+
+    def test_physical_checks_alone_leave_the_counts_of_the_profile(self):
+        self.count("3", "a/one")
+        printed = self.count("--physics", "5")
+        self.assertEqual(self.rows(), {"a/one": (5, 2, 3, 1), "a/two": (5, 2, 0, 0)})
+        self.assertIn("a/one: of 5 variants 2 pass the physical checks\n", printed)
+        self.assertNotIn("a/one:", self.count("3"))
+        self.assertEqual(self.rows()["a/two"], (3, 2, 3, 0))
 
     def test_only_what_is_missing_is_counted(self):
         self.count("3", "a/one")
