@@ -99,11 +99,12 @@ class Fall {
         kStill);
   }
 
-  /// Checks that the object slides down the slope by kSlides times its size.
+  /// Checks that the object slides by kSlides times its size, measured along the slope.
   Problem Slide() {
     Lift(DropHeight(m_));
     const std::vector<Vector3d> starts = Centers();
-    const Vector3d downhill = Vector3d(normal_.x(), normal_.y(), 0).normalized();
+    const Vector3d level = Vector3d(normal_.x(), normal_.y(), 0).normalized();
+    const Vector3d downhill = normal_.z() * level - level.dot(normal_) * Vector3d::UnitZ();
     double way = 0;
     for (double t = 0; t < kSlopeTime; t += kInterval) {
       Step(kInterval);

@@ -32,6 +32,17 @@ TEST_CASE("a box passes the SimReady tests, and what rolls on does not come to r
   CHECK(Tested(ball).ground_drop == "fail");
 }
 
+TEST_CASE("the way that an object slides is measured along the slope") {
+  // In 2 s an object slides by 6.9 m along the slope, and moves by 4.9 m horizontally.
+  const auto slope_drop = [](const std::string& half_length) {
+    return Tested(Examine(Free(1, "<geom type=\"box\" size=\"" + half_length + " 0.3 0.05\"/>"), {},
+                          Profile()))
+        .slope_drop;
+  };
+  CHECK(slope_drop("1.35") == "pass");
+  CHECK(slope_drop("1.9") == "fail");
+}
+
 TEST_CASE("what is very soft sinks, and what is fixed to the world is not dropped") {
   const Examined soft = Examine(
       Free(0.1, R"(<geom type="box" size="0.05 0.04 0.1" solref="0.5 1" solimp="0.1 0.1 0.1"/>)"),
