@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "gallery_features.h"
+#include "gallery_facts.h"
 #include "mjforge/forge/forge.h"
 #include "mjforge/output/output.h"
 #include "spec_view.h"

@@ -74,7 +74,7 @@ inline constexpr MaterialArray kMaterialArrays[] = {{"mat_rgba", 4},        {"ma
 /// Names and values of a variant's parameters, as in its record.
 using Parameters = std::vector<std::pair<std::string, sample::ParameterValue>>;
 
-/// The numbers of one variant.
+/// Values of the arrays of mjModel for one variant: sizes, poses, masses, colours and so on.
 struct Numbers {
   structure::Structure structure;
   Shapes shapes;

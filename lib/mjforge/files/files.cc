@@ -21,7 +21,7 @@ using mjcf::GeneratedFile;
 // Maximum number of cached textures. A generated texture usually is the same in all variants.
 constexpr std::size_t kMostKept = 64;
 
-// Bytes of a file, and the hash in its name.
+// An output file that is named by a hash of its content: its bytes, and the hash.
 struct Content {
   std::shared_ptr<const std::string> bytes;
   std::string hash;

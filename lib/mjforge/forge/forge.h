@@ -66,7 +66,8 @@ struct Recipe {
   /// file name. Independent of the machine, so that the same spec gives the same bytes in every
   /// folder.
   std::string reference;
-  /// File of the spec if `reference` is only a file name; otherwise empty.
+  /// Path of the spec's file if `reference` is its file name; empty if `reference` is a name in the
+  /// search path.
   std::filesystem::path file;
   /// Names and values of the applied settings, those from files before those of the caller; each
   /// name once.

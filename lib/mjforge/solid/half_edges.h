@@ -22,7 +22,7 @@ class HalfEdges {
   std::vector<int> FacesAround(int vertex) const;
 
  private:
-  // For each half-edge, a pair of vertices: its face, and the vertex that follows it in this face.
+  // Maps each half-edge (start vertex, end vertex) to its face and to the next vertex of that face.
   std::map<std::pair<int, int>, std::pair<int, int>> next_;
   std::vector<int> some_neighbour_;  // a neighbour of each vertex
 };

@@ -24,8 +24,9 @@ int SegmentsPerTurn(double radius, double chord_error, double angle);
 /// Adds two triangles between four corners, counter-clockwise.
 void AddQuad(int a, int b, int c, int d, TriangleMesh& mesh);
 
-/// Makes the render mesh of a lathe. `outline` is its closed profile or the outline of its wall;
-/// Outline::sources are indices in `lathe.profile`.
+/// Makes the render mesh of a lathe. `outline` is its profile, closed at the axis, or, if the lathe
+/// has a wall, the outline of the wall. Outline::sources has, for each point of the outline, the
+/// index of the point of `lathe.profile` from which it was made.
 TriangleMesh MakeLatheMesh(const Lathe& lathe, const Outline& outline,
                            const ConvexPartition& partition);
 

@@ -13,7 +13,7 @@
 
 #include "mjforge/expr/expr.h"
 #include "mjforge/static_checks/connected_parts.h"
-#include "mjforge/static_checks/overlap.h"
+#include "mjforge/static_checks/mass_overlap.h"
 #include "mjforge/static_checks/placed_part.h"
 #include "mjforge/static_checks/solid_parts.h"
 

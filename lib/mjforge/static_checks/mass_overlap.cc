@@ -1,5 +1,5 @@
 // Quasi-Monte Carlo estimate of the mass that overlapping parts count twice.
-#include "mjforge/static_checks/overlap.h"
+#include "mjforge/static_checks/mass_overlap.h"
 
 #include <algorithm>
 #include <boost/random/sobol.hpp>

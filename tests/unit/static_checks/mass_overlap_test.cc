@@ -1,5 +1,5 @@
 // Mass that overlapping parts count twice.
-#include "mjforge/static_checks/overlap.h"
+#include "mjforge/static_checks/mass_overlap.h"
 
 #include <catch2/catch.hpp>
 #include <vector>

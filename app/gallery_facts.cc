@@ -1,5 +1,5 @@
 // Facts about objects for the pages of a gallery: masses, sizes, joints, targets.
-#include "gallery_features.h"
+#include "gallery_facts.h"
 
 #include <fmt/format.h>
 
