@@ -77,27 +77,36 @@ void ElementWriter::FinishLine(std::string_view end) {
   ++line_;
 }
 
-// Appends `="` as single characters, because `+=` of a string is a function call.
+// Appends all bytes of an attribute at once, because each call of append() takes as long as a short
+// number.
 void ElementWriter::BeginAttribute(std::string_view name) {
-  text_ += ' ';
-  text_ += name;
-  text_ += '=';
-  text_ += '"';
+  const std::size_t start = text_.size();
+  text_.append(name.size() + 3, '"');
+  char* out = &text_[start];
+  *out++ = ' ';
+  *std::ranges::copy(name, out).out = '=';
 }
 
 void ElementWriter::WriteText(std::string_view name, std::string_view value,
                               std::string_view suffix) {
-  BeginAttribute(name);
-  AppendEscaped(value);
-  text_ += suffix;
-  text_ += '"';
+  if (std::ranges::any_of(value, NeedsEscape)) {
+    BeginAttribute(name);
+    AppendEscaped(value);
+    text_ += suffix;
+    text_ += '"';
+    return;
+  }
+  const std::size_t start = text_.size();
+  text_.append(name.size() + value.size() + suffix.size() + 4, '"');
+  char* out = &text_[start];
+  *out++ = ' ';
+  out = std::ranges::copy(name, out).out;
+  *out = '=';
+  out = std::ranges::copy(value, out + 2).out;
+  std::ranges::copy(suffix, out);
 }
 
 void ElementWriter::AppendEscaped(std::string_view value) {
-  if (std::ranges::none_of(value, NeedsEscape)) {
-    text_ += value;
-    return;
-  }
   for (const char c : value) {
     if (!NeedsEscape(c)) {
       text_ += c;
