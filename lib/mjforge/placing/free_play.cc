@@ -69,17 +69,20 @@ Vector2d PointIn(const Polygon& polygon, const Vector2d& uv) {
   // Rounding must not move the last position beyond the corners.
   const double x =
       std::clamp(Between(box.min().x(), box.max().x(), uv.x()), box.min().x(), box.max().x());
+  // The corners of an edge along y may differ along x by a rounding.
+  constexpr double kRounding = 1e-9;  // m
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     Vector2d a = polygon[i];
     Vector2d b = polygon[(i + 1) % polygon.size()];
     if (a.x() > b.x()) std::swap(a, b);
-    if (x < a.x() || x > b.x()) continue;
-    const double share = b.x() > a.x() ? (x - a.x()) / (b.x() - a.x()) : 0;
+    if (x < a.x() - kRounding || x > b.x() + kRounding) continue;
+    const bool is_along_y = b.x() - a.x() <= kRounding;
+    const double share = is_along_y ? 0 : std::clamp((x - a.x()) / (b.x() - a.x()), 0.0, 1.0);
     const double y = a.y() + share * (b.y() - a.y());
-    low = std::min({low, y, b.x() > a.x() ? y : b.y()});
-    high = std::max({high, y, b.x() > a.x() ? y : b.y()});
+    low = std::min({low, y, is_along_y ? b.y() : y});
+    high = std::max({high, y, is_along_y ? b.y() : y});
   }
   return {x, Between(low, high, uv.y())};
 }

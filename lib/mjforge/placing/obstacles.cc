@@ -154,6 +154,25 @@ double Obstacles::Drop(PlacedShapes shapes, const Vector3d& up_W, double most) c
   return drop;
 }
 
+std::vector<Contact> Obstacles::FindContacts(std::span<const PlacedShape> shapes,
+                                             double within) const {
+  std::vector<Contact> contacts;
+  const Eigen::AlignedBox3d box_W = BoxOf(shapes);
+  for (const Group& group : groups_) {
+    if (AreFarther(group.box_W, box_W, within)) continue;
+    for (const auto& [body, obstacle] : group.obstacles) {
+      if (AreFarther(obstacle.box_W, box_W, within)) continue;
+      for (std::size_t i = 0; i < shapes.size(); ++i) {
+        if (AreFarther(obstacle.box_W, shapes[i].box_W, within)) continue;
+        const Vector3d apart = distance::Separation(shapes[i], obstacle);
+        const double distance = apart.norm();
+        if (distance > 0 && distance <= within) contacts.push_back({body, i, apart / distance});
+      }
+    }
+  }
+  return contacts;
+}
+
 std::pair<double, double> Obstacles::HeightsOf(int body, const Support& support) const {
   std::pair<double, double> heights;
   for (const Group& group : groups_) {

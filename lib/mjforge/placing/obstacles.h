@@ -36,6 +36,13 @@ struct Blocker {
   double distance = 0;  // m
 };
 
+/// A contact of a shape with an obstacle.
+struct Contact {
+  int body = -1;             // body of the obstacle
+  std::size_t shape = 0;     // index of the shape
+  Eigen::Vector3d normal_W;  // unit vector from the obstacle to the shape
+};
+
 class Obstacles {
  public:
   void Clear() { groups_.clear(); }
@@ -58,6 +65,10 @@ class Obstacles {
   /// Returns the distance by which the shapes can be moved against `up_W` until they touch an
   /// obstacle, at most `most`, m; 0 if they overlap an obstacle.
   double Drop(PlacedShapes shapes, const Eigen::Vector3d& up_W, double most) const;
+
+  /// Returns the contacts of shapes that overlap no obstacle: pairs at most `within` apart, m.
+  std::vector<Contact> FindContacts(std::span<const distance::PlacedShape> shapes,
+                                    double within) const;
 
   /// Returns the heights of a body's lowest and highest point above a support, m; 0 and 0 if the
   /// body is no obstacle.

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "mjforge/placing/balance.h"
 #include "mjforge/placing/body_shapes.h"
 #include "mjforge/placing/footprint.h"
 #include "mjforge/placing/free_play.h"
@@ -25,6 +26,8 @@ using model::PlaceVerdict;
 using model::Pose;
 
 constexpr double kSameAngle = 1e-12;  // rad
+// Obstacles up to this distance carry a body that was lowered until it touched the first one, m.
+constexpr double kCarrying = 2 * kContactGap;
 constexpr int kMostTurns = 20;
 
 Eigen::Quaterniond AboutZ(double angle) { return model::FromAxisAngle(Vector3d::UnitZ(), angle); }
@@ -230,9 +233,20 @@ class RegionTry {
     const Support support = SupportPlane();
     Pose X_RB{{stance.at->x(), stance.at->y(), kContactGap - of_.bottom},
               AboutZ(stance.yaw) * of_.q_LB};
-    if (region_.walls) X_RB.p.z() += Rise(X_RB, support, obstacles);
+    const double rise = region_.walls ? Rise(X_RB, support, obstacles) : 0;
+    X_RB.p.z() += rise;
     result.X_SupportBody = region_.X_BR * X_RB;
-    const PlacedShapes shapes = ShapesAt(of_.shapes, X_WR_ * X_RB);
+    const Pose X_WB = X_WR_ * X_RB;
+    const PlacedShapes shapes = ShapesAt(of_.shapes, X_WB);
+    // A body that was lowered onto the edge of a wall would fall from there.
+    if (rise > kContactGap) {
+      const std::vector<Contact> contacts = obstacles.FindContacts(shapes, kCarrying);
+      if (!IsBalanced(shapes, contacts, X_WB * MassBelow(object_, of_.body).p_FCm)) {
+        result.verdict = PlaceVerdict::kBlocked;
+        result.blocker = contacts.empty() ? where_.support : contacts.front().body;
+        return;
+      }
+    }
     const auto blocker =
         obstacles.FindBlocker(shapes, std::max(where_.clear, region_.clear), support);
     if (!blocker) return;

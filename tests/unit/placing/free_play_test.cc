@@ -53,6 +53,20 @@ TEST_CASE("numbers from -1 to 1 reach the outermost positions of a box") {
   CHECK(PositionIn(region, footprint, {0, 0}, 0));
 }
 
+TEST_CASE("the middle of a border is reached although its ends are rounded differently") {
+  const double radius = GENERATE(0.00995, 0.0123, 0.03, 0.07, 0.1);
+  const double half = GENERATE(0.15, 0.2, 0.37);
+  const Footprint disc({{{0, 0}, radius}});
+  for (const double sign : {-1.0, 1.0}) {
+    CHECK((*PositionIn(BoxRegion(half, half), disc, {sign, 0}, 0) -
+           Vector2d(sign * (half - radius), 0))
+              .norm() < 1e-8);
+    CHECK((*PositionIn(BoxRegion(half, half), disc, {0, sign}, 0) -
+           Vector2d(0, sign * (half - radius)))
+              .norm() < 1e-8);
+  }
+}
+
 TEST_CASE("a footprint as large as its region fits") {
   CHECK(PositionIn(BoxRegion(0.1, 0.2), Rectangle(0.1, 0.2), {1, -1}, 0));
   CHECK(PositionIn(DiscRegion(0.5), Rectangle(0.3, 0.4), {1, 0}, 0));

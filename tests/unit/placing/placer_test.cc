@@ -175,12 +175,50 @@ TEST_CASE("a body in an interior is lowered until it touches") {
   where.region = &inside;
   result = placer->Try(ball, where);
   CheckAt(result, {0, 0, 0.05 + kContactGap}, 1e-6);
-  // The ball's foot is in the region, but the ball would be in the wall.
-  where.uv = {1, 0};
+  // The ball's foot is in the region, but the ball would lie on the wall, from which it would roll.
   where.clear = 0;
+  where.uv = Vector2d(1, 0);
   result = placer->Try(ball, where);
-  CHECK(result.verdict == PlaceVerdict::kStands);
-  CHECK(result.X_SupportBody.p.z() > 0.06);
+  CHECK(result.verdict == PlaceVerdict::kBlocked);
+  CHECK(result.blocker == inner);
+}
+
+TEST_CASE("a body that would hang on a wall by its end does not stand") {
+  Scene scene;
+  const int bin = scene.AddBin(0.2, 0.05, 0.01);
+  const int pan = scene.Add(ShapeOf(GeomType::kBox, 0.05, 0.05, 0.05));
+  const double handle_z = GENERATE(-0.03, 0.03);  // below and above the rim of the bin
+  scene.AddPart(ShapeOf(GeomType::kBox, 0.1, 0.01, 0.01), At(0.15, 0, handle_z));
+  Region region = BoxRegion(0.2, 0.2);
+  region.walls = true;
+  const auto placer = MakePlacer();
+  placer->Begin(scene.object);
+  placer->Stand(bin);
+  PlaceTry where;
+  where.support = bin;
+  where.region = &region;
+  const PlaceResult result = placer->Try(pan, where);
+  if (handle_z > 0) {
+    CheckAt(result, {0, 0, 0.05 + kContactGap}, 1e-6);
+  } else {
+    CHECK(result.verdict == PlaceVerdict::kBlocked);
+    CHECK(result.blocker == bin);
+  }
+}
+
+TEST_CASE("a body lies across two walls if its middle is between them") {
+  Scene scene;
+  const int bin = scene.AddBin(0.2, 0.05, 0.01);
+  const int board = scene.Add(ShapeOf(GeomType::kBox, 0.25, 0.05, 0.01));
+  Region region = BoxRegion(0.3, 0.2);
+  region.walls = true;
+  const auto placer = MakePlacer();
+  placer->Begin(scene.object);
+  placer->Stand(bin);
+  PlaceTry where;
+  where.support = bin;
+  where.region = &region;
+  CheckAt(placer->Try(board, where), {0, 0, 0.06 + kContactGap}, 1e-6);
 }
 
 TEST_CASE("round bowls nest") {
