@@ -190,15 +190,20 @@ void AddAssetChanged(const std::string& name, diag::Findings& findings) {
                "make the batch anew, without --resume");
 }
 
+namespace {
+
+// Returns true for the file of an object of a scene (--each), which is an asset of the placement.
+bool IsObject(const bytes::Asset& asset) {
+  return asset.made && asset.name.ends_with(kObjectEnding);
+}
+
+}  // namespace
+
 // Returns true if an existing asset may be replaced by one with these bytes.
 bool ObjectFolder::IsOwn(const bytes::Asset& asset, std::string_view present,
                          std::string_view bytes, const std::string& sha256) const {
-  // Accepts copies made by mjforge: only the objects of a scene have names without a hash of their
-  // content.
-  if (asset.made) {
-    return IsDamagedCopy(present, bytes) ||
-           mjcf::ReadProvenance(present.substr(0, kCommentBytes)).has_value();
-  }
+  // The name of a generated asset has a hash of its content.
+  if (asset.made) return IsDamagedCopy(present, bytes);
   const auto kept = overwrite_.kept_assets.find(asset.name);
   if (kept != overwrite_.kept_assets.end()) return kept->second == sha256;
   return overwrite_.assets.contains(sha256) || overwrite_.assets.contains(bytes::Sha256Of(present));
@@ -207,6 +212,10 @@ bool ObjectFolder::IsOwn(const bytes::Asset& asset, std::string_view present,
 // Writes an asset to `target`, unless that file already has the same bytes.
 bool ObjectFolder::CopyAsset(const bytes::Asset& asset, const std::filesystem::path& target,
                              const std::string& sha256, diag::Findings& findings) const {
+  if (IsObject(asset)) {
+    return MayReplace(target, *asset.made, overwrite_.force, findings) &&
+           WriteFile(target, *asset.made, true, findings);
+  }
   std::optional<std::string> read;
   if (!asset.made) read = ReadAsset(asset.file, sha256, findings);
   if (!asset.made && !read) return false;
