@@ -144,6 +144,31 @@ mjcf::MjcfDocument PlacementOf(const Files& files) {
   return document;
 }
 
+TEST_CASE("objects that a scene no longer has are removed from its folder, and nothing else") {
+  const TemporaryFolder folder;
+  diag::Findings findings;
+  const std::string at = "out/tea_000000/";
+  for (const char* name : {"cup_0.xml", "cup_1.xml", "cup_0/model.xml"})
+    folder.Write(at + name, PartText("cup"));
+  folder.Write(at + "cup_1/model.xml", PartText("cup"));
+  folder.Write(at + "cup_1/notes.txt", "mine");
+  folder.Write(at + "mine.xml", "<mujoco/>");
+  folder.Write(at + "other.xml", PartText("cup", 1));  // of another variant
+  folder.Write(at + "deep/er/cup_2.xml", PartText("cup"));
+  folder.Write("elsewhere/cup_3.xml", PartText("cup"));
+  std::filesystem::create_directory_symlink(folder / "elsewhere", folder / at / "link");
+  std::filesystem::create_symlink(folder / "elsewhere/cup_3.xml", folder / at / "link.xml");
+  ObjectFolder objects(folder / "out", {});
+  REQUIRE(objects.Write("tea_000000/placement.json", PlacementOf({"cup_0.xml"}), findings));
+  CHECK_FALSE(std::filesystem::exists(folder / at / "cup_0"));
+  CHECK(std::filesystem::is_symlink(folder / at / "link.xml"));
+  std::filesystem::remove(folder / at / "link.xml");
+  std::filesystem::remove(folder / at / "link");
+  CHECK(folder.Files() == Files{"elsewhere/cup_3.xml", at + "cup_0.xml", at + "cup_1/notes.txt",
+                                at + "deep/er/cup_2.xml", at + "mine.xml", at + "other.xml",
+                                at + "placement.json"});
+}
+
 TEST_CASE("the files of a scene's objects are replaced like those of other objects") {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder / "out/tea_000000");
