@@ -105,7 +105,7 @@ bool Placements::ReadSites(const Request& request, FieldReader& reader, Trial& t
   const std::string full = fmt::format("{}.{}", request.name, *name);
   const std::optional<PlaceTarget> own = names_.Find(full);
   if (!own) {
-    names_.ReportTarget(OwnerOf(request.name), full, by->value.mark, context_.findings);
+    names_.ReportTarget(OwnerOf(request.name), full, by->value.mark, context_.findings, "sites");
     return false;
   }
   trial.where.X_BodySite = X_WB(request.body).Inverse() * X_WB(own->body) * own->X_BT();

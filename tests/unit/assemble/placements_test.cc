@@ -248,6 +248,57 @@ TEST_CASE("findings of places") {
         "10:43 uv of body 'a' has no meaning at a site, which decides the pose");
   CHECK(finding(Ball("name: a, place: {at: table.surface, facing: [0, 0, 1]}")) ==
         "10:50 facing of body 'a' has no horizontal direction");
+  CHECK(finding(Ball("name: a, place: {at: table.hook, by: hole}")) ==
+        "10:43 place of body 'a': body 'a' has no region and no site 'hole' (give it one with "
+        "`sites:`)");
+}
+
+TEST_CASE("the reason is given if a variant lacks what its spec declares") {
+  const std::string shelf =
+      "  - {name: shelf, parts: [{name: s, type: sphere, size: 1}], sites: [{name: nail, if: "
+      "false}],\n"
+      "     regions: [{name: up, if: 1 > 2, size: [1, 1]}, {name: flat, type: auto},\n"
+      "       {name: 'slot_${i}', for: {i: 0}, size: [1, 1]}, {name: here, size: [1, 1]}]}\n"
+      "  - {name: lid, if: false, parts: [{name: l, type: sphere, size: 1}]}\n";
+  const auto finding = [&](const std::string& at) {
+    const Scene scene(shelf + Ball("name: a, place: {at: " + at + "}"));
+    const auto& notes = scene.assembling.raw_findings()[0].notes;
+    return scene.finding() +
+           (notes.empty() ? "" : " | " + std::to_string(notes[0].mark.line) + notes[0].message);
+  };
+  const std::string no = "14:27 place of body 'a': body 'shelf' has no region and no site ";
+  const std::string left_out = " (its `if` or `for` leaves it out in this variant)";
+  CHECK(finding("shelf.up") == no + "'up'" + left_out + " | 11'up' is here");
+  CHECK(finding("shelf.nail") == no + "'nail'" + left_out + " | 10'nail' is here");
+  CHECK(finding("shelf.slot_0") == no + "'slot_0'" + left_out + " | 12'slot_0' is here");
+  const std::string nothing =
+      " (no level face was found: `area`, `height` or `margin` is too large, or nothing collides)";
+  CHECK(finding("shelf.flat") == no + "'flat'" + nothing + " | 11'flat' is here");
+  CHECK(finding("shelf.down") == no + "'down' (it has here)");
+  CHECK(finding("lid.top") ==
+        "14:27 place of body 'a': no body 'lid'" + left_out + " | 13'lid' is here");
+}
+
+TEST_CASE("what only leads to an inner body is no place") {
+  const TemporaryFolder folder;
+  folder.Write("desk.yaml",
+               "mjforge: 1\nname: desk\nparts: [{name: top, type: sphere, size: 1}]\n"
+               "bodies: [{name: drawer, parts: [{name: d, type: sphere, size: 1}],\n"
+               "          regions: [{name: inside, if: false, size: [1, 1]}, {name: back, size: "
+               "[1, 1]}]}]\n");
+  const auto finding = [&](const std::string& at) {
+    DiscPlacer placer;
+    const Assembling scene(
+        "bodies:\n  - {name: desk, spec: desk.yaml}\n" + Ball("name: a, place: {at: " + at + "}"),
+        1, 0, folder.path(), {}, &placer);
+    return scene.findings().at(0);
+  };
+  CHECK(finding("desk.drawer") ==
+        "5:27 place of body 'a': 'desk.drawer' is a body, not a region or a site (such as "
+        "desk.drawer.back)");
+  CHECK(finding("desk.drawer.inside") ==
+        "5:27 place of body 'a': body 'desk.drawer' has no region and no site 'inside' (its `if` "
+        "or `for` leaves it out in this variant)");
 }
 
 TEST_CASE("places that lead back to themselves are reported") {
