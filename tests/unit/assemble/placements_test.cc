@@ -301,6 +301,15 @@ TEST_CASE("what only leads to an inner body is no place") {
         "or `for` leaves it out in this variant)");
 }
 
+TEST_CASE("a body below one that was left out is reported with the reason") {
+  const Scene scene(Ball("name: a, place: {at: table.surface, uv: [0, 0]}") +
+                    Ball("name: b, fewer: true, place: {at: table.surface, uv: [0, 0]}") +
+                    "  - {name: c, parent: b, parts: [{name: q, type: sphere, size: 1}]}\n");
+  CHECK(scene.finding() ==
+        "12:23 body 'c': its parent 'b' was left out, because there was no room for it (in place "
+        "of `parent:`, `place:` at it and `fewer: true` leave out this one, too)");
+}
+
 TEST_CASE("places that lead back to themselves are reported") {
   const std::string boxes =
       "  - {name: a, place: {at: b.top}, regions: [{name: top, type: disc, size: 1}], parts: "
