@@ -251,6 +251,20 @@ TEST_CASE("findings of places") {
   CHECK(finding(Ball("name: a, place: {at: table.hook, by: hole}")) ==
         "10:43 place of body 'a': body 'a' has no region and no site 'hole' (give it one with "
         "`sites:`)");
+  CHECK(finding(Ball("name: a, place: {at: table.surface, facing: a}")) ==
+        "10:50 body 'a' faces itself");
+  CHECK(finding(Ball("name: a, place: {at: table.surface, beside: {body: a, side: left}}")) ==
+        "10:57 body 'a' is placed beside itself");
+}
+
+TEST_CASE("bodies of one entry name earlier ones") {
+  const Scene scene(
+      "  - {name: \"a_${i}\", for: {i: 2}, place: {at: table.surface, facing: \"a_${i + 1}\"},\n"
+      "     parts: [{name: \"ball_${i}\", type: sphere, size: 0.05}]}\n");
+  CHECK(scene.finding() ==
+        "10:70 body 'a_0' is placed before 'a_1' (bodies of one entry find their places in the "
+        "order of `for`: name an earlier one)");
+  CHECK(scene.assembling.raw_findings()[0].notes.empty());
 }
 
 TEST_CASE("the reason is given if a variant lacks what its spec declares") {
