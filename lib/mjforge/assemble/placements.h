@@ -62,6 +62,9 @@ class Placements {
   /// to it.
   bool IsPiled(const Request& request, int body, diag::SourceMark mark);
   void Settle(const Request& request, const Trial& trial, const model::PlaceResult& result);
+  /// Returns false, and adds a finding, if the body stands at the point that it must face, so that
+  /// its heading would be a rounding error.
+  bool HasHeading(const Request& request, const Trial& trial, const model::PlaceResult& result);
   void GiveUp(const Request& request, const Trial& trial, const Misses& misses);
   /// If the entry allows it (`fewer: true`), adds the body to the bodies that the next assembly
   /// leaves out, and returns true.

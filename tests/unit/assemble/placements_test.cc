@@ -255,6 +255,8 @@ TEST_CASE("findings of places") {
         "10:50 body 'a' faces itself");
   CHECK(finding(Ball("name: a, place: {at: table.surface, beside: {body: a, side: left}}")) ==
         "10:57 body 'a' is placed beside itself");
+  CHECK(finding(Ball("name: a, place: {at: table.surface, uv: [0, 0], facing: table}")) ==
+        "10:62 facing of body 'a' is the point at which the body stands (turn it by `yaw`)");
 }
 
 TEST_CASE("bodies of one entry name earlier ones") {
