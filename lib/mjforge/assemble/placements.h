@@ -56,6 +56,9 @@ class Placements {
   void PileUp(const Request& request, sample::StreamId places);
   /// Returns the pile in the region of `trial`. Adds the pile if it does not exist yet.
   model::Pile& PileAt(const Request& request, const Trial& trial, sample::StreamId places);
+  /// Reports an entry that adds bodies to a pile and asks for another `order` or `time` than the
+  /// entry with which the pile begins.
+  void CheckPile(const Request& request, const model::Pile& pile, sample::StreamId places);
   /// Reads `order` and `time` of a pile.
   void ReadPile(const Request& request, sample::StreamId path, model::Pile& pile);
   /// Returns true, and adds a finding, if the body is in a pile, because other bodies cannot refer

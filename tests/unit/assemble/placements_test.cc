@@ -326,6 +326,22 @@ TEST_CASE("a body below one that was left out is reported with the reason") {
         "of `parent:`, `place:` at it and `fewer: true` leave out this one, too)");
 }
 
+TEST_CASE("entries of one pile agree on its order and time") {
+  const auto findings = [](const std::string& first, const std::string& second) {
+    const Scene scene(
+        Ball("name: a, joints: free, place: {at: table.surface, pile: " + first + "}") +
+        Ball("name: b, joints: free, place: {at: table.surface, pile: " + second + "}"));
+    return scene.assembling.findings();
+  };
+  CHECK(findings("{time: 2s}", "{}").empty());
+  CHECK(findings("{time: 2s, order: listed}", "{order: listed, time: 2s}").empty());
+  const std::string hint = " here than where it begins (give it to the first entry of the pile)";
+  CHECK(findings("{}", "{time: 5s}") ==
+        std::vector<std::string>{"11:36 the pile in 'table.surface' has another `time`" + hint});
+  CHECK(findings("{time: 2s}", "{order: listed}") ==
+        std::vector<std::string>{"11:36 the pile in 'table.surface' has another `order`" + hint});
+}
+
 TEST_CASE("places that lead back to themselves are reported") {
   const std::string boxes =
       "  - {name: a, place: {at: b.top}, regions: [{name: top, type: disc, size: 1}], parts: "
