@@ -121,6 +121,20 @@ TEST_CASE_METHOD(EachTest,
   CHECK(Each({"-n", "3", "-o", "out"}).status == 3);
 }
 
+TEST_CASE_METHOD(EachTest, "a variant that is made again has no objects of earlier runs") {
+  Generate({"-n", "2", "-o", "out"});
+  std::string spec = folder().Read("scene.yaml");
+  spec.resize(spec.find("  - {name: peg"));
+  folder().Write("scene.yaml", spec);
+  folder().Write("out/scene_000000/notes.txt", "mine");
+  Generate({"-n", "1", "-o", "out"});
+  CHECK(Written() == Files{"out/manifest.jsonl", "out/manifest.seal.json",
+                           "out/scene_000000/crate.xml", "out/scene_000000/notes.txt",
+                           "out/scene_000000/placement.json", "out/scene_000000/scene.xml",
+                           "out/scene_000001/crate.xml", "out/scene_000001/peg.xml",
+                           "out/scene_000001/placement.json", "out/scene_000001/scene.xml"});
+}
+
 TEST_CASE_METHOD(EachTest, "an archive has a folder for each variant") {
   Generate({"-n", "3", "--assets", "files", "-j", "1", "-o", "x.tar"});
   Generate({"-n", "3", "--assets", "files", "-j", "2", "-o", "y.tar"});

@@ -54,6 +54,7 @@ std::optional<model::Object> Assembly::Run(sample::Evaluator& values,
   ReadChecks(scope);
   if (!findings_.HasErrors(before)) Finish(scope);
   if (findings_.HasErrors(before) || values.failed()) return std::nullopt;
+  ReportEmptySearches(empty_searches_, findings_);
   return std::move(object_);
 }
 
@@ -109,9 +110,7 @@ void Assembly::AddSpec(Scope& scope) {
     search.last_body = object_.bodies.size();
   }
   if (!spec.has_place) return;
-  for (std::size_t i = first_search; i < face_searches_.size(); ++i)
-    AddFoundRegions(face_searches_[i], object_);
-  face_searches_.resize(first_search);
+  SearchFaces(first_search);
   PlaceBodies(scope);
 }
 

@@ -101,13 +101,11 @@ class Assembly {
   /// Sets the variables for the properties of a body, such as NAME.top and NAME.mass.
   void SetProperties(Scope& scope, const spec::BodyEntry& entry, const model::Bounds& bounds,
                      std::size_t index);
-
   void SetWholeProperties(Scope& scope);  // whole_properties.cc
 
   // placements.cc
   /// Places the bodies of the spec that have `place:`, in the order of their entries.
   void PlaceBodies(Scope& scope);
-
   void Finish(Scope& scope);  // finish.cc
 
   // positions.cc
@@ -160,12 +158,13 @@ class Assembly {
   void AddSites(Scope& scope, const std::vector<spec::Entry>& entries, sample::StreamId sites);
   void AddSite(Scope& scope, const spec::Entry& entry, sample::StreamId sites);
   // regions.cc
-  /// Adds regions to the current body. `owner` is the prefix of their names in the spec, which is
-  /// empty for the spec's root body.
+  /// Adds regions, whose names in the spec begin with `owner` (empty: root), to the current body.
   void AddRegions(Scope& scope, const std::vector<spec::Entry>& entries, std::string_view owner,
                   sample::StreamId regions);
   void AddRegion(Scope& scope, const spec::Entry& entry, std::string_view owner,
                  sample::StreamId regions);
+  /// Runs the searches from index `first` on, and removes them.
+  void SearchFaces(std::size_t first);
   void AddRootJoints(Scope& scope);
   void AddJoints(Scope& scope, const std::vector<spec::Entry>& entries, sample::StreamId joints);
   void AddJoint(Scope& scope, const spec::Entry& entry, sample::StreamId joints);
@@ -195,6 +194,7 @@ class Assembly {
   std::vector<RequestedStart> starts_;           // starts of specs that are not complete yet
   std::vector<RequestedStart> lost_starts_;      // starts whose joint or actuator does not exist
   std::vector<FaceSearch> face_searches_;
+  std::vector<EmptySearch> empty_searches_;
 };
 
 }  // namespace mjforge::assemble

@@ -220,6 +220,14 @@ int Assembly::ParentOf(Scope& scope, FieldReader& reader, const spec::Entry& ent
   const auto found = bodies_.find(scope.prefix + *name);
   const auto own = static_cast<int>(object_.bodies.size()) - 1;
   if (found != bodies_.end() && found->second != own) return found->second;
+  if (left_out_.contains(scope.prefix + *name)) {
+    findings_.Add(
+        Code::kSpecBadParent, field->value.mark,
+        fmt::format("{}: its parent {} was left out, because there was no room for it",
+                    reader.Owner(), Quoted(*name)),
+        "in place of `parent:`, `place:` at it and `fewer: true` leave out this one, too");
+    return scope.body;
+  }
   std::vector<std::string_view> names = {scope.values.spec().name};
   for (const auto& [full, index] : bodies_) {
     if (full.starts_with(scope.prefix) && index != scope.body) {

@@ -53,7 +53,7 @@ void Assembly::Finish(Scope& scope) {
     return;
   }
   assets_.CheckPixels();
-  for (const FaceSearch& search : face_searches_) AddFoundRegions(search, object_);
+  SearchFaces(0);
   CheckLevelRegions(object_, spec_->mark, findings_);
   CheckUniqueNames(object_, findings_);
   references_.Check();

@@ -7,12 +7,17 @@
 #include <fmt/format.h>
 
 #include "mjforge/assemble/level_faces.h"
+#include "mjforge/assemble/names.h"
 #include "mjforge/assemble/regions.h"
 
 namespace mjforge::assemble {
 namespace {
 
 using Eigen::Vector2d;
+
+// Least area, m^2, and free height, m, of the faces that the message about an empty search names.
+constexpr double kAnyArea = 1e-8;
+constexpr double kAnyHeight = 1e-5;
 
 // Adds the colliding parts of a body whose indices are from `first` to `last` - 1, with poses in
 // the root frame.
@@ -117,11 +122,30 @@ class FaceFinder {
   std::vector<model::Pose> poses_;  // poses of all bodies in the root frame
 };
 
+// Returns the reason why a search finds no region, for messages. `largest` is the largest level
+// face, if there is one.
+std::string WhyNothing(const FaceSearch& search, const std::optional<LevelFace>& largest) {
+  if (!largest) return "no level face that collides";
+  const double area = AreaOfFace(*largest);
+  if (area >= search.least_area && largest->height >= search.least_height) {
+    return fmt::format("its margin of {} m leaves no room on the largest level face, of {:.3g} m^2",
+                       expr::NumberText(search.pattern.margin), area);
+  }
+  std::string text =
+      fmt::format("no level face of at least {} m^2 with {} m of free height",
+                  expr::NumberText(search.least_area), expr::NumberText(search.least_height));
+  text += fmt::format("; the largest has {:.3g} m^2", area);
+  if (std::isfinite(largest->height)) text += fmt::format(" and {:.3g} m", largest->height);
+  return text;
+}
+
 }  // namespace
 
-void AddFoundRegions(const FaceSearch& search, model::Object& object) {
+std::string AddFoundRegions(const FaceSearch& search, model::Object& object) {
   const FaceFinder finder(search, object);
   const std::vector<PlacedShape> all = finder.AllShapes();
+  bool has_found = false;
+  std::optional<LevelFace> largest;
   for (std::size_t i = 0; i < object.bodies.size(); ++i) {
     // An entry with an MJCF file also searches all bodies that come from the file.
     const bool is_owner = i == search.body;
@@ -139,7 +163,22 @@ void AddFoundRegions(const FaceSearch& search, model::Object& object) {
       }
       ++found;
       AddRegionTo(body, std::move(region));
+      has_found = true;
     }
+    if (has_found) continue;
+    const std::vector<LevelFace> faces = FindLevelFaces(own, all, kAnyArea, kAnyHeight);
+    if (!faces.empty() && (!largest || AreaOfFace(faces.front()) > AreaOfFace(*largest)))
+      largest = faces.front();
+  }
+  return has_found ? std::string() : WhyNothing(search, largest);
+}
+
+void ReportEmptySearches(const std::vector<EmptySearch>& searches, diag::Findings& findings) {
+  for (const EmptySearch& search : searches) {
+    findings.Warn(
+        diag::Code::kModelNoRegion, search.mark,
+        fmt::format("region {} does not exist: {}", Quoted(search.region), search.why_not),
+        "search with a smaller `area`, `height` or `margin`, or declare it with its `size`");
   }
 }
 

@@ -68,10 +68,6 @@ LevelFace TopOf(const PlacedShape& placed) {
   return face;
 }
 
-double AreaOfFace(const LevelFace& face) {
-  return face.radius ? std::numbers::pi * *face.radius * *face.radius : solid::AreaOf(face.corners);
-}
-
 // Joins faces of equal height, which belong to pieces of one part, if they fill their convex hull:
 // the sum of their areas, which do not overlap, then equals the area of the hull.
 std::vector<LevelFace> Joined(std::vector<LevelFace> faces) {
@@ -167,6 +163,10 @@ void SortBySize(std::vector<LevelFace>& faces) {
 }
 
 }  // namespace
+
+double AreaOfFace(const LevelFace& face) {
+  return face.radius ? std::numbers::pi * *face.radius * *face.radius : solid::AreaOf(face.corners);
+}
 
 std::vector<LevelFace> FindLevelFaces(std::span<const PlacedShape> own,
                                       std::span<const PlacedShape> all, double area,

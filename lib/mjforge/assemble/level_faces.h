@@ -32,6 +32,9 @@ struct LevelFace {
   double height = std::numeric_limits<double>::infinity();  // free height above the face, m
 };
 
+/// Returns the area of a face, m^2.
+double AreaOfFace(const LevelFace& face);
+
 /// Returns the level upper faces of the shapes `own`, the largest first, that have at least the
 /// area `area`, m^2, and at least the free height `height`, m, below the shapes `all`. A face on
 /// which another shape stands is reduced to the largest free part.

@@ -17,6 +17,8 @@ using diag::Code;
 // Largest number of names that a hint lists.
 constexpr std::size_t kMostListed = 8;
 
+constexpr const char* kLeftOutHint = "its `if` or `for` leaves it out in this variant";
+
 template <typename List, typename Condition>
 auto FindIn(const List& list, const Condition& condition) -> decltype(list.data()) {
   const auto found = std::ranges::find_if(list, condition);
@@ -38,6 +40,54 @@ std::optional<PlaceTarget> FindOn(const model::Object& object, int body,
       FindIn(owner.sites, [&](const model::Site& site) { return HasName(names, site.name); });
   if (target.region == nullptr && target.site == nullptr) return std::nullopt;
   return target;
+}
+
+// Returns the beginning of a composed name ("slot_" of "slot_${i}"); empty for a literal name.
+std::string_view StemOf(const spec::Entry& entry) {
+  const auto* text = std::get_if<spec::Text>(&entry.name.form);
+  if (text == nullptr || spec::LiteralText(entry.name)) return {};
+  return text->pieces.front().literal;
+}
+
+// Returns the entry with this literal name, or the entry of a composed name that begins in the same
+// way. Returns null if there is none.
+const spec::Entry* FindElement(const std::vector<spec::Entry>& entries, std::string_view name) {
+  return FindIn(entries, [&](const spec::Entry& entry) {
+    const std::string_view stem = StemOf(entry);
+    return spec::LiteralText(entry.name) == name || (!stem.empty() && name.starts_with(stem));
+  });
+}
+
+const spec::Entry* FindElement(const std::vector<spec::Entry>& regions,
+                               const std::vector<spec::Entry>& sites, std::string_view name) {
+  const spec::Entry* region = FindElement(regions, name);
+  return region != nullptr ? region : FindElement(sites, name);
+}
+
+// Returns the entry of `regions:` or `sites:` with this name of the body whose entry is at `body`,
+// in the spec or in a nested one. Returns null if there is none.
+const spec::Entry* FindDeclared(const spec::ObjectSpec& spec, diag::SourceMark body,
+                                std::string_view name) {
+  for (const spec::BodyEntry& entry : spec.bodies) {
+    const spec::ObjectSpec* nested = entry.head.nested.get();
+    const spec::Entry* found = nullptr;
+    if (entry.head.mark == body) {
+      found = FindElement(entry.regions, entry.sites, name);
+      if (found == nullptr && nested != nullptr)
+        found = FindElement(nested->regions, nested->sites, name);
+    } else if (nested != nullptr) {
+      found = FindDeclared(*nested, body, name);
+    }
+    if (found != nullptr) return found;
+  }
+  return nullptr;
+}
+
+bool MayBeLeftOut(const spec::Entry& entry) { return entry.condition || !entry.loops.empty(); }
+
+bool IsSearched(const spec::Entry& region) {
+  const spec::Field* type = region.Find(spec::Key::kType);
+  return type != nullptr && spec::LiteralText(type->value) == "auto";
 }
 
 // Returns the full name without the first of the prefixes that matches.
@@ -111,14 +161,24 @@ void PlaceNames::ReportBody(std::string_view owner, std::string_view name, diag:
                  "`fewer: true` leaves out this one, too");
     return;
   }
+  diag::Finding& finding =
+      findings.Add(Code::kModelUnknownReference, mark,
+                   fmt::format("place of {}: no body {}", owner, Quoted(name)));
+  const spec::BodyEntry* entry =
+      FindIn(scope_.values.spec().bodies, [&](const spec::BodyEntry& body) {
+        return MayBeLeftOut(body.head) && spec::LiteralText(body.head.name) == name;
+      });
+  if (entry != nullptr) {
+    finding.hint = kLeftOutHint;
+    finding.notes.push_back({entry->head.mark, fmt::format("{} is here", Quoted(name))});
+    return;
+  }
   std::vector<std::string> names = {scope_.values.spec().name};
   for (const auto& [full, index] : bodies_) {
     if (full.starts_with(scope_.prefix) && index != scope_.body) names.push_back(NameOf(index));
   }
   std::ranges::sort(names);
-  findings.Add(Code::kModelUnknownReference, mark,
-               fmt::format("place of {}: no body {}", owner, Quoted(name)),
-               diag::DidYouMean(name, names));
+  finding.hint = diag::DidYouMean(name, names);
 }
 
 std::vector<std::string_view> PlaceNames::TargetsOn(int index) const {
@@ -133,15 +193,31 @@ std::vector<std::string_view> PlaceNames::TargetsOn(int index) const {
   return names;
 }
 
+void PlaceNames::ExplainAbsence(int body, std::string_view name, diag::Finding& finding) const {
+  const spec::ObjectSpec& spec = scope_.values.spec();
+  const spec::Entry* entry =
+      body == scope_.body
+          ? FindElement(spec.regions, spec.sites, name)
+          : FindDeclared(spec, object_.bodies[static_cast<std::size_t>(body)].mark, name);
+  if (entry == nullptr || (!IsSearched(*entry) && !MayBeLeftOut(*entry))) return;
+  const std::string_view stem = StemOf(*entry);
+  const auto is_other = [&](std::string_view other) { return other.starts_with(stem); };
+  if (!stem.empty() && std::ranges::any_of(TargetsOn(body), is_other)) return;
+  finding.hint = IsSearched(*entry) ? "no level face was found: `area`, `height` or `margin` is "
+                                      "too large, or nothing collides"
+                                    : kLeftOutHint;
+  finding.notes.push_back({entry->mark, fmt::format("{} is here", Quoted(name))});
+}
+
 void PlaceNames::ReportTarget(std::string_view owner, std::string_view name, diag::SourceMark mark,
-                              diag::Findings& findings) const {
+                              diag::Findings& findings, std::string_view remedy) const {
   const std::size_t dot = name.rfind('.');
   const bool is_root = dot == std::string_view::npos;
   const std::string body_name(is_root ? scope_.values.spec().name : name.substr(0, dot));
   const std::optional<int> index = FindBody(body_name);
   if (!index) return ReportBody(owner, body_name, mark, findings);
   const std::string_view last = is_root ? name : name.substr(dot + 1);
-  if (const std::optional<int> other = is_root ? FindBody(name) : std::nullopt) {
+  if (const std::optional<int> other = FindBody(name)) {
     const std::vector<std::string_view> places = TargetsOn(*other);
     findings.Add(
         Code::kModelUnknownReference, mark,
@@ -153,15 +229,17 @@ void PlaceNames::ReportTarget(std::string_view owner, std::string_view name, dia
   std::vector<std::string_view> names = TargetsOn(*index);
   std::string hint = diag::DidYouMean(last, std::span<const std::string_view>(names));
   if (names.empty()) {
-    hint = "give it one with `regions:`";
+    hint = fmt::format("give it one with `{}:`", remedy);
   } else if (hint.empty()) {
     names.resize(std::min(names.size(), kMostListed));
     hint = fmt::format("it has {}", fmt::join(names, ", "));
   }
-  findings.Add(Code::kModelUnknownReference, mark,
-               fmt::format("place of {}: body {} has no region and no site {}", owner,
-                           Quoted(body_name), Quoted(last)),
-               std::move(hint));
+  diag::Finding& finding =
+      findings.Add(Code::kModelUnknownReference, mark,
+                   fmt::format("place of {}: body {} has no region and no site {}", owner,
+                               Quoted(body_name), Quoted(last)),
+                   std::move(hint));
+  ExplainAbsence(*index, last, finding);
 }
 
 }  // namespace mjforge::assemble

@@ -45,11 +45,15 @@ class PlaceNames {
   void ReportBody(std::string_view owner, std::string_view name, diag::SourceMark mark,
                   diag::Findings& findings) const;
   /// Adds a finding about a name that neither a region nor a site has. `owner` is the element with
-  /// `place:`.
+  /// `place:`. `remedy` is the key with which a body gets what it lacks.
   void ReportTarget(std::string_view owner, std::string_view name, diag::SourceMark mark,
-                    diag::Findings& findings) const;
+                    diag::Findings& findings, std::string_view remedy = "regions") const;
 
  private:
+  /// Explains why a variant lacks a region or site that its spec declares. Does nothing if no spec
+  /// declares it.
+  void ExplainAbsence(int body, std::string_view name, diag::Finding& finding) const;
+
   /// Returns the names of the regions and sites of a body, without the name of the body.
   std::vector<std::string_view> TargetsOn(int index) const;
 

@@ -57,6 +57,22 @@ void Placements::ReadPile(const Request& request, sample::StreamId path, model::
   }
 }
 
+void Placements::CheckPile(const Request& request, const model::Pile& pile,
+                           sample::StreamId places) {
+  if (pile.mark == request.entry.place->mark) return;  // the entry with which the pile begins
+  model::Pile asked;
+  asked.is_big_first = pile.is_big_first;
+  asked.time = pile.time;
+  ReadPile(request, places, asked);
+  if (asked.is_big_first == pile.is_big_first && asked.time == pile.time) return;
+  context_.findings
+      .Add(Code::kModelBadPlace, request.entry.place->mark,
+           fmt::format("the pile in {} has another `{}` here than where it begins", Quoted(pile.at),
+                       asked.time == pile.time ? "order" : "time"),
+           "give it to the first entry of the pile")
+      .notes.push_back({pile.mark, "the pile begins here"});
+}
+
 void Placements::PileUp(const Request& request, sample::StreamId places) {
   FieldReader reader(scope_.values, context_.findings, "body", request.name, places);
   Trial trial;
@@ -89,7 +105,10 @@ model::Pile& Placements::PileAt(const Request& request, const Trial& trial,
   const auto pile = std::ranges::find_if(piles, [&](const model::Pile& other) {
     return other.support == trial.where.support && other.region.site == trial.target.region->site;
   });
-  if (pile != piles.end()) return *pile;
+  if (pile != piles.end()) {
+    CheckPile(request, *pile, places);
+    return *pile;
+  }
   model::Pile& added = piles.emplace_back();
   added.at = trial.at;
   added.support = trial.where.support;

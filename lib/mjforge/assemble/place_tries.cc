@@ -54,6 +54,11 @@ const model::StablePose& DrawPose(const std::vector<model::StablePose>& poses, d
 
 std::string OwnerOf(std::string_view name) { return fmt::format("body {}", Quoted(name)); }
 
+// Returns the relation between two bodies that a key of `place:` or `beside:` states.
+std::string_view RelationOf(Key key) {
+  return key == Key::kFacing ? "faces" : key == Key::kBody ? "is placed beside" : "is placed at";
+}
+
 }  // namespace
 
 std::optional<Placements::Trial> Placements::Draw(const Request& request, sample::StreamId path) {
@@ -87,7 +92,7 @@ bool Placements::ReadTarget(const Request& request, FieldReader& reader, Trial& 
   trial.target = *target;
   trial.where.support = target->body;
   trial.where.front = BodyAt(request.body).front;
-  return MustStand(request, target->body, at.value.mark);
+  return MustStand(request, target->body, at);
 }
 
 bool Placements::ReadSites(const Request& request, FieldReader& reader, Trial& trial) {
@@ -105,7 +110,7 @@ bool Placements::ReadSites(const Request& request, FieldReader& reader, Trial& t
   const std::string full = fmt::format("{}.{}", request.name, *name);
   const std::optional<PlaceTarget> own = names_.Find(full);
   if (!own) {
-    names_.ReportTarget(OwnerOf(request.name), full, by->value.mark, context_.findings);
+    names_.ReportTarget(OwnerOf(request.name), full, by->value.mark, context_.findings, "sites");
     return false;
   }
   trial.where.X_BodySite = X_WB(request.body).Inverse() * X_WB(own->body) * own->X_BT();
@@ -257,10 +262,11 @@ std::optional<int> Placements::ReadBody(const Request& request, FieldReader& rea
   if (!name) return std::nullopt;
   const std::optional<int> body = names_.FindBody(*name);
   if (!body) names_.ReportBody(OwnerOf(request.name), *name, field.value.mark, context_.findings);
-  return body && MustStand(request, *body, field.value.mark) ? body : std::nullopt;
+  return body && MustStand(request, *body, field) ? body : std::nullopt;
 }
 
-bool Placements::MustStand(const Request& request, int body, diag::SourceMark mark) {
+bool Placements::MustStand(const Request& request, int body, const spec::Field& field) {
+  const diag::SourceMark mark = field.value.mark;
   if (IsPiled(request, body, mark)) return false;
   // `top` is `body` or its ancestor that is a child of the spec's root, or the root itself.
   int top = body;
@@ -274,8 +280,11 @@ bool Placements::MustStand(const Request& request, int body, diag::SourceMark ma
   }
   const std::string name = names_.NameOf(stands ? body : top);
   const std::string circle = CircleOf(request.name);
+  const bool is_same_entry = BodyAt(top).mark == request.entry.head.mark;
   std::string hint;
-  if (circle.empty()) {
+  if (is_same_entry && top != request.body) {
+    hint = "bodies of one entry find their places in the order of `for`: name an earlier one";
+  } else if (circle.empty() && top != request.body) {
     hint =
         fmt::format("write the entry of {} before that of {}", Quoted(name), Quoted(request.name));
   }
@@ -283,10 +292,10 @@ bool Placements::MustStand(const Request& request, int body, diag::SourceMark ma
       Code::kModelBadPlace, mark,
       !circle.empty() ? fmt::format("the places of bodies form a circle: {}", circle)
       : top == request.body
-          ? fmt::format("body {} is placed at itself", Quoted(request.name))
+          ? fmt::format("body {} {} itself", Quoted(request.name), RelationOf(field.info->id))
           : fmt::format("body {} is placed before {}", Quoted(request.name), Quoted(name)),
-      top == request.body ? "" : std::move(hint));
-  if (top != request.body)
+      std::move(hint));
+  if (!is_same_entry)
     finding.notes.push_back({BodyAt(top).mark, fmt::format("{} is here", Quoted(name))});
   return false;
 }

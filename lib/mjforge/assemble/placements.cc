@@ -100,8 +100,21 @@ void Placements::Place(const spec::BodyEntry& entry, sample::StreamId bodies) {
   GiveUp(request, *trial, misses);
 }
 
+bool Placements::HasHeading(const Request& request, const Trial& trial,
+                            const model::PlaceResult& result) {
+  constexpr double kSamePoint = 1e-6;  // m
+  if (!trial.where.facing) return true;
+  const Eigen::Vector3d p_W = X_WB(trial.where.support) * result.X_SupportBody.p;
+  if ((p_W.head<2>() - *trial.where.facing).norm() > kSamePoint) return true;
+  FieldReader(scope_.values, context_.findings, "body", request.name, scope_.values.root())
+      .Report(Code::kModelBadPlace, *request.entry.place->Find(Key::kFacing),
+              "is the point at which the body stands", "turn it by `yaw`");
+  return false;
+}
+
 void Placements::Settle(const Request& request, const Trial& trial,
                         const model::PlaceResult& result) {
+  if (!HasHeading(request, trial, result)) return;
   ++standing_;
   const int support = trial.where.support;
   const std::vector<model::Body>& bodies = context_.object.bodies;

@@ -56,12 +56,18 @@ class Placements {
   void PileUp(const Request& request, sample::StreamId places);
   /// Returns the pile in the region of `trial`. Adds the pile if it does not exist yet.
   model::Pile& PileAt(const Request& request, const Trial& trial, sample::StreamId places);
+  /// Reports an entry that adds bodies to a pile and asks for another `order` or `time` than the
+  /// entry with which the pile begins.
+  void CheckPile(const Request& request, const model::Pile& pile, sample::StreamId places);
   /// Reads `order` and `time` of a pile.
   void ReadPile(const Request& request, sample::StreamId path, model::Pile& pile);
   /// Returns true, and adds a finding, if the body is in a pile, because other bodies cannot refer
   /// to it.
   bool IsPiled(const Request& request, int body, diag::SourceMark mark);
   void Settle(const Request& request, const Trial& trial, const model::PlaceResult& result);
+  /// Returns false, and adds a finding, if the body stands at the point that it must face, so that
+  /// its heading would be a rounding error.
+  bool HasHeading(const Request& request, const Trial& trial, const model::PlaceResult& result);
   void GiveUp(const Request& request, const Trial& trial, const Misses& misses);
   /// If the entry allows it (`fewer: true`), adds the body to the bodies that the next assembly
   /// leaves out, and returns true.
@@ -90,7 +96,8 @@ class Placements {
                               const spec::Field& field);
   /// Returns true if the body already has its place. Otherwise adds a finding, unless it was
   /// already reported that no place was found for the body.
-  bool MustStand(const Request& request, int body, diag::SourceMark mark);
+  /// `field` is the field that names the body.
+  bool MustStand(const Request& request, int body, const spec::Field& field);
   bool MustBeLevel(const Request& request, const Trial& trial, diag::SourceMark mark);
   /// Returns "a -> b -> a" if bodies are placed on each other in a circle; otherwise an empty text.
   std::string CircleOf(std::string_view name) const;

@@ -210,4 +210,15 @@ void Assembly::AddRegion(Scope& scope, const spec::Entry& entry, std::string_vie
   reader.Report(Code::kModelBadValue, *entry.Find(Key::kMargin), "leaves no room in the region");
 }
 
+void Assembly::SearchFaces(std::size_t first) {
+  for (std::size_t i = first; i < face_searches_.size(); ++i) {
+    const model::Region& region = face_searches_[i].pattern;
+    std::string why_not = AddFoundRegions(face_searches_[i], object_);
+    // Another spec may have faces only for some parameters.
+    if (!why_not.empty() && region.mark.file == spec_->mark.file)
+      empty_searches_.push_back({region.name, region.mark, std::move(why_not)});
+  }
+  face_searches_.resize(first);
+}
+
 }  // namespace mjforge::assemble

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
+#include <vector>
 
 #include "mjforge/model/model.h"
 
@@ -27,6 +29,13 @@ struct FaceSearch {
   std::size_t last_body = 0;  // 0: not set yet
 };
 
+/// A search that found no region.
+struct EmptySearch {
+  std::string region;  // name
+  diag::SourceMark mark;
+  std::string why_not;
+};
+
 /// Moves the origin of a polygon's frame to the middle of its bounding box, and sets its half
 /// sizes.
 void CenterOrigin(model::Region& region);
@@ -37,8 +46,12 @@ bool HasRoomWithin(const model::Region& region);
 /// Adds a region to the body, and a site at the region.
 void AddRegionTo(model::Body& body, model::Region region);
 
-/// Searches for level faces at the start state, and adds them as regions.
-void AddFoundRegions(const FaceSearch& search, model::Object& object);
+/// Searches for level faces at the start state, and adds them as regions. Returns the reason if
+/// there are none, otherwise an empty text.
+std::string AddFoundRegions(const FaceSearch& search, model::Object& object);
+
+/// Warns about searches that found nothing.
+void ReportEmptySearches(const std::vector<EmptySearch>& searches, diag::Findings& findings);
 
 /// Reports regions that are not level at the start. Checks only regions declared in the file of the
 /// mark `spec`. Regions of nested specs may be tilted on purpose (a bowl that hangs on a hook).

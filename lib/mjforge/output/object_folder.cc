@@ -190,15 +190,64 @@ void AddAssetChanged(const std::string& name, diag::Findings& findings) {
                "make the batch anew, without --resume");
 }
 
+namespace {
+
+// Returns true for the file of an object of a scene (--each), which is an asset of the placement.
+bool IsObject(const bytes::Asset& asset) {
+  return asset.made && asset.name.ends_with(kObjectEnding);
+}
+
+// Returns the files in the folder of a variant that can be files of its objects: NAME.xml and, for
+// targets with a folder for each object, NAME/model.xml. Links are not followed.
+std::vector<std::filesystem::path> ObjectFilesIn(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  std::error_code error;
+  std::filesystem::directory_iterator at(folder, error);
+  for (; !error && at != std::filesystem::directory_iterator(); at.increment(error)) {
+    if (!IsOwnFolder(at->path())) {
+      files.push_back(at->path());
+      continue;
+    }
+    std::error_code ignored;
+    for (std::filesystem::directory_iterator inner(at->path(), ignored);
+         !ignored && inner != std::filesystem::directory_iterator(); inner.increment(ignored))
+      files.push_back(inner->path());
+  }
+  std::erase_if(files, [](const std::filesystem::path& file) {
+    std::error_code ignored;
+    return file.extension() != kObjectEnding ||
+           !std::filesystem::is_regular_file(std::filesystem::symlink_status(file, ignored));
+  });
+  return files;
+}
+
+// Removes the files of objects that an earlier run wrote for this variant and that the variant no
+// longer has, because a scene would otherwise have more objects than its placement. `assets` are
+// the files of the placement in `folder`.
+void RemoveFormerObjects(const std::filesystem::path& folder, const bytes::Assets& assets) {
+  const auto object = std::ranges::find_if(assets, IsObject);
+  if (object == assets.end()) return;
+  const std::optional<mjcf::Provenance> own = mjcf::ReadProvenance(*object->made);
+  if (!own) return;
+  std::string ignored;
+  for (const std::filesystem::path& file : ObjectFilesIn(folder)) {
+    const std::string name = file.lexically_relative(folder).generic_string();
+    if (std::ranges::count(assets, name, &bytes::Asset::name) > 0) continue;
+    const auto opening = bytes::ReadStart(file, kCommentBytes, ignored);
+    const auto former = opening ? mjcf::ReadProvenance(*opening) : std::nullopt;
+    if (!former || former->part.empty() || former->index != own->index) continue;
+    ::unlink(file.c_str());
+    if (file.parent_path() != folder) ::rmdir(file.parent_path().c_str());  // unless it has files
+  }
+}
+
+}  // namespace
+
 // Returns true if an existing asset may be replaced by one with these bytes.
 bool ObjectFolder::IsOwn(const bytes::Asset& asset, std::string_view present,
                          std::string_view bytes, const std::string& sha256) const {
-  // Accepts copies made by mjforge: only the objects of a scene have names without a hash of their
-  // content.
-  if (asset.made) {
-    return IsDamagedCopy(present, bytes) ||
-           mjcf::ReadProvenance(present.substr(0, kCommentBytes)).has_value();
-  }
+  // The name of a generated asset has a hash of its content.
+  if (asset.made) return IsDamagedCopy(present, bytes);
   const auto kept = overwrite_.kept_assets.find(asset.name);
   if (kept != overwrite_.kept_assets.end()) return kept->second == sha256;
   return overwrite_.assets.contains(sha256) || overwrite_.assets.contains(bytes::Sha256Of(present));
@@ -207,6 +256,10 @@ bool ObjectFolder::IsOwn(const bytes::Asset& asset, std::string_view present,
 // Writes an asset to `target`, unless that file already has the same bytes.
 bool ObjectFolder::CopyAsset(const bytes::Asset& asset, const std::filesystem::path& target,
                              const std::string& sha256, diag::Findings& findings) const {
+  if (IsObject(asset)) {
+    return MayReplace(target, *asset.made, overwrite_.force, findings) &&
+           WriteFile(target, *asset.made, true, findings);
+  }
   std::optional<std::string> read;
   if (!asset.made) read = ReadAsset(asset.file, sha256, findings);
   if (!asset.made && !read) return false;
@@ -258,9 +311,11 @@ bool ObjectFolder::Write(const std::string& file, const mjcf::MjcfDocument& docu
     last_folder_ = folder;
   }
   // Writes assets first, so that an object's file never exists without its assets.
-  return MayReplace(path, document.text, overwrite_.force, findings) &&
-         CopyAssets(document, folder, hashes, findings) &&
-         WriteFile(path, document.text, overwrite_.if_changed, findings);
+  if (!MayReplace(path, document.text, overwrite_.force, findings) ||
+      !CopyAssets(document, folder, hashes, findings))
+    return false;
+  RemoveFormerObjects(folder, document.assets);
+  return WriteFile(path, document.text, overwrite_.if_changed, findings);
 }
 
 }  // namespace mjforge::output

@@ -45,6 +45,7 @@ struct Orientation {
   std::optional<Eigen::Quaterniond> asked;  // nullopt: as modelled, if stable
   Eigen::Quaterniond q_LB;
   std::vector<BodyShape> shapes;  // in the body's frame B
+  PlacedShapes placed;            // these shapes in frame L
   Footprint footprint;            // in frame L
   double bottom = 0;              // least z in L, m
   double height = 0;              // m
@@ -52,11 +53,13 @@ struct Orientation {
 
 Orientation Oriented(const model::Object& object, int body, const Eigen::Quaterniond& q_LB) {
   std::vector<BodyShape> shapes = ShapesBelow(object, body);
-  const PlacedShapes placed = ShapesAt(shapes, {Vector3d::Zero(), q_LB});
-  Orientation orientation{body, q_LB, q_LB, std::move(shapes), FootprintOf(placed)};
+  PlacedShapes placed = ShapesAt(shapes, {Vector3d::Zero(), q_LB});
+  Footprint footprint = FootprintOf(placed);
+  Orientation orientation{
+      body, q_LB, q_LB, std::move(shapes), std::move(placed), std::move(footprint)};
   Eigen::AlignedBox3d box;
-  for (const distance::PlacedShape& shape : placed) box.extend(shape.box_W);
-  if (placed.empty()) return orientation;
+  for (const distance::PlacedShape& shape : orientation.placed) box.extend(shape.box_W);
+  if (orientation.placed.empty()) return orientation;
   orientation.bottom = box.min().z();
   orientation.height = box.sizes().z();
   return orientation;
@@ -67,8 +70,7 @@ Orientation Oriented(const model::Object& object, int body, const Eigen::Quatern
 bool IsStable(const model::Object& object, const Orientation& upright) {
   constexpr double kTouching = 1e-4;  // m; higher points do not touch the ground
   const Vector2d center = MassBelow(object, upright.body).p_FCm.head<2>();
-  const Polygon outline =
-      FootprintOf(ShapesAt(upright.shapes, {Vector3d::Zero(), upright.q_LB}), kTouching).Outline();
+  const Polygon outline = FootprintOf(upright.placed, kTouching).Outline();
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vector2d edge = outline[(i + 1) % outline.size()] - outline[i];
     const Vector2d to_center = center - outline[i];

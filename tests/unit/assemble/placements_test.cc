@@ -248,6 +248,98 @@ TEST_CASE("findings of places") {
         "10:43 uv of body 'a' has no meaning at a site, which decides the pose");
   CHECK(finding(Ball("name: a, place: {at: table.surface, facing: [0, 0, 1]}")) ==
         "10:50 facing of body 'a' has no horizontal direction");
+  CHECK(finding(Ball("name: a, place: {at: table.hook, by: hole}")) ==
+        "10:43 place of body 'a': body 'a' has no region and no site 'hole' (give it one with "
+        "`sites:`)");
+  CHECK(finding(Ball("name: a, place: {at: table.surface, facing: a}")) ==
+        "10:50 body 'a' faces itself");
+  CHECK(finding(Ball("name: a, place: {at: table.surface, beside: {body: a, side: left}}")) ==
+        "10:57 body 'a' is placed beside itself");
+  CHECK(finding(Ball("name: a, place: {at: table.surface, uv: [0, 0], facing: table}")) ==
+        "10:62 facing of body 'a' is the point at which the body stands (turn it by `yaw`)");
+}
+
+TEST_CASE("bodies of one entry name earlier ones") {
+  const Scene scene(
+      "  - {name: \"a_${i}\", for: {i: 2}, place: {at: table.surface, facing: \"a_${i + 1}\"},\n"
+      "     parts: [{name: \"ball_${i}\", type: sphere, size: 0.05}]}\n");
+  CHECK(scene.finding() ==
+        "10:70 body 'a_0' is placed before 'a_1' (bodies of one entry find their places in the "
+        "order of `for`: name an earlier one)");
+  CHECK(scene.assembling.raw_findings()[0].notes.empty());
+}
+
+TEST_CASE("the reason is given if a variant lacks what its spec declares") {
+  const std::string shelf =
+      "  - {name: shelf, parts: [{name: s, type: sphere, size: 1}], sites: [{name: nail, if: "
+      "false}],\n"
+      "     regions: [{name: up, if: 1 > 2, size: [1, 1]}, {name: flat, type: auto},\n"
+      "       {name: 'slot_${i}', for: {i: 0}, size: [1, 1]}, {name: here, size: [1, 1]}]}\n"
+      "  - {name: lid, if: false, parts: [{name: l, type: sphere, size: 1}]}\n";
+  const auto finding = [&](const std::string& at) {
+    const Scene scene(shelf + Ball("name: a, place: {at: " + at + "}"));
+    const auto& notes = scene.assembling.raw_findings()[0].notes;
+    return scene.finding() +
+           (notes.empty() ? "" : " | " + std::to_string(notes[0].mark.line) + notes[0].message);
+  };
+  const std::string no = "14:27 place of body 'a': body 'shelf' has no region and no site ";
+  const std::string left_out = " (its `if` or `for` leaves it out in this variant)";
+  CHECK(finding("shelf.up") == no + "'up'" + left_out + " | 11'up' is here");
+  CHECK(finding("shelf.nail") == no + "'nail'" + left_out + " | 10'nail' is here");
+  CHECK(finding("shelf.slot_0") == no + "'slot_0'" + left_out + " | 12'slot_0' is here");
+  const std::string nothing =
+      " (no level face was found: `area`, `height` or `margin` is too large, or nothing collides)";
+  CHECK(finding("shelf.flat") == no + "'flat'" + nothing + " | 11'flat' is here");
+  CHECK(finding("shelf.down") == no + "'down' (it has here)");
+  CHECK(finding("lid.top") ==
+        "14:27 place of body 'a': no body 'lid'" + left_out + " | 13'lid' is here");
+}
+
+TEST_CASE("what only leads to an inner body is no place") {
+  const TemporaryFolder folder;
+  folder.Write("desk.yaml",
+               "mjforge: 1\nname: desk\nparts: [{name: top, type: sphere, size: 1}]\n"
+               "bodies: [{name: drawer, parts: [{name: d, type: sphere, size: 1}],\n"
+               "          regions: [{name: inside, if: false, size: [1, 1]}, {name: back, size: "
+               "[1, 1]}]}]\n");
+  const auto finding = [&](const std::string& at) {
+    DiscPlacer placer;
+    const Assembling scene(
+        "bodies:\n  - {name: desk, spec: desk.yaml}\n" + Ball("name: a, place: {at: " + at + "}"),
+        1, 0, folder.path(), {}, &placer);
+    return scene.findings().at(0);
+  };
+  CHECK(finding("desk.drawer") ==
+        "5:27 place of body 'a': 'desk.drawer' is a body, not a region or a site (such as "
+        "desk.drawer.back)");
+  CHECK(finding("desk.drawer.inside") ==
+        "5:27 place of body 'a': body 'desk.drawer' has no region and no site 'inside' (its `if` "
+        "or `for` leaves it out in this variant)");
+}
+
+TEST_CASE("a body below one that was left out is reported with the reason") {
+  const Scene scene(Ball("name: a, place: {at: table.surface, uv: [0, 0]}") +
+                    Ball("name: b, fewer: true, place: {at: table.surface, uv: [0, 0]}") +
+                    "  - {name: c, parent: b, parts: [{name: q, type: sphere, size: 1}]}\n");
+  CHECK(scene.finding() ==
+        "12:23 body 'c': its parent 'b' was left out, because there was no room for it (in place "
+        "of `parent:`, `place:` at it and `fewer: true` leave out this one, too)");
+}
+
+TEST_CASE("entries of one pile agree on its order and time") {
+  const auto findings = [](const std::string& first, const std::string& second) {
+    const Scene scene(
+        Ball("name: a, joints: free, place: {at: table.surface, pile: " + first + "}") +
+        Ball("name: b, joints: free, place: {at: table.surface, pile: " + second + "}"));
+    return scene.assembling.findings();
+  };
+  CHECK(findings("{time: 2s}", "{}").empty());
+  CHECK(findings("{time: 2s, order: listed}", "{order: listed, time: 2s}").empty());
+  const std::string hint = " here than where it begins (give it to the first entry of the pile)";
+  CHECK(findings("{}", "{time: 5s}") ==
+        std::vector<std::string>{"11:36 the pile in 'table.surface' has another `time`" + hint});
+  CHECK(findings("{time: 2s}", "{order: listed}") ==
+        std::vector<std::string>{"11:36 the pile in 'table.surface' has another `order`" + hint});
 }
 
 TEST_CASE("places that lead back to themselves are reported") {

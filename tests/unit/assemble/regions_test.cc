@@ -215,6 +215,42 @@ TEST_CASE("auto measures the height below other bodies, and keeps the least area
       Assembling(shelves + "regions: [{name: s, type: auto, area: 0.1}]\n").body().regions.empty());
 }
 
+TEST_CASE("a search that finds nothing is a warning with the largest face") {
+  const auto finding = [](const std::string& spec) {
+    const Assembling thing(spec);
+    CHECK(thing.body().regions.empty());
+    CHECK(thing.raw_findings().size() == 1);
+    CHECK_FALSE(thing.raw_findings().HasErrors());
+    return thing.findings().at(0);
+  };
+  const std::string hint =
+      " (search with a smaller `area`, `height` or `margin`, or declare it with its `size`)";
+  CHECK(finding("parts: [{name: a, type: sphere, size: 1}]\nregions: auto\n") ==
+        "4:10 region 'surface' does not exist: no level face that collides" + hint);
+  const std::string low =
+      "parts:\n"
+      "- {name: low, type: box, size: [0.1, 0.1, 0.01]}\n"
+      "- {name: high, type: box, size: [0.1, 0.1, 0.01], pos: [0, 0, 0.04], role: collision}\n";
+  CHECK(finding(low + "regions: [{name: s, type: auto, area: 0.05}]\n") ==
+        "6:11 region 's' does not exist: no level face of at least 0.05 m^2 with 0.03 m of free "
+        "height; the largest has 0.04 m^2" +
+            hint);
+  CHECK(finding(low + "regions: [{name: s, type: auto, margin: 0.1}]\n") ==
+        "6:11 region 's' does not exist: its margin of 0.1 m leaves no room on the largest level "
+        "face, of 0.04 m^2" +
+            hint);
+}
+
+TEST_CASE("an empty search of another spec is no warning") {
+  TemporaryFolder folder;
+  folder.Write(
+      "ball.yaml",
+      "{mjforge: 1, name: ball, parts: [{name: a, type: sphere, size: 1}], regions: auto}");
+  const Assembling thing("bodies: [{name: ball, spec: ball.yaml}]\n", 1, 0, folder.path());
+  CHECK(thing.object().bodies.size() == 2);
+  CHECK(thing.findings().empty());
+}
+
 TEST_CASE("auto joins the pieces of one part, and takes only what collides") {
   const Assembling thing(
       "parts:\n"

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -124,6 +125,75 @@ TEST_CASE("an asset that is there with other content is replaced only where that
   ObjectFolder restored(folder / "out", {.kept_assets = {{"assets/wood.png", hash}}});
   CHECK(restored.Write("x.xml", document, findings, hashes));
   CHECK(folder.Read("out/assets/wood.png") == "pixels");
+}
+
+// Returns the text of the file of an object of a scene (--each).
+std::string PartText(const std::string& part, int index = 0) {
+  return "<!-- mjforge 0.1.0 spec=a.yaml sha256=" + std::string(64, '0') +
+         " seed=0 index=" + std::to_string(index) + " part=" + part +
+         " target=robosuite -->\n<mujoco/>\n";
+}
+
+// Returns a placement with these files of objects.
+mjcf::MjcfDocument PlacementOf(const Files& files) {
+  mjcf::MjcfDocument document = DocumentOf("{\"mjforge\":\"0.1.0\"}\n");
+  for (const std::string& file : files) {
+    document.assets.push_back(
+        {.name = file, .file = {}, .made = std::make_shared<const std::string>(PartText("x"))});
+  }
+  return document;
+}
+
+TEST_CASE("objects that a scene no longer has are removed from its folder, and nothing else") {
+  const TemporaryFolder folder;
+  diag::Findings findings;
+  const std::string at = "out/tea_000000/";
+  for (const char* name : {"cup_0.xml", "cup_1.xml", "cup_0/model.xml"})
+    folder.Write(at + name, PartText("cup"));
+  folder.Write(at + "cup_1/model.xml", PartText("cup"));
+  folder.Write(at + "cup_1/notes.txt", "mine");
+  folder.Write(at + "mine.xml", "<mujoco/>");
+  folder.Write(at + "other.xml", PartText("cup", 1));  // of another variant
+  folder.Write(at + "deep/er/cup_2.xml", PartText("cup"));
+  folder.Write("elsewhere/cup_3.xml", PartText("cup"));
+  std::filesystem::create_directory_symlink(folder / "elsewhere", folder / at / "link");
+  std::filesystem::create_symlink(folder / "elsewhere/cup_3.xml", folder / at / "link.xml");
+  ObjectFolder objects(folder / "out", {});
+  REQUIRE(objects.Write("tea_000000/placement.json", PlacementOf({"cup_0.xml"}), findings));
+  CHECK_FALSE(std::filesystem::exists(folder / at / "cup_0"));
+  CHECK(std::filesystem::is_symlink(folder / at / "link.xml"));
+  std::filesystem::remove(folder / at / "link.xml");
+  std::filesystem::remove(folder / at / "link");
+  CHECK(folder.Files() == Files{"elsewhere/cup_3.xml", at + "cup_0.xml", at + "cup_1/notes.txt",
+                                at + "deep/er/cup_2.xml", at + "mine.xml", at + "other.xml",
+                                at + "placement.json"});
+}
+
+TEST_CASE("the files of a scene's objects are replaced like those of other objects") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "out/tea_000000");
+  const std::filesystem::path cup = folder / "out/tea_000000/cup.xml";
+  const auto message = [&](bool force) {
+    diag::Findings findings;
+    ObjectFolder objects(folder / "out", {.force = force});
+    if (objects.Write("tea_000000/placement.json", PlacementOf({"cup.xml"}), findings))
+      return std::string("written");
+    REQUIRE(findings.size() == 1);
+    return findings[0].message;
+  };
+  const std::string exists = "'" + cup.string() + "' exists and was not made by mjforge";
+  std::filesystem::create_symlink("nowhere", cup);
+  CHECK(message(false) == exists);
+  CHECK(std::filesystem::is_symlink(cup));
+  CHECK(message(true) == "written");
+  CHECK(message(false) == "written");
+  std::filesystem::remove(cup);
+  std::filesystem::create_directory(cup);
+  CHECK(message(false) == exists);
+  CHECK(message(true) == "cannot write '" + cup.string() + "': Is a directory");
+  std::filesystem::remove(cup);
+  REQUIRE(::mkfifo(cup.c_str(), 0600) == 0);
+  CHECK(message(true) == "'" + cup.string() + "' is a pipe or a device, not a file");
 }
 
 TEST_CASE("what a killed process left half-written is removed, and nothing else") {
