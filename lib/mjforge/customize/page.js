@@ -7,11 +7,9 @@
   const kFullDelay = 150; // ms without a change until the full picture is drawn
   const client = Math.random().toString(36).slice(2);
 
-  let revision = 0;
-  let [seed, index] = ["0", "0"];
+  let [revision, seed, index] = [0, "0", "0"];
   let pins = {}; // set values by parameter; all others are drawn
-  let firstView = kView;
-  let view = firstView; // a new object after each change
+  let [firstView, view] = [kView, kView]; // `view` is a new object after each change
   let joints = {}; // positions of joints that were moved, rad or m
   let basePose = "view"; // pose of all other joints: view, start or zero
   let filmed = ""; // state that the film shows
@@ -114,10 +112,10 @@
       showFindings(checked.reply.findings, "No findings; the physical checks passed.");
   }
 
-  function showError(message) {
+  const showError = (message) => {
     byId("state").textContent = "outdated";
     showFindings([{ finding: { severity: "error", message }, text: "" }]);
-  }
+  };
 
   function showPicture(picture, bytes) {
     const old = picture.src;
@@ -129,8 +127,7 @@
   const digits = (number) => String(Number(Number.isInteger(Number(number)) ? number : Number(number).toPrecision(5)));
 
   function showFacts(facts) {
-    const rows = facts ? [["mass", digits(facts.mass) + " kg"],
-      ["size", facts.size.map(digits).join(" × ") + " m"],
+    const rows = facts ? [["mass", digits(facts.mass) + " kg"], ["size", facts.size.map(digits).join(" × ") + " m"],
       ["bodies", facts.bodies], ["geoms", facts.geoms]] : [];
     byId("facts").replaceChildren(...rows.map(([key, value]) =>
       make("div", {}, make("dt", {}, key), make("dd", {}, String(value)))));
@@ -171,16 +168,14 @@
   }
 
   // History: the first state, and the state after each complete change.
-  const states = [];
-  let current = 0;
+  let [states, current] = [[], 0];
   const now = () => JSON.stringify({ pins, seed, index });
   const version = () => revision + now(); // identifies the state of the page and of the spec's files
   const filmable = () => version() + byId("layer").value + byId("nine").checked;
 
   function commit() {
     if (now() === states[current]) return;
-    current += 1;
-    states.splice(current, Infinity, now());
+    states.splice(++current, Infinity, now());
     showHistory();
   }
 
@@ -254,8 +249,7 @@
       element.addEventListener("input", () => take(element, false));
       element.addEventListener("change", () => take(element, true));
     }
-    const row = make("div", { className: "row" }, slider, field,
-      make("span", { className: "unit" }, unit === "1" ? "" : unit));
+    const row = make("div", { className: "row" }, slider, field, make("span", { className: "unit" }, unit === "1" ? "" : unit));
     return { row, show, focus: () => field.focus() };
   }
 
@@ -277,18 +271,14 @@
     vector(control, id) {
       let values = [];
       const isOne = control.kind === "number";
-      const units = control.unit.split(", ");
       const numbers = Array.from({ length: control.components }, (_, i) =>
         makeNumber(i ? id + "-" + i : id, control.name + (isOne ? "" : " " + (i + 1)), control.low && control.low[i],
-          control.high && control.high[i], control.whole, units[Math.min(i, units.length - 1)],
+          control.high && control.high[i], control.whole, control.unit.split(", ").slice(0, i + 1).pop(),
           (value, isComplete) => {
             values = values.map((old, k) => k === i ? value : old);
             set(control.name, isOne ? value : values, isComplete);
           }));
-      const show = (value) => {
-        values = isOne ? [value] : value;
-        numbers.forEach((number, i) => number.show(values[i]));
-      };
+      const show = (value) => { values = isOne ? [value] : value; numbers.forEach((number, i) => number.show(values[i])); };
       return { rows: numbers.map((number) => number.row), show, focus: numbers[0].focus };
     },
     color(control, id) {
@@ -312,22 +302,17 @@
     },
     choice(control, id) {
       const list = make("select", { id, "aria-label": control.name });
-      const text = (value) => Array.isArray(value) ? value.join(", ") : String(value);
-      control.choices.forEach((value, i) => list.append(make("option", { value: String(i) }, text(value))));
+      control.choices.forEach((value, i) => list.append(make("option", { value: String(i) }, [value].flat().join(", "))));
       return makeSingle(control, list, () => control.choices[Number(list.value)], (value) => {
         list.value = String(control.choices.findIndex((choice) => JSON.stringify(choice) === JSON.stringify(value)));
       });
     },
-    switch(control, id) {
-      const box = make("input", { type: "checkbox", id });
-      return makeSingle(control, box, () => box.checked, (value) => { box.checked = value; });
-    },
+    switch: (control, id, box = make("input", { type: "checkbox", id })) =>
+      makeSingle(control, box, () => box.checked, (value) => { box.checked = value; }),
     text: (control, id) => makeField(control, id, (text) => text, String),
     list: (control, id) => makeField(control, id, (text) => ({ yaml: text }), JSON.stringify),
-    fixed(control, id) {
-      const output = make("output", { id });
-      return { rows: [output], show: (value) => { output.textContent = String(value); }, focus: () => {} };
-    },
+    fixed: (control, id, output = make("output", { id })) =>
+      ({ rows: [output], show: (value) => { output.textContent = String(value); }, focus: () => {} }),
   };
 
   function makeControl(control, i) {
@@ -335,8 +320,7 @@
     const { rows, show, focus } = makers[control.kind](control, id);
     const label = make("label", { className: "title", htmlFor: id }, control.name);
     const help = control.doc ? make("p", { className: "help", id: id + "-doc" }, control.doc) : null;
-    const button = (sign, title, onclick) =>
-      make("button", { type: "button", title, "aria-label": title + ": " + control.name, onclick }, sign);
+    const button = (sign, title, onclick) => make("button", { type: "button", title, "aria-label": title + ": " + control.name, onclick }, sign);
     const dice = button("⚂", "Draw another value", () => redraw(control.name));
     const free = button("↺", "As in the spec", () => change(() => { delete pins[control.name]; }));
     const buttons = control.kind === "fixed" ? [] : control.random ? [dice, free] : [free];
@@ -393,10 +377,7 @@
   }
 
   // Moves all joints to the pose of the spec's view, to the start pose, or to zero.
-  function pose(base) {
-    [basePose, joints, jointNames] = [base, {}, ""];
-    draw(false);
-  }
+  const pose = (base) => { [basePose, joints, jointNames] = [base, {}, ""]; draw(false); };
 
   // Shows the simulated drop or, if there is a name, the simulated drive of that joint.
   async function film(name) {
@@ -411,15 +392,11 @@
 
   // The view: pointer, wheel and keyboard.
   function turn(right, up, quick) {
-    const elevation = Math.min(Math.max(view.elevation + up, -90), 90);
-    view = { ...view, azimuth: (view.azimuth + right) % 360, elevation };
+    view = { ...view, azimuth: (view.azimuth + right) % 360, elevation: Math.min(Math.max(view.elevation + up, -90), 90) };
     draw(quick);
   }
 
-  function zoom(factor) {
-    view = { ...view, zoom: Math.min(Math.max(view.zoom * factor, 0.1), 50) };
-    draw(true);
-  }
+  const zoom = (factor) => { view = { ...view, zoom: Math.min(Math.max(view.zoom * factor, 0.1), 50) }; draw(true); };
 
   function listenToView() {
     const figure = byId("view");
@@ -435,8 +412,7 @@
       turn(-(event.clientX - at[0]) * kDegreesPerPixel, -(event.clientY - at[1]) * kDegreesPerPixel, true);
       at = [event.clientX, event.clientY];
     });
-    const release = () => at && (at = null, draw(false));
-    for (const name of ["pointerup", "pointercancel"]) figure.addEventListener(name, release);
+    for (const name of ["pointerup", "pointercancel"]) figure.addEventListener(name, () => at && (at = null, draw(false)));
     figure.addEventListener("wheel", (event) => {
       event.preventDefault();
       zoom(Math.exp(-event.deltaY * 0.001));
@@ -499,8 +475,8 @@
 
   // Texts and files to take away.
   async function take(form) {
-    const size = form === "png" ? { width: 1280, height: 960 } : {};
-    const reply = await ask(request("export", { name: form, count: byId("count").value || "1", ...size }));
+    const reply = await ask(request("export", { name: form, count: byId("count").value || "1",
+      ...(form === "png" ? { width: 1280, height: 960 } : {}) }));
     if (reply.error) copy(reply.error);
     else if (form === "png") save(reply.file + ".png", "image/png", reply.picture);
     else if (form === "mjcf" && reply.picture.length) save(reply.file + ".tar", "application/x-tar", reply.picture);
