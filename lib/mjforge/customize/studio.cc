@@ -101,7 +101,7 @@ Reply Studio::Answer(std::string_view request) {
   std::optional<Request> wanted = ReadRequest(request, why_not);
   if (!wanted) return Failure(why_not);
   try {
-    state_->cache.QuoteNames(*wanted);
+    state_->cache.QuoteTexts(*wanted);
     return state_->Answer(*wanted);
   } catch (const std::bad_alloc&) {
     throw;  // ends the process, which frees its memory
