@@ -76,6 +76,7 @@
     const hasPicture = reply.picture.length > 0;
     if (hasPicture) showPicture(byId("picture"), reply.picture);
     for (const [name, control] of controls) if (Object.hasOwn(reply.values, name) && !wanted) control.show(reply.values[name]);
+    byId("cells").replaceChildren(...reply.cells.map((text) => make("span", {}, text)));
     showFacts(reply.facts);
     showJoints(reply.joints);
     const isCurrent = hasPicture && !wanted;

@@ -342,6 +342,17 @@ TEST_CASE_METHOD(StudioTest, "missing files are watched, and so are those of the
   CHECK(member("lamp/assets/rod.obj").starts_with("v 0 0 -3"));
 }
 
+TEST_CASE_METHOD(StudioTest, "of nine variants, those that fail have their index and the reason") {
+  folder_.Write(
+      "lamp.yaml",
+      "mjforge: 1\nname: lamp\nparts: [{name: rod, type: sphere, size: 3cm - index * 1cm}]\n");
+  const Json answer = Ask({{"action", "draw"}, {"nine", true}, {"index", "1"}});
+  REQUIRE(answer["cells"].size() == 9);
+  CHECK(answer["cells"][1] == "");
+  CHECK(answer["cells"][2] == "index 3 failed: size of part 'rod' is 0; it must be greater than 0");
+  CHECK(Ask({{"action", "draw"}})["cells"].empty());
+}
+
 TEST_CASE_METHOD(StudioTest, "a request that is wrong has an error as its answer") {
   CHECK(Ask({{"action", "dance"}})["error"] == "there is no action 'dance'");
   CHECK(Json::parse(studio_.Answer("x").json)["error"] == "the request is not a JSON object");
