@@ -135,6 +135,13 @@
   }
 
   function showFindings(findings, none = "No findings.") {
+    const count = (word, number = findings.filter(({ finding }) => finding.severity === word).length) =>
+      number ? [number + " " + word + (number > 1 ? "s" : "")] : [];
+    byId("count-findings").textContent = [...count("error"), ...count("warning")].join(", ");
+    byId("count-findings").hidden = !findings.length;
+    for (const [name, { fault }] of controls)
+      fault.textContent = findings.filter(({ finding, text }) => finding.file === "control" && text.startsWith(name + ": "))
+        .map(({ finding, text }) => text.slice(name.length + 2) + ": " + finding.message).join("; ");
     const items = findings.map(({ finding, text }) => {
       const place = finding.file
         ? make("button", { type: "button", onclick: () => openPlace(finding, text) },
@@ -324,16 +331,14 @@
     const button = (sign, title, onclick) => make("button", { type: "button", title, "aria-label": title + ": " + control.name, onclick }, sign);
     const dice = button("⚂", "Draw another value", () => redraw(control.name));
     const free = button("↺", "As in the spec", () => change(() => { delete pins[control.name]; }));
-    const buttons = control.kind === "fixed" ? [] : control.random ? [dice, free] : [free];
+    const fault = make("p", { className: "fault" });
     const box = make("div", { className: "control", "data-name": control.name },
-      make("div", { className: "head" }, label, make("span", { className: "spec" }, control.spec), ...buttons), ...rows, help);
+      make("div", { className: "head" }, label, make("span", { className: "spec" }, control.spec),
+        control.random && control.kind !== "fixed" ? dice : null, control.kind !== "fixed" ? free : null), ...rows, fault, help);
     if (help) rows[0].querySelectorAll("input, select").forEach((element) =>
       element.setAttribute("aria-describedby", help.id));
-    const showPin = () => {
-      box.classList.toggle("set", Object.hasOwn(pins, control.name));
-      free.disabled = !Object.hasOwn(pins, control.name);
-    };
-    return { box, show, showPin, focus };
+    const showPin = () => { free.disabled = !box.classList.toggle("set", Object.hasOwn(pins, control.name)); };
+    return { box, show, showPin, fault, focus };
   }
 
   function showControls(list) {
@@ -555,6 +560,7 @@
     on("controls", "submit", (event) => event.preventDefault());
     for (const id of ["layer", "simulate", "nine"]) on(id, "change", () => draw(false));
     on("front", "click", showFirstView);
+    on("count-findings", "click", () => byId("all-findings").scrollIntoView({ block: "nearest" }));
     on("drop", "click", () => film(""));
     for (const base of ["view", "start", "zero"]) on(base + "-pose", "click", () => pose(base));
     for (const id of ["film", "source"]) {
