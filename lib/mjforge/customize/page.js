@@ -134,6 +134,8 @@
       make("div", {}, make("dt", {}, key), make("dd", {}, String(value)))));
   }
 
+  const placeOfLine = ({ file, line }) => [file.split("/").pop(), line].filter(Boolean).join(":");
+
   function showFindings(findings, none = "No findings.") {
     const count = (word, number = findings.filter(({ finding }) => finding.severity === word).length) =>
       number ? [number + " " + word + (number > 1 ? "s" : "")] : [];
@@ -145,7 +147,7 @@
     const items = findings.map(({ finding, text }) => {
       const place = finding.file
         ? make("button", { type: "button", onclick: () => openPlace(finding, text) },
-          finding.file === "control" ? "the control" : [finding.file.split("/").pop(), finding.line].filter(Boolean).join(":"))
+          finding.file === "control" ? "the control" : placeOfLine(finding))
         : null;
       return make("li", { className: finding.severity },
         make("span", { className: "severity" }, finding.severity), " ", place, " ", finding.message,
@@ -159,10 +161,7 @@
 
   // Shows the place of a finding: the control of its setting, or its line of the spec.
   async function openPlace(finding, text) {
-    if (finding.file === "control") {
-      const control = controls.get(text.slice(0, text.indexOf(": ")));
-      return control && control.focus();
-    }
+    if (finding.file === "control") return controls.get(text.slice(0, text.indexOf(": ")))?.focus();
     const reply = await ask(request("source", { name: finding.file }));
     if (!reply || reply.text === undefined) return;
     const lines = reply.text.split("\n").map((line, i) => make("span",
@@ -172,7 +171,8 @@
     byId("source").hidden = false;
     const pre = byId("source-text");
     pre.scrollTop = (pre.querySelector(".here") || pre).offsetTop - pre.offsetTop - 60; // a few lines above
-    pre.focus({ preventScroll: !text });
+    pre.focus({ preventScroll: true });
+    byId("source").scrollIntoView({ block: "nearest" });
   }
 
   // History: the first state, and the state after each complete change.
@@ -447,9 +447,10 @@
   // Shows the part at a place of the picture, and its line of the spec.
   async function showPart(event) {
     const found = await ask(request("pick", placeOf(event)));
-    byId("part").textContent = found && found.part
-      ? [found.part, found.material, digits(found.mass) + " kg"].filter(Boolean).join(", ") : "no part";
-    if (found && found.file) openPlace(found, "");
+    const facts = found?.part ? [found.part, found.material, digits(found.mass) + " kg"] : ["no part"];
+    const place = found?.file && make("button", { type: "button", onclick: () => openPlace(found, "") }, placeOfLine(found));
+    byId("part").replaceChildren(facts.filter(Boolean).join(", "), " ", place || "");
+    if (place) place.click();
   }
 
   // Shows the one of nine variants at a place of the picture.
