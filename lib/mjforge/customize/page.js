@@ -15,6 +15,7 @@
   let filmed = ""; // state that the film shows
   let checked = {}; // version, and the reply to its physical checks when it has arrived
   let controls = new Map();
+  const known = new Set(); // parameters that the spec has or had
 
   // Creates an element with properties and children.
   function make(tag, properties, ...children) {
@@ -40,7 +41,8 @@
   }
 
   function request(action, more) {
-    const settings = Object.entries(pins).map(([name, value]) => ({ name, value }));
+    const settings = Object.entries(pins).filter(([name]) => controls.has(name) || !known.has(name))
+      .map(([name, value]) => ({ name, value }));
     return {
       action, revision: String(revision), settings, seed, index, joints, pose: basePose, ...view,
       layer: byId("layer").value || "visual", nine: byId("nine").checked, ...more,
@@ -347,6 +349,7 @@
     list.forEach((control, i) => {
       const made = makeControl(control, i);
       controls.set(control.name, made);
+      known.add(control.name);
       groups.set(control.group, [...(groups.get(control.group) || []), made.box]);
     });
     byId("controls").replaceChildren(...Array.from(groups, ([title, boxes]) =>
@@ -502,7 +505,7 @@
   const save = (name, type, content) =>
     make("a", { href: URL.createObjectURL(new Blob([content], { type })), download: name }).click();
 
-  // Shows the spec, as it is now in its file. Set values stay set if there still is such a parameter.
+  // Shows the spec, as it is now in its file. Set values stay; a parameter that is gone has none in requests.
   async function open() {
     const reply = await ask(request("open", { settings: [] }));
     if (reply.error) return showError(reply.error);
@@ -516,8 +519,6 @@
     byId("description").textContent = reply.description;
     const hasControls = reply.controls !== null;
     if (hasControls) {
-      const names = new Set(reply.controls.map((control) => control.name));
-      for (const name of Object.keys(pins)) if (controls.has(name) && !names.has(name)) delete pins[name];
       showControls(reply.controls);
       const isTurned = view !== firstView;
       const { pose, ...directions } = reply.view;
