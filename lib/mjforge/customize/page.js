@@ -11,7 +11,7 @@
   let pins = {}; // set values by parameter; all others are drawn
   let [firstView, view] = [kView, kView]; // `view` is a new object after each change
   let joints = {}; // positions of joints that were moved, rad or m
-  let basePose = "view"; // pose of all other joints: view, start or zero
+  let [basePose, jointNames] = ["view", ""]; // pose of all other joints: view, start or zero; joints that are shown
   let filmed = ""; // state that the film shows
   let checked = {}; // version, and the reply to its physical checks when it has arrived
   let controls = new Map();
@@ -225,10 +225,10 @@
 
   // A slider and a number field, which always show the same value.
   function makeNumber(id, label, low, high, whole, unit, changed) {
-    const step = whole ? 1 : "any";
-    const slider = make("input", { type: "range", step, "aria-label": label + ", slider" });
-    const field = make("input", { type: "number", id, step, "aria-label": label + (unit ? ", " + unit : "") });
-    let [shown, isEdited] = [NaN, false]; // the value, and whether it changed since the last complete change
+    const slider = make("input", { type: "range", step: whole ? 1 : "any", "aria-label": label + ", slider" });
+    const field = make("input", { type: "text", inputMode: "decimal", id, "aria-label": label + (unit ? ", " + unit : "") });
+    let [number, last, typed] = [NaN, NaN, ""]; // last number, last number or expression, text of the field
+    let isEdited = false; // true after a change that is not complete
     function range(value) {
       if (low === null || high === null || !(low < high)) {
         const width = Math.abs(value) || 1;
@@ -238,21 +238,30 @@
       slider.min = Math.min(low, value);
       slider.max = Math.max(high, value);
     }
+    // Rounds a number to 5 digits, or more if the range is narrow, but not beyond the range.
+    function near(value) {
+      const more = Math.floor(Math.log10(Math.abs(value) / (slider.max - slider.min)));
+      const rounded = Number.isInteger(Number(value)) ? value : Number(value).toPrecision(5 + Math.min(Math.max(more, 0), 12));
+      return Math.min(Math.max(rounded, slider.min), slider.max);
+    }
     function show(value) {
-      shown = value;
+      number = last = value;
       range(value);
       slider.value = value;
-      if (document.activeElement !== field || !isNumber(field.value) || Number(field.value) !== value) field.value = digits(value);
+      if (document.activeElement !== field || field.value !== typed) field.value = near(value);
     }
     function take(element, isComplete) {
-      if (!isNumber(element.value)) return isComplete && show(shown);
-      const value = element === slider ? Number(digits(element.value)) : Number(element.value);
-      if (isComplete && !isEdited && (value === shown || element.value === digits(shown))) return;
-      isEdited = !isComplete;
-      shown = value;
+      const text = element.value.trim();
+      typed = field.value;
+      if (!text && (!isComplete || Number.isNaN(number))) return;
+      const value = element === slider ? near(text) : !text ? number : isNumber(text) ? Number(text) : text;
+      if (element === slider || !text) field.value = near(value);
+      if (isComplete && !isEdited && value === last) return;
+      [last, isEdited] = [value, !isComplete];
+      if (typeof value === "string") return changed({ yaml: value }, isComplete);
+      number = value;
       range(value);
-      if (element === slider) field.value = digits(value);
-      else slider.value = value;
+      if (element === field) slider.value = value;
       changed(value, isComplete);
     }
     for (const element of [slider, field]) {
@@ -279,7 +288,7 @@
   const makers = {
     number: (control, id) => makers.vector(control, id),
     vector(control, id) {
-      let values = [];
+      let values = Array(control.components).fill(0);
       const isOne = control.kind === "number";
       const numbers = Array.from({ length: control.components }, (_, i) =>
         makeNumber(i ? id + "-" + i : id, control.name + (isOne ? "" : " " + (i + 1)), control.low && control.low[i],
@@ -361,9 +370,13 @@
     if (reply && reply.value !== undefined) set(name, reply.value, true);
   }
 
-  // Joints of the variant, with one slider each.
-  let jointNames = "";
+  // Returns a position that may have a unit in rad or m; NaN if it is not a number.
+  function positionOf(value) {
+    const [, number, unit] = /^(.*?)(deg|rad|mm|cm|m|)$/.exec(value.yaml ?? value);
+    return isNumber(number) ? Number(number) * ({ deg: Math.PI / 180, mm: 0.001, cm: 0.01 }[unit] || 1) : NaN;
+  }
 
+  // Shows joints of the variant, with one slider each.
   function showJoints(list) {
     const names = JSON.stringify(list.map((joint) => [joint.name, joint.limited, joint.range, joint.value]));
     if (names === jointNames) return;
@@ -373,7 +386,9 @@
       const ends = joint.limited ? joint.range : joint.type === "hinge" ? [-Math.PI, Math.PI] : [-1, 1];
       const number = makeNumber("j" + i, joint.name, ends[0], ends[1], false, joint.type === "hinge" ? "rad" : "m",
         (value, isComplete) => {
-          joints[joint.name] = value;
+          const position = positionOf(value);
+          if (Number.isNaN(position)) return showError("'" + value.yaml + "' is not a position of " + joint.name);
+          number.show(joints[joint.name] = position);
           draw(!isComplete);
         });
       number.show(Object.hasOwn(joints, joint.name) ? joints[joint.name] : joint.value);
