@@ -45,11 +45,11 @@ def _controls(page):
     _changes(page, "#index", "5")
     _changes(page, "#seed", "3")
     _changes(page, control("stem_height", "input[type=range]"), "0.22")
-    _changes(page, control("stem_height", "input[type=number]"), "0.39")
+    _changes(page, control("stem_height", "input[inputmode=decimal]"), "0.39")
     _changes(page, control("stem_radius", "input[type=range]"), "0.01")
-    _changes(page, control("base_half", ".row:nth-of-type(2) input[type=number]"), "0.05")
+    _changes(page, control("base_half", ".row:nth-of-type(2) input[inputmode=decimal]"), "0.05")
     _changes(page, control("shade_color", "input[type=color]"), "#2050ff")
-    _changes(page, control("feet", "input[type=number]"), "3")
+    _changes(page, control("feet", "input[inputmode=decimal]"), "3")
     _changes(page, control("plug", "input[type=checkbox]"), False)
     shape = "1" if page.value(control("base_shape", "select")) == "0" else "0"
     _changes(page, control("base_shape", "select"), shape)
@@ -64,7 +64,7 @@ def _controls(page):
 
 def _pairs_agree(page):
     """A slider and its number field, after every way of changing one of them."""
-    slider, field = control("stem_height", "input[type=range]"), control("stem_height", "input[type=number]")
+    slider, field = control("stem_height", "input[type=range]"), control("stem_height", "input[inputmode=decimal]")
 
     def agree():
         expect(abs(float(page.value(slider)) - float(page.value(field))) < 1e-5,
@@ -90,14 +90,14 @@ def _pairs_agree(page):
 
 def _history(page):
     first = page.picture()
-    page.enter(control("stem_height", "input[type=number]"), "0.2")
+    page.enter(control("stem_height", "input[inputmode=decimal]"), "0.2")
     page.wait()
-    page.enter(control("stem_height", "input[type=number]"), "0.4")
+    page.enter(control("stem_height", "input[inputmode=decimal]"), "0.4")
     page.wait()
     last = page.picture()
     page.click("#undo")
     page.wait()
-    expect(page.value(control("stem_height", "input[type=number]")) == "0.2", "not undone")
+    expect(page.value(control("stem_height", "input[inputmode=decimal]")) == "0.2", "not undone")
     page.click("#redo")
     page.wait()
     expect(page.picture() == last, "not redone")
@@ -165,7 +165,7 @@ def _begins_with_view(page, served):
         page.wait()
         seen.append(page.picture())
     served.spec.write_text(SPEC, encoding="utf-8")
-    until(lambda: page.value(control("stem_radius", "input[type=number]")) == "0.006", "not read again")
+    until(lambda: page.value(control("stem_radius", "input[inputmode=decimal]")) == "0.006", "not read again")
     page.wait()
     seen = [page.picture()]
     expect(not page.run("return document.getElementById('view-pose').checkVisibility()"), "a pose without a view")
@@ -244,7 +244,7 @@ def _films(page):
 
 
 def _takes_away(page, served):
-    page.enter(control("stem_height", "input[type=number]"), "0.3")
+    page.enter(control("stem_height", "input[inputmode=decimal]"), "0.3")
     page.wait()
     page.click("[data-export=command]")
     until(lambda: page.value("#copied") == "mjforge generate lamp.yaml --set stem_height=0.3",
@@ -260,11 +260,11 @@ def _takes_away(page, served):
     page.wait()
     page.enter("#preset", "mine")
     page.wait()
-    expect(page.value(control("stem_height", "input[type=number]")) == "0.3", "the preset sets nothing")
+    expect(page.value(control("stem_height", "input[inputmode=decimal]")) == "0.3", "the preset sets nothing")
 
 
 def _watches(page, served):
-    page.enter(control("stem_height", "input[type=number]"), "0.3")
+    page.enter(control("stem_height", "input[inputmode=decimal]"), "0.3")
     page.wait()
     before = page.picture()
     served.spec.write_text(SPEC.replace("type: sphere", "type: spher"), encoding="utf-8")
@@ -279,30 +279,30 @@ def _watches(page, served):
           "the line is not shown")
     served.spec.write_text(SPEC.replace("[0.9, 0.3, 0.2, 1]", "[0.1, 0.8, 0.2, 1]")
                            .replace("6mm", "9mm"), encoding="utf-8")
-    until(lambda: page.value(control("stem_radius", "input[type=number]")) == "0.009", "not read again")
+    until(lambda: page.value(control("stem_radius", "input[inputmode=decimal]")) == "0.009", "not read again")
     page.wait()
     expect(page.picture() != before, "not drawn again")
-    expect(page.value(control("stem_height", "input[type=number]")) == "0.3", "a set value is lost")
+    expect(page.value(control("stem_height", "input[inputmode=decimal]")) == "0.3", "a set value is lost")
 
 
 def _shows_wrong_values(page):
-    page.enter(control("stem_height", "input[type=number]"), "-1")
+    page.enter(control("stem_height", "input[inputmode=decimal]"), "-1")
     until(lambda: "error" in page.text("#findings"), "no finding")
     expect(not page.is_current(), "not outdated")
-    page.enter(control("stem_height", "input[type=number]"), "0.3")
+    page.enter(control("stem_height", "input[inputmode=decimal]"), "0.3")
     page.wait()
     expect(page.text("#findings") == "No findings.", page.text("#findings"))
 
 
 def _two_tabs(browser, page, served):
-    page.enter(control("stem_height", "input[type=number]"), "0.2")
+    page.enter(control("stem_height", "input[inputmode=decimal]"), "0.2")
     page.wait()
     first = browser.driver.current_window_handle
     low = page.picture()
     browser.driver.switch_to.new_window("tab")
     browser.driver.get(served.address)
     page.wait()
-    page.enter(control("stem_height", "input[type=number]"), "0.4")
+    page.enter(control("stem_height", "input[inputmode=decimal]"), "0.4")
     page.wait()
     expect(page.picture() != low, "both tabs have one state")
     browser.driver.close()

@@ -52,7 +52,7 @@ def _culprit(page):
     page.enter("#simulate", True)
     guilty = []
     for name, value in (("width", "0.4"), ("plinth", "0.05"), ("gap", "-0.002"), ("drawer_board", "0.01")):
-        page.enter(control(name, "input[type=number]"), value)
+        page.enter(control(name, "input[inputmode=decimal]"), value)
         page.wait()
         if "'cabinet' and 'cabinet_drawer_0' touch" in page.text("#findings"):
             guilty.append(name)

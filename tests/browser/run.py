@@ -16,6 +16,7 @@ import sys
 sys.path.insert(1, str(pathlib.Path(__file__).resolve().parent.parent / "slurm"))
 
 import customize_checks  # noqa: E402
+import customize_fields  # noqa: E402
 import customize_tasks  # noqa: E402
 import gallery_checks  # noqa: E402
 import page_checks  # noqa: E402
@@ -34,6 +35,7 @@ def run_all(program, folder):
         scenario("hostile texts", page_checks.run_hostile, browser, pages)
         scenario("gallery", gallery_checks.run_all, browser, pages)
         scenario("customize", customize_checks.run_all, browser, program, folder)
+        scenario("fields of customize", customize_fields.run_all, browser, program, folder)
         scenario("tasks with customize", customize_tasks.run_all, browser, program, folder)
     with Browser(folder / "profile-without-script", script=False) as browser:
         scenario("without a script", page_checks.run_without_script, browser, pages)

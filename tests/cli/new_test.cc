@@ -19,6 +19,9 @@ TEST_CASE_METHOD(CrateTest, "a new spec is commented, and has no finding") {
   const auto checked = Run({"check", "desk-lamp.yaml", "-n", "50", "--physics", "-q"});
   CHECK(checked.status == 0);
   CHECK(checked.err.empty());
+  const auto tall = Run({"check", "desk-lamp.yaml", "--physics", "--set", "height=3"});
+  CHECK(tall.status == 1);
+  CHECK(tall.err.find("'lamp' topples") != std::string::npos);
 }
 
 TEST_CASE_METHOD(CrateTest, "a copy of any bundled spec works where it is") {

@@ -7,16 +7,15 @@
   const kFullDelay = 150; // ms without a change until the full picture is drawn
   const client = Math.random().toString(36).slice(2);
 
-  let revision = 0;
-  let [seed, index] = ["0", "0"];
+  let [revision, seed, index] = [0, "0", "0"];
   let pins = {}; // set values by parameter; all others are drawn
-  let firstView = kView;
-  let view = firstView; // a new object after each change
+  let [firstView, view] = [kView, kView]; // `view` is a new object after each change
   let joints = {}; // positions of joints that were moved, rad or m
-  let basePose = "view"; // pose of all other joints: view, start or zero
+  let [basePose, jointNames] = ["view", ""]; // pose of all other joints: view, start or zero; joints that are shown
   let filmed = ""; // state that the film shows
   let checked = {}; // version, and the reply to its physical checks when it has arrived
   let controls = new Map();
+  const known = new Set(); // parameters that the spec has or had
 
   // Creates an element with properties and children.
   function make(tag, properties, ...children) {
@@ -42,7 +41,8 @@
   }
 
   function request(action, more) {
-    const settings = Object.entries(pins).map(([name, value]) => ({ name, value }));
+    const settings = Object.entries(pins).filter(([name]) => controls.has(name) || !known.has(name))
+      .map(([name, value]) => ({ name, value }));
     return {
       action, revision: String(revision), settings, seed, index, joints, pose: basePose, ...view,
       layer: byId("layer").value || "visual", nine: byId("nine").checked, ...more,
@@ -78,6 +78,7 @@
     const hasPicture = reply.picture.length > 0;
     if (hasPicture) showPicture(byId("picture"), reply.picture);
     for (const [name, control] of controls) if (Object.hasOwn(reply.values, name) && !wanted) control.show(reply.values[name]);
+    byId("cells").replaceChildren(...reply.cells.map((text) => make("span", {}, text)));
     showFacts(reply.facts);
     showJoints(reply.joints);
     const isCurrent = hasPicture && !wanted;
@@ -114,10 +115,10 @@
       showFindings(checked.reply.findings, "No findings; the physical checks passed.");
   }
 
-  function showError(message) {
+  const showError = (message) => {
     byId("state").textContent = "outdated";
     showFindings([{ finding: { severity: "error", message }, text: "" }]);
-  }
+  };
 
   function showPicture(picture, bytes) {
     const old = picture.src;
@@ -129,18 +130,26 @@
   const digits = (number) => String(Number(Number.isInteger(Number(number)) ? number : Number(number).toPrecision(5)));
 
   function showFacts(facts) {
-    const rows = facts ? [["mass", digits(facts.mass) + " kg"],
-      ["size", facts.size.map(digits).join(" × ") + " m"],
+    const rows = facts ? [["mass", digits(facts.mass) + " kg"], ["size", facts.size.map(digits).join(" × ") + " m"],
       ["bodies", facts.bodies], ["geoms", facts.geoms]] : [];
     byId("facts").replaceChildren(...rows.map(([key, value]) =>
       make("div", {}, make("dt", {}, key), make("dd", {}, String(value)))));
   }
 
+  const placeOfLine = ({ file, line }) => [file.split("/").pop(), line].filter(Boolean).join(":");
+
   function showFindings(findings, none = "No findings.") {
+    const count = (word, number = findings.filter(({ finding }) => finding.severity === word).length) =>
+      number ? [number + " " + word + (number > 1 ? "s" : "")] : [];
+    byId("count-findings").textContent = [...count("error"), ...count("warning")].join(", ");
+    byId("count-findings").hidden = !findings.length;
+    for (const [name, { fault }] of controls)
+      fault.textContent = findings.filter(({ finding, text }) => finding.file === "control" && text.startsWith(name + ": "))
+        .map(({ finding, text }) => text.slice(name.length + 2) + ": " + finding.message).join("; ");
     const items = findings.map(({ finding, text }) => {
       const place = finding.file
         ? make("button", { type: "button", onclick: () => openPlace(finding, text) },
-          finding.file === "control" ? "the control" : [finding.file.split("/").pop(), finding.line].filter(Boolean).join(":"))
+          finding.file === "control" ? "the control" : placeOfLine(finding))
         : null;
       return make("li", { className: finding.severity },
         make("span", { className: "severity" }, finding.severity), " ", place, " ", finding.message,
@@ -154,10 +163,7 @@
 
   // Shows the place of a finding: the control of its setting, or its line of the spec.
   async function openPlace(finding, text) {
-    if (finding.file === "control") {
-      const control = controls.get(text.slice(0, text.indexOf(": ")));
-      return control && control.focus();
-    }
+    if (finding.file === "control") return controls.get(text.slice(0, text.indexOf(": ")))?.focus();
     const reply = await ask(request("source", { name: finding.file }));
     if (!reply || reply.text === undefined) return;
     const lines = reply.text.split("\n").map((line, i) => make("span",
@@ -167,20 +173,19 @@
     byId("source").hidden = false;
     const pre = byId("source-text");
     pre.scrollTop = (pre.querySelector(".here") || pre).offsetTop - pre.offsetTop - 60; // a few lines above
-    pre.focus({ preventScroll: !text });
+    pre.focus({ preventScroll: true });
+    byId("source").scrollIntoView({ block: "nearest" });
   }
 
   // History: the first state, and the state after each complete change.
-  const states = [];
-  let current = 0;
+  let [states, current] = [[], 0];
   const now = () => JSON.stringify({ pins, seed, index });
   const version = () => revision + now(); // identifies the state of the page and of the spec's files
   const filmable = () => version() + byId("layer").value + byId("nine").checked;
 
   function commit() {
     if (now() === states[current]) return;
-    current += 1;
-    states.splice(current, Infinity, now());
+    states.splice(++current, Infinity, now());
     showHistory();
   }
 
@@ -220,10 +225,10 @@
 
   // A slider and a number field, which always show the same value.
   function makeNumber(id, label, low, high, whole, unit, changed) {
-    const step = whole ? 1 : "any";
-    const slider = make("input", { type: "range", step, "aria-label": label + ", slider" });
-    const field = make("input", { type: "number", id, step, "aria-label": label + (unit ? ", " + unit : "") });
-    let [shown, isEdited] = [NaN, false]; // the value, and whether it changed since the last complete change
+    const slider = make("input", { type: "range", step: whole ? 1 : "any", "aria-label": label + ", slider" });
+    const field = make("input", { type: "text", inputMode: "decimal", id, "aria-label": label + (unit ? ", " + unit : "") });
+    let [number, last, typed] = [NaN, NaN, ""]; // last number, last number or expression, text of the field
+    let isEdited = false; // true after a change that is not complete
     function range(value) {
       if (low === null || high === null || !(low < high)) {
         const width = Math.abs(value) || 1;
@@ -233,29 +238,37 @@
       slider.min = Math.min(low, value);
       slider.max = Math.max(high, value);
     }
+    // Rounds a number to 5 digits, or more if the range is narrow, but not beyond the range.
+    function near(value) {
+      const more = Math.floor(Math.log10(Math.abs(value) / (slider.max - slider.min)));
+      const rounded = Number.isInteger(Number(value)) ? value : Number(value).toPrecision(5 + Math.min(Math.max(more, 0), 12));
+      return Math.min(Math.max(rounded, slider.min), slider.max);
+    }
     function show(value) {
-      shown = value;
+      number = last = value;
       range(value);
       slider.value = value;
-      if (document.activeElement !== field || !isNumber(field.value) || Number(field.value) !== value) field.value = digits(value);
+      if (document.activeElement !== field || field.value !== typed) field.value = near(value);
     }
     function take(element, isComplete) {
-      if (!isNumber(element.value)) return isComplete && show(shown);
-      const value = element === slider ? Number(digits(element.value)) : Number(element.value);
-      if (isComplete && !isEdited && (value === shown || element.value === digits(shown))) return;
-      isEdited = !isComplete;
-      shown = value;
+      const text = element.value.trim();
+      typed = field.value;
+      if (!text && (!isComplete || Number.isNaN(number))) return;
+      const value = element === slider ? near(text) : !text ? number : isNumber(text) ? Number(text) : text;
+      if (element === slider || !text) field.value = near(value);
+      if (isComplete && !isEdited && value === last) return;
+      [last, isEdited] = [value, !isComplete];
+      if (typeof value === "string") return changed({ yaml: value }, isComplete);
+      number = value;
       range(value);
-      if (element === slider) field.value = digits(value);
-      else slider.value = value;
+      if (element === field) slider.value = value;
       changed(value, isComplete);
     }
     for (const element of [slider, field]) {
       element.addEventListener("input", () => take(element, false));
       element.addEventListener("change", () => take(element, true));
     }
-    const row = make("div", { className: "row" }, slider, field,
-      make("span", { className: "unit" }, unit === "1" ? "" : unit));
+    const row = make("div", { className: "row" }, slider, field, make("span", { className: "unit" }, unit === "1" ? "" : unit));
     return { row, show, focus: () => field.focus() };
   }
 
@@ -275,20 +288,16 @@
   const makers = {
     number: (control, id) => makers.vector(control, id),
     vector(control, id) {
-      let values = [];
+      let values = Array(control.components).fill(0);
       const isOne = control.kind === "number";
-      const units = control.unit.split(", ");
       const numbers = Array.from({ length: control.components }, (_, i) =>
         makeNumber(i ? id + "-" + i : id, control.name + (isOne ? "" : " " + (i + 1)), control.low && control.low[i],
-          control.high && control.high[i], control.whole, units[Math.min(i, units.length - 1)],
+          control.high && control.high[i], control.whole, control.unit.split(", ").slice(0, i + 1).pop(),
           (value, isComplete) => {
             values = values.map((old, k) => k === i ? value : old);
             set(control.name, isOne ? value : values, isComplete);
           }));
-      const show = (value) => {
-        values = isOne ? [value] : value;
-        numbers.forEach((number, i) => number.show(values[i]));
-      };
+      const show = (value) => { values = isOne ? [value] : value; numbers.forEach((number, i) => number.show(values[i])); };
       return { rows: numbers.map((number) => number.row), show, focus: numbers[0].focus };
     },
     color(control, id) {
@@ -312,22 +321,17 @@
     },
     choice(control, id) {
       const list = make("select", { id, "aria-label": control.name });
-      const text = (value) => Array.isArray(value) ? value.join(", ") : String(value);
-      control.choices.forEach((value, i) => list.append(make("option", { value: String(i) }, text(value))));
+      control.choices.forEach((value, i) => list.append(make("option", { value: String(i) }, [value].flat().join(", "))));
       return makeSingle(control, list, () => control.choices[Number(list.value)], (value) => {
         list.value = String(control.choices.findIndex((choice) => JSON.stringify(choice) === JSON.stringify(value)));
       });
     },
-    switch(control, id) {
-      const box = make("input", { type: "checkbox", id });
-      return makeSingle(control, box, () => box.checked, (value) => { box.checked = value; });
-    },
+    switch: (control, id, box = make("input", { type: "checkbox", id })) =>
+      makeSingle(control, box, () => box.checked, (value) => { box.checked = value; }),
     text: (control, id) => makeField(control, id, (text) => text, String),
     list: (control, id) => makeField(control, id, (text) => ({ yaml: text }), JSON.stringify),
-    fixed(control, id) {
-      const output = make("output", { id });
-      return { rows: [output], show: (value) => { output.textContent = String(value); }, focus: () => {} };
-    },
+    fixed: (control, id, output = make("output", { id })) =>
+      ({ rows: [output], show: (value) => { output.textContent = String(value); }, focus: () => {} }),
   };
 
   function makeControl(control, i) {
@@ -335,20 +339,17 @@
     const { rows, show, focus } = makers[control.kind](control, id);
     const label = make("label", { className: "title", htmlFor: id }, control.name);
     const help = control.doc ? make("p", { className: "help", id: id + "-doc" }, control.doc) : null;
-    const button = (sign, title, onclick) =>
-      make("button", { type: "button", title, "aria-label": title + ": " + control.name, onclick }, sign);
+    const button = (sign, title, onclick) => make("button", { type: "button", title, "aria-label": title + ": " + control.name, onclick }, sign);
     const dice = button("⚂", "Draw another value", () => redraw(control.name));
     const free = button("↺", "As in the spec", () => change(() => { delete pins[control.name]; }));
-    const buttons = control.kind === "fixed" ? [] : control.random ? [dice, free] : [free];
+    const fault = make("p", { className: "fault" });
     const box = make("div", { className: "control", "data-name": control.name },
-      make("div", { className: "head" }, label, make("span", { className: "spec" }, control.spec), ...buttons), ...rows, help);
+      make("div", { className: "head" }, label, make("span", { className: "spec" }, control.spec),
+        control.random && control.kind !== "fixed" ? dice : null, control.kind !== "fixed" ? free : null), ...rows, fault, help);
     if (help) rows[0].querySelectorAll("input, select").forEach((element) =>
       element.setAttribute("aria-describedby", help.id));
-    const showPin = () => {
-      box.classList.toggle("set", Object.hasOwn(pins, control.name));
-      free.disabled = !Object.hasOwn(pins, control.name);
-    };
-    return { box, show, showPin, focus };
+    const showPin = () => { free.disabled = !box.classList.toggle("set", Object.hasOwn(pins, control.name)); };
+    return { box, show, showPin, fault, focus };
   }
 
   function showControls(list) {
@@ -357,6 +358,7 @@
     list.forEach((control, i) => {
       const made = makeControl(control, i);
       controls.set(control.name, made);
+      known.add(control.name);
       groups.set(control.group, [...(groups.get(control.group) || []), made.box]);
     });
     byId("controls").replaceChildren(...Array.from(groups, ([title, boxes]) =>
@@ -368,9 +370,13 @@
     if (reply && reply.value !== undefined) set(name, reply.value, true);
   }
 
-  // Joints of the variant, with one slider each.
-  let jointNames = "";
+  // Returns a position that may have a unit in rad or m; NaN if it is not a number.
+  function positionOf(value) {
+    const [, number, unit] = /^(.*?)(deg|rad|mm|cm|m|)$/.exec(value.yaml ?? value);
+    return isNumber(number) ? Number(number) * ({ deg: Math.PI / 180, mm: 0.001, cm: 0.01 }[unit] || 1) : NaN;
+  }
 
+  // Shows joints of the variant, with one slider each.
   function showJoints(list) {
     const names = JSON.stringify(list.map((joint) => [joint.name, joint.limited, joint.range, joint.value]));
     if (names === jointNames) return;
@@ -380,7 +386,9 @@
       const ends = joint.limited ? joint.range : joint.type === "hinge" ? [-Math.PI, Math.PI] : [-1, 1];
       const number = makeNumber("j" + i, joint.name, ends[0], ends[1], false, joint.type === "hinge" ? "rad" : "m",
         (value, isComplete) => {
-          joints[joint.name] = value;
+          const position = positionOf(value);
+          if (Number.isNaN(position)) return showError("'" + value.yaml + "' is not a position of " + joint.name);
+          number.show(joints[joint.name] = position);
           draw(!isComplete);
         });
       number.show(Object.hasOwn(joints, joint.name) ? joints[joint.name] : joint.value);
@@ -393,10 +401,7 @@
   }
 
   // Moves all joints to the pose of the spec's view, to the start pose, or to zero.
-  function pose(base) {
-    [basePose, joints, jointNames] = [base, {}, ""];
-    draw(false);
-  }
+  const pose = (base) => { [basePose, joints, jointNames] = [base, {}, ""]; draw(false); };
 
   // Shows the simulated drop or, if there is a name, the simulated drive of that joint.
   async function film(name) {
@@ -411,15 +416,11 @@
 
   // The view: pointer, wheel and keyboard.
   function turn(right, up, quick) {
-    const elevation = Math.min(Math.max(view.elevation + up, -90), 90);
-    view = { ...view, azimuth: (view.azimuth + right) % 360, elevation };
+    view = { ...view, azimuth: (view.azimuth + right) % 360, elevation: Math.min(Math.max(view.elevation + up, -90), 90) };
     draw(quick);
   }
 
-  function zoom(factor) {
-    view = { ...view, zoom: Math.min(Math.max(view.zoom * factor, 0.1), 50) };
-    draw(true);
-  }
+  const zoom = (factor) => { view = { ...view, zoom: Math.min(Math.max(view.zoom * factor, 0.1), 50) }; draw(true); };
 
   function listenToView() {
     const figure = byId("view");
@@ -435,8 +436,7 @@
       turn(-(event.clientX - at[0]) * kDegreesPerPixel, -(event.clientY - at[1]) * kDegreesPerPixel, true);
       at = [event.clientX, event.clientY];
     });
-    const release = () => at && (at = null, draw(false));
-    for (const name of ["pointerup", "pointercancel"]) figure.addEventListener(name, release);
+    for (const name of ["pointerup", "pointercancel"]) figure.addEventListener(name, () => at && (at = null, draw(false)));
     figure.addEventListener("wheel", (event) => {
       event.preventDefault();
       zoom(Math.exp(-event.deltaY * 0.001));
@@ -465,9 +465,10 @@
   // Shows the part at a place of the picture, and its line of the spec.
   async function showPart(event) {
     const found = await ask(request("pick", placeOf(event)));
-    byId("part").textContent = found && found.part
-      ? [found.part, found.material, digits(found.mass) + " kg"].filter(Boolean).join(", ") : "no part";
-    if (found && found.file) openPlace(found, "");
+    const facts = found?.part ? [found.part, found.material, digits(found.mass) + " kg"] : ["no part"];
+    const place = found?.file && make("button", { type: "button", onclick: () => openPlace(found, "") }, placeOfLine(found));
+    byId("part").replaceChildren(facts.filter(Boolean).join(", "), " ", place || "");
+    if (place) place.click();
   }
 
   // Shows the one of nine variants at a place of the picture.
@@ -499,8 +500,8 @@
 
   // Texts and files to take away.
   async function take(form) {
-    const size = form === "png" ? { width: 1280, height: 960 } : {};
-    const reply = await ask(request("export", { name: form, count: byId("count").value || "1", ...size }));
+    const reply = await ask(request("export", { name: form, count: byId("count").value || "1",
+      ...(form === "png" ? { width: 1280, height: 960 } : {}) }));
     if (reply.error) copy(reply.error);
     else if (form === "png") save(reply.file + ".png", "image/png", reply.picture);
     else if (form === "mjcf" && reply.picture.length) save(reply.file + ".tar", "application/x-tar", reply.picture);
@@ -519,7 +520,7 @@
   const save = (name, type, content) =>
     make("a", { href: URL.createObjectURL(new Blob([content], { type })), download: name }).click();
 
-  // Shows the spec, as it is now in its file. Set values stay set if there still is such a parameter.
+  // Shows the spec, as it is now in its file. Set values stay; a parameter that is gone has none in requests.
   async function open() {
     const reply = await ask(request("open", { settings: [] }));
     if (reply.error) return showError(reply.error);
@@ -533,8 +534,6 @@
     byId("description").textContent = reply.description;
     const hasControls = reply.controls !== null;
     if (hasControls) {
-      const names = new Set(reply.controls.map((control) => control.name));
-      for (const name of Object.keys(pins)) if (controls.has(name) && !names.has(name)) delete pins[name];
       showControls(reply.controls);
       const isTurned = view !== firstView;
       const { pose, ...directions } = reply.view;
@@ -578,6 +577,7 @@
     on("controls", "submit", (event) => event.preventDefault());
     for (const id of ["layer", "simulate", "nine"]) on(id, "change", () => draw(false));
     on("front", "click", showFirstView);
+    on("count-findings", "click", () => byId("all-findings").scrollIntoView({ block: "nearest" }));
     on("drop", "click", () => film(""));
     for (const base of ["view", "start", "zero"]) on(base + "-pose", "click", () => pose(base));
     for (const id of ["film", "source"]) {

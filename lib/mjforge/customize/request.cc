@@ -86,7 +86,7 @@ class Reader {
     out = static_cast<BasePose>(found - kWords);
   }
 
-  void Settings(std::vector<spec::Setting>& out, std::vector<std::size_t>& words) {
+  void Settings(std::vector<spec::Setting>& out, std::vector<std::size_t>& values) {
     const Json* list = Find(root_, "settings");
     if (list == nullptr) return;
     if (!list->IsArray() || list->Size() > kMostSettings) return Fail("settings", "a list");
@@ -96,8 +96,12 @@ class Reader {
       if (name == nullptr || !name->IsString() || value == nullptr)
         return Fail("settings", "a list of objects with `name` and `value`");
       std::string text;
-      if (!Flow(*value, text)) return Fail("settings", "a list of values");
-      if (value->IsString() && text == TextOf(*value)) words.push_back(out.size());
+      if (value->IsString()) {
+        values.push_back(out.size());
+        text = TextOf(*value);
+      } else if (!Flow(*value, text)) {
+        return Fail("settings", "a list of values");
+      }
       out.push_back({std::string(TextOf(*name)), std::move(text), std::string(kSettingOrigin)});
     }
   }
@@ -129,9 +133,12 @@ class Reader {
     } else if (value.IsArray()) {
       out += '[';
       for (const Json& item : value.GetArray()) {
-        if (item.IsObject() || item.IsArray()) return false;
+        if (item.IsArray()) return false;
         if (!out.ends_with('[')) out += ", ";
-        if (!Flow(item, out)) return false;
+        std::string expression;
+        if (!Flow(item, item.IsObject() ? expression : out)) return false;
+        // Quotes an expression, because a comma would end it.
+        if (item.IsObject()) out += QuoteForYaml(expression);
       }
       out += ']';
     } else {
@@ -167,7 +174,7 @@ std::optional<Request> ReadRequest(std::string_view json, std::string& why_not) 
   reader.Whole("count", request.count);
   reader.Flag("nine", request.nine);
   reader.Pose(request.pose);
-  reader.Settings(request.settings, request.words);
+  reader.Settings(request.settings, request.values);
   reader.Joints(request.joints);
   picture::Options& picture = request.picture;
   reader.Flag("quick", picture.quick);

@@ -29,7 +29,8 @@ struct Request {
   std::string name;            // name of a parameter, joint, preset, file or form of export
   std::uint64_t revision = 0;  // number of the changes of the spec's files so far
   std::vector<spec::Setting> settings;
-  std::vector<std::size_t> words = {};  // indices of settings that are texts without quotes
+  // Indices of settings whose `text` is a value, not YAML; VariantCache::QuoteTexts() quotes it.
+  std::vector<std::size_t> values = {};
   std::uint64_t seed = 0;
   std::uint64_t index = 0;
   std::uint64_t count = 1;  // number of variants that an exported command makes

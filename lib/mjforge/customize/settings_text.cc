@@ -41,6 +41,21 @@ std::string QuoteForYaml(std::string_view text) {
   return is_word ? std::string(text) : Enclose(text);
 }
 
+std::string LiteralForYaml(std::string_view text) {
+  // Texts in expressions have no escapes. A text with ' or } follows an empty expression, because a
+  // value with an expression is a text.
+  constexpr std::string_view kOpen = "${";
+  std::string value = "${''}";
+  if (text.find_first_of("'}") == text.npos) {
+    value = fmt::format("${{'{}'}}", text);
+  } else {
+    for (std::size_t i = 0; i < text.size(); ++i)
+      value += text.substr(i).starts_with(kOpen) ? "${'$'}" : std::string(1, text[i]);
+  }
+  const std::string harmless = fmt::format("{}{} +-*/._=()<>", kLetters, kDigits);
+  return text.find_first_not_of(harmless) == text.npos ? value : Enclose(value);
+}
+
 std::string CommandText(std::string_view spec, std::span<const spec::Setting> settings,
                         std::uint64_t seed, std::uint64_t index, std::uint64_t count,
                         std::string_view name) {

@@ -14,6 +14,9 @@ namespace mjforge::customize {
 /// Returns a text as YAML that is read as that text, with quotes only if they are needed.
 std::string QuoteForYaml(std::string_view text);
 
+/// Returns a text as an expression of the language whose value is the text, `${'a + b'}`, in YAML.
+std::string LiteralForYaml(std::string_view text);
+
 /// Returns the command that makes `count` variants with these settings, from `index` on. Several
 /// variants are written to the folder `name`.
 std::string CommandText(std::string_view spec, std::span<const spec::Setting> settings,

@@ -56,6 +56,13 @@ Reply Failure(std::string_view message) {
   return {json.Take(), {}, {}};
 }
 
+// Describes a variant without a picture: "index 3 failed: size of part 'rod' is 0; ...".
+std::string FailureText(std::uint64_t index, const diag::Findings& findings) {
+  const auto found = std::ranges::find(findings, diag::Severity::kError, &diag::Finding::severity);
+  return fmt::format("index {} failed: {}", index,
+                     found == findings.end() ? "no picture" : diag::SafeText(found->message));
+}
+
 // Describes a film: "Drop, 0.25 s, shown 5.1 times slower".
 std::string FilmText(const std::string& joint, double time, double shown) {
   constexpr double kSlow = 1.1;  // smallest factor that the text mentions
@@ -83,7 +90,7 @@ struct Studio::State {
   Reply SavePreset(const Request& request);
   Reply LoadPreset(const Request& request);
   Presets PresetsOf(const ShownVariant& shown) const;
-  std::optional<picture::Image> DrawNine(const Request& request);
+  std::optional<picture::Image> DrawNine(const Request& request, std::vector<std::string>& texts);
   std::optional<picture::Image> DrawPicture(const Request& request, ShownVariant& shown,
                                             diag::Findings& findings);
 
@@ -101,7 +108,7 @@ Reply Studio::Answer(std::string_view request) {
   std::optional<Request> wanted = ReadRequest(request, why_not);
   if (!wanted) return Failure(why_not);
   try {
-    state_->cache.QuoteNames(*wanted);
+    state_->cache.QuoteTexts(*wanted);
     return state_->Answer(*wanted);
   } catch (const std::bad_alloc&) {
     throw;  // ends the process, which frees its memory
@@ -213,9 +220,12 @@ std::optional<picture::Image> Studio::State::DrawPicture(const Request& request,
   return renderer->Draw(*shown.subject, request.picture, findings);
 }
 
-// Draws nine variants from `index` on, three in a row. Draws the variant of `index` last, so that
-// this variant stays in the cache.
-std::optional<picture::Image> Studio::State::DrawNine(const Request& request) {
+// Draws nine variants from `index` on, three in a row. `texts` becomes the reason for each variant
+// that has no picture, and an empty text for each of the others. Draws the variant of `index` last,
+// so that this variant stays in the cache.
+std::optional<picture::Image> Studio::State::DrawNine(const Request& request,
+                                                      std::vector<std::string>& texts) {
+  texts.assign(9, "");
   picture::Image image{request.picture.width, request.picture.height, {}};
   image.rgba.assign(4 * static_cast<std::size_t>(image.width * image.height), 255);
   Request one = request;
@@ -223,17 +233,23 @@ std::optional<picture::Image> Studio::State::DrawNine(const Request& request) {
   one.picture.height /= 3;
   for (int cell = 8; cell >= 0; --cell) {
     one.index = request.index + static_cast<std::uint64_t>(cell);
+    ShownVariant& shown = cache.Make(one, CheckLevel::kNone);
     diag::Findings findings;
-    const auto tile = DrawPicture(one, cache.Make(one, CheckLevel::kNone), findings);
+    const auto tile = DrawPicture(one, shown, findings);
     if (findings.HasErrors() && renderer == nullptr) return std::nullopt;
-    if (tile) PutInCell(*tile, cell, image);
+    findings.Append(shown.Findings());
+    if (tile)
+      PutInCell(*tile, cell, image);
+    else
+      texts[static_cast<std::size_t>(cell)] = FailureText(one.index, findings);
   }
   return image;
 }
 
 Reply Studio::State::Draw(const Request& request) {
   std::optional<picture::Image> nine;
-  if (request.nine) nine = DrawNine(request);
+  std::vector<std::string> cells;
+  if (request.nine) nine = DrawNine(request, cells);
   const CheckLevel level = request.picture.quick ? CheckLevel::kNone : CheckLevel::kLoad;
   ShownVariant& shown = cache.Make(request, level);
   diag::Findings findings = shown.Findings();
@@ -246,6 +262,7 @@ Reply Studio::State::Draw(const Request& request) {
   diag::Json json(expr::AppendExactNumber);
   json.StartObject();
   WriteVariant(json, shown);
+  json.Member("cells", cells);
   json.Key("findings");
   WriteFindings(json, findings, shown.sources);
   json.EndObject();

@@ -4,8 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
+#include "mjforge/customize/settings_text.h"
 #include "mjforge/expr/expr.h"
 
 namespace mjforge::customize {
@@ -36,22 +38,36 @@ void VariantCache::Renew(std::uint64_t revision) {
   loader_.emplace();  // the old loader caches meshes and textures
 }
 
-void VariantCache::QuoteNames(Request& request) {
-  if (request.words.empty()) return;
-  Renew(request.revision);
-  if (!names_) {
-    Request bare;
-    bare.revision = request.revision;
-    names_.emplace();
-    const ShownVariant& shown = LoadSpec(bare);
-    if (!shown.recipe) return;
-    for (const spec::Parameter& parameter : shown.recipe->spec->parameters)
-      names_->insert({parameter.name, parameter.record});
+void VariantCache::FindNames(std::uint64_t revision) {
+  Renew(revision);
+  if (names_) return;
+  Request bare;
+  bare.revision = revision;
+  names_.emplace();
+  choices_.clear();
+  const ShownVariant& shown = LoadSpec(bare);
+  if (!shown.recipe) return;
+  const spec::ObjectSpec& spec = *shown.recipe->spec;
+  for (const spec::Parameter& parameter : spec.parameters) {
+    names_->insert({parameter.name, parameter.record});
+    if (spec::ConstantChoices(spec.ValueOf(parameter))) choices_.insert(parameter.name);
   }
-  for (const std::size_t i : request.words) {
-    std::string& text = request.settings[i].text;
-    if (names_->contains(text) || text == "index" || expr::IsReserved(text))
-      text = fmt::format("${{'{}'}}", text);
+}
+
+void VariantCache::QuoteTexts(Request& request) {
+  if (request.values.empty()) return;
+  FindNames(request.revision);
+  const auto is_plain = [this](std::string_view word) {
+    return expr::IsName(word) && word != "index" && !expr::IsReserved(word) &&
+           !names_->contains(word);
+  };
+  for (const std::size_t i : request.values) {
+    auto& [name, text, origin] = request.settings[i];
+    const auto words = expr::WordsOf(text);
+    const bool is_read_as_text =
+        !words.empty() && text.starts_with(words[0]) && std::ranges::all_of(words, is_plain);
+    // A chosen text must be spelled like the option in the spec.
+    text = is_read_as_text || choices_.contains(name) ? QuoteForYaml(text) : LiteralForYaml(text);
   }
 }
 

@@ -41,9 +41,9 @@ class VariantCache {
   VariantCache(std::string reference, std::vector<std::filesystem::path> search_path)
       : reference_(std::move(reference)), search_path_(std::move(search_path)) {}
 
-  /// Replaces texts that the spec would read as names in expressions, such as `pi`, by expressions
-  /// of texts: `${'pi'}`.
-  void QuoteNames(Request& request);
+  /// Converts the values of a request that are texts to YAML. A text that the spec would read as an
+  /// expression, such as `pi` or `a + b`, becomes an expression of this text: `${'a + b'}`.
+  void QuoteTexts(Request& request);
   /// Returns the spec with the settings of the request, without making a variant.
   ShownVariant& LoadSpec(const Request& request);
   /// Returns the variant of the request, with at least the checks of `level`.
@@ -55,13 +55,16 @@ class VariantCache {
 
  private:
   void Renew(std::uint64_t revision);
+  void FindNames(std::uint64_t revision);
   void MakeVariant(const Request& request, CheckLevel level);
   void LoadSubject();
 
   std::string reference_;
   std::vector<std::filesystem::path> search_path_;
   std::uint64_t revision_ = 0;
-  std::optional<std::set<std::string>> names_;  // names that expressions can use
+  // Names that expressions can use, and parameters that choose among constants.
+  std::optional<std::set<std::string, std::less<>>> names_;
+  std::set<std::string> choices_;
   spec::Snapshot snapshot_;
   std::optional<picture::Loader> loader_ = std::make_optional<picture::Loader>();
   std::vector<std::filesystem::path> assets_;  // files of the last object

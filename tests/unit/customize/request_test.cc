@@ -38,17 +38,19 @@ TEST_CASE("a request has the whole state of the page") {
   CHECK(request.joints == std::vector<std::pair<std::string, double>>{{"lid", 0.5}});
 }
 
-TEST_CASE("values become YAML") {
+TEST_CASE("values become YAML, except texts") {
   const Request request = Read(R"({"settings": [
     {"name": "a", "value": 0.1}, {"name": "b", "value": "no"}, {"name": "c", "value": [1, 2.5]},
-    {"name": "d", "value": false}, {"name": "e", "value": {"yaml": "1cm .. 2cm"}}]})");
+    {"name": "d", "value": false}, {"name": "e", "value": {"yaml": "1cm .. 2cm"}},
+    {"name": "f", "value": [{"yaml": "1cm"}, {"yaml": "0,5"}, 2]}]})");
   std::vector<std::string> texts;
   for (const spec::Setting& setting : request.settings) {
     CHECK(setting.origin == kSettingOrigin);
     texts.push_back(setting.name + "=" + setting.text);
   }
-  CHECK(texts ==
-        std::vector<std::string>{"a=0.1", "b='no'", "c=[1, 2.5]", "d=false", "e=1cm .. 2cm"});
+  CHECK(texts == std::vector<std::string>{"a=0.1", "b=no", "c=[1, 2.5]", "d=false", "e=1cm .. 2cm",
+                                          "f=['1cm', '0,5', 2]"});
+  CHECK(request.values == std::vector<std::size_t>{1});
 }
 
 TEST_CASE("a wrong request says which member is wrong") {

@@ -15,6 +15,15 @@ TEST_CASE("a text is quoted for YAML only if it would be read as something else"
   CHECK(QuoteForYaml("it's: [a]") == "'it''s: [a]'");
 }
 
+TEST_CASE("a text is an expression that YAML reads as one value") {
+  CHECK(LiteralForYaml("pi") == "${'pi'}");
+  CHECK(LiteralForYaml("a + b") == "${'a + b'}");
+  CHECK(LiteralForYaml("") == "${''}");
+  CHECK(LiteralForYaml("x: y") == "'${''x: y''}'");
+  CHECK(LiteralForYaml("it's") == "'${''''}it''s'");
+  CHECK(LiteralForYaml("${x}") == "'${''''}${''$''}{x}'");
+}
+
 TEST_CASE("the command names what is not the default") {
   const std::vector<spec::Setting> settings = {{"length", "0.25"}, {"size", "[1, 2]"}};
   CHECK(CommandText("hammer", {}, 0, 0) == "mjforge generate hammer");

@@ -287,6 +287,27 @@ TEST_CASE_METHOD(StudioTest, "a text that is a name of the expression language s
   }
 }
 
+TEST_CASE_METHOD(StudioTest, "every text of a text field stays this text") {
+  folder_.Write("lamp.yaml",
+                "mjforge: 1\nname: lamp\nparams: {label: lamp, a: 1, kind: {choice: [red b, M3]}}\n"
+                "parts: [{name: rod, if: label != 'x' and kind != 'x', type: sphere, size: a}]\n");
+  for (const char* text :
+       {"12",     "a + b", "it's", "x: y",        "[1, 2]",  "",     "#",     "~",
+        "null",   "true",  " a ",  "hello world", "hello a", "${a}", "'} ${", "\"",
+        "1 .. 2", ".inf",  "-",    "{a: b}",      "a #b",    "\\n",  "größe"}) {
+    const Json settings = {{{"name", "label"}, {"value", text}},
+                           {{"name", "kind"}, {"value", "red b"}}};
+    const Json answer = Ask({{"action", "draw"}, {"settings", settings}});
+    INFO(text << answer["findings"].dump());
+    CHECK(answer["values"]["label"] == text);
+    CHECK(answer["values"]["kind"] == "red b");
+    Ask({{"action", "save"}, {"name", "mine"}, {"settings", settings}});
+    const Json preset = Ask({{"action", "preset"}, {"name", "mine"}});
+    const Json loaded = {{{"name", "label"}, {"value", {{"yaml", preset["settings"][0]["text"]}}}}};
+    CHECK(Ask({{"action", "draw"}, {"settings", loaded}})["values"]["label"] == text);
+  }
+}
+
 TEST_CASE_METHOD(StudioTest, "missing files are watched, and so are those of the object") {
   folder_.Write("lamp.yaml",
                 "mjforge: 1\nname: lamp\nimport: [size.yaml]\n"
@@ -319,6 +340,17 @@ TEST_CASE_METHOD(StudioTest, "missing files are watched, and so are those of the
   };
   CHECK(member("lamp/lamp.xml").find("file=\"assets/rod.obj\"") != std::string::npos);
   CHECK(member("lamp/assets/rod.obj").starts_with("v 0 0 -3"));
+}
+
+TEST_CASE_METHOD(StudioTest, "of nine variants, those that fail have their index and the reason") {
+  folder_.Write(
+      "lamp.yaml",
+      "mjforge: 1\nname: lamp\nparts: [{name: rod, type: sphere, size: 3cm - index * 1cm}]\n");
+  const Json answer = Ask({{"action", "draw"}, {"nine", true}, {"index", "1"}});
+  REQUIRE(answer["cells"].size() == 9);
+  CHECK(answer["cells"][1] == "");
+  CHECK(answer["cells"][2] == "index 3 failed: size of part 'rod' is 0; it must be greater than 0");
+  CHECK(Ask({{"action", "draw"}})["cells"].empty());
 }
 
 TEST_CASE_METHOD(StudioTest, "a request that is wrong has an error as its answer") {
