@@ -129,6 +129,15 @@ void AddRefusal(std::string_view element, const Loaded& loaded, diag::SourceMark
   finding.notes.push_back({{}, fmt::format("MuJoCo said: {}", OneLine(loaded.error))});
 }
 
+/// Adds a finding about a start keyframe that is too long for MuJoCo 2.2.
+void AddKeyLimit(std::string_view key, diag::SourceMark mark, diag::Findings& findings) {
+  findings.Add(
+      Code::kMujocoOlder, mark,
+      fmt::format("MuJoCo {} rejects {}, which has more than {} numbers", engine::Version(), key,
+                  backport::kMaxKeyNumbers),
+      "later releases have no such limit; `--start zero --target scene` writes no keyframe");
+}
+
 /// Adds a finding for each kind of number that is not finite, because MuJoCo loads "nan" silently.
 void CheckFinite(const mjModel& m, diag::SourceMark mark, diag::Findings& findings) {
   struct Numbers {
@@ -266,8 +275,12 @@ Loaded Loader::Impl::LoadDocument(const mjcf::MjcfDocument& document, const std:
   const Refusal refusal = engine::ParseRefusal(loaded.error);
   diag::SourceMark mark = document.Origin(refusal.line);
   if (!mark) mark = MarkOf(object);
-  AddRefusal(engine::ElementOnLine(document.text, refusal.line), loaded, mark,
-             HintFor(refusal.reason), findings);
+  const std::string element = engine::ElementOnLine(document.text, refusal.line);
+  if (element.starts_with("key ") && refusal.reason.ends_with("has too much data")) {
+    AddKeyLimit(element, mark, findings);
+  } else {
+    AddRefusal(element, loaded, mark, HintFor(refusal.reason), findings);
+  }
   return loaded;
 }
 
