@@ -3,6 +3,7 @@
 
 #include "mjforge/backport/fitted_geoms.h"
 #include "mjforge/backport/mesh_inertia.h"
+#include "mjforge/backport/visual_geoms.h"
 
 namespace mjforge::backport {
 
@@ -10,7 +11,8 @@ LaterRules ApplyLaterRules(xml::XmlElement& root,
                            const std::function<engine::Loaded(const std::string&)>& load) {
   LaterRules rules;
   rules.fitted = FitGeoms(root, load);
-  rules.mass = AddMeshInertia(root, load);  // also the masses of fitted geoms
+  rules.mass = AddMeshInertia(root, load);  // also the masses of fitted and of discarded geoms
+  rules.visible = KeepReferencedGeoms(root);
   return rules;
 }
 

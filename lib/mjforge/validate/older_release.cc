@@ -64,10 +64,13 @@ std::string OtherShape(const mjModel& m, const mjModel& here) {
 void CompareReleases(const mjModel& m, const engine::Loaded& as_is,
                      const backport::LaterRules& places, diag::Findings& findings) {
   if (!as_is.model) {
-    findings.Warn(Code::kMujocoOlder, places.mass ? places.mass : places.fitted,
+    findings.Warn(Code::kMujocoOlder,
+                  places.visible ? places.visible
+                  : places.mass  ? places.mass
+                                 : places.fitted,
                   fmt::format("MuJoCo {} rejects the model: {}", engine::Version(),
                               engine::ParseRefusal(as_is.error).reason),
-                  kMassHint);
+                  places.visible ? "without `discardvisual` it accepts the model" : kMassHint);
     return;
   }
   const mjModel& here = *as_is.model;

@@ -88,5 +88,32 @@ TEST_CASE("a geom stays fitted to its mesh if it cannot be replaced") {
           .rules);
 }
 
+TEST_CASE("`discardvisual` keeps geoms that an element refers to") {
+  const std::string visual = " size=\".1\" contype=\"0\" conaffinity=\"0\"/>";
+  const std::string bodies =
+      "<compiler discardvisual=\"true\"/><worldbody><body name=\"a\">\n<geom name=\"kept\"" +
+      visual + "<geom name=\"lost\"" + visual +
+      "<geom size=\".1\"/></body><body name=\"b\" pos=\"1 0 0\"><freejoint/><geom name=\"h\" "
+      "size=\".1\" mass=\"1\"/><geom mass=\"2\"" +
+      visual + "<site name=\"s\" size=\".1\"/></body></worldbody>";
+  const std::string references[] = {
+      "<contact><pair geom1=\"h\" geom2=\"kept\"/></contact>",
+      "<sensor><framepos objtype=\"geom\" objname=\"kept\"/></sensor>",
+      "<sensor><framepos objtype=\"site\" objname=\"s\" reftype=\"geom\" refname=\"kept\"/>"
+      "</sensor>",
+      "<custom><tuple name=\"t\"><element objtype=\"geom\" objname=\"kept\"/></tuple></custom>"};
+  for (const std::string& reference : references) {
+    INFO(reference);
+    const Compiled compiled(bodies + reference);
+    const mjModel& m = compiled.model();
+    CHECK(m.ngeom == 3);
+    CHECK(mj_name2id(&m, mjOBJ_GEOM, "kept") >= 0);
+    CHECK(m.body_mass[2] == Approx(3));
+    CHECK(compiled.rules.visible.line == (mjVERSION_HEADER < 312 ? 3 : 0));
+  }
+  CHECK_FALSE(Compiled(bodies).rules.visible);
+  CHECK(Compiled(bodies).model().ngeom == 2);
+}
+
 }  // namespace
 }  // namespace mjforge::backport
