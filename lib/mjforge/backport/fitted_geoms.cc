@@ -23,7 +23,7 @@ constexpr std::string_view kFitted[] = {"sphere", "capsule", "cylinder", "ellips
 constexpr std::string_view kAngles[] = {"axisangle", "euler", "xyaxes", "zaxis"};
 
 /// Returns the sizes of the smallest shape whose bounding box contains a box with these half sizes;
-/// nullopt if a size would not be positive, because MuJoCo rejects such a geom.
+/// nullopt if a size would be negative, zero or larger than mjMAXVAL.
 std::optional<std::vector<double>> SizesOf(std::string_view type, const std::array<double, 3>& half,
                                            double scale) {
   const double radius = std::max(half[0], half[1]);
@@ -32,7 +32,8 @@ std::optional<std::vector<double>> SizesOf(std::string_view type, const std::arr
   if (type == "capsule") sizes = {radius, half[2] - radius};
   if (type == "cylinder") sizes = {radius, half[2]};
   for (double& size : sizes) size *= scale;
-  if (!std::ranges::all_of(sizes, [](double size) { return size > 0; })) return std::nullopt;
+  const auto is_valid = [](double size) { return size > 0 && size < mjMAXVAL; };
+  if (!std::ranges::all_of(sizes, is_valid)) return std::nullopt;
   return sizes;
 }
 
