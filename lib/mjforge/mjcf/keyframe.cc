@@ -60,16 +60,6 @@ void AddSetpoints(const model::Object& object, StartState& start) {
   if (std::ranges::count(start.ctrl, 0.0) == std::ssize(start.ctrl)) start.ctrl.clear();
 }
 
-/// Returns the place of the first joint or actuator that has a start state.
-diag::SourceMark StartMark(const model::Object& object) {
-  for (const model::Body& body : object.bodies) {
-    for (const model::Joint& joint : body.joints) {
-      if (HasStart(joint) || HasVelocity(joint)) return joint.mark ? joint.mark : body.mark;
-    }
-  }
-  return object.setpoints.empty() ? diag::SourceMark{} : object.setpoints.front().mark;
-}
-
 }  // namespace
 
 StartState StartStateOf(const model::Object& object, double lift) {
@@ -91,7 +81,7 @@ void WriteKeyframe(const model::Object& object, double lift, ElementWriter& writ
   if (start.qpos.empty() && start.act.empty() && start.ctrl.empty()) return;
   writer.OpenElement("keyframe");
   writer.BeginContent();
-  writer.OpenElement("key", StartMark(object));
+  writer.OpenElement("key", object.start_mark);
   writer.WriteText("name", object.name, kStartSuffix);
   const auto write = [&](std::string_view name, const std::vector<double>& numbers) {
     if (!numbers.empty()) writer.WriteNumbers(name, numbers, ElementWriter::NumberFormat::kFlushed);
