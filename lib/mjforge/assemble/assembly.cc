@@ -127,6 +127,7 @@ void Assembly::ReadStartForm(Scope& scope) {
   FieldReader reader(scope.values, findings_, "object", spec.name, scope.values.root());
   const std::optional<std::string> word = reader.Word(*spec.start);
   if (!word) return;
+  if (!object_.start_mark) object_.start_mark = spec.start->mark;
   object_.start_form = *word == "zero" ? model::StartForm::kZero : model::StartForm::kKeyframe;
 }
 

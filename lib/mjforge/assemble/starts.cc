@@ -54,6 +54,7 @@ void Assembly::ReadStart(Scope& scope, const spec::Entry& entry, sample::StreamI
 
 void Assembly::ApplyStarts(const Scope& scope, std::size_t first, std::size_t first_body) {
   if (starts_.size() == first) return;
+  if (!object_.start_mark) object_.start_mark = starts_[first].position.mark;
   std::map<std::string_view, std::pair<model::Body*, model::Joint*>> joints;
   const auto add_joints = [&](model::Body& of) {
     for (model::Joint& joint : of.joints) joints.try_emplace(joint.name, &of, &joint);

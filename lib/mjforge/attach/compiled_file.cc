@@ -115,8 +115,8 @@ std::unique_ptr<CompiledFile> CompiledFile::Read(const std::filesystem::path& fi
   compiled->engine_ = &engine;
   compiled->file_names_ = xml::ResolveFiles(compiled->root_, file.parent_path(), findings);
   if (findings.HasErrors()) return nullptr;
-  backport::AddMeshInertia(compiled->root_,
-                           [&](const std::string& text) { return engine.LoadText(text); });
+  backport::ApplyLaterRules(compiled->root_,
+                            [&](const std::string& text) { return engine.LoadText(text); });
   NameElements(compiled->root_);
   compiled->flat_ = xml::Flatten(compiled->root_);
   compiled->Load(findings);

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "mjforge/backport/default_classes.h"
+#include "mjforge/backport/key_limits.h"
 #include "mjforge/backport/legacy_rules.h"
 #include "mjforge/backport/mjcf_versions.h"
 #include "mjforge/backport/replacements.h"
@@ -77,6 +78,9 @@ class Backporter {
   bool Run() {
     bool changed = ApplyLegacyRules(root_, version_);
     changed = ResizeLists(root_) || changed;
+    changed = RemoveLongKeys(root_, version_, sources_,
+                             use_ == Use::kWholeModel ? &findings_ : nullptr) ||
+              changed;
     if (use_ == Use::kWholeModel) ReportRefusals(root_);
     if (!HasMissing(root_)) return changed;
     DefaultClasses elements(root_);

@@ -1,6 +1,8 @@
 // Rewords MJCF for an older MuJoCo: trees of elements, files, and masses of meshes.
 #pragma once
 
+#include "mjforge/backport/key_limits.h"
+#include "mjforge/backport/later_rules.h"
 #include "mjforge/backport/mesh_inertia.h"
 #include "mjforge/backport/model_file.h"
 #include "mjforge/backport/refused_attributes.h"

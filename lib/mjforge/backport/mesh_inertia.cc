@@ -14,6 +14,7 @@
 
 #include "mjforge/backport/default_classes.h"
 #include "mjforge/backport/mesh_measure.h"
+#include "mjforge/backport/visual_geoms.h"
 #include "mjforge/engine/engine.h"
 
 namespace mjforge::backport {
@@ -25,10 +26,6 @@ using LoadText = std::function<engine::Loaded(const std::string&)>;
 
 std::string Text(const mjtNum* numbers, int count) {
   return xml::TextOf(std::vector<double>(numbers, numbers + count));
-}
-
-bool IsZero(const std::string& text) {
-  return text.find_first_not_of("+-0. \t\r\n") == std::string::npos;
 }
 
 class MeshInertia {
@@ -96,6 +93,7 @@ class MeshInertia {
     for (const ClassedElement* geom : elements.In("geom")) {
       const xml::XmlElement* body = geom->parent;
       if (body->tag != "body" || (HasInertial(*body) && !replaces_)) continue;
+      // The masses of discarded geoms count in MuJoCo 3.1.2 and later.
       const bool counts = AddMesh(elements, *geom) || (discards && IsVisual(elements, *geom));
       if (counts || HasInertial(*body))
         bodies_.try_emplace(body, fmt::format("body{}", bodies_.size()));
@@ -108,13 +106,6 @@ class MeshInertia {
     return std::ranges::find(body.children, tag, &xml::XmlElement::tag) != body.children.end();
   }
   static bool HasInertial(const xml::XmlElement& body) { return HasChild(body, "inertial"); }
-
-  /// Returns true for geoms that `discardvisual` removes; their masses count in MuJoCo 3.1.2 and
-  /// later.
-  static bool IsVisual(const DefaultClasses& elements, const ClassedElement& geom) {
-    return IsZero(elements.Get(geom, "contype", "1")) &&
-           IsZero(elements.Get(geom, "conaffinity", "1"));
-  }
 
   /// Adds the geom if it is a mesh with a mass, and returns true; returns false for other geoms.
   bool AddMesh(DefaultClasses& elements, const ClassedElement& geom) {

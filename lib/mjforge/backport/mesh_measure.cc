@@ -45,15 +45,15 @@ std::span<const int> FacesOf(const mjModel& m, int mesh, bool of_hull) {
   return span(at(graph, 2 + 3 * graph[0] + 3 * graph[1]), graph[1]);
 }
 
-/// Moments of the pyramids between the origin and each face, or of the faces.
+/// Moments of the pyramids from a common apex to each face, or of the faces, about this apex.
 struct Sums {
   double size = 0;
   Vector first = {};
   Matrix second = {};
 
-  // Moments of tetrahedra with a corner at the origin: Tonon, "Explicit exact formulas for the 3-D
-  // tetrahedron inertia tensor in terms of its vertex coordinates" (2004). The moments of a
-  // triangle have the same form.
+  // Adds a face whose corners are relative to the apex. Moments of tetrahedra: Tonon, "Explicit
+  // exact formulas for the 3-D tetrahedron inertia tensor in terms of its vertex coordinates"
+  // (2004). The moments of a triangle have the same form.
   void Add(const std::array<Vector, 3>& corners, MeshInertiaKind kind) {
     const auto& [a, b, c] = corners;
     const bool shell = kind == MeshInertiaKind::kShell;
@@ -75,12 +75,34 @@ struct Sums {
   }
 };
 
-// Sets the principal axes, and returns the second moments about the centre of mass along them.
-// MuJoCo sorts the moments of inertia in decreasing order.
+/// Adds up the faces of a mesh, or the pyramids from `apex` to them.
+Sums AddUp(const mjModel& m, int mesh, MeshInertiaKind kind, const Vector& apex) {
+  Sums sums;
+  const float* vertices = m.mesh_vert + static_cast<std::ptrdiff_t>(3) * m.mesh_vertadr[mesh];
+  const std::span<const int> faces = FacesOf(m, mesh, kind == MeshInertiaKind::kConvex);
+  for (std::size_t face = 0; face < faces.size(); face += 3) {
+    std::array<Vector, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const float* vertex = vertices + static_cast<std::ptrdiff_t>(3) * faces[face + i];
+      corners[i] = Difference({vertex[0], vertex[1], vertex[2]}, apex);
+    }
+    sums.Add(corners, kind);
+  }
+  return sums;
+}
+
+/// Returns the centre of mass of `sums`, whose moments are about `apex`.
+Vector CentreOf(const Sums& sums, const Vector& apex) {
+  Vector centre = apex;
+  for (std::size_t i = 0; i < 3; ++i) centre[i] += sums.first[i] / sums.size;
+  return centre;
+}
+
+// Sets the principal axes of the moments, which are about the centre of mass, and returns the
+// second moments along them. MuJoCo sorts the moments of inertia in decreasing order.
 std::array<mjtNum, 3> Diagonalize(const Sums& sums, MeshMeasure& measured) {
   Matrix inertia = {};
-  for (std::size_t i = 0; i < 9; ++i)
-    inertia[i] = sums.size * measured.pos[i / 3] * measured.pos[i % 3] - sums.second[i];
+  for (std::size_t i = 0; i < 9; ++i) inertia[i] = -sums.second[i];
   const double trace = -(inertia[0] + inertia[4] + inertia[8]);
   for (std::size_t i = 0; i < 9; i += 4) inertia[i] += trace;
   std::array<mjtNum, 3> moments;
@@ -101,26 +123,25 @@ std::optional<MeshInertiaKind> KindNamed(std::string_view word) {
 }
 
 MeshMeasure Measure(const mjModel& m, int mesh, MeshInertiaKind kind) {
-  Sums sums;
-  const float* vertices = m.mesh_vert + static_cast<std::ptrdiff_t>(3) * m.mesh_vertadr[mesh];
-  const std::span<const int> faces = FacesOf(m, mesh, kind == MeshInertiaKind::kConvex);
-  for (std::size_t face = 0; face < faces.size(); face += 3) {
-    std::array<Vector, 3> corners;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const float* vertex = vertices + static_cast<std::ptrdiff_t>(3) * faces[face + i];
-      corners[i] = {vertex[0], vertex[1], vertex[2]};
-    }
-    sums.Add(corners, kind);
-  }
   MeshMeasure measured;
+  // MuJoCo's steps, because the sums over an open mesh depend on the apex of the pyramids: the
+  // centroid of the surface for the centre of mass, then the centre of mass for mass and inertia.
+  if (kind != MeshInertiaKind::kLegacy) {
+    Vector apex = {};
+    for (const MeshInertiaKind step : {MeshInertiaKind::kShell, kind}) {
+      const Sums sums = AddUp(m, mesh, step, apex);
+      measured.size = sums.size;
+      if (!(sums.size > 0)) return measured;
+      apex = CentreOf(sums, apex);
+    }
+    measured.pos = apex;
+  }
+  const Sums sums = AddUp(m, mesh, kind, measured.pos);
   measured.size = sums.size;
   if (!(sums.size > 0)) return measured;
   const Matrix& second = sums.second;
   std::array<mjtNum, 3> squares = {second[0], second[4], second[8]};
-  if (kind != MeshInertiaKind::kLegacy) {
-    for (std::size_t i = 0; i < 3; ++i) measured.pos[i] = sums.first[i] / sums.size;
-    squares = Diagonalize(sums, measured);
-  }
+  if (kind != MeshInertiaKind::kLegacy) squares = Diagonalize(sums, measured);
   // The mean square of a coordinate in a box with half size s is s^2 / 3. MuJoCo 2.2 rejects a box
   // without a thickness, and a thinner one if its inertia is rounded.
   constexpr double kThinnest = 1e-6;

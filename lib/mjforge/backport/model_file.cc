@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "mjforge/backport/backport.h"
-#include "mjforge/backport/mesh_inertia.h"
 #include "mjforge/bytes/bytes.h"
 #include "mjforge/xml/xml.h"
 
@@ -22,7 +21,7 @@ std::filesystem::path FolderOf(const std::filesystem::path& file) {
 
 struct BackportedTree {
   xml::XmlElement root;
-  diag::SourceMark other_mass;  // ModelFile::other_mass
+  LaterRules differences;  // ModelFile::differences
 };
 
 /// Returns the backported tree of a file; nullopt if the file needs no change, or after an error.
@@ -33,11 +32,11 @@ std::optional<BackportedTree> BackportFile(const std::filesystem::path& file,
   if (!root) return std::nullopt;
   const bool is_later = BackportMjcf(*root, mjVERSION_HEADER, Use::kWholeModel, sources, findings);
   if (findings.HasErrors()) return std::nullopt;
-  const diag::SourceMark weighed = AddMeshInertia(*root, [&](const std::string& text) {
+  const LaterRules differences = ApplyLaterRules(*root, [&](const std::string& text) {
     return engine::Engine().LoadTextIn(FolderOf(file), text);
   });
-  if (!is_later && !weighed) return std::nullopt;
-  return BackportedTree{*std::move(root), is_later ? diag::SourceMark{} : weighed};
+  if (!is_later && !differences) return std::nullopt;
+  return BackportedTree{*std::move(root), is_later ? LaterRules{} : differences};
 }
 
 }  // namespace
@@ -68,7 +67,7 @@ std::optional<ModelFile> ReadModelFile(const std::filesystem::path& file, diag::
   ModelFile read{source, has_includes, {}, {}};
   if (const auto tree = BackportFile(file, sources, found)) {
     read.backported = xml::FlattenInPlace(tree->root);
-    read.other_mass = tree->other_mass;
+    read.differences = tree->differences;
   }
   const bool good = !found.HasErrors();
   findings.Append(std::move(found));

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "mjforge/backport/later_rules.h"
 #include "mjforge/diag/diag.h"
 #include "mjforge/engine/engine.h"
 
@@ -17,9 +18,9 @@ struct ModelFile {
   bool has_includes = false;
   /// The backported text, with included files in their places; nullopt if the file needs no change.
   std::optional<std::string> backported;
-  /// Place of the first body whose mass the MuJoCo of this build computes by another rule than
-  /// later releases; no place if there is none, or if the file needs a later MuJoCo.
-  diag::SourceMark other_mass;
+  /// Differences between the MuJoCo of this build and later releases; none if the file needs a
+  /// later MuJoCo.
+  LaterRules differences;
 };
 
 /// Reads a file or standard input into `sources`. Returns nullopt and adds a finding if the file is

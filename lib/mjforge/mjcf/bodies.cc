@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 
+#include "mjforge/expr/expr.h"
 #include "mjforge/mjcf/section_writers.h"
 
 namespace mjforge::mjcf {
@@ -29,6 +31,19 @@ PrincipalInertia Diagonalize(const Eigen::Matrix3d& inertia) {
   Eigen::Matrix3d axes = solver.eigenvectors();
   if (axes.determinant() < 0) axes.col(0) *= -1;
   return {Eigen::Quaterniond(axes), solver.eigenvalues()};
+}
+
+/// Returns the number that is written for `value`, which has ten digits.
+double Written(double value) { return expr::ParseNumber(expr::NumberText(value)).value_or(value); }
+
+/// Reduces the largest moment of a flat body, A + B = C, by a rounding error if the moments as
+/// written do not satisfy A + B >= C, because MuJoCo rejects such a body.
+void KeepRealizable(Eigen::Vector3d& moments) {
+  constexpr double kRounding = 2e-9;  // relative
+  const double sum = moments[0] + moments[1];
+  if (std::abs(moments[2] - sum) > kRounding * sum) return;
+  if (Written(moments[0]) + Written(moments[1]) < Written(moments[2]))
+    moments[2] = (1 - kRounding) * sum;
 }
 
 class BodyWriter {
@@ -63,7 +78,8 @@ class BodyWriter {
       writer_.WriteRaw(" pos=\"0 0 0\" mass=\"1e-15\" diaginertia=\"0 0 0\"");
       writer_.CloseEmpty();
     } else if (body.explicit_inertial) {
-      const PrincipalInertia principal = Diagonalize(properties.I_Cm_F);
+      PrincipalInertia principal = Diagonalize(properties.I_Cm_F);
+      KeepRealizable(principal.moments);
       writer_.OpenElement("inertial", body.mark);
       writer_.WritePose({properties.p_FCm, principal.axes});
       writer_.WriteNumber("mass", properties.mass);

@@ -81,7 +81,7 @@ void WriteKeyframe(const model::Object& object, double lift, ElementWriter& writ
   if (start.qpos.empty() && start.act.empty() && start.ctrl.empty()) return;
   writer.OpenElement("keyframe");
   writer.BeginContent();
-  writer.OpenElement("key");
+  writer.OpenElement("key", object.start_mark);
   writer.WriteText("name", object.name, kStartSuffix);
   const auto write = [&](std::string_view name, const std::vector<double>& numbers) {
     if (!numbers.empty()) writer.WriteNumbers(name, numbers, ElementWriter::NumberFormat::kFlushed);

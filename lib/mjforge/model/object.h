@@ -172,11 +172,11 @@ struct Object {
   std::vector<Texture> textures;
   std::vector<std::unique_ptr<MeshAsset>> meshes;  // equal meshes only once
   std::vector<Section> sections;                   // in the order of spec::Sections()
-  /// Setpoints of all actuators, in the actuators' order; empty if all actuators start at 0.
-  std::vector<Setpoint> setpoints;
+  std::vector<Setpoint> setpoints;  // in the order of actuators; empty if all actuators start at 0
   Bounds bounds;
   MassProperties mass_properties;       // in W, at the start state
   std::optional<StartForm> start_form;  // nullopt: depends on the target
+  diag::SourceMark start_mark;          // first entry of `pose:`, or else `start:`; may be no place
   Checks checks;
   std::vector<Expectation> expectations;
   std::vector<Pile> piles;

@@ -19,6 +19,7 @@
 #include "mjforge/validate/compare.h"
 #include "mjforge/validate/joint_sweep.h"
 #include "mjforge/validate/later_refusals.h"
+#include "mjforge/validate/older_release.h"
 #include "mjforge/validate/self_collisions.h"
 #include "mjforge/xml/xml.h"
 
@@ -129,6 +130,15 @@ void AddRefusal(std::string_view element, const Loaded& loaded, diag::SourceMark
   finding.notes.push_back({{}, fmt::format("MuJoCo said: {}", OneLine(loaded.error))});
 }
 
+/// Adds a finding about a start keyframe that is too long for MuJoCo 2.2.
+void AddKeyLimit(std::string_view key, diag::SourceMark mark, diag::Findings& findings) {
+  findings.Add(
+      Code::kMujocoOlder, mark,
+      fmt::format("MuJoCo {} rejects {}, which has more than {} numbers", engine::Version(), key,
+                  backport::kMaxKeyNumbers),
+      "later releases have no such limit; `--start zero --target scene` writes no keyframe");
+}
+
 /// Adds a finding for each kind of number that is not finite, because MuJoCo loads "nan" silently.
 void CheckFinite(const mjModel& m, diag::SourceMark mark, diag::Findings& findings) {
   struct Numbers {
@@ -165,35 +175,6 @@ void CheckFinite(const mjModel& m, diag::SourceMark mark, diag::Findings& findin
   }
   const auto bad = first_bad(m.qpos0, m.nq);
   if (bad < m.nq) add(fmt::format("start position {}", bad + 1));
-}
-
-/// Adds a warning if MuJoCo 2.2 gives bodies other masses than later releases, or rejects the file.
-/// `as_is` is the unchanged file, loaded by MuJoCo 2.2; `m` is the model with later masses.
-void CompareMasses(const mjModel& m, const Loaded& as_is, diag::SourceMark mark,
-                   diag::Findings& findings) {
-  constexpr double kRounding = 1e-6;
-  constexpr const char* kHint = "an `<inertial>` in each body with meshes makes them agree";
-  if (!as_is.model) {
-    findings.Warn(Code::kMujocoOlder, mark,
-                  fmt::format("MuJoCo {} rejects the model: {}", engine::Version(),
-                              engine::ParseRefusal(as_is.error).reason),
-                  kHint);
-    return;
-  }
-  if (as_is.model->nbody != m.nbody) return;
-  const mjtNum* here = as_is.model->body_mass;
-  std::vector<int> bodies;
-  for (int i = 1; i < m.nbody; ++i) {
-    if (std::abs(here[i] - m.body_mass[i]) > kRounding * m.body_mass[i]) bodies.push_back(i);
-  }
-  if (bodies.empty()) return;
-  const int first = bodies.front();
-  std::string message = fmt::format(
-      "MuJoCo {} computes a mass of {:.6g} kg for body '{}', later releases {:.6g} kg",
-      engine::Version(), here[first], compiled::NameOf(m, mjOBJ_BODY, first), m.body_mass[first]);
-  if (bodies.size() > 1)
-    message += fmt::format("; {} of {} bodies differ", bodies.size(), m.nbody - 1);
-  findings.Warn(Code::kMujocoOlder, mark, std::move(message), kHint);
 }
 
 CompiledModel Describe(const mjModel& m) {
@@ -266,8 +247,12 @@ Loaded Loader::Impl::LoadDocument(const mjcf::MjcfDocument& document, const std:
   const Refusal refusal = engine::ParseRefusal(loaded.error);
   diag::SourceMark mark = document.Origin(refusal.line);
   if (!mark) mark = MarkOf(object);
-  AddRefusal(engine::ElementOnLine(document.text, refusal.line), loaded, mark,
-             HintFor(refusal.reason), findings);
+  const std::string element = engine::ElementOnLine(document.text, refusal.line);
+  if (element.starts_with("key ") && refusal.reason.ends_with("has too much data")) {
+    AddKeyLimit(element, mark, findings);
+  } else {
+    AddRefusal(element, loaded, mark, HintFor(refusal.reason), findings);
+  }
   return loaded;
 }
 
@@ -306,8 +291,8 @@ engine::Model Loader::Impl::LoadFile(const std::filesystem::path& file, diag::So
   AddWarnings(loaded, false, start, findings);
   if (loaded.model) {
     CheckFinite(*loaded.model, start, findings);
-    if (xml->other_mass)
-      CompareMasses(*loaded.model, engine.LoadFile(file), xml->other_mass, findings);
+    if (xml->differences)
+      CompareReleases(*loaded.model, engine.LoadFile(file), xml->differences, findings);
     FindLaterRefusals(*loaded.model, start, findings);
     return std::move(loaded.model);
   }

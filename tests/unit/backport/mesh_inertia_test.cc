@@ -113,6 +113,37 @@ TEST_CASE("a mesh weighs what its kind of inertia says") {
   }
 }
 
+TEST_CASE("an open mesh weighs what its kind of inertia says") {
+  struct Expected {
+    std::string kind;
+    double mass;    // kg
+    double height;  // of the centre of mass, m
+    double largest;
+    double smallest;  // principal moments, kg m^2
+  };
+  // MuJoCo 3.3.7 computes these numbers.
+  const Expected all[] = {{"legacy", 3206.349206, 0.4047619048, 2349.206349, 1375.499406},
+                          {"exact", 3206.349206, 0.4047619048, 2349.206349, 1375.499406},
+                          {"convex", 4000, 0.5, 2666.666667, 1666.666667},
+                          {"shell", 12000, 0.3333333333, 13333.33333, 8000}};
+  for (const auto& [kind, mass, height, largest, smallest] : all) {
+    INFO(kind);
+    const engine::Loaded loaded = LoadBackported(
+        "<asset><mesh name=\"m\" inertia=\"" + kind +
+        "\" vertex=\"-1 -1 0 1 -1 0 1 1 0 -1 1 0 -1 -1 1 1 -1 1 1 1 1 -1 1 1\" face=\"0 2 1 0 3 2 "
+        "0 "
+        "1 5 0 5 4 1 2 6 1 6 5 2 3 7 2 7 6 3 0 4 3 4 7\"/></asset><worldbody><body><freejoint/>"
+        "<geom type=\"mesh\" mesh=\"m\" pos=\"0 0 5\"/></body></worldbody>");
+    INFO(loaded.error);
+    REQUIRE(loaded.model);
+    const mjModel& m = *loaded.model;
+    CHECK(m.body_mass[1] == Approx(mass));
+    CHECK(m.body_ipos[5] == Approx(5 + height));
+    CHECK(m.body_inertia[3] == Approx(largest));
+    CHECK(m.body_inertia[5] == Approx(smallest));
+  }
+}
+
 TEST_CASE("a flat mesh can be a shell") {
   const engine::Loaded loaded = LoadBackported(
       "<asset><mesh name=\"m\" inertia=\"shell\" vertex=\"0 0 0 1 0 0 1 2 0 0 2 0\" face=\"0 1 2 0 "

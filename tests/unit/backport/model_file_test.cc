@@ -38,10 +38,10 @@ struct CornerFile {
 
 TEST_CASE("a file has the masses of later releases, whatever the release that it is written for") {
   const CornerFile of_any("");
-  CHECK(of_any.read->other_mass.line == (kIsOld ? 2 : 0));
+  CHECK(of_any.read->differences.mass.line == (kIsOld ? 2 : 0));
   CHECK(of_any.read->backported.has_value() == kIsOld);
   const CornerFile of_later("<visual><global ellipsoidinertia=\"false\"/></visual>");
-  CHECK_FALSE(of_later.read->other_mass);
+  CHECK_FALSE(of_later.read->differences);
 }
 
 TEST_CASE("a file without masses of meshes is read as it is") {

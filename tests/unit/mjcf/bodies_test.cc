@@ -117,6 +117,22 @@ TEST_CASE("bodies nest depth first, children in their order") {
   CHECK(parsed.select_node("/mujoco/worldbody/body[@name='tree_root']/body[@name='b']"));
 }
 
+TEST_CASE("a flat body states an inertia that MuJoCo accepts") {
+  model::Object object = Ball(Role::kBoth);
+  model::Body& body = object.bodies[0];
+  body.explicit_inertial = true;
+  body.mass_properties.mass = 1;
+  body.mass_properties.p_FCm = {0, 0, 0};
+  body.mass_properties.I_Cm_F = Eigen::Vector3d(1.0 / 12, 1.0 / 12, 1.0 / 6).asDiagonal();
+  MjcfDocument document;
+  WriteMjcf(object, Target::kMujoco, {}, document);
+  pugi::xml_document parsed;
+  REQUIRE(parsed.load_buffer(document.text.data(), document.text.size()));
+  // Rounded to ten digits, 1/12 + 1/12 is less than 1/6.
+  CHECK(std::string(parsed.select_node("//inertial/@diaginertia").attribute().value()) ==
+        "0.08333333333 0.08333333333 0.1666666663");
+}
+
 TEST_CASE("a body with a prism states its inertia") {
   const model::Object object = hand_made::Wedge();
   MjcfDocument document;

@@ -1,0 +1,22 @@
+// Geoms that the compiler setting `fitaabb` fits to the bounding boxes of meshes.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "mjforge/engine/engine.h"
+#include "mjforge/xml/xml.h"
+
+namespace mjforge::backport {
+
+/// Replaces `mesh` of each sphere, capsule, cylinder, ellipsoid and box that `fitaabb` fits to the
+/// mesh by the size, pos and quat that MuJoCo 3.3.7 and later compute: the smallest shape whose
+/// axis-aligned bounding box contains that of the mesh. Older releases fit a sphere, capsule or
+/// cylinder around all vertices, and rotate the centre of the box wrongly; MuJoCo 2.2 also ignores
+/// the mesh's centre of mass. `load` loads a text in the place of the file. Changes nothing if
+/// MuJoCo rejects the meshes. Returns the place of the first changed geom; no place if there is
+/// none.
+diag::SourceMark FitGeoms(xml::XmlElement& root,
+                          const std::function<engine::Loaded(const std::string&)>& load);
+
+}  // namespace mjforge::backport

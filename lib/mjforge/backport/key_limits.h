@@ -1,0 +1,21 @@
+// Limit on the numbers of a keyframe in older MuJoCo releases.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "mjforge/diag/diag.h"
+#include "mjforge/xml/xml.h"
+
+namespace mjforge::backport {
+
+/// Largest number of values in an attribute of `<key>` up to MuJoCo 3.2.4; later releases have no
+/// limit.
+inline constexpr std::size_t kMaxKeyNumbers = 1000;
+
+/// Removes longer attributes from all keys if `version` has the limit, and returns true if the tree
+/// changed. Warns of each key that is changed, unless `findings` is null.
+bool RemoveLongKeys(xml::XmlElement& root, int version, const diag::Sources& sources,
+                    diag::Findings* findings);
+
+}  // namespace mjforge::backport

@@ -1,0 +1,19 @@
+// Applies the rules of later releases in the order in which they depend on each other.
+#include "mjforge/backport/later_rules.h"
+
+#include "mjforge/backport/fitted_geoms.h"
+#include "mjforge/backport/mesh_inertia.h"
+#include "mjforge/backport/visual_geoms.h"
+
+namespace mjforge::backport {
+
+LaterRules ApplyLaterRules(xml::XmlElement& root,
+                           const std::function<engine::Loaded(const std::string&)>& load) {
+  LaterRules rules;
+  rules.fitted = FitGeoms(root, load);
+  rules.mass = AddMeshInertia(root, load);  // also the masses of fitted and of discarded geoms
+  rules.visible = KeepReferencedGeoms(root);
+  return rules;
+}
+
+}  // namespace mjforge::backport
