@@ -1,6 +1,7 @@
 """Batches that were written are read by number, in order, and made again."""
 
 import contextlib
+import multiprocessing
 import os
 import pathlib
 import pickle
@@ -27,7 +28,29 @@ def written(output, variants, count, **options):
         yield path
 
 
+def indices_of(batch, numbers, queue):
+    try:
+        queue.put([batch[number].index for number in numbers])
+    except mjforge.VariantError as error:
+        queue.put(str(error))
+
+
 class Batches(unittest.TestCase):
+    def test_are_read_in_forked_processes_after_a_look_in_the_parent(self):
+        fork = multiprocessing.get_context("fork")
+        with written("x.tar", mjforge.Spec("hammer").variants(), 300) as path:
+            batch = mjforge.Batch(path)
+            self.assertEqual(batch[0].index, 0)
+            parts = [range(1 + part, 300, 3) for part in range(3)]
+            queues = [fork.SimpleQueue() for _ in parts]
+            workers = [fork.Process(target=indices_of, args=(batch, *each)) for each in zip(parts, queues)]
+            for worker in workers:
+                worker.start()
+            self.assertEqual([queue.get() for queue in queues], [list(part) for part in parts])
+            self.assertEqual(batch[299].index, 299)
+            for worker in workers:
+                worker.join()
+
     def test_have_the_variants_that_were_written(self):
         variants = mjforge.Spec("spoon").variants(seed=7, assets="files")
         for output in FORMS:

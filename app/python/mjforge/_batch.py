@@ -67,6 +67,7 @@ class Reader:
         self.manifest = manifest
         self._report = report
         self._archive: Optional[str] = None
+        self._process = 0  # that opened the archive
         self._members: Iterator[tuple[str, bytes]] = iter(())
         self._broken: Optional[str] = None  # an archive without an object that it should have
         self._assets: dict[str, bytes] = {}  # of the archive, the last used at the end
@@ -147,9 +148,10 @@ class Reader:
 
     def _member(self, archive: str, name: str) -> bytes:
         """Objects are in an archive in the order of the manifest, assets before the first that
-        needs them."""
-        if archive != self._archive:
-            self._archive, self._members = archive, members(archive)
+        needs them. A process that was forked shares the place in an open file with its parent, so
+        it opens the archive anew."""
+        if (archive, os.getpid()) != (self._archive, self._process):
+            self._archive, self._process, self._members = archive, os.getpid(), members(archive)
             self._assets, self._asset_bytes = {}, 0
         for member, content in self._members:
             if member == name:
