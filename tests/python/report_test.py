@@ -118,6 +118,12 @@ class Reports(InFolder):
         with self.assertRaises(mjforge.SpecError):
             mjforge.Spec("hammer").variants(set={"handle_lenght": 1})
 
+    def test_findings_in_reports_of_mappings_have_keys(self):
+        for report in (mjforge.Spec(HALF_FAIL).variants().write("half", 9), mjforge.Spec(ALL_FAIL).check(2),
+                       mjforge.Spec(HALF_FAIL).check(9)):
+            self.assertEqual({finding.key for finding in report.findings}, {"expect[0]"})
+            self.assertTrue(str(report.findings[0]).startswith("expect[0]: error: "))
+
     def test_findings_of_mappings_have_keys(self):
         wrong = {"mjforge": 1, "name": "m", "parts": [{"name": "a", "type": "box", "size": [1, 1, 1]},
                                                      {"name": "b", "type": "capsul", "size": [1, "x +"]}]}

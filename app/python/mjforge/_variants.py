@@ -164,7 +164,8 @@ class Variants:
         findings = _command.run(
             ["generate", *words, "--", "-"], self.spec._snapshot.saved(),
             None if progress is None else lambda done: progress(done, total))
-        return report_of(manifest_of(options["output"], shard), span.start, len(span), findings)
+        return report_of(manifest_of(options["output"], shard), span.start, len(span), findings,
+                         self.spec._key_paths)
 
     def _span(self, count: Optional[int], first: Optional[int]) -> range:
         """The indices to write."""
