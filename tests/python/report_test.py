@@ -142,6 +142,25 @@ class Reports(InFolder):
 
 
 class Parameters(unittest.TestCase):
+    def test_of_whole_numbers_take_pairs_as_ranges_of_whole_numbers(self):
+        spec = mjforge.Spec(KINDS)
+        self.assertEqual(spec.parameters["count"].range, (1, 4))
+        fixed = mjforge.Spec(KINDS, set={"count": 3})
+        for variants in (spec.variants(set={"count": (2, 3)}), mjforge.Spec(KINDS, set={"count": (2, 3)}).variants(),
+                         fixed.variants(set={"count": (2, 3)}), spec.variants(set={"count": [2.0, 3]})):
+            self.assertEqual({variant.params["count"] for variant in variants[:8]}, {2, 3})
+        blender = mjforge.Spec("appliances/blender")
+        self.assertTrue(blender.variants(set={"keys": blender.parameters["keys"].range})[1])
+
+    def test_of_text_take_choices_that_are_names_of_parameters(self):
+        spec = mjforge.Spec({**KINDS, "params": {**KINDS["params"], "t": {"choice": ["rate", "shape"]}},
+                             "parts": [{**KINDS["parts"][0], "name": "b"}, {
+                                 "name": "a", "type": "sphere", "size": [1], "if": "t == 'rate'"}]})
+        for name in ("rate", "shape", "'rate'"):
+            for variants in (spec.variants(set={"t": name}), mjforge.Spec(spec.text, set={"t": name}).variants()):
+                self.assertEqual(variants[0].params["t"], name.strip("'"))
+        self.assertEqual(spec.variants(set={"shape": "disc"}).spec.settings, {"shape": "disc"})
+
     def test_say_what_may_be_drawn(self):
         known = mjforge.Spec(KINDS).parameters
         self.assertEqual(list(known), list(KINDS["params"]))
