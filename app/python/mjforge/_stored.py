@@ -5,7 +5,6 @@ from __future__ import annotations
 import array
 import itertools
 import json
-import operator
 import os
 import pathlib
 from typing import Any, Iterator, Optional, Sequence, Union
@@ -14,7 +13,7 @@ from . import _command
 from ._batch import Reader, Stored, manifests_of
 from ._findings import Finding, VariantError
 from ._json import loads, members_of_record
-from ._library import lines
+from ._library import integer, lines
 from ._table import Table
 from ._variant import Variant
 
@@ -93,9 +92,7 @@ class Batch:
             return manifest, file.readline().rstrip(b"\n")
 
     def _number(self, number: Any) -> int:
-        if isinstance(number, bool) or not hasattr(number, "__index__"):
-            raise TypeError(f"number={number!r} is not an integer but of type {type(number).__name__}")
-        at, count = operator.index(number), len(self)
+        at, count = integer(number, "number"), len(self)
         if not -count <= at < count:
             raise IndexError(f"number={number} is not within the {count} objects of '{self.path}'")
         return at % count
