@@ -1,6 +1,7 @@
 """Batches that were written are read by number, in order, and made again."""
 
 import contextlib
+import importlib.util
 import multiprocessing
 import os
 import pathlib
@@ -33,6 +34,10 @@ def indices_of(batch, numbers, queue):
         queue.put([batch[number].index for number in numbers])
     except mjforge.VariantError as error:
         queue.put(str(error))
+
+
+def has_numpy():
+    return importlib.util.find_spec("numpy") is not None
 
 
 class Batches(unittest.TestCase):
@@ -111,6 +116,41 @@ class Batches(unittest.TestCase):
             self.assertEqual(batch[0].index, 0)
             self.assertRaises(mjforge.VariantError, list, batch)
             self.assertEqual([f.code for f in batch.verify()], ["batch/changed", "batch/missing"])
+
+    def test_may_be_read_from_any_working_folder(self):
+        self.addCleanup(os.chdir, os.getcwd())
+        with written("out/", mjforge.Spec("hammer").variants(), 2) as path:
+            os.chdir(os.path.dirname(os.path.dirname(path)))
+            batch = mjforge.Batch("out")
+            os.chdir("/")
+            self.assertEqual((batch[1].index, len(batch.table(frame=False)["mass"]) if has_numpy() else 2), (1, 2))
+            self.assertEqual(pickle.loads(pickle.dumps(batch)).verify(), [])
+
+    def test_that_are_rewritten_or_damaged_are_findings(self):
+        variants = mjforge.Spec("hammer").variants()
+        for output, suffix in (("out/", ""), ("x.tar.zst", ".zst")):
+            with written(output, variants, 6) as path:
+                batch = mjforge.Batch(path)
+                self.assertEqual(len(batch), 6)
+                mjforge.Spec("hammer").variants(name="other").write(path, 2, force=True)
+                with self.assertRaisesRegex(mjforge.VariantError, f"manifest.jsonl{suffix}: error: the manifest is "
+                                                                  "damaged, or was changed since") as raised:
+                    batch[4]
+                self.assertEqual(raised.exception.findings[0].code, "output/bad-manifest")
+        with written("out/", variants, 3) as path:
+            manifest = pathlib.Path(path, "manifest.jsonl")
+            lines = manifest.read_bytes().splitlines(keepends=True)
+            for wrong, reason in ((b"{oops\n", "it is not JSON"), (b"[]\n", "it is not a JSON object"), (b"{}\n", "no 'stat")):
+                manifest.write_bytes(lines[0] + wrong + lines[2])
+                for call in (len, list, lambda batch: batch[0], lambda batch: list(batch.records())):
+                    with self.assertRaisesRegex(mjforge.VariantError, f"jsonl:2:1: error: .*{reason}"):
+                        call(mjforge.Batch(path))
+            manifest.write_bytes(b"".join(lines)[:-9])
+            self.assertRaisesRegex(mjforge.VariantError, "to its end: it was cut off", len, mjforge.Batch(path))
+
+    def test_that_are_families_name_what_reads_them(self):
+        for call in (mjforge.Batch, mjforge.prove):
+            self.assertRaisesRegex(FileNotFoundError, "'f.npz' is a family, .* mjforge.load_family", call, "f.npz")
 
     def test_wrong_arguments_are_named(self):
         for wrong in (5, None, True, b"out"):
