@@ -6,10 +6,12 @@ import multiprocessing
 import os
 import pathlib
 import pickle
+import subprocess
 import tempfile
 import unittest
 
 import mjforge
+from mjforge._library import PROGRAM
 
 FORMS = ("out/", "x.tar", "x.tar.zst")
 UNLUCKY = """
@@ -174,6 +176,20 @@ class Replays(unittest.TestCase):
             mjforge.Variant.from_record({**record, "sha256": "0" * 64})
         with self.assertRaisesRegex(mjforge.MismatchError, "the spec has changed"):
             mjforge.Variant.from_record({**record, "spec_sha256": "0" * 64})
+
+    def test_take_settings_as_the_command_does(self):
+        text = ("mjforge: 1\nname: a\nparts: [{name: a, type: sphere, size: [1], if: t != 'z' and u != 'z'}]\n"
+                "params: {t: {choice: ['u', v]}, u: {choice: [x, y]}}\n")
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "a.yaml")
+            file.write_text(text)
+            subprocess.run([PROGRAM, "generate", file, "--set", "t=u", "-o", f"{folder}/out", "-n", "1"], check=True,
+                           capture_output=True)
+            batch = mjforge.Batch(f"{folder}/out")
+            self.assertEqual(batch.replay(0).params["t"], batch[0].params["u"])  # the parameter
+            variant = mjforge.Spec(file).variants(set={"t": "u"})[3]
+            self.assertEqual(variant.params["t"], "u")  # the choice
+            self.assertEqual(mjforge.Variant.from_record(variant.record, file).record, variant.record)
 
     def test_need_the_spec_of_a_text(self):
         text = UNLUCKY.replace('expect: ["r < 15mm"]\n', "")

@@ -104,8 +104,14 @@ def checked_settings(settings: Any) -> dict[str, Any]:
     return dict(settings)
 
 
+class Verbatim(str):
+    """The text of a setting as the command has it."""
+
+
 def needs_parameter(value: Any) -> bool:
     """Whether the text of a setting depends on the parameter that it is for."""
+    if isinstance(value, Verbatim):
+        return False
     if isinstance(value, str):
         return _NAME.fullmatch(value) is not None
     return isinstance(value, (list, tuple)) or hasattr(value, "tolist")
@@ -117,6 +123,8 @@ def setting_text(value: Any, known: "Optional[Parameter]", names: Container[str]
     One of the choices of a text is that text, also if it is among `names`, those of all parameters.
     `known`: the parameter as the spec has it, if there is one.
     """
+    if isinstance(value, Verbatim):
+        return str(value)
     if isinstance(value, str):
         is_choice = known is not None and known.type == "text" and value in (known.choices or ())
         return f"'{value}'" if is_choice and value in names else value
