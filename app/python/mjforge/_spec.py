@@ -26,7 +26,8 @@ class Spec:
 
     `spec`: a name in the catalogue, a path, YAML (a text with a line break) or the same as a
     mapping. `set`: parameters, each as a number, a list, a pair (a range, of whole numbers for a
-    parameter that draws them) or any text a spec allows ("20cm .. 30cm"); "root.joints", "root.start" and "checks.profile" are names, too.
+    parameter that draws them) or any text a spec allows ("20cm .. 30cm"); "root.joints",
+    "root.start" and "checks.profile" are names, too.
     `parameters`: YAML files of parameters. Raises SpecError with everything that is wrong.
 
     >>> import mjforge
