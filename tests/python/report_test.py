@@ -73,6 +73,13 @@ class Reports(InFolder):
         report = mjforge.Spec("mug").variants().write("shards", 12, shard="1/3", progress=lambda *_: None)
         self.assertEqual((report.made, report.manifest.name), (4, "manifest-00001-of-00003.jsonl"))
 
+    def test_progress_of_a_resume_counts_those_that_are_there(self):
+        mugs, told = mjforge.Spec("mug").variants(), []
+        mugs.write("out", 4)
+        for _ in range(2):
+            mugs.write("out", 6, resume=True, progress=lambda done, total: told.append((done, total)))
+        self.assertEqual(told, [(4, 6), (5, 6), (6, 6), (6, 6)])
+
     def test_an_exception_of_progress_stops_and_resume_finishes(self):
         variants = mjforge.Spec("mug").variants(seed=3)
 

@@ -126,12 +126,13 @@ class Variants(Sequence[Variant]):
         """Writes the first `count`, or those of a slice, as `mjforge generate` does, which it runs:
         files or archives and a manifest. They are the same as those made here.
 
-        `progress(done, total)` is called after each variant of this run; `total` is None for a
-        shard. `jobs`: processes (default: one per core). `time_limit`: s for each variant.
-        `validate`: default: that of `variants()`, but at least "load". All other options are the
-        command's: `first` is the first index, `shard="0/4"` a part of the batch. For a family (output
-        "NAME.npz"), `mocap=True` makes fixed bodies mocap bodies, and `pad=True` geoms that a variant lacks
-        null; `layout="split"` makes one of each structure ("NAME_%s.npz").
+        `progress(done, total)` is called after each variant of this run, and at first with the number
+        of those that `resume` finds; `total` is None for a shard. `jobs`: processes (default: one per
+        core). `time_limit`: s for each variant. `validate`: default: that of `variants()`, but at
+        least "load". All other options are the command's: `first` is the first index, `shard="0/4"` a
+        part of the batch. For a family (output "NAME.npz"), `mocap=True` makes fixed bodies mocap
+        bodies, and `pad=True` geoms that a variant lacks null; `layout="split"` makes one of each
+        structure ("NAME_%s.npz").
 
         Returns a report, also if variants failed. Raises OSError where writing fails. After Ctrl-C
         or an exception of `progress` every file is complete, and `resume=True` continues.
