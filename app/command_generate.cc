@@ -272,8 +272,7 @@ class Generation {
     ::mallopt(M_TRIM_THRESHOLD, kKept);
   }
 
-  // Loads all specs before the first variant is made, so that errors in the last spec are reported
-  // at once.
+  // Loads all specs first, so that errors in the last one are reported before a variant is made.
   ExitStatus Load() {
     if (!request_.variant.name.empty() &&
         !forge::CheckName(request_.variant.name, console_.findings)) {
@@ -314,6 +313,9 @@ class Generation {
     batch::Observer watch;
     watch.progress = [&](const batch::Summary& summary) { bar.Show(summary); };
     if (options_.verbose) {
+      watch.resumed = [&](std::uint64_t count) {
+        console_.PrintLine(Counted(count, "variant", "variants") + " kept");
+      };
       watch.variant = [&](const batch::FinishedVariant& done) {
         bar.Clear();
         PrintVariant(done, request.destination);
@@ -365,10 +367,8 @@ class Generation {
     std::uint64_t bad_lines = 0;
     const auto batch = report::Summarize(manifest, 0, sources, ignored, bad_lines);
     if (!batch) return;
-    for (const std::string& line :
-         DifferencesText(CompareStructures(*batch, manifest.parent_path()))) {
-      console_.PrintLine("  " + line);
-    }
+    const auto differences = CompareStructures(*batch, manifest.parent_path());
+    for (const std::string& line : DifferencesText(differences)) console_.PrintLine("  " + line);
   }
 
   std::set<std::string> FilesOf(const forge::Recipe& recipe, const batch::Summary& summary) const {

@@ -7,11 +7,13 @@ import importlib.util
 import json
 import os
 import pathlib
+import subprocess
 import tempfile
 
 import mjforge
 import numpy as np
 from mjforge import _table
+from mjforge._library import PROGRAM
 
 from report import check, expect, finish, raises
 
@@ -63,6 +65,21 @@ def looks_for_members_in_all_records():
     for index in range(1500):
         table.add(b'{"index":%d%s}' % (index, b',"left_out":["a"]' if index == 1499 else b""))
     expect(table.finish()["left_out.0"].tolist()[-2:] == [None, "a"], "no column")
+
+
+def has_columns_for_members_that_no_record_has():
+    known = json.loads(subprocess.run([PROGRAM, "schema", "manifest"], check=True, capture_output=True).stdout)
+    expect(set(known["properties"]) == _table._MEMBERS, "the schema has other members")
+    variants = mjforge.Spec("hammer").variants()
+    columns = variants[:2].table(["left_out", "places"], frame=False)
+    expect([*columns["left_out"], *columns["places"]] == [None] * 4, f"{columns}")
+
+
+def has_the_same_columns_without_rows():
+    variants = mjforge.Spec("hammer").variants()
+    none, some = (variants[:count].table(frame=False) for count in (0, 2))
+    expect(list(none) == list(some), f"{list(none)}")
+    expect({(len(values), values.dtype == some[name].dtype) for name, values in none.items()} == {(0, True)}, f"{none}")
 
 
 def holds_the_meshes_that_it_uses_first():
@@ -139,6 +156,8 @@ for name in ("hammer", "mug", "laptop", "scenes/desk"):
     check(f"table of {name}", has_the_numbers_of_the_records, name)
 check("a column for each kind of value", has_a_column_for_each_kind)
 check("members of late records", looks_for_members_in_all_records)
+check("members that no record has", has_columns_for_members_that_no_record_has)
+check("a table without rows", has_the_same_columns_without_rows)
 check("hashes of meshes are held", holds_the_meshes_that_it_uses_first)
 check("parameters are named like members", parameters_may_be_named_like_members)
 check("a table leaves out failed variants", leaves_out_what_iteration_leaves_out)

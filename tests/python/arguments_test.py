@@ -1,8 +1,10 @@
 """A wrong argument is a TypeError or a ValueError that names it, never a crash of the interpreter."""
 
+import collections.abc
 import functools
 import inspect
 import pathlib
+import random
 import typing
 import unittest
 
@@ -71,6 +73,26 @@ class Arguments(InFolder):
         # C would take it for index 0.
         self.assertRaises(IndexError, variants[2**64:2**64 + 1].__getitem__, 0)
 
+    def test_slices_are_sequences(self):
+        some = SPEC.variants()[:10]
+        self.assertIsInstance(some, collections.abc.Sequence)
+        self.assertEqual(len({variant.index for variant in random.sample(some, 3)}), 3)
+        self.assertEqual([variant.index for variant in reversed(some[:3])], [2, 1, 0])
+
+    def test_numbers_that_refuse_to_be_converted(self):
+        class Several:
+            def __index__(self):
+                raise TypeError("only one number can be an index")
+
+            __float__ = __index__
+
+        variants = SPEC.variants()
+        self.assertRaisesRegex(TypeError, "seed=.* is not an integer", SPEC.variants, seed=Several())
+        self.assertRaisesRegex(TypeError, "index=.* is not an integer", variants.__getitem__, Several())
+        self.assertRaisesRegex(TypeError, "time_limit=.* is not a number", variants.write, "x", 1, time_limit=Several())
+        self.assertRaisesRegex(ValueError, "time_limit", variants.write, "x", 1, time_limit=10**400)
+        self.assertRaisesRegex(TypeError, "mujoco=5 is not a module", variants[0].load, 5)
+
     def test_every_option_names_its_words(self):
         with self.assertRaisesRegex(ValueError, "target='robosuit' is not one of mujoco, scene, .*; "
                                     "did you mean 'robosuite'"):
@@ -134,7 +156,7 @@ class Arguments(InFolder):
                     except (TypeError, ValueError, IndexError, OSError, ImportError) as error:
                         self.assertTrue(str(error), (function, name, value))
                         # A function in `progress` raises what it likes.
-                        if isinstance(error, TypeError) and name not in ("key", "mujoco") and not (
+                        if isinstance(error, TypeError) and name != "key" and not (
                                 name == "progress" and callable(value)):
                             self.assertIn(name, str(error))
         self.assertGreater(tried, 1000)

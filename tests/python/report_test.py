@@ -73,6 +73,13 @@ class Reports(InFolder):
         report = mjforge.Spec("mug").variants().write("shards", 12, shard="1/3", progress=lambda *_: None)
         self.assertEqual((report.made, report.manifest.name), (4, "manifest-00001-of-00003.jsonl"))
 
+    def test_progress_of_a_resume_counts_those_that_are_there(self):
+        mugs, told = mjforge.Spec("mug").variants(), []
+        mugs.write("out", 4)
+        for _ in range(2):
+            mugs.write("out", 6, resume=True, progress=lambda done, total: told.append((done, total)))
+        self.assertEqual(told, [(4, 6), (5, 6), (6, 6), (6, 6)])
+
     def test_an_exception_of_progress_stops_and_resume_finishes(self):
         variants = mjforge.Spec("mug").variants(seed=3)
 
@@ -118,6 +125,12 @@ class Reports(InFolder):
         with self.assertRaises(mjforge.SpecError):
             mjforge.Spec("hammer").variants(set={"handle_lenght": 1})
 
+    def test_findings_in_reports_of_mappings_have_keys(self):
+        for report in (mjforge.Spec(HALF_FAIL).variants().write("half", 9), mjforge.Spec(ALL_FAIL).check(2),
+                       mjforge.Spec(HALF_FAIL).check(9)):
+            self.assertEqual({finding.key for finding in report.findings}, {"expect[0]"})
+            self.assertTrue(str(report.findings[0]).startswith("expect[0]: error: "))
+
     def test_findings_of_mappings_have_keys(self):
         wrong = {"mjforge": 1, "name": "m", "parts": [{"name": "a", "type": "box", "size": [1, 1, 1]},
                                                      {"name": "b", "type": "capsul", "size": [1, "x +"]}]}
@@ -136,6 +149,25 @@ class Reports(InFolder):
 
 
 class Parameters(unittest.TestCase):
+    def test_of_whole_numbers_take_pairs_as_ranges_of_whole_numbers(self):
+        spec = mjforge.Spec(KINDS)
+        self.assertEqual(spec.parameters["count"].range, (1, 4))
+        fixed = mjforge.Spec(KINDS, set={"count": 3})
+        for variants in (spec.variants(set={"count": (2, 3)}), mjforge.Spec(KINDS, set={"count": (2, 3)}).variants(),
+                         fixed.variants(set={"count": (2, 3)}), spec.variants(set={"count": [2.0, 3]})):
+            self.assertEqual({variant.params["count"] for variant in variants[:8]}, {2, 3})
+        blender = mjforge.Spec("appliances/blender")
+        self.assertTrue(blender.variants(set={"keys": blender.parameters["keys"].range})[1])
+
+    def test_of_text_take_choices_that_are_names_of_parameters(self):
+        spec = mjforge.Spec({**KINDS, "params": {**KINDS["params"], "t": {"choice": ["rate", "shape"]}},
+                             "parts": [{**KINDS["parts"][0], "name": "b"}, {
+                                 "name": "a", "type": "sphere", "size": [1], "if": "t == 'rate'"}]})
+        for name in ("rate", "shape", "'rate'"):
+            for variants in (spec.variants(set={"t": name}), mjforge.Spec(spec.text, set={"t": name}).variants()):
+                self.assertEqual(variants[0].params["t"], name.strip("'"))
+        self.assertEqual(spec.variants(set={"shape": "disc"}).spec.settings, {"shape": "disc"})
+
     def test_say_what_may_be_drawn(self):
         known = mjforge.Spec(KINDS).parameters
         self.assertEqual(list(known), list(KINDS["params"]))

@@ -7,6 +7,7 @@ import pathlib
 import pickle
 import subprocess
 import unittest
+import unittest.mock
 
 import mjforge
 from in_folder import InFolder
@@ -154,6 +155,38 @@ class Snapshot(InFolder):
                 self.assertIn("same bytes", said.stderr + said.stdout)
                 for file in self.folder.glob("*.gone"):
                     file.rename(file.with_suffix(".yaml"))
+
+    def test_batches_of_files_that_were_changed_or_removed_can_be_replayed(self):
+        ball = PEG.format("1cm .. 2cm") + "import: wood\n"
+        pathlib.Path("wood.yaml").write_text(WOOD)
+        file = pathlib.Path("ball.yaml")
+        file.write_text(ball)
+        variants = mjforge.Spec("ball.yaml").variants(seed=1)
+        variants.write("same", 2)
+        self.assertFalse(os.path.exists("same/manifest.spec.json"))
+        for number, change in enumerate((lambda: file.write_text(ball.replace("2cm", "3cm")), file.unlink,
+                                         lambda: (file.write_text(ball), os.unlink("wood.yaml")))):
+            change()
+            for output in (f"folder{number}", f"one{number}.tar"):
+                report = variants.write(output, 2)
+                batch = mjforge.Batch(output)
+                self.assertEqual(batch.replay(1).xml_bytes, batch[1].xml_bytes)
+                self.assertEqual(batch[1].xml_bytes, variants[1].xml_bytes)
+                said = subprocess.run([PROGRAM, "replay", f"{report.manifest}:1"], capture_output=True, text=True)
+                self.assertEqual(said.returncode, 0, said.stderr)
+        variants.write("same", 3, resume=True)
+        self.assertEqual(mjforge.Batch("same").replay(2).xml_bytes, variants[2].xml_bytes)
+
+    def test_specs_that_are_found_by_name_elsewhere_are_not_kept(self):
+        os.mkdir("here")
+        pathlib.Path("here/ball.yaml").write_text(PEG.format("1cm .. 2cm"))
+        with unittest.mock.patch.dict(os.environ, MJFORGE_PATH="here"):
+            variants = mjforge.Spec("ball").variants()
+        os.rename("here", "there")
+        with unittest.mock.patch.dict(os.environ, MJFORGE_PATH="there"):
+            variants.write("out", 2)
+            self.assertFalse(os.path.exists("out/manifest.spec.json"))
+            self.assertEqual(mjforge.Batch("out").replay(1).xml_bytes, variants[1].xml_bytes)
 
     def test_a_snapshot_is_a_spec_for_the_command(self):
         self.put()

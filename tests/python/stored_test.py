@@ -1,13 +1,17 @@
 """Batches that were written are read by number, in order, and made again."""
 
 import contextlib
+import importlib.util
+import multiprocessing
 import os
 import pathlib
 import pickle
+import subprocess
 import tempfile
 import unittest
 
 import mjforge
+from mjforge._library import PROGRAM
 
 FORMS = ("out/", "x.tar", "x.tar.zst")
 UNLUCKY = """
@@ -27,7 +31,33 @@ def written(output, variants, count, **options):
         yield path
 
 
+def indices_of(batch, numbers, queue):
+    try:
+        queue.put([batch[number].index for number in numbers])
+    except mjforge.VariantError as error:
+        queue.put(str(error))
+
+
+def has_numpy():
+    return importlib.util.find_spec("numpy") is not None
+
+
 class Batches(unittest.TestCase):
+    def test_are_read_in_forked_processes_after_a_look_in_the_parent(self):
+        fork = multiprocessing.get_context("fork")
+        with written("x.tar", mjforge.Spec("hammer").variants(), 300) as path:
+            batch = mjforge.Batch(path)
+            self.assertEqual(batch[0].index, 0)
+            parts = [range(1 + part, 300, 3) for part in range(3)]
+            queues = [fork.SimpleQueue() for _ in parts]
+            workers = [fork.Process(target=indices_of, args=(batch, *each)) for each in zip(parts, queues)]
+            for worker in workers:
+                worker.start()
+            self.assertEqual([queue.get() for queue in queues], [list(part) for part in parts])
+            self.assertEqual(batch[299].index, 299)
+            for worker in workers:
+                worker.join()
+
     def test_have_the_variants_that_were_written(self):
         variants = mjforge.Spec("spoon").variants(seed=7, assets="files")
         for output in FORMS:
@@ -89,6 +119,41 @@ class Batches(unittest.TestCase):
             self.assertRaises(mjforge.VariantError, list, batch)
             self.assertEqual([f.code for f in batch.verify()], ["batch/changed", "batch/missing"])
 
+    def test_may_be_read_from_any_working_folder(self):
+        self.addCleanup(os.chdir, os.getcwd())
+        with written("out/", mjforge.Spec("hammer").variants(), 2) as path:
+            os.chdir(os.path.dirname(os.path.dirname(path)))
+            batch = mjforge.Batch("out")
+            os.chdir("/")
+            self.assertEqual((batch[1].index, len(batch.table(frame=False)["mass"]) if has_numpy() else 2), (1, 2))
+            self.assertEqual(pickle.loads(pickle.dumps(batch)).verify(), [])
+
+    def test_that_are_rewritten_or_damaged_are_findings(self):
+        variants = mjforge.Spec("hammer").variants()
+        for output, suffix in (("out/", ""), ("x.tar.zst", ".zst")):
+            with written(output, variants, 6) as path:
+                batch = mjforge.Batch(path)
+                self.assertEqual(len(batch), 6)
+                mjforge.Spec("hammer").variants(name="other").write(path, 2, force=True)
+                with self.assertRaisesRegex(mjforge.VariantError, f"manifest.jsonl{suffix}: error: the manifest is "
+                                                                  "damaged, or was changed since") as raised:
+                    batch[4]
+                self.assertEqual(raised.exception.findings[0].code, "output/bad-manifest")
+        with written("out/", variants, 3) as path:
+            manifest = pathlib.Path(path, "manifest.jsonl")
+            lines = manifest.read_bytes().splitlines(keepends=True)
+            for wrong, reason in ((b"{oops\n", "it is not JSON"), (b"[]\n", "it is not a JSON object"), (b"{}\n", "no 'stat")):
+                manifest.write_bytes(lines[0] + wrong + lines[2])
+                for call in (len, list, lambda batch: batch[0], lambda batch: list(batch.records())):
+                    with self.assertRaisesRegex(mjforge.VariantError, f"jsonl:2:1: error: .*{reason}"):
+                        call(mjforge.Batch(path))
+            manifest.write_bytes(b"".join(lines)[:-9])
+            self.assertRaisesRegex(mjforge.VariantError, "to its end: it was cut off", len, mjforge.Batch(path))
+
+    def test_that_are_families_name_what_reads_them(self):
+        for call in (mjforge.Batch, mjforge.prove):
+            self.assertRaisesRegex(FileNotFoundError, "'f.npz' is a family, .* mjforge.load_family", call, "f.npz")
+
     def test_wrong_arguments_are_named(self):
         for wrong in (5, None, True, b"out"):
             self.assertRaisesRegex(TypeError, "path=", mjforge.Batch, wrong)
@@ -111,6 +176,20 @@ class Replays(unittest.TestCase):
             mjforge.Variant.from_record({**record, "sha256": "0" * 64})
         with self.assertRaisesRegex(mjforge.MismatchError, "the spec has changed"):
             mjforge.Variant.from_record({**record, "spec_sha256": "0" * 64})
+
+    def test_take_settings_as_the_command_does(self):
+        text = ("mjforge: 1\nname: a\nparts: [{name: a, type: sphere, size: [1], if: t != 'z' and u != 'z'}]\n"
+                "params: {t: {choice: ['u', v]}, u: {choice: [x, y]}}\n")
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "a.yaml")
+            file.write_text(text)
+            subprocess.run([PROGRAM, "generate", file, "--set", "t=u", "-o", f"{folder}/out", "-n", "1"], check=True,
+                           capture_output=True)
+            batch = mjforge.Batch(f"{folder}/out")
+            self.assertEqual(batch.replay(0).params["t"], batch[0].params["u"])  # the parameter
+            variant = mjforge.Spec(file).variants(set={"t": "u"})[3]
+            self.assertEqual(variant.params["t"], "u")  # the choice
+            self.assertEqual(mjforge.Variant.from_record(variant.record, file).record, variant.record)
 
     def test_need_the_spec_of_a_text(self):
         text = UNLUCKY.replace('expect: ["r < 15mm"]\n', "")

@@ -9,6 +9,7 @@ from typing import Any, Iterator, Mapping, Optional, Union
 from ._findings import MismatchError
 from ._spec import Source, Spec
 from ._variant import Variant
+from ._yaml import Verbatim
 
 # Options of variants(), and the members of a record that have their values.
 _OPTIONS = {"target": "target", "assets": "assets_as", "sampler": "sampler", "batch": "batch",
@@ -29,7 +30,12 @@ def _spec_of(record: Mapping[str, Any], folder: Optional[pathlib.Path]) -> Spec:
     found = next((file for file in _files_of(record, folder) if file.is_file()), None)
     if found is None and record["spec"] in ("-", "<spec>"):
         raise ValueError("the spec of the record was a text or a mapping: give it as spec=")
-    return Spec(found or record["spec"], set=record.get("set", {}))
+    return Spec(found or record["spec"], set=_settings_of(record))
+
+
+def _settings_of(record: Mapping[str, Any]) -> dict[str, Any]:
+    return {name: Verbatim(value) if isinstance(value, str) else value
+            for name, value in record.get("set", {}).items()}
 
 
 def make_again(record: Mapping[str, Any], spec: Union[Source, Spec, None],
@@ -48,11 +54,11 @@ def make_again(record: Mapping[str, Any], spec: Union[Source, Spec, None],
     if spec is None:
         spec = _spec_of(record, folder)
     elif not isinstance(spec, Spec):
-        spec = Spec(spec, set=record.get("set", {}))
+        spec = Spec(spec, set=_settings_of(record))
     options = {option: record[name] for option, name in _OPTIONS.items() if record.get(name) is not None}
     if record.get("attempt"):  # earlier attempts may have been rejected by what validates them
         options["validate"] = record.get("validate", "none")
-    variant = spec.variants(record["seed"], set=record.get("set"), **options)[record["index"]]
+    variant = spec.variants(record["seed"], set=_settings_of(record), **options)[record["index"]]
     again = variant.record
     title = f"{record['name']} {record['index']} of seed {record['seed']}"
     if again["spec_sha256"] != record["spec_sha256"]:

@@ -40,6 +40,8 @@ def manifests_of(batch: Union[str, "os.PathLike[str]"]) -> list[pathlib.Path]:
         stem = name if stem == name else stem.rstrip("_-.")
         ending = ".jsonl.zst" if path.suffix == ".zst" else ".jsonl"
         found = [path.with_name(f"{stem}.manifest{ending}")]
+    if path.suffix == ".npz":
+        raise FileNotFoundError(f"'{path}' is a family, not a batch: mjforge.load_family reads it")
     if not found or not found[0].exists():
         raise FileNotFoundError(
             f"'{path}' has no manifest: name the folder, the archive or the manifest that "
@@ -67,6 +69,7 @@ class Reader:
         self.manifest = manifest
         self._report = report
         self._archive: Optional[str] = None
+        self._process = 0  # that opened the archive
         self._members: Iterator[tuple[str, bytes]] = iter(())
         self._broken: Optional[str] = None  # an archive without an object that it should have
         self._assets: dict[str, bytes] = {}  # of the archive, the last used at the end
@@ -118,20 +121,14 @@ class Reader:
             self._bad_manifest(f"cannot read the manifest to its end: {error}")
 
     def _record_of(self, number: int, line: bytes) -> Optional[dict[str, Any]]:
-        record: dict[str, Any] = {}
-        try:
-            record = loads(line)
-            problem = problem_of(record)
-        except (ValueError, RecursionError):
-            problem = "it is not JSON"
+        record, problem = record_of(line)
         if not problem:
             return record
         self._bad_manifest(f"this line is not a record: {problem}", line=number, column=1)
         return None
 
     def _bad_manifest(self, message: str, **place: int) -> None:
-        self._report(Finding({"severity": "error", "code": "output/bad-manifest", "message": message,
-                              "notes": [], "file": str(self.manifest), **place}))
+        self._report(bad_manifest(self.manifest, message, **place))
 
     def _read(self, record: Mapping[str, Any]) -> Stored:
         name = record["file"]
@@ -147,9 +144,10 @@ class Reader:
 
     def _member(self, archive: str, name: str) -> bytes:
         """Objects are in an archive in the order of the manifest, assets before the first that
-        needs them."""
-        if archive != self._archive:
-            self._archive, self._members = archive, members(archive)
+        needs them. A process that was forked shares the place in an open file with its parent, so
+        it opens the archive anew."""
+        if (archive, os.getpid()) != (self._archive, self._process):
+            self._archive, self._process, self._members = archive, os.getpid(), members(archive)
             self._assets, self._asset_bytes = {}, 0
         for member, content in self._members:
             if member == name:
@@ -242,6 +240,21 @@ _OF_OBJECTS = {"file": _is_inside, "sha256": lambda value: isinstance(value, str
                "com": _are_numbers(3), "inertia": _are_numbers(6), "aabb": _is_box,
                "nbody": _is_count, "njnt": _is_count, "ngeom": _is_count}
 _OPTIONAL = {"archive": _is_inside, "assets": _are_assets}
+
+
+def bad_manifest(manifest: pathlib.Path, message: str, **place: int) -> Finding:
+    """The finding that a manifest cannot be read."""
+    return Finding({"severity": "error", "code": "output/bad-manifest", "message": message, "notes": [],
+                    "file": str(manifest), **place})
+
+
+def record_of(line: bytes) -> tuple[dict[str, Any], str]:
+    """The record in a line of a manifest, and the reason why the line is none; empty if it is one."""
+    try:
+        record = loads(line)
+    except (ValueError, RecursionError):
+        return {}, "it is not JSON"
+    return record, problem_of(record)
 
 
 def problem_of(record: Any) -> str:

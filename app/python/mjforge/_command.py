@@ -12,8 +12,9 @@ from ._findings import Finding
 from ._json import loads
 from ._library import PROGRAM, c_text
 
-# A line of `generate --verbose`.
+# Lines of `generate --verbose`: of each variant, and at first of those that an earlier run made.
 _VARIANT = re.compile(r".*: (ok|failed|skipped), attempt \d+")
+_KEPT = re.compile(r"(\d+) variants? kept")
 
 
 class _Messages:
@@ -30,6 +31,9 @@ class _Messages:
             line = encoded.decode(errors="replace").rstrip("\n")
             if line.startswith("{"):
                 self.findings.append(Finding(loads(encoded)))
+            elif self._progress is not None and (kept := _KEPT.fullmatch(line)):
+                self._done = int(kept[1])
+                self._progress(self._done)
             elif self._progress is not None and _VARIANT.fullmatch(line):
                 self._done += 1
                 self._progress(self._done)
@@ -43,7 +47,7 @@ class _Messages:
 def run(arguments: list[str], text: bytes,
         progress: Optional[Callable[[int], object]] = None) -> list[Finding]:
     """What was found. `text` goes to standard input; `progress` gets the number of variants that
-    are done.
+    are done, those of an earlier run included.
 
     Raises ValueError for wrong usage, OSError for failed input or output, KeyboardInterrupt when
     either process was interrupted: the command has then ended and every file is complete.

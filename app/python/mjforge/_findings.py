@@ -5,6 +5,9 @@ from __future__ import annotations
 from typing import Any, Optional, Sequence
 
 
+TEXT_NAME = "<spec>"  # of a spec without a file, in findings
+
+
 def printable(text: str) -> str:
     """The text with escapes in place of control characters, which names in files of others may
     have.
@@ -43,24 +46,28 @@ class Finding:
         summary = f"{place or 'mjforge'}: {self.severity}: {self.message} [{self.code}]"
         return summary if self.hint is None else f"{summary}\n  hint: {self.hint}"
 
-    def set_keys(self, key_paths: Sequence[str], name: str) -> None:
+    def set_keys(self, key_paths: Sequence[str]) -> "Finding":
         """Finds the key of its place in a spec that was a mapping, and those of its notes, by their
-        lines in the text called `name`.
+        lines in the text of the spec, which has these key paths; none for other specs. Returns itself.
         """
+        if not key_paths or self.file != TEXT_NAME:
+            return self
+
         def key_of(line: Optional[int]) -> str:
             return key_paths[line - 1] if line is not None and 0 < line <= len(key_paths) else ""
 
         self.key = key_of(self.line)
-        place = self.key or name
+        place = self.key or TEXT_NAME
         summary = [f"{place}: {self.severity}: {self.message} [{self.code}]"]
         if self.hint is not None:
             summary.append(f"  hint: {self.hint}")
         for note in self.notes or []:
-            if note.get("file") == name:
+            if note.get("file") == TEXT_NAME:
                 note["key"] = key_of(note.get("line"))
             at = note.get("key") or note.get("file")
             summary.append(f"  {at}: note: {note['message']}" if at else f"  note: {note['message']}")
         self.text = printable("\n".join(summary))
+        return self
 
     def members(self) -> dict[str, Any]:
         """Its JSON object in the output of `--findings json`."""

@@ -120,12 +120,20 @@ def c_texts(texts: Iterable[Any], what: str) -> Any:
 
 def c_number(number: Any, what: str) -> int:
     """An argument for C: an integer of any type, within 64 bits without sign."""
-    if isinstance(number, bool) or not hasattr(number, "__index__"):
-        raise TypeError(f"{what}={number!r} is not an integer but of type {type(number).__name__}")
-    index = operator.index(number)
+    index = integer(number, what)
     if not 0 <= index < 2**64:
         raise ValueError(f"{what}={index} is not within 0 .. 2^64 - 1")
     return index
+
+
+def integer(number: Any, what: str) -> int:
+    """An integer of any type. Raises TypeError, which names it."""
+    try:
+        if not isinstance(number, bool):
+            return operator.index(number)
+    except TypeError:
+        pass
+    raise TypeError(f"{what}={number!r} is not an integer but of type {type(number).__name__}")
 
 
 def members(archive: str) -> Iterator[tuple[str, bytes]]:

@@ -16,8 +16,6 @@ if TYPE_CHECKING:
     from ._spec import Spec
     from ._table import Table
 
-TEXT_NAME = "<spec>"  # of a spec without a file, in findings
-
 
 class Snapshot:
     """A spec with the texts of all files that its loads have read; threads may share it."""
@@ -55,13 +53,7 @@ class Snapshot:
 
 def found(said: bytes, key_paths: Sequence[str] = ()) -> tuple[Finding, ...]:
     """The findings of MjforgeFindings. `key_paths`: of the lines of a spec that was a mapping."""
-    findings = []
-    for members, text in loads(said or b"[]"):
-        finding = Finding(members, text)
-        if key_paths and finding.file == TEXT_NAME:
-            finding.set_keys(key_paths, TEXT_NAME)
-        findings.append(finding)
-    return tuple(findings)
+    return tuple(Finding(members, text).set_keys(key_paths) for members, text in loads(said or b"[]"))
 
 
 def compare(path: str, sha256: str, first: str) -> None:

@@ -57,9 +57,14 @@ def count(value: Any, option: str) -> int:
 
 def real(value: Any, option: str) -> float:
     """A number of any type."""
-    if isinstance(value, (bool, str, bytes, complex)) or not hasattr(value, "__float__"):
-        raise TypeError(f"{option}={value!r} is not a number but of type {type(value).__name__}")
-    return float(value)
+    try:
+        if not isinstance(value, (bool, str, bytes, complex)):
+            return float(value)
+    except TypeError:
+        pass
+    except OverflowError:
+        raise ValueError(f"{option} is beyond the largest number") from None
+    raise TypeError(f"{option}={value!r} is not a number but of type {type(value).__name__}")
 
 
 def seconds(value: Any, option: str) -> float:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 import os
 import pathlib
-from typing import Optional
+from typing import Optional, Sequence
 
 from ._findings import Finding
 from ._json import loads
@@ -47,8 +47,12 @@ def manifest_of(output: str, shard: Optional[str]) -> Optional[pathlib.Path]:
 
 
 def report_of(manifest: Optional[pathlib.Path], first: int, count: int,
-              found: list[Finding]) -> Report:
-    """The report of a command that has ended. `found`: its findings, a part of all."""
+              found: list[Finding], key_paths: Sequence[str]) -> Report:
+    """The report of a command that has ended. `found`: its findings, a part of all. `key_paths`: of
+    the lines of a spec that was a mapping.
+    """
+    for finding in found:
+        finding.set_keys(key_paths)
     if manifest is None or not os.path.exists(manifest):
         # The command writes no manifest for a single file, nor if it could make no variant.
         has_failed = any(finding.severity == "error" for finding in found)
@@ -64,7 +68,7 @@ def report_of(manifest: Optional[pathlib.Path], first: int, count: int,
             made += 1
             continue
         record = loads(line)
-        own = tuple(Finding(members) for members in record["findings"])
+        own = tuple(Finding(members).set_keys(key_paths) for members in record["findings"])
         findings += own
         if record["status"] == "ok":
             made += 1

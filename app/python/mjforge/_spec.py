@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import os
 import tempfile
@@ -9,7 +10,7 @@ import types
 from typing import Any, Mapping, Optional, Sequence, Union
 
 from . import _options, _yaml
-from ._findings import Finding
+from ._findings import Finding, SpecError
 from ._json import loads
 from ._maker import Maker, Snapshot, compare
 from ._options import Assets, OnInvalid, Profile, Sampler, Target, Validate
@@ -24,8 +25,9 @@ class Spec:
     """A family of objects, as its files were when it was made.
 
     `spec`: a name in the catalogue, a path, YAML (a text with a line break) or the same as a
-    mapping. `set`: parameters, each as a number, a list, a pair (a range) or any text a spec
-    allows ("20cm .. 30cm"); "root.joints", "root.start" and "checks.profile" are names, too.
+    mapping. `set`: parameters, each as a number, a list, a pair (a range, of whole numbers for a
+    parameter that draws them) or any text a spec allows ("20cm .. 30cm"); "root.joints",
+    "root.start" and "checks.profile" are names, too.
     `parameters`: YAML files of parameters. Raises SpecError with everything that is wrong.
 
     >>> import mjforge
@@ -85,9 +87,6 @@ class Spec:
             os.path.abspath(_options.path(path, "parameters")) for path in parameters)
         settings = _yaml.checked_settings(set)
         self.parameters = {}
-        if any(isinstance(value, (list, tuple)) or hasattr(value, "tolist")
-               for value in settings.values()):
-            self._open()  # the parameters tell whether a pair of numbers is a range or a vector
         self._settings = self._texts_of(settings)
         self._open()
 
@@ -105,11 +104,20 @@ class Spec:
             setattr(self, member, value)
 
     def _texts_of(self, settings: Mapping[str, Any]) -> dict[str, str]:
-        def components(name: str) -> Optional[int]:
-            known = self.parameters.get(name)
-            return known.components if known is not None and known.type == "number" else None
+        """The values as YAML, which may depend on the parameters as the spec has them."""
+        known = self.parameters
+        if any(_yaml.needs_parameter(value) and (not known or name in self._settings)
+               for name, value in settings.items()):
+            known = self._without_settings()
+        return {name: _yaml.setting_text(value, known.get(name), known) for name, value in settings.items()}
 
-        return {name: _yaml.setting_text(value, components(name)) for name, value in settings.items()}
+    def _without_settings(self) -> Mapping[str, Parameter]:
+        """The parameters without settings, or those known already if there are errors then."""
+        bare = Spec.__new__(Spec)
+        bare.__dict__.update(self.__dict__, _settings={})
+        with contextlib.suppress(SpecError):
+            bare._open()
+        return bare.parameters
 
     def _with(self, settings: Optional[Mapping[str, Any]]) -> "Spec":
         """The same spec with further settings, from the same texts."""

@@ -5,16 +5,15 @@ from __future__ import annotations
 import array
 import itertools
 import json
-import operator
 import os
 import pathlib
 from typing import Any, Iterator, Optional, Sequence, Union
 
 from . import _command
-from ._batch import Reader, Stored, manifests_of
+from ._batch import Reader, Stored, bad_manifest, manifests_of, record_of
 from ._findings import Finding, VariantError
 from ._json import loads, members_of_record
-from ._library import lines
+from ._library import integer, lines
 from ._table import Table
 from ._variant import Variant
 
@@ -29,8 +28,31 @@ def _raise(finding: Finding) -> None:
     raise VariantError([finding])
 
 
-def _is_stored(record: bytes) -> bool:
-    return bool(members_of_record(record, ["status"])[0] == "ok")
+def _lines(manifest: pathlib.Path) -> Iterator[bytes]:
+    """The lines of a manifest. Raises VariantError if it cannot be read."""
+    try:
+        yield from lines(str(manifest))
+    except OSError as error:
+        raise VariantError([bad_manifest(manifest, f"cannot read the manifest to its end: {error}")]) from error
+
+
+def _records(manifest: pathlib.Path) -> Iterator[tuple[bytes, bool]]:
+    """The lines of a manifest, each with whether its object has a file. Raises VariantError for a line
+    that is not a record.
+    """
+    for number, line in enumerate(_lines(manifest), start=1):
+        try:
+            status = members_of_record(line, ["status"])[0]
+        except (ValueError, TypeError, KeyError, RecursionError):
+            problem = record_of(line)[1]
+            raise VariantError([bad_manifest(manifest, f"this line is not a record: {problem}", line=number,
+                                             column=1)]) from None
+        yield line, status == "ok"
+
+
+def _stored_lines(manifest: pathlib.Path) -> Iterator[bytes]:
+    """The records of objects that have a file."""
+    return (line for line, is_stored in _records(manifest) if is_stored)
 
 
 class Batch:
@@ -38,15 +60,16 @@ class Batch:
 
     `path`: a folder, an archive (.tar, .tar.zst), a series of archives ("x_%05d.tar") or a manifest.
     Iteration needs constant memory. Archives are read from their start: iterate over them, or take
-    their objects in ascending order. An object that is missing or was changed raises VariantError.
+    their objects in ascending order. An object that is missing or was changed raises VariantError, and
+    so does a manifest that is damaged or was changed since the batch was opened.
     Can be pickled; for one thread at a time. Raises FileNotFoundError without a manifest.
     """
 
     def __init__(self, path: Union[str, os.PathLike[str]]) -> None:
         if not isinstance(path, (str, os.PathLike)):
             raise TypeError(f"path={path!r} is not a path but of type {type(path).__name__}")
-        self.path = pathlib.Path(path)
-        self._manifests = manifests_of(path)
+        self._manifests = [pathlib.Path(os.path.abspath(each)) for each in manifests_of(path)]
+        self.path = pathlib.Path(os.path.abspath(path))
         self._starts: Optional[list[array.array[int]]] = None  # bytes, of the records of each manifest
         self._reader: Optional[tuple[int, Reader]] = None  # and the number of the object that it is at
 
@@ -58,7 +81,7 @@ class Batch:
     def records(self) -> Iterator[dict[str, Any]]:
         """The records of all variants, also of those that failed and have no file."""
         for manifest in self._manifests:
-            for line in lines(str(manifest)):
+            for line, _ in _records(manifest):
                 yield loads(line)
 
     def __len__(self) -> int:
@@ -72,43 +95,47 @@ class Batch:
     @staticmethod
     def _starts_of(manifest: pathlib.Path) -> array.array[int]:
         starts, start = array.array("Q"), 0
-        for line in lines(str(manifest)):
-            if _is_stored(line):
+        for line, is_stored in _records(manifest):
+            if is_stored:
                 starts.append(start)
             start += len(line) + 1
         return starts
 
+    def _record(self, number: int) -> tuple[pathlib.Path, bytes, dict[str, Any]]:
+        """The manifest, the line and the record of an object. Raises VariantError if it is not there."""
+        manifest, line = self._line(number)
+        record, problem = record_of(line)
+        if problem or record["status"] != "ok":
+            raise VariantError([bad_manifest(manifest, "the manifest is damaged, or was changed since this "
+                                                       "Batch was opened: open it again")])
+        return manifest, line, record
+
     def _line(self, number: int) -> tuple[pathlib.Path, bytes]:
-        """The manifest and the record of an object."""
         shards = zip(self._manifests, self._index())
         manifest, starts = next(shards)
         while number >= len(starts):
             number -= len(starts)
             manifest, starts = next(shards)
         if manifest.suffix == ".zst":
-            stored = filter(_is_stored, lines(str(manifest)))
-            return manifest, next(itertools.islice(stored, number, None))
+            return manifest, next(itertools.islice(_stored_lines(manifest), number, None), b"")
         with open(manifest, "rb") as file:
             file.seek(starts[number])
             return manifest, file.readline().rstrip(b"\n")
 
     def _number(self, number: Any) -> int:
-        if isinstance(number, bool) or not hasattr(number, "__index__"):
-            raise TypeError(f"number={number!r} is not an integer but of type {type(number).__name__}")
-        at, count = operator.index(number), len(self)
+        at, count = integer(number, "number"), len(self)
         if not -count <= at < count:
             raise IndexError(f"number={number} is not within the {count} objects of '{self.path}'")
         return at % count
 
     def __getitem__(self, number: int) -> Variant:
         number = self._number(number)
-        manifest, line = self._line(number)
+        manifest, line, record = self._record(number)
         reader = None
         if self._reader is not None and self._reader[0] < number and self._reader[1].manifest == manifest:
             reader = self._reader[1]  # goes on in an archive
         reader = reader or Reader(manifest, _raise)
         self._reader = None
-        record = loads(line)
         if record.get("each"):
             raise ValueError(f"number={number} is a scene whose objects are files of their own (--each)")
         stored = reader.read(record, line)
@@ -118,9 +145,8 @@ class Batch:
 
     def table(self, members: Sequence[str] = ("params", "mass", "bounds"), frame: Optional[bool] = None) -> Any:
         """A table of the records of its objects; see Variants.table."""
-        stored = filter(_is_stored, itertools.chain.from_iterable(lines(str(each)) for each in self._manifests))
         table = Table(members, frame)
-        for record in stored:
+        for record in itertools.chain.from_iterable(map(_stored_lines, self._manifests)):
             table.add(record)
         return table.finish()
 
@@ -141,8 +167,8 @@ class Batch:
         """Makes an object again from its record, and returns it; see Variant.from_record."""
         from ._again import make_again
 
-        manifest, line = self._line(self._number(number))
-        return make_again(loads(line), None, manifest.parent)
+        manifest, _, record = self._record(self._number(number))
+        return make_again(record, None, manifest.parent)
 
     def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "_reader": None}

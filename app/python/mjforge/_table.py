@@ -15,6 +15,13 @@ from ._library import bytes_of, c_texts, library
 _RECORDED = {"bounds": "aabb", "swept_bounds": "swept_aabb"}
 _AXES: dict[str, list[str]] = {"com": ["x", "y", "z"], "inertia": ["xx", "yy", "zz", "xy", "xz", "yz"]}
 _KNOWN = ("index", "params", "mass", "com", "inertia", "bounds", "swept_bounds", "physics")
+# All members of records, which are columns of None where no record has them. A test compares these with the schema.
+_MEMBERS = frozenset("""
+    file archive name index seed place_seed attempt spec spec_file spec_sha256 set assets_as sampler batch params
+    mass com inertia aabb swept_aabb top_offset bottom_offset horizontal_radius declared_bounds nbody njnt ngeom
+    places pile_mujoco left_out target each validate mujoco structure layout layout_first pad mocap physics
+    on_invalid status findings sha256 assets
+""".split())
 # Kinds of values in app/python/interface.h.
 _ABSENT, _WHOLE, _NATURAL, _NUMBER, _FLAG, _TEXT, _LIST, _OBJECT = " ", "i", "u", "f", "b", "t", "l", "o"
 CHUNK = 1000  # variants that are made together
@@ -62,8 +69,10 @@ class Table:
         if status == 2:
             raise MemoryError
 
-    def finish(self) -> Any:
-        """A pandas.DataFrame, or a dict of NumPy arrays; see Variants.table."""
+    def finish(self, has_rows: bool = True) -> Any:
+        """A pandas.DataFrame, or a dict of NumPy arrays; see Variants.table. With `has_rows=False` its columns
+        have no rows.
+        """
         said = bytes_of(library.MjforgeLayout(self._handle))
         if not said:
             raise MemoryError
@@ -72,10 +81,13 @@ class Table:
         if self._rows:
             numbers = itertools.count()
             for name, column in zip(self._names, [self._read(each, numbers) for each in layout]):
-                if name not in _KNOWN and not column.kinds:
+                if name not in _KNOWN and name not in _MEMBERS and not column.kinds:
                     raise ValueError(f"members: {name!r} is in no record; there are {', '.join(_KNOWN)} "
                                      "and the others of a manifest")
                 self._flatten(name, column, arrays)
+        if not has_rows or not self._rows:
+            none = {"index": self._numpy.empty(0, dtype="int64")}
+            arrays = {name: array[:0] for name, array in (arrays or none).items()}
         return arrays if self._pandas is None else self._pandas.DataFrame(arrays)
 
     def _read(self, layout: Sequence[Any], numbers: Iterator[int]) -> _Column:

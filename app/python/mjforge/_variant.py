@@ -10,6 +10,7 @@ import math
 import os
 import pathlib
 import tempfile
+import types
 from typing import TYPE_CHECKING, Any, Iterator, Mapping, Optional, Sequence, Union
 
 from . import _attach
@@ -44,6 +45,8 @@ def mujoco_of(given: Any) -> Any:
             module = importlib.import_module("mujoco")
         except ImportError as error:
             raise ImportError(f"no MuJoCo to load it in: {_PIP}") from error
+    if not isinstance(module, types.ModuleType) and not hasattr(module, "MjModel"):
+        raise TypeError(f"mujoco={module!r} is not a module but of type {type(module).__name__}")
     version = str(getattr(module, "__version__", ""))
     numbers = tuple(int(part) for part in version.split(".")[:2] if part.isdigit())
     if not hasattr(module, "MjModel") or numbers < (2, 2):

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Callable, Iterator, Optional, Sequence, U
 
 from . import _command, _options
 from ._findings import VariantError
+from ._library import integer
 from ._maker import Maker
 from ._options import Durability, Layout, Profile, Validate
 from ._report import Report, manifest_of, report_of
@@ -17,6 +18,7 @@ from ._variant import Variant
 if TYPE_CHECKING:
     from ._picture import Layer, Picture, Size
     from ._spec import Spec
+    from ._table import Table
 
 DEFAULTS: dict[str, Any] = {
     "name": "", "target": "mujoco", "assets": "inline", "sampler": "random", "on_invalid": "fail",
@@ -29,9 +31,9 @@ def described(spec: "Spec") -> str:
     return f"{spec.name} ({settings})" if settings else spec.name
 
 
-class Variants:
-    """Variants of a spec, by index: without end, or those of a slice. Made when asked for, each
-    time anew; threads may share it, and run in parallel while variants are made.
+class Variants(Sequence[Variant]):
+    """Variants of a spec, by index: without end, or those of a slice, which is a sequence. Made when
+    asked for, each time anew; threads may share it, and run in parallel while variants are made.
 
     >>> import mjforge
     >>> mugs = mjforge.Spec("mug").variants(seed=7)
@@ -73,9 +75,7 @@ class Variants:
     def __getitem__(self, key: Any) -> Any:
         if isinstance(key, slice):
             return Variants(self.spec, self._options, self._range(key), self._makers)
-        if isinstance(key, bool) or not hasattr(key, "__index__"):
-            raise TypeError(f"{key!r} is not the index of a variant but of type {type(key).__name__}")
-        index = operator.index(key)
+        index = integer(key, "index")
         return self._make(index if self._indices is None else self._indices[index])
 
     def _range(self, key: slice) -> range:
@@ -126,12 +126,13 @@ class Variants:
         """Writes the first `count`, or those of a slice, as `mjforge generate` does, which it runs:
         files or archives and a manifest. They are the same as those made here.
 
-        `progress(done, total)` is called after each variant of this run; `total` is None for a
-        shard. `jobs`: processes (default: one per core). `time_limit`: s for each variant.
-        `validate`: default: that of `variants()`, but at least "load". All other options are the
-        command's: `first` is the first index, `shard="0/4"` a part of the batch. For a family (output
-        "NAME.npz"), `mocap=True` makes fixed bodies mocap bodies, and `pad=True` geoms that a variant lacks
-        null; `layout="split"` makes one of each structure ("NAME_%s.npz").
+        `progress(done, total)` is called after each variant of this run, and at first with the number
+        of those that `resume` finds; `total` is None for a shard. `jobs`: processes (default: one per
+        core). `time_limit`: s for each variant. `validate`: default: that of `variants()`, but at
+        least "load". All other options are the command's: `first` is the first index, `shard="0/4"` a
+        part of the batch. For a family (output "NAME.npz"), `mocap=True` makes fixed bodies mocap
+        bodies, and `pad=True` geoms that a variant lacks null; `layout="split"` makes one of each
+        structure ("NAME_%s.npz").
 
         Returns a report, also if variants failed. Raises OSError where writing fails. After Ctrl-C
         or an exception of `progress` every file is complete, and `resume=True` continues.
@@ -164,7 +165,8 @@ class Variants:
         findings = _command.run(
             ["generate", *words, "--", "-"], self.spec._snapshot.saved(),
             None if progress is None else lambda done: progress(done, total))
-        return report_of(manifest_of(options["output"], shard), span.start, len(span), findings)
+        return report_of(manifest_of(options["output"], shard), span.start, len(span), findings,
+                         self.spec._key_paths)
 
     def _span(self, count: Optional[int], first: Optional[int]) -> range:
         """The indices to write."""
@@ -206,6 +208,8 @@ class Variants:
         if indices and not (min(indices[0], indices[-1]) >= 0 and max(indices[0], indices[-1]) < 2**64):
             raise IndexError(f"{indices} is not within 0 .. 2^64 - 1")
         self.spec._compare_inputs()
+        if not indices:
+            return self._empty(table)
         while indices:
             maker = self._idle_maker()
             try:
@@ -217,6 +221,14 @@ class Variants:
                 self._leave_out(indices[0])
                 indices = indices[1:]
         return table.finish()
+
+    def _empty(self, table: "Table") -> Any:
+        """A table without rows, with the columns that variant 0 has, or the index if it cannot be made."""
+        try:
+            table.add(self._make(0).record_bytes)
+        except VariantError:
+            pass
+        return table.finish(has_rows=False)
 
     def _leave_out(self, index: int) -> None:
         """Raises what a variant fails with, unless iteration leaves it out."""

@@ -5,9 +5,12 @@ from __future__ import annotations
 import json
 import os
 import re
-from typing import Any, Mapping, Optional
+from typing import TYPE_CHECKING, Any, Container, Mapping, Optional
 
 from ._options import text as text_option
+
+if TYPE_CHECKING:
+    from ._parameters import Parameter
 
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 
@@ -101,25 +104,43 @@ def checked_settings(settings: Any) -> dict[str, Any]:
     return dict(settings)
 
 
-def setting_text(value: Any, components: Optional[int]) -> str:
-    """The value of a setting as YAML. A pair of numbers for a parameter that is one number is a
-    range, and so is a pair within the value of a vector. `components`: size of a vector; None if
-    the name is no parameter of numbers.
-    """
+class Verbatim(str):
+    """The text of a setting as the command has it."""
+
+
+def needs_parameter(value: Any) -> bool:
+    """Whether the text of a setting depends on the parameter that it is for."""
+    if isinstance(value, Verbatim):
+        return False
     if isinstance(value, str):
-        return value
+        return _NAME.fullmatch(value) is not None
+    return isinstance(value, (list, tuple)) or hasattr(value, "tolist")
+
+
+def setting_text(value: Any, known: "Optional[Parameter]", names: Container[str]) -> str:
+    """The value of a setting as YAML. A pair of numbers for a parameter that is one number is a
+    range, of whole numbers for one that draws them, and so is a pair within the value of a vector.
+    One of the choices of a text is that text, also if it is among `names`, those of all parameters.
+    `known`: the parameter as the spec has it, if there is one.
+    """
+    if isinstance(value, Verbatim):
+        return str(value)
+    if isinstance(value, str):
+        is_choice = known is not None and known.type == "text" and value in (known.choices or ())
+        return f"'{value}'" if is_choice and value in names else value
     if hasattr(value, "tolist"):
         value = value.tolist()
-    if components is None or not isinstance(value, (list, tuple)):
+    if known is None or known.type != "number" or not isinstance(value, (list, tuple)):
         return flow_text(value)
-    if components == 1:
-        return _range_text(value) or flow_text(value)
+    if known.components == 1:
+        is_whole = known.distribution in ("integer", "poisson")
+        return _range_text(value, is_whole) or flow_text(value)
     items = [_range_text(item) or flow_text(item) for item in value]
     return f"[{', '.join(items)}]"
 
 
-def _range_text(value: Any) -> str:
-    """The range of a pair of numbers, "0.2 .. 0.3"; empty for other values."""
+def _range_text(value: Any, is_whole: bool = False) -> str:
+    """The range of a pair of numbers, "0.2 .. 0.3" or "{integer: [2, 3]}"; empty for other values."""
     if hasattr(value, "tolist"):
         value = value.tolist()
     if not isinstance(value, (list, tuple)) or len(value) != 2:
@@ -127,4 +148,5 @@ def _range_text(value: Any) -> str:
     ends = [end.item() if hasattr(end, "item") else end for end in value]
     if not all(isinstance(end, (int, float)) and not isinstance(end, bool) for end in ends):
         return ""
-    return f"{flow_text(ends[0])} .. {flow_text(ends[1])}"
+    low, high = map(flow_text, ends)
+    return f"{{integer: [{low}, {high}]}}" if is_whole else f"{low} .. {high}"

@@ -80,6 +80,7 @@ inline constexpr std::size_t kMaxFindings = 50;
 
 /// Callbacks of the process that runs the batch; each may be empty.
 struct Observer {
+  std::function<void(std::uint64_t)> resumed;  // called at first with Summary::resumed, unless 0
   std::function<void(const FinishedVariant&)> variant;  // called in index order
   std::function<void(const Summary&)> progress;         // called at least ten times a second
 };

@@ -8,6 +8,7 @@
 #include <locale>
 
 #include "mjforge/batch/sealed_outputs.h"
+#include "mjforge/batch/worker.h"
 
 namespace mjforge::batch {
 namespace {
@@ -143,10 +144,10 @@ bool Journal::MayReplaceOutputs(diag::Findings& findings) const {
 }
 
 bool Journal::MayReplaceSnapshot(diag::Findings& findings) const {
-  const std::string& spec_file = options_.batch.spec_file;
-  if (options_.batch.spec != bytes::kStandardInput || spec_file.empty()) return true;
-  return output::MayReplace(file_.parent_path() / spec_file, options_.request.force,
-                            spec::kSnapshotHead, spec::IsSnapshot, findings);
+  const std::filesystem::path snapshot = SnapshotPath(options_.request.destination);
+  if (options_.batch.spec_file != snapshot.filename()) return true;
+  return output::MayReplace(snapshot, options_.request.force, spec::kSnapshotHead, spec::IsSnapshot,
+                            findings);
 }
 
 bool Journal::HasMadeArchive(const std::string& archive) const {

@@ -75,6 +75,7 @@ class BatchRun {
     if (const std::optional<ResumedVariants> resumed = sink->Open(output_findings)) {
       static_cast<manifest::StatusCounts&>(summary_) = *resumed;
       summary_.resumed = resumed->done();
+      if (observer_.resumed && summary_.resumed > 0) observer_.resumed(summary_.resumed);
       has_lost_worker_ = summary_.resumed < range_.count;  // assume a loss until Make succeeds
       try {
         Make(*sink, output_findings);
@@ -203,8 +204,8 @@ class BatchRun {
     for (diag::Finding& finding : result.output_findings) renumber(finding);
   }
 
-  // Writes the snapshot of a spec without a file beside the manifest, so that replaying finds it.
-  // Journal::Open has checked that an existing file there may be replaced.
+  // Writes the snapshot of a spec whose file cannot be read again beside the manifest, so that
+  // replaying finds it. Journal::Open has checked that an existing file there may be replaced.
   bool WriteSnapshot(diag::Findings& findings) const {
     const bool has_manifest = request_.destination.kind == output::Destination::Kind::kFolder ||
                               request_.destination.IsArchive();

@@ -10,7 +10,7 @@ namespace mjforge::batch {
 /// Returns the options with which the request's variants are made.
 forge::Options OptionsOf(const Request& request);
 
-/// Returns the path of the file beside the manifest that has the snapshot of a spec without a file:
+/// Returns the path of the file beside the manifest that has the snapshot in forge::Recipe:
 /// DIR/manifest.spec.json, STEM.manifest.spec.json, for all shards of a batch.
 std::filesystem::path SnapshotPath(const output::Destination& destination);
 

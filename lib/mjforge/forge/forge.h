@@ -72,7 +72,8 @@ struct Recipe {
   /// Names and values of the applied settings, those from files before those of the caller; each
   /// name once.
   std::vector<std::pair<std::string, std::string>> settings;
-  /// Snapshot of a spec that has no file (spec::SnapshotText); otherwise empty.
+  /// Snapshot (spec::SnapshotText) of a spec that has no file, or of one that was loaded from a
+  /// snapshot and whose files were changed or removed since; otherwise empty.
   std::string snapshot;
 };
 

@@ -64,11 +64,37 @@ spec::Snapshot NewSnapshot(const std::string& reference, const spec::LoadOptions
   return snapshot;
 }
 
+// Returns true if a file of the snapshot was removed or changed since it was read.
+bool HasChangedFile(const spec::Snapshot& snapshot) {
+  return std::ranges::any_of(snapshot.texts, [](const auto& read) {
+    const auto& [file, text] = read;
+    if (file == bytes::kStandardInput) return false;
+    std::error_code ignored;
+    std::string why_not;
+    return !std::filesystem::is_regular_file(file, ignored) ||
+           bytes::ReadStart(file, text.size() + 1, why_not) != text;
+  });
+}
+
+// Returns true if the search path of this process has the same spec under the recipe's name.
+bool IsFoundByName(const Recipe& recipe) {
+  if (!recipe.file.empty()) return false;
+  diag::Sources sources;
+  diag::Findings ignored;
+  spec::LoadOptions options;
+  options.search_path = SearchPath();
+  const auto found = spec::LoadSpec(recipe.reference, options, sources, ignored);
+  return found && found->sha256 == recipe.spec->sha256;
+}
+
 std::optional<Recipe> LoadWith(spec::Snapshot snapshot, spec::LoadOptions options,
                                diag::Sources& sources, diag::Findings& findings) {
   options.snapshot = &snapshot;
   options.search_path = snapshot.search_path;
-  return LoadRecipe(snapshot.spec, options, sources, findings);
+  std::optional<Recipe> recipe = LoadRecipe(snapshot.spec, options, sources, findings);
+  if (recipe && recipe->snapshot.empty() && HasChangedFile(snapshot) && !IsFoundByName(*recipe))
+    recipe->snapshot = spec::SnapshotText(snapshot);
+  return recipe;
 }
 
 }  // namespace

@@ -49,8 +49,12 @@ TEST_CASE("a batch that was stopped is gone on with to the same bytes") {
   CHECK(test.Bytes("broken") != test.Bytes("whole"));
   const Summary second = MakeUpTo(test, Resuming(request), 2 * third);
   CHECK(second.resumed > 0);
-  const Summary last = test.Make(Resuming(request));
+  std::uint64_t resumed = 0;
+  Observer observer;
+  observer.resumed = [&](std::uint64_t made) { resumed = made; };
+  const Summary last = test.Make(Resuming(request), observer);
   CHECK(last.resumed >= second.resumed);
+  CHECK(resumed == last.resumed);
   CHECK(last.done() == count);
   CHECK(test.Bytes("broken") == test.Bytes("whole"));
   // Run once more, with nothing left to do.

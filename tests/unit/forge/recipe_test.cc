@@ -59,6 +59,23 @@ TEST_CASE("a snapshot loads without the files that it was read from, also after 
   CHECK(findings[0].code == diag::Code::kYamlCannotRead);
 }
 
+TEST_CASE("the snapshot of a spec is kept when its file has another text or is gone") {
+  const harness::TemporaryFolder folder;
+  const auto file = folder.Write("a.yaml", kBoxSpec);
+  spec::Snapshot snapshot;
+  snapshot.spec = file.string();
+  diag::Sources sources;
+  diag::Findings findings;
+  REQUIRE(LoadRecipe(snapshot.spec, With(snapshot), sources, findings));
+  const auto saved = folder.Write("a.spec.json", spec::SnapshotText(snapshot)).string();
+  const auto kept = [&] { return LoadRecipe(saved, {}, sources, findings)->snapshot; };
+  CHECK(kept().empty());
+  folder.Write("a.yaml", std::string(kBoxSpec) + "\n");
+  CHECK(kept() == spec::SnapshotText(snapshot));
+  std::filesystem::remove(file);
+  CHECK(kept() == spec::SnapshotText(snapshot));
+}
+
 TEST_CASE("a spec in the search path is named as the search path names it") {
   const harness::TemporaryFolder folder;
   const auto file = folder.Write("specs/boxes/crate.yaml", kBoxSpec);
