@@ -166,8 +166,8 @@ void AddCrashFinding(const std::string& what, const std::string& reason, diag::F
                fmt::format("'{}' {}", what == "-" ? "<stdin>" : what, reason),
                reason.starts_with("took") ? "raise --time-limit"
                : reason == kNeedsMemory   ? "8 GiB are the most; `ulimit -v` may set a lower limit"
-                                        : "see whether indices of meshes (`face`) are in range and "
-                                          "sizes are sensible; a newer MuJoCo may say more");
+                                          : "see whether sizes and counts are sensible; a newer "
+                                            "MuJoCo may say more");
 }
 
 ExitStatus RunInChild(const std::string& what, Seconds time_limit, Console& console,

@@ -20,6 +20,7 @@
 #include "mjforge/bytes/bytes.h"
 #include "mjforge/diag/diag.h"
 #include "mjforge/expr/expr.h"
+#include "mjforge/mesh_data/mesh_data.h"
 
 namespace mjforge::assemble {
 namespace {
@@ -208,6 +209,8 @@ std::optional<MeshFile> ParseObj(std::string_view content, std::string& why_not)
     why_not = "not a text file";
     return std::nullopt;
   }
+  why_not = mesh_data::CheckFile(mesh_data::Format::kObj, content).fault;
+  if (!why_not.empty()) return std::nullopt;
   const auto parse = [&]() -> std::optional<MeshFile> {
     tinyobj::ObjReader reader;
     tinyobj::ObjReaderConfig config;

@@ -114,7 +114,7 @@ std::unique_ptr<CompiledFile> CompiledFile::Read(const std::filesystem::path& fi
   compiled->root_ = *std::move(root);
   compiled->engine_ = &engine;
   compiled->file_names_ = xml::ResolveFiles(compiled->root_, file.parent_path(), findings);
-  if (findings.HasErrors()) return nullptr;
+  if (findings.HasErrors() || !compiled->CheckFiles(findings)) return nullptr;
   backport::ApplyLaterRules(compiled->root_,
                             [&](const std::string& text) { return engine.LoadText(text); });
   NameElements(compiled->root_);
@@ -125,13 +125,18 @@ std::unique_ptr<CompiledFile> CompiledFile::Read(const std::filesystem::path& fi
   return compiled;
 }
 
+bool CompiledFile::CheckFiles(diag::Findings& findings) {
+  flat_ = xml::Flatten(root_);
+  const auto fault = engine::FindFileFault(flat_.text, {});
+  if (!fault) return true;
+  const XmlElement* element = flat_.lines[static_cast<std::size_t>(fault->line) - 1];
+  AddError(findings, fault->code, element->mark,
+           fmt::format("'{}' cannot be attached: {}", file_.string(),
+                       WithOriginalNames(fault->message)));
+  return false;
+}
+
 void CompiledFile::Load(diag::Findings& findings) {
-  if (const auto fault = engine::FindFileFault(flat_.text, {})) {
-    const XmlElement* element = flat_.lines[static_cast<std::size_t>(fault->line) - 1];
-    AddError(findings, fault->code, element->mark,
-             fmt::format("'{}' cannot be attached: {}", file_.string(), fault->message));
-    return;
-  }
   engine::Loaded loaded = engine_->LoadText(flat_.text);
   for (const std::string& warning : loaded.warnings) {
     AddWarning(findings, Code::kMujocoWarning, {},

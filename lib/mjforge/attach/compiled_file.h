@@ -48,6 +48,9 @@ class CompiledFile {
 
  private:
   CompiledFile() = default;
+  /// Adds an error and returns false if MuJoCo must not read the file, one of its assets, or a
+  /// mesh.
+  bool CheckFiles(diag::Findings& findings);
   /// Compiles the file. If MuJoCo rejects the file, adds an error and leaves model_ null.
   void Load(diag::Findings& findings);
   /// Returns a message of MuJoCo with the original names of files and elements, in place of

@@ -111,7 +111,8 @@ class Backporter {
         const MjcfList* list = FindList(parent.tag, child.tag, name);
         if (list == nullptr || list->since <= version_) continue;
         const std::vector<double> numbers = xml::NumbersOf(value);
-        if (numbers.empty()) continue;  // MuJoCo rejects a list without numbers
+        // MuJoCo rejects a list without numbers, and a list that is too long for every release.
+        if (numbers.empty() || numbers.size() > list->most) continue;
         if (const auto resized = Resized(*list, numbers)) {
           changed = changed || *resized != numbers;
           if (*resized != numbers) value = xml::TextOf(*resized);

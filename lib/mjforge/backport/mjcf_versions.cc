@@ -138,10 +138,10 @@ constexpr MjcfFeature kAttributes[] = {
 };
 
 constexpr MjcfList kLists[] = {
-    {"equality/joint equality/tendon", "polycoef", 316, "0 1 0 0 0"},
-    {"tendon/spatial tendon/fixed default/tendon", "springlength", 231, "-1"},
+    {"equality/joint equality/tendon", "polycoef", 316, 5, "0 1 0 0 0"},
+    {"tendon/spatial tendon/fixed default/tendon", "springlength", 231, 2, "-1"},
     {"body/joint default/joint tendon/spatial tendon/fixed default/tendon", "stiffness damping",
-     3007000, "0", "0"},
+     3007000, 3, "0", "0"},
 };
 
 /// Calls `use` with each word until `use` returns true; returns false if it never does.

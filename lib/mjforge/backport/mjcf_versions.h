@@ -5,6 +5,7 @@
 // The facts come from MuJoCo's schema (mj_printSchema) in each release, and from its changelog.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -41,6 +42,7 @@ struct MjcfList {
   std::string_view where;  // in the form of MjcfFeature::where
   std::string_view names;  // attributes, separated by blanks
   int since = 0;           // the first release that accepts another length
+  std::size_t most = 0;    // the greatest length that any release accepts
   /// Default values of the list in an older release, which requires a list of this length. Numbers
   /// that are missing at the end of a list have these values.
   std::string_view usual;

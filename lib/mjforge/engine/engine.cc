@@ -11,6 +11,7 @@
 
 #include "mjforge/bytes/bytes.h"
 #include "mjforge/engine/captured_stderr.h"
+#include "mjforge/mesh_data/mesh_data.h"
 #include "mjforge/xml/xml.h"
 
 namespace mjforge::engine {
@@ -148,11 +149,19 @@ Engine::Engine() {
   mju_user_warning = StoreWarning;
 }
 
-const std::string* Engine::ReadOnce(const std::filesystem::path& file, std::string& why_not) {
+const std::string* Engine::ReadOnce(const std::filesystem::path& file, Code& code,
+                                    std::string& why_not) {
   const auto found = files_.find(file);
   if (found != files_.end()) return &found->second;
   std::optional<std::string> content = bytes::Read(file, bytes::kMaxAsset, why_not);
-  return content ? &files_.emplace(file, *std::move(content)).first->second : nullptr;
+  code = xml::UnreadableCode(file);
+  if (!content) return nullptr;
+  if (const auto format = mesh_data::FormatOf(file.string())) {
+    code = Code::kModelBadMesh;
+    why_not = mesh_data::CheckFile(*format, *content).fault;
+    if (!why_not.empty()) return nullptr;
+  }
+  return &files_.emplace(file, *std::move(content)).first->second;
 }
 
 std::optional<Engine::AssetProblem> Engine::SetAssets(const bytes::Assets& assets) {
@@ -160,10 +169,10 @@ std::optional<Engine::AssetProblem> Engine::SetAssets(const bytes::Assets& asset
   for (std::size_t i = 0; i < assets.size(); ++i) {
     const auto& [name, file, made] = assets[i];
     std::string why_not;
-    const std::string* bytes = made ? made.get() : ReadOnce(file, why_not);
+    Code code = Code::kMujocoError;
+    const std::string* bytes = made ? made.get() : ReadOnce(file, code, why_not);
     if (bytes == nullptr) {
-      return AssetProblem{i, xml::UnreadableCode(file),
-                          fmt::format("cannot read '{}': {}", file.string(), why_not)};
+      return AssetProblem{i, code, fmt::format("cannot read '{}': {}", file.string(), why_not)};
     }
     if (bytes->empty()) {
       return AssetProblem{i, Code::kModelFileNotFound, fmt::format("'{}' is empty", file.string())};

@@ -79,8 +79,10 @@ class Engine {
   Loaded LoadFile(const std::filesystem::path& file);
 
  private:
-  /// Returns a file's content, which is read at most once; null if the file cannot be read.
-  const std::string* ReadOnce(const std::filesystem::path& file, std::string& why_not);
+  /// Returns a file's content, which is read at most once; null if the file cannot be read, or is a
+  /// mesh with an index out of range or a number that is not finite.
+  const std::string* ReadOnce(const std::filesystem::path& file, diag::Code& code,
+                              std::string& why_not);
 
   MemoryFiles in_memory_;
   std::map<std::filesystem::path, std::string> files_;

@@ -1,10 +1,11 @@
-// Checks the kinds, sizes and pixels of the files that an MJCF text refers to.
+// Checks the kinds, sizes and pixels of the files that an MJCF text refers to, and its meshes.
 #include "mjforge/engine/referenced_files.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <system_error>
@@ -16,6 +17,7 @@
 
 #include "mjforge/bytes/bytes.h"
 #include "mjforge/diag/diag.h"
+#include "mjforge/mesh_data/mesh_data.h"
 
 namespace mjforge::engine {
 namespace {
@@ -42,6 +44,7 @@ class FileScan {
       for (const auto& found : document->select_nodes("//*")) {
         const pugi::xml_node& element = found.node();
         std::optional<FileFault> fault = FindUnreadable(element);
+        if (!fault && HasFaces(element)) fault = FindBadMesh(element);
         if (!fault && IsImage(element)) {
           pixels = std::min(pixels + PixelsOf(element), 2 * bytes::kMaxPixels);
           if (pixels > bytes::kMaxPixels) fault = TooManyPixels(element);
@@ -97,15 +100,30 @@ class FileScan {
     return include.attribute("file").value();
   }
 
+  /// Returns true for assets, also in a file that is included within `<asset>`.
+  static bool IsAsset(const pugi::xml_node& element) {
+    const std::string_view parent = element.parent().name();
+    if (parent == "asset") return true;
+    constexpr std::string_view kAssets[] = {"mesh", "texture", "hfield", "skin"};
+    return parent != "mujoco" && element.parent().parent() == element.root() &&
+           std::ranges::find(kAssets, element.name()) != std::end(kAssets);
+  }
+
   static bool IsImage(const pugi::xml_node& element) {
     const std::string_view tag = element.name();
-    return (tag == "texture" || tag == "hfield") &&
-           std::string_view(element.parent().name()) == "asset";
+    return (tag == "texture" || tag == "hfield") && IsAsset(element);
+  }
+
+  /// Returns true for meshes and skins. Skins are below `<deformable>` in MuJoCo 3.
+  static bool HasFaces(const pugi::xml_node& element) {
+    const std::string_view tag = element.name();
+    if (tag == "skin" && std::string_view(element.parent().name()) == "deformable") return true;
+    return (tag == "mesh" || tag == "skin") && IsAsset(element);
   }
 
   /// Returns the paths of the files that an element names.
   std::vector<fs::path> FilesOf(const pugi::xml_node& element) const {
-    const bool is_asset = std::string_view(element.parent().name()) == "asset";
+    const bool is_asset = IsAsset(element);
     const bool is_texture = std::string_view(element.name()) == "texture";
     std::vector<fs::path> files;
     for (const pugi::xml_attribute& attribute : element.attributes()) {
@@ -128,6 +146,41 @@ class FileScan {
                                               Description(element), why_not)};
     }
     return std::nullopt;
+  }
+
+  /// Returns the first fault of the file and the numbers of a mesh or skin. A file of another
+  /// format is no fault, because MuJoCo reports it.
+  std::optional<FileFault> FindBadMesh(const pugi::xml_node& mesh) const {
+    std::size_t vertices = 0;
+    for (const fs::path& file : FilesOf(mesh)) {
+      std::string why_not;
+      const auto format = FormatOf(mesh, file);
+      const auto content = format ? bytes::Read(file, bytes::kMaxAsset, why_not) : std::nullopt;
+      if (!content) continue;
+      const mesh_data::Check check = mesh_data::CheckFile(*format, *content);
+      if (!check.fault.empty()) {
+        return FileFault{.code = diag::Code::kModelBadMesh,
+                         .message = fmt::format("cannot read '{}', the file of {}: {}",
+                                                file.string(), Description(mesh), check.fault)};
+      }
+      vertices = check.vertices;
+    }
+    const std::string fault = mesh_data::FindFault({.vertex = mesh.attribute("vertex").value(),
+                                                    .normal = mesh.attribute("normal").value(),
+                                                    .texcoord = mesh.attribute("texcoord").value(),
+                                                    .face = mesh.attribute("face").value(),
+                                                    .file_vertices = vertices});
+    if (fault.empty()) return std::nullopt;
+    return FileFault{.code = diag::Code::kModelBadMesh,
+                     .message = fmt::format("{}: {}", Description(mesh), fault)};
+  }
+
+  /// Returns the format of a mesh file. Releases from 2.3.7 on prefer `content_type`, "model/obj",
+  /// to the file's name.
+  static std::optional<mesh_data::Format> FormatOf(const pugi::xml_node& mesh,
+                                                   const fs::path& file) {
+    const auto format = mesh_data::FormatOf(mesh.attribute("content_type").value());
+    return format ? format : mesh_data::FormatOf(file.string());
   }
 
   std::uint64_t PixelsOf(const pugi::xml_node& image) const {

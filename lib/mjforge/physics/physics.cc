@@ -116,6 +116,22 @@ std::string WithFloor(const std::filesystem::path& file, std::string text, std::
   return text;
 }
 
+/// Adds a finding about a file that MuJoCo rejects, or that MuJoCo was not given because of a fault
+/// in the file. `what` is the change that was made to the file; `start` is the file's first place.
+void AddFileRefusal(std::string_view what, const engine::Loaded& loaded,
+                    const diag::Sources& sources, diag::SourceMark start, std::string hint,
+                    diag::Findings& findings) {
+  if (loaded.fault) {
+    findings.Add(loaded.fault->code, xml::MarkOfLine(sources, start.file, loaded.fault->line),
+                 loaded.error);
+    return;
+  }
+  findings.Add(Code::kMujocoError, start,
+               fmt::format("MuJoCo refused the model{}: {}", what,
+                           engine::ParseRefusal(loaded.error).reason),
+               std::move(hint));
+}
+
 }  // namespace
 
 struct Laboratory::Impl {
@@ -252,10 +268,7 @@ std::optional<Result> Laboratory::Examine(const std::filesystem::path& file,
   const std::string& text = xml->backported ? *xml->backported : sources.Text(xml->source);
   const diag::SourceMark start = {xml->source, 1, 1};
   const auto refused = [&](std::string_view what, const engine::Loaded& loaded, std::string hint) {
-    findings.Add(Code::kMujocoError, start,
-                 fmt::format("MuJoCo refused the model{}: {}", what,
-                             engine::ParseRefusal(loaded.error).reason),
-                 std::move(hint));
+    AddFileRefusal(what, loaded, sources, start, std::move(hint), findings);
     return std::nullopt;
   };
   engine::Loaded loaded = backport::LoadFile(impl_->engine, file, *xml);

@@ -49,6 +49,11 @@ std::unique_ptr<Subject> Loader::LoadText(const std::string& mjcf, const bytes::
     why_not = problem->message;
     return nullptr;
   }
+  // The text may be from an archive of others.
+  if (const auto fault = engine::FindFileFault(mjcf, {})) {
+    why_not = fault->message;
+    return nullptr;
+  }
   return Make(state_->engine.LoadText(mjcf), why_not);
 }
 

@@ -179,7 +179,11 @@ TEST_CASE("files that cannot be meshes are refused with a reason") {
   CHECK(reason(TemporaryFile("words.obj", "these are words\n").path()) == "no triangles");
   CHECK(reason(TemporaryFile("binary.obj", BinaryStl()).path()) == "not a text file");
   CHECK(reason(TemporaryFile("far.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n").path()) ==
-        "a face uses vertex 9 of 3");
+        "line 4: a face uses vertex 9 of 3");
+  CHECK(reason(TemporaryFile("wrap.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4294967299\n").path()) ==
+        "line 4: a face uses vertex 4294967299 of 3");
+  CHECK(reason(TemporaryFile("unused.obj", "v nan 0 0\n").path()) ==
+        "line 1: 'nan' of a vertex is not a finite number");
 }
 
 TEST_CASE("a folder is not a mesh") {

@@ -126,6 +126,21 @@ TEST_CASE("a list of numbers that MuJoCo 2.2 cannot hold is an error") {
                 "3:35 error: 'damping' of the fixed on line 3 with 2 numbers needs MuJoCo 3.7.0"});
 }
 
+TEST_CASE(
+    "a list of numbers that is too long for each release is left to MuJoCo, which rejects it") {
+  const std::string too_long[] = {
+      "<equality><joint joint1=\"j\" joint2=\"k\" polycoef=\"0 1 0 0 0 0\"/></equality>",
+      "<tendon><fixed springlength=\".1 .1 .1\"><joint joint=\"j\" coef=\"1\"/></fixed></tendon>",
+      "<tendon><fixed damping=\"1 0 0 0\"><joint joint=\"j\" coef=\"1\"/></fixed></tendon>",
+      "<default><joint stiffness=\"1 0 0 0\"/></default>"};
+  for (const std::string& sections : too_long) {
+    const Backported file(Pair(sections));
+    CHECK_FALSE(file.changed);
+    CHECK(engine::Engine().LoadText(file.text).error.find("has too much data") !=
+          std::string::npos);
+  }
+}
+
 TEST_CASE("settings of the model are no warning where only its bodies are used") {
   const Backported file(
       "<option integrator=\"implicitfast\"/><visual><global ellipsoidinertia=\"true\"/></visual>",

@@ -33,5 +33,17 @@ TEST_CASE("attributes that later releases reject are a warning") {
             .findings.empty());
 }
 
+TEST_CASE("composites that later releases lack are a warning") {
+  const std::pair<const char*, const char*> types[] = {
+      {"rope", "3.0.0"},      {"cloth", "3.0.0"}, {"box", "3.2.5"},      {"cylinder", "3.2.5"},
+      {"ellipsoid", "3.2.5"}, {"loop", "3.2.6"},  {"particle", "3.3.0"}, {"grid", "3.3.0"}};
+  for (const auto& [type, since] : types) {
+    const Backported file(std::string("<worldbody>\n<composite type=\"") + type +
+                          "\" count=\"3 3 3\" spacing=\".1\"/></worldbody>");
+    CHECK(file.findings == Strings{std::string("3:12 warning: the composite on line 3 has 'type=") +
+                                   type + "', which MuJoCo " + since + " and later reject"});
+  }
+}
+
 }  // namespace
 }  // namespace mjforge::backport

@@ -43,6 +43,35 @@ TEST_CASE("a file that MuJoCo would wait for is a fault at its element") {
   CHECK(loaded.fault);
 }
 
+TEST_CASE("a mesh with an index out of range is a fault at its element") {
+  const harness::TemporaryFolder folder;
+  folder.Write("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+  const auto in_file = FindFileFault(MeshesIn("bad.obj"), folder.path());
+  REQUIRE(in_file);
+  CHECK(in_file->code == diag::Code::kModelBadMesh);
+  CHECK(in_file->line == 3);
+  CHECK(in_file->message == "cannot read '" + (folder / "bad.obj").string() +
+                                "', the file of mesh 'm': line 4: a face uses vertex 9 of 3");
+  const std::string mesh = R"(<mesh name="t" vertex="0 0 0 1 0 0 0 1 0 0 0 1" face="0 2 9"/>)";
+  const auto in_text = FindFileFault("<mujoco>\n<asset>" + mesh + "</asset></mujoco>", {});
+  REQUIRE(in_text);
+  CHECK(in_text->line == 2);
+  CHECK(in_text->message == "mesh 't': face 0 uses vertex 9 of 4, counted from 0");
+  const auto skin = FindFileFault(
+      R"(<mujoco><asset><skin name="s" vertex="0 0 0 1 0 0 0 1 0" face="0 1 3"/></asset></mujoco>)",
+      {});
+  REQUIRE(skin);
+  CHECK(skin->message == "skin 's': face 0 uses vertex 3 of 3, counted from 0");
+  folder.Write("meshes.xml", "<mujocoinclude>" + mesh + "</mujocoinclude>");
+  CHECK(FindFileFault(R"(<mujoco><asset><include file="meshes.xml"/></asset></mujoco>)",
+                      folder.path()));
+  Engine engine;
+  CHECK(engine.LoadTextIn(folder.path(), MeshesIn("bad.obj")).fault);
+  const auto problem = engine.SetAssets({{.name = "bad.obj", .file = folder / "bad.obj"}});
+  REQUIRE(problem);
+  CHECK(problem->code == diag::Code::kModelBadMesh);
+}
+
 TEST_CASE("the last setting of a folder counts, in the order of the document") {
   const harness::TemporaryFolder folder;
   folder.Write("sub/mesh.stl", "solid");

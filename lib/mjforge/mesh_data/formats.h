@@ -1,0 +1,22 @@
+// Checks of the content of mesh and skin files, one function per format.
+#pragma once
+
+#include <string_view>
+
+#include "mjforge/mesh_data/mesh_data.h"
+
+namespace mjforge::mesh_data {
+
+Check CheckObj(std::string_view content);
+Check CheckStl(std::string_view content);
+Check CheckMsh(std::string_view content);
+Check CheckSkn(std::string_view content);
+
+/// Returns true for numbers that are finite as float.
+bool IsFiniteFloat(double number);
+
+/// Returns the number that a word of digits, with or without a sign, expresses; nullopt for other
+/// words.
+std::optional<double> ParseInteger(std::string_view word);
+
+}  // namespace mjforge::mesh_data

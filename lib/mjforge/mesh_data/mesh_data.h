@@ -1,0 +1,46 @@
+// Checks of meshes and skins before MuJoCo reads them: indices of faces, and numbers of vertices.
+//
+// MuJoCo 2.2 reads memory outside a mesh if an index is out of range, and wraps indices of OBJ
+// files at 2^32. MuJoCo reads memory outside a skin when it draws the skin.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace mjforge::mesh_data {
+
+/// File formats of meshes and skins that MuJoCo reads. MSH and SKN are MuJoCo's own formats of
+/// meshes and skins.
+enum class Format { kObj, kStl, kMsh, kSkn };
+
+/// Returns the format of a file by the last three letters of its name, like MuJoCo; nullopt if
+/// MuJoCo does not read such a file as a mesh or skin.
+std::optional<Format> FormatOf(std::string_view file_name);
+
+/// The result of a check.
+struct Check {
+  std::string fault;         // "line 8: a face uses vertex 9 of 4"; empty if there is none
+  std::size_t vertices = 0;  // number of vertices
+};
+
+/// Checks the content of a file. Reports an index out of range, and a number that is not
+/// finite in the precision of MuJoCo's meshes (float). Accepts content that is not in the format at
+/// all, because MuJoCo rejects it with a reason.
+Check CheckFile(Format format, std::string_view content);
+
+/// Attributes of an element `mesh` or `skin`, empty if it does not have them.
+struct InlineMesh {
+  std::string_view vertex = {};
+  std::string_view normal = {};
+  std::string_view texcoord = {};
+  std::string_view face = {};
+  std::size_t file_vertices = 0;  // number of vertices in the element's file, if it has one
+};
+
+/// Returns the first fault of the numbers in the attributes, and of the indices in `face`; an empty
+/// text if there is none.
+std::string FindFault(const InlineMesh& mesh);
+
+}  // namespace mjforge::mesh_data
