@@ -96,6 +96,7 @@ def _prove(manifest: pathlib.Path, crew: Crew, proof: Proof, progress: bool) -> 
         crew.examine(stored_objects, report, lambda: bar.show(stored_objects.records, failed))
     finally:
         bar.clear()
+    stored_objects.compare_with_seal()
     proof.variants += stored_objects.objects
     proof.findings[first:] = sorted(proof.findings[first:], key=lambda f: f.index or 0)
 
