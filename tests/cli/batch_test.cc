@@ -209,6 +209,10 @@ TEST_CASE_METHOD(BatchTest, "shards are made by several commands and joined by m
   CHECK(missing.out == "1\n");
   CHECK(missing.err.find("error: shard 1/3 is missing") != std::string::npos);
   CHECK(missing.err.find("hint: make it with --shard 1/3 --resume") != std::string::npos);
+  const CommandResult one = Shell(
+      "for i in 0 1; do $mjforge generate crate.yaml -n 1 --shard $i/2 -o one -q; done\n"
+      "$mjforge merge one");
+  CHECK(one.err == "1 variant in one/manifest.jsonl\n");
 }
 
 TEST_CASE_METHOD(BatchTest, "inspect shows what a batch achieved") {

@@ -144,6 +144,15 @@ class Proofs(unittest.TestCase):
             status = _prove.main([f"{self.path}/m"])
         return status, said.getvalue().replace(f"{self.path}/", "").splitlines()
 
+    def test_a_batch_that_was_opened(self):
+        self.write("a/", 2)
+        with unittest.mock.patch("mjforge._prove.Crew", Agreeing):
+            for batch in (mjforge.Batch(self.path / "a"), self.path / "a", f"{self.path}/a"):
+                self.assertEqual(mjforge.prove(batch), [])
+            self.assertEqual(mjforge.Batch(self.path / "a").prove(jobs=1), [])
+        self.assertRaises(FileNotFoundError, mjforge.prove, "")
+        self.assertRaises(FileNotFoundError, mjforge.Batch, "")
+
     def test_a_manifest_that_was_changed_is_found(self):
         changed = "mjforge: error: 'm/manifest.jsonl' was changed: it has"
         hint = "  hint: run the command that made it again with --resume"
@@ -202,7 +211,15 @@ class Proofs(unittest.TestCase):
     def test_exit_statuses(self):
         self.assertEqual(self.prove(REFUSES, "none")[0], 3)
         self.assertEqual(self.prove(REFUSES)[0], 2)
-        self.assertEqual(self.prove(REFUSES, "a", "--jobs", "0")[0], 2)
+        for jobs in ("0", "-1", "1025", "x"):
+            status, _, said = self.prove(REFUSES, "a", f"--jobs={jobs}")
+            self.assertEqual(status, 2)
+            self.assertIn(f"'{jobs}' is not a number of processes from 1 to 1024", said)
+        self.write("a/", 1)
+        status, _, said = self.prove(REFUSES, "")
+        self.assertEqual((status, said), (3, "mjforge: error: '' has no manifest: name the folder, the archive or the "
+                                             "manifest that 'mjforge generate' wrote\n"))
+        self.assertIn("\n1 variant in a: 0 as", self.prove(REFUSES, "a")[2])
         self.write("a/", 1)
         (self.path / "modules/mujoco.py").write_text("raise ImportError('none here')")
         result = subprocess.run([sys.executable, "-m", "mjforge", "prove", "a"], cwd=self.path,

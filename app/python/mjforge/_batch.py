@@ -27,7 +27,10 @@ def manifests_of(batch: Union[str, "os.PathLike[str]"]) -> list[pathlib.Path]:
     a series of archives ('x_%05d.tar'), or a manifest. Raises FileNotFoundError.
     """
     path = pathlib.Path(batch)
-    if path.is_dir():
+    found: list[pathlib.Path] = []
+    if not os.fspath(batch):
+        pass  # pathlib takes an empty text for the working folder
+    elif path.is_dir():
         names = {name for name in os.listdir(path) if _MANIFEST.fullmatch(name)}
         # A merged manifest has all records of its shards.
         found = [path / name for name in sorted(names)
@@ -43,7 +46,7 @@ def manifests_of(batch: Union[str, "os.PathLike[str]"]) -> list[pathlib.Path]:
         found = [path.with_name(f"{stem}.manifest{ending}")]
     if not found or not found[0].exists():
         raise FileNotFoundError(
-            f"'{path}' has no manifest: name the folder, the archive or the manifest that "
+            f"'{os.fspath(batch)}' has no manifest: name the folder, the archive or the manifest that "
             "'mjforge generate' wrote")
     return found
 
