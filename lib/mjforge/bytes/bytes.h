@@ -108,6 +108,10 @@ using Assets = std::vector<Asset>;
 /// `why_not`.
 bool MayRead(const std::filesystem::path& file, std::uint64_t limit, std::string& why_not);
 
+/// Returns the hint for a pipe that a user names where "-" is possible, too; an empty text for
+/// other files.
+std::string PipeHint(const std::filesystem::path& file);
+
 /// Returns true for a regular file of this size. Otherwise sets `why_not` ("it has 12 bytes, not
 /// 40").
 bool HasSize(const std::filesystem::path& file, std::uint64_t size, std::string& why_not);
