@@ -215,6 +215,18 @@ TEST_CASE_METHOD(BatchTest, "shards are made by several commands and joined by m
   CHECK(one.err == "1 variant in one/manifest.jsonl\n");
 }
 
+TEST_CASE_METHOD(BatchTest,
+                 "verify does not take a shortage of file descriptors for a changed file") {
+  REQUIRE(Run({"generate", "crate.yaml", "-n", "2", "-q", "-o", "out"}).status == 0);
+  const CommandResult result = Shell("ulimit -n 4; exec $mjforge verify out");
+  CHECK(result.status == 3);
+  CHECK(result.err ==
+        "mjforge: error: cannot read 'out/crate_000000.xml': Too many open files "
+        "[yaml/cannot-read]\n"
+        "mjforge: error: cannot read 'out/crate_000001.xml': Too many open files "
+        "[yaml/cannot-read]\n");
+}
+
 TEST_CASE_METHOD(BatchTest, "inspect shows what a batch achieved") {
   REQUIRE(Run({"generate", "hammer", "-n", "50", "--validate", "none", "-q"}).status == 0);
   const CommandResult tables = Run({"inspect", "hammer/"});
