@@ -99,6 +99,26 @@ TEST_CASE("without --resume a batch starts anew") {
   CHECK_FALSE(output::PartFile::Exists(test.folder / "out/manifest.jsonl"));
 }
 
+TEST_CASE("a seal without content is replaced, and another file in its place is not") {
+  CrateBatch test(kBoxSpec);
+  const Request request = Resuming(test.Of(30, "out"));
+  test.Make(request);
+  const auto whole = test.Bytes("out");
+  const std::string seal = "out/manifest.seal.json";
+  for (const char* text : {"", "{}", "null\n", "[]", "{ \n}"}) {
+    INFO(text);
+    test.folder.Write(seal, text);
+    CHECK(test.Make(request).ok == 30);
+    CHECK(test.Bytes("out") == whole);
+  }
+  for (const char* text : {"{\"a\": 1}", "0", "mine"}) {
+    INFO(text);
+    test.folder.Write(seal, text);
+    CHECK(test.Make(request).files_failed);
+    CHECK(test.folder.Read(seal) == text);
+  }
+}
+
 TEST_CASE("a batch of other options is not gone on with") {
   CrateBatch test(kBoxSpec);
   for (const std::string output : {"out", "tar/x.tar"}) {
