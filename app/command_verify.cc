@@ -30,7 +30,8 @@ ExitStatus Verify(const std::string& place, Console& console) {
 
 Action AddVerify(CLI::App& command) {
   auto what = std::make_shared<std::string>();
-  command.add_option("WHAT", *what, "A folder, a manifest, a family, or an archive")
+  command
+      .add_option("WHAT", *what, "A folder, a manifest, a family, an archive, or a series x_%d.tar")
       ->required()
       ->option_text(" ")
       ->check(Offers(".jsonl .npz .tar .zst"));

@@ -176,6 +176,22 @@ TEST_CASE_METHOD(BadInputTest, "pipes and devices that an MJCF file names are no
   }
 }
 
+TEST_CASE_METHOD(BadInputTest, "only a pipe on the command line has the hint of standard input") {
+  for (const char* name : {"p.xml", "p.yaml", "p.stl"})
+    REQUIRE(::mkfifo((folder() / name).c_str(), 0600) == 0);
+  const std::string hint = "  hint: '-' stands for standard input\n";
+  CHECK(Run({"validate", "p.xml"}).err ==
+        "mjforge: error: cannot read 'p.xml': it is a pipe [yaml/cannot-read]\n" + hint);
+  CHECK(Run({"check", "p.yaml"}).err ==
+        "mjforge: error: cannot read 'p.yaml': it is a pipe [yaml/cannot-read]\n" + hint);
+  folder().Write("a.xml", "<mujoco><asset><mesh name='m' file='p.stl'/></asset></mujoco>\n");
+  CHECK(Run({"validate", "a.xml"}).err ==
+        "a.xml:1:16: error: cannot read 'p.stl', the file of mesh 'm': it is a pipe "
+        "[yaml/cannot-read]\n"
+        "<mujoco><asset><mesh name='m' file='p.stl'/></asset></mujoco>\n"
+        "               ^\n");
+}
+
 TEST_CASE_METHOD(BadInputTest, "pipes that a spec or a manifest names are not opened") {
   for (const char* name : {"p.yaml", "p.csv", "p.png", "p.stl", "p.xml", "p.tar", "p.jsonl"})
     REQUIRE(::mkfifo((folder() / name).c_str(), 0600) == 0);

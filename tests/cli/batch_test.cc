@@ -209,6 +209,23 @@ TEST_CASE_METHOD(BatchTest, "shards are made by several commands and joined by m
   CHECK(missing.out == "1\n");
   CHECK(missing.err.find("error: shard 1/3 is missing") != std::string::npos);
   CHECK(missing.err.find("hint: make it with --shard 1/3 --resume") != std::string::npos);
+  const CommandResult one = Shell(
+      "for i in 0 1; do $mjforge generate crate.yaml -n 1 --shard $i/2 -o one -q; done\n"
+      "$mjforge merge one");
+  CHECK(one.err == "1 variant in one/manifest.jsonl\n");
+}
+
+TEST_CASE_METHOD(BatchTest,
+                 "verify does not take a shortage of file descriptors for a changed file") {
+  REQUIRE(Run({"generate", "crate.yaml", "-n", "2", "-q", "-o", "out"}).status == 0);
+  // One descriptor is enough for the libraries and the manifest, and none is left for an object.
+  const CommandResult result = Shell("exec 3>&-; ulimit -n 4; exec $mjforge verify out");
+  CHECK(result.status == 3);
+  CHECK(result.err ==
+        "mjforge: error: cannot read 'out/crate_000000.xml': Too many open files "
+        "[yaml/cannot-read]\n"
+        "mjforge: error: cannot read 'out/crate_000001.xml': Too many open files "
+        "[yaml/cannot-read]\n");
 }
 
 TEST_CASE_METHOD(BatchTest, "inspect shows what a batch achieved") {

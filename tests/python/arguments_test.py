@@ -10,7 +10,7 @@ import unittest
 
 import mjforge
 from in_folder import InFolder
-from mjforge import _options
+from mjforge import _command, _options
 
 TEXTS = ("validate", "target", "assets", "name", "sampler", "on_invalid")
 NUMBERS = ("seed", "batch")
@@ -113,9 +113,12 @@ class Arguments(InFolder):
 
     def test_options_of_write(self):
         write = SPEC.variants().write
-        for count in (0, -1, 2**64):
-            with self.assertRaisesRegex(ValueError, f"count={count} is not within"):
-                write("unused", count)
+        for count in (0, -1, 2**63, 2**64):
+            for call in (lambda count: write("unused", count), SPEC.check):
+                with self.assertRaisesRegex(ValueError, rf"count={count} is not within 1 \.\. 2\^63 - 1"):
+                    call(count)
+        with self.assertRaisesRegex(ValueError, "count=9223372036854775808 is not within"):
+            SPEC.variants()[1:2**63 + 1].write("unused")
         for count in (None, True, 1.5, "3", [3]):
             with self.assertRaisesRegex(TypeError, f"count={count!r} is not an integer".replace("[", r"\[")):
                 write("unused", count)
@@ -127,6 +130,15 @@ class Arguments(InFolder):
             write("x.xml", 2)
         with self.assertRaisesRegex(ValueError, "shard"):
             write("unused", 2, shard="2/2")
+
+    def test_numbers_of_processes(self):
+        for jobs in (-1, 0, 1025, 2**64):
+            for call in (functools.partial(SPEC.variants().write, "unused", 1), functools.partial(SPEC.check, 1),
+                         functools.partial(mjforge.prove, "unused")):
+                with self.assertRaisesRegex(ValueError, rf"jobs={jobs} is not within 1 \.\. 1024$"):
+                    call(jobs=jobs)
+        with self.assertRaisesRegex(ValueError, f"is not a number of processes from 1 to {_options.MAX_JOBS}"):
+            _command.run(["check", "--jobs=1025", "--", "hammer"], b"")
 
     def test_no_argument_of_any_type_crashes(self):
         variants = SPEC.variants()

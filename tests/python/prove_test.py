@@ -2,6 +2,8 @@
 real releases of MuJoCo by tests/interop/check_python.py.
 """
 
+import contextlib
+import io
 import json
 import os
 import pathlib
@@ -9,14 +11,32 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 import mjforge
+from mjforge import _prove
 from mjforge._batch import Reader, manifests_of
 
 PACKAGE = pathlib.Path(mjforge.__file__).parents[1]
 # Modules in place of MuJoCo, whose loader does this.
 REFUSES = "raise ValueError('XML Error: no good\\nElement geom, line 3')"
 CRASHES = "import os, signal; os.kill(os.getpid(), signal.SIGSEGV)"
+
+
+class Agreeing:
+    """In place of the processes with MuJoCo: every object is as recorded."""
+
+    version = "9.8.7"
+
+    def __init__(self, jobs):
+        self.jobs = jobs
+
+    def examine(self, objects, report, tick):
+        for stored in objects:
+            report(stored, [])
+
+    def close(self):
+        pass
 
 
 class Proofs(unittest.TestCase):
@@ -112,6 +132,58 @@ class Proofs(unittest.TestCase):
         manifest.rename(self.path / "y.manifest.jsonl.zst.part")
         self.assertEqual(self.read("y.manifest.jsonl.zst.part")[1], [])
 
+    def prove_manifest(self, change):
+        """Status and output of the command after a change of the lines of a manifest of 4 variants."""
+        self.write("m/", 4, force=True)
+        manifest = self.path / "m/manifest.jsonl"
+        lines = manifest.read_text().splitlines(keepends=True)
+        change(lines)
+        manifest.write_text("".join(lines))
+        said = io.StringIO()
+        with unittest.mock.patch("mjforge._prove.Crew", Agreeing), contextlib.redirect_stderr(said):
+            status = _prove.main([f"{self.path}/m"])
+        return status, said.getvalue().replace(f"{self.path}/", "").splitlines()
+
+    def test_a_batch_that_was_opened(self):
+        self.write("a/", 2)
+        with unittest.mock.patch("mjforge._prove.Crew", Agreeing):
+            for batch in (mjforge.Batch(self.path / "a"), self.path / "a", f"{self.path}/a"):
+                self.assertEqual(mjforge.prove(batch), [])
+            self.assertEqual(mjforge.Batch(self.path / "a").prove(jobs=1), [])
+        self.assertRaises(FileNotFoundError, mjforge.prove, "")
+        self.assertRaises(FileNotFoundError, mjforge.Batch, "")
+
+    def test_a_manifest_that_was_changed_is_found(self):
+        changed = "mjforge: error: 'm/manifest.jsonl' was changed: it has"
+        hint = "  hint: run the command that made it again with --resume"
+        status, said = self.prove_manifest(lambda lines: None)
+        self.assertEqual((status, len(said)), (0, 1))
+        for count, change, words in (
+                (3, lambda lines: lines.insert(2, lines.pop(2).replace('"status":"ok"', '"status":"weird"')),
+                 ["m/manifest.jsonl:3:1: error: this line is not a record: 'status' is not one of ok, failed, "
+                  "skipped [output/bad-manifest]"]),
+                (3, lambda lines: lines.pop(2), [f"{changed} 3 records, not 4 [batch/changed]", hint]),
+                (3, lambda lines: lines.pop(), [f"{changed} 3 records, not 4 [batch/changed]", hint]),
+                (4, lambda lines: lines.insert(2, lines[1]),
+                 ["m/manifest.jsonl:3:1: error: index 1 follows index 1, but indices ascend from line to line "
+                  "[output/bad-manifest]"])):
+            status, said = self.prove_manifest(change)
+            self.assertEqual((status, said[:-1]), (1, words))
+            self.assertTrue(said[-1].startswith(f"{count} variants in m: {count} as recorded"), said)
+
+    def test_a_variant_that_its_manifest_calls_failed_is_found(self):
+        _, said = self.prove_manifest(
+            lambda lines: lines.insert(2, lines.pop(2).replace('"status":"ok"', '"status":"failed"')))
+        self.assertRegex(said[0], r"'m/manifest.jsonl' was changed: it has \d+ bytes, not \d+ \[batch/changed\]")
+
+    def test_manifests_that_were_joined_or_filtered_are_read(self):
+        self.write("a/", 4)
+        lines = (self.path / "a/manifest.jsonl").read_text().splitlines(keepends=True)
+        other = [line.replace('"seed":7', '"seed":8') for line in lines]
+        (self.path / "a/x.manifest.jsonl").write_text("".join([*lines[::2], *other]))
+        objects, findings = self.read("a/x.manifest.jsonl")
+        self.assertEqual((len(objects), findings), (6, []))
+
     def test_an_archive_that_was_cut_costs_its_last_objects(self):
         self.write("x.tar", 5)
         content = (self.path / "x.tar").read_bytes()
@@ -139,7 +211,15 @@ class Proofs(unittest.TestCase):
     def test_exit_statuses(self):
         self.assertEqual(self.prove(REFUSES, "none")[0], 3)
         self.assertEqual(self.prove(REFUSES)[0], 2)
-        self.assertEqual(self.prove(REFUSES, "a", "--jobs", "0")[0], 2)
+        for jobs in ("0", "-1", "1025", "x"):
+            status, _, said = self.prove(REFUSES, "a", f"--jobs={jobs}")
+            self.assertEqual(status, 2)
+            self.assertIn(f"'{jobs}' is not a number of processes from 1 to 1024", said)
+        self.write("a/", 1)
+        status, _, said = self.prove(REFUSES, "")
+        self.assertEqual((status, said), (3, "mjforge: error: '' has no manifest: name the folder, the archive or the "
+                                             "manifest that 'mjforge generate' wrote\n"))
+        self.assertIn("\n1 variant in a: 0 as", self.prove(REFUSES, "a")[2])
         self.write("a/", 1)
         (self.path / "modules/mujoco.py").write_text("raise ImportError('none here')")
         result = subprocess.run([sys.executable, "-m", "mjforge", "prove", "a"], cwd=self.path,

@@ -57,20 +57,20 @@ def check(
 
 
 def prove(
-    batch: "Union[str, os.PathLike[str]]", *, jobs: Optional[int] = None, progress: bool = True
+    batch: "Union[str, os.PathLike[str], Batch]", *, jobs: Optional[int] = None, progress: bool = True
 ) -> "list[Finding]":
     """Loads every file of a batch in the `mujoco` that is installed and compares it with its
     record: numbers of elements, names, mass, center of mass, inertia, bounds and start state.
     Returns what is not as recorded.
 
-    `batch`: a folder, an archive, a series of archives ("x_%05d.tar") or a manifest. `jobs`:
+    `batch`: a folder, an archive, a series of archives ("x_%05d.tar"), a manifest or a Batch. `jobs`:
     processes (default: one per core). `progress`: a bar, if standard error is a terminal. Raises
     FileNotFoundError without a manifest, ImportError without a MuJoCo.
     """
     from ._prove import run  # keeps the import of the package short
 
-    path = _options.path(batch, "batch")
-    workers = None if jobs is None else _options.count(jobs, "jobs")
+    path = _options.path(batch.path if isinstance(batch, Batch) else batch, "batch")
+    workers = None if jobs is None else _options.jobs(jobs, "jobs")
     return run(path, workers, _options.flag(progress, "progress")).findings
 
 

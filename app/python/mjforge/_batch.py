@@ -17,6 +17,7 @@ from ._library import lines, members
 # Must be bytes::kMaxAsset of the library.
 _MAX_FILE = 256 << 20
 _MAX_ASSETS = 1 << 30  # bytes of an archive's assets that are kept in memory
+_RESUME = "run the command that made it again with --resume"
 _SHARD = re.compile(r"-\d+-of-\d+")
 _MANIFEST = re.compile(rf"(.+\.)?manifest({_SHARD.pattern})?\.jsonl(\.zst)?")
 
@@ -26,7 +27,10 @@ def manifests_of(batch: Union[str, "os.PathLike[str]"]) -> list[pathlib.Path]:
     a series of archives ('x_%05d.tar'), or a manifest. Raises FileNotFoundError.
     """
     path = pathlib.Path(batch)
-    if path.is_dir():
+    found: list[pathlib.Path] = []
+    if not os.fspath(batch):
+        pass  # pathlib takes an empty text for the working folder
+    elif path.is_dir():
         names = {name for name in os.listdir(path) if _MANIFEST.fullmatch(name)}
         # A merged manifest has all records of its shards.
         found = [path / name for name in sorted(names)
@@ -44,7 +48,7 @@ def manifests_of(batch: Union[str, "os.PathLike[str]"]) -> list[pathlib.Path]:
         raise FileNotFoundError(f"'{path}' is a family, not a batch: mjforge.load_family reads it")
     if not found or not found[0].exists():
         raise FileNotFoundError(
-            f"'{path}' has no manifest: name the folder, the archive or the manifest that "
+            f"'{os.fspath(batch)}' has no manifest: name the folder, the archive or the manifest that "
             "'mjforge generate' wrote")
     return found
 
@@ -76,20 +80,48 @@ class Reader:
         self._asset_bytes = 0
         self.records = 0  # read so far
         self.objects = 0  # records of these that have a file
+        self._last: Optional[tuple[int, int]] = None  # seed and index of the record before
+        self._is_sound = True  # no line was wrong so far
 
     def count(self) -> Optional[int]:
         """The number of records according to the seal; None without one."""
+        sealed = self._sealed()
+        return None if sealed is None else sealed[0]
+
+    def _sealed(self) -> Optional[tuple[int, int]]:
+        """The number of records and the size of the manifest (bytes) according to the seal; None without
+        a seal of this manifest.
+        """
         try:
-            name = self.manifest.name.removesuffix(".zst").removesuffix(".jsonl") + ".seal.json"
-            return int(loads(_content(self.manifest.with_name(name)))["records"])
-        except (OSError, ValueError, KeyError, TypeError):
+            seal = loads(_content(self._seal_path()))
+            if seal["manifest"]["file"] != self.manifest.name:
+                return None
+            return int(seal["records"]), int(seal["manifest"]["bytes"])
+        except (OSError, ValueError, KeyError, TypeError, RecursionError):
             return None
+
+    def _seal_path(self) -> pathlib.Path:
+        name = self.manifest.name.removesuffix(".zst").removesuffix(".jsonl") + ".seal.json"
+        return self.manifest.with_name(name)
+
+    def compare_with_seal(self) -> None:
+        """Compares a manifest that was read to its end with its seal, unless a line was wrong."""
+        sealed = self._sealed()
+        if sealed is None or not self._is_sound:
+            return
+        size = self.manifest.stat().st_size
+        for what, value, meant in (("records", self.records, sealed[0]), ("bytes", size, sealed[1])):
+            if value != meant:
+                self._report(Finding({
+                    "severity": "error", "code": "batch/changed", "notes": [], "hint": _RESUME,
+                    "message": f"'{self.manifest}' was changed: it has {value} {what}, not {meant}"}))
+                return
 
     def __iter__(self) -> Iterator[Stored]:
         for number, line in enumerate(self._lines(), start=1):
             self.records += 1
             record = self._record_of(number, line)
-            if record is None or record["status"] != "ok":
+            if record is None or self._is_repeated(record, number) or record["status"] != "ok":
                 continue
             if record.get("each"):
                 self._bad_manifest("the objects of its scenes are files of their own (--each), which "
@@ -127,7 +159,19 @@ class Reader:
         self._bad_manifest(f"this line is not a record: {problem}", line=number, column=1)
         return None
 
+    def _is_repeated(self, record: Mapping[str, Any], number: int) -> bool:
+        """True, after a finding, for a record whose index is not above that of the record before it. The
+        seed is compared, too, because manifests of several batches may have been joined.
+        """
+        before, self._last = self._last, (record["seed"], record["index"])
+        if before is None or before[0] != record["seed"] or before[1] < record["index"]:
+            return False
+        self._bad_manifest(f"index {record['index']} follows index {before[1]}, but indices ascend from line to "
+                           "line", line=number, column=1)
+        return True
+
     def _bad_manifest(self, message: str, **place: int) -> None:
+        self._is_sound = False
         self._report(bad_manifest(self.manifest, message, **place))
 
     def _read(self, record: Mapping[str, Any]) -> Stored:
@@ -173,8 +217,7 @@ class Reader:
         if "archive" in record:
             self._broken = record["archive"]
             words += "; later objects of this archive are not read"
-        self._add(record, "batch/missing", f"cannot read '{record['file']}': {words}",
-                  "run the command that made it again with --resume")
+        self._add(record, "batch/missing", f"cannot read '{record['file']}': {words}", _RESUME)
 
     def _is_unchanged(self, stored: Stored) -> bool:
         wrong = [name for name, sha256 in stored.record.get("assets", {}).items()
@@ -183,8 +226,7 @@ class Reader:
             wrong = [stored.place]
         for name in wrong:
             self._add(stored.record, "batch/changed",
-                      f"'{name}' was changed: it has another SHA-256 than its record",
-                      "run the command that made it again with --resume")
+                      f"'{name}' was changed: it has another SHA-256 than its record", _RESUME)
         return not wrong
 
     def _add(self, record: Mapping[str, Any], code: str, message: str, hint: str) -> None:
@@ -235,6 +277,7 @@ def _are_assets(value: Any) -> bool:
 
 
 # Members of a record that are used here.
+_STATUSES = ("ok", "failed", "skipped")
 _ALWAYS = {"status": lambda value: isinstance(value, str), "index": _is_count, "seed": _is_count}
 _OF_OBJECTS = {"file": _is_inside, "sha256": lambda value: isinstance(value, str), "mass": _is_number,
                "com": _are_numbers(3), "inertia": _are_numbers(6), "aabb": _is_box,
@@ -268,4 +311,6 @@ def problem_of(record: Any) -> str:
                 return f"it has no '{key}'"
         elif not is_good(record[key]):
             return f"'{key}' is not of its kind"
+    if record["status"] not in _STATUSES:
+        return f"'status' is not one of {', '.join(_STATUSES)}"
     return ""

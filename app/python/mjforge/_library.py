@@ -118,11 +118,15 @@ def c_texts(texts: Iterable[Any], what: str) -> Any:
     return (c_char_p * len(encoded))(*encoded)
 
 
-def c_number(number: Any, what: str) -> int:
-    """An argument for C: an integer of any type, within 64 bits without sign."""
+MAX_NUMBER = 2**64 - 1
+
+
+def c_number(number: Any, what: str, least: int = 0, most: int = MAX_NUMBER) -> int:
+    """An argument for C, an integer of any type within a range. Raises TypeError or ValueError."""
     index = integer(number, what)
-    if not 0 <= index < 2**64:
-        raise ValueError(f"{what}={index} is not within 0 .. 2^64 - 1")
+    if not least <= index <= most:
+        end = f"2^{most.bit_length()} - 1" if most & (most + 1) == 0 else most
+        raise ValueError(f"{what}={index} is not within {least} .. {end}")
     return index
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import difflib
 import json
 import math
-import operator
 import os
+import sys
 from typing import Any, Callable, Literal, Mapping, get_args
 
 from ._library import bytes_of, c_number, c_text, library
@@ -19,6 +19,8 @@ Validate = Literal["none", "load", "physics"]
 Durability = Literal["none", "batch"]
 Layout = Literal["any", "one", "split"]
 Profile = Literal["none", "simready"]
+
+MAX_JOBS = 1024  # must be kMaxJobs of app/options.cc
 
 # The words that the library knows, by option. A test compares the types above with them.
 WORDS: dict[str, list[str]] = json.loads(bytes_of(library.MjforgeWords()))
@@ -49,10 +51,18 @@ def number(value: Any, option: str) -> int:
 
 
 def count(value: Any, option: str) -> int:
-    """An integer from 1 on."""
-    if c_number(value, option) == 0:
-        raise ValueError(f"{option}=0 is not within 1 .. 2^64 - 1")
-    return operator.index(value)
+    """An integer from 1 on that fits into 64 bits."""
+    return c_number(value, option, 1)
+
+
+def length(value: Any, option: str) -> int:
+    """A number of variants: an integer from 1 on that len() can return."""
+    return c_number(value, option, 1, sys.maxsize)
+
+
+def jobs(value: Any, option: str) -> int:
+    """A number of processes."""
+    return c_number(value, option, 1, MAX_JOBS)
 
 
 def real(value: Any, option: str) -> float:
@@ -97,8 +107,8 @@ def function(value: Any, option: str) -> Any:
 
 # The check of each option, which is the same in all functions that have the option.
 _CHECKS: dict[str, Callable[[Any, str], Any]] = {
-    "seed": number, "place_seed": number, "batch": count, "count": count, "first": number,
-    "jobs": count, "per_archive": count, "time_limit": seconds,
+    "seed": number, "place_seed": number, "batch": count, "count": length, "first": number,
+    "jobs": jobs, "per_archive": count, "time_limit": seconds,
     "name": text, "shard": text, "output": path,
     "target": word, "assets": word, "sampler": word, "on_invalid": word, "validate": word,
     "durability": word, "profile": word, "layout": word,

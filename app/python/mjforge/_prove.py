@@ -14,7 +14,7 @@ from typing import Any, Optional, Union
 from ._batch import Reader, Stored, manifests_of
 from ._comparison import Difference
 from ._findings import Finding, printable
-from ._library import c_number
+from ._options import MAX_JOBS
 from ._workers import Crew
 
 _MAX_SHOWN = 50  # findings that the command prints
@@ -65,8 +65,6 @@ class _Progress:
 
 def run(batch: Union[str, "os.PathLike[str]"], jobs: Optional[int], progress: bool) -> Proof:
     """Raises FileNotFoundError without a manifest, ImportError without a MuJoCo."""
-    if jobs is not None and c_number(jobs, "jobs") < 1:
-        raise ValueError(f"jobs={jobs} is less than 1")
     proof = Proof()
     manifests = manifests_of(batch)
     crew = Crew(jobs or len(os.sched_getaffinity(0)))
@@ -96,6 +94,7 @@ def _prove(manifest: pathlib.Path, crew: Crew, proof: Proof, progress: bool) -> 
         crew.examine(stored_objects, report, lambda: bar.show(stored_objects.records, failed))
     finally:
         bar.clear()
+    stored_objects.compare_with_seal()
     proof.variants += stored_objects.objects
     proof.findings[first:] = sorted(proof.findings[first:], key=lambda f: f.index or 0)
 
@@ -123,10 +122,17 @@ def _text(members: dict[str, Any], quoted: str) -> str:
     return text
 
 
-def _count(text: str) -> int:
-    number = int(text)
-    if number < 1:
-        raise ValueError
+def _counted(count: int, noun: str) -> str:
+    return f"{count} {noun}{'' if count == 1 else 's'}"
+
+
+def _jobs(text: str) -> int:
+    try:
+        number = int(text)
+    except ValueError:
+        number = 0
+    if not 1 <= number <= MAX_JOBS:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a number of processes from 1 to {MAX_JOBS}")
     return number
 
 
@@ -135,7 +141,7 @@ def _show(proof: Proof, as_json: bool) -> None:
         print(json.dumps(finding.members()) if as_json else finding.text, file=sys.stderr)
     more = len(proof.findings) - _MAX_SHOWN
     if more > 0 and not as_json:
-        print(f"mjforge: {more} more findings", file=sys.stderr)
+        print(f"mjforge: {_counted(more, 'more finding')}", file=sys.stderr)
 
 
 def main(arguments: list[str]) -> int:
@@ -143,7 +149,7 @@ def main(arguments: list[str]) -> int:
     parser = argparse.ArgumentParser("mjforge prove", description="Loads every file of a batch in the "
                                      "installed MuJoCo and compares it with its record.")
     parser.add_argument("batch", metavar="WHAT", help="a folder, an archive or a manifest")
-    parser.add_argument("-j", "--jobs", type=_count, metavar="N", help="processes; one per core")
+    parser.add_argument("-j", "--jobs", type=_jobs, metavar="N", help="processes; one per core")
     parser.add_argument("-q", "--quiet", action="store_true", help="print only findings")
     parser.add_argument("--findings", choices=["text", "json"], default="text", help="their format")
     options = parser.parse_args(arguments)
@@ -160,7 +166,7 @@ def main(arguments: list[str]) -> int:
     if not options.quiet:
         releases = ", ".join(sorted(proof.recorded - {""}))
         checked = f"checked in {releases} when made" if releases else "not checked when made"
-        print(printable(f"{proof.variants} variants in {options.batch}: {proof.proven} as recorded in "
+        print(printable(f"{_counted(proof.variants, 'variant')} in {options.batch}: {proof.proven} as recorded in "
                         f"MuJoCo {proof.version}; {checked} ({time.monotonic() - start:.1f} s)"),
               file=sys.stderr)
     return 1 if proof.findings or proof.proven < proof.variants else 0

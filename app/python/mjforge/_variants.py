@@ -172,12 +172,13 @@ class Variants(Sequence[Variant]):
         """The indices to write."""
         if self._indices is None:
             start = 0 if first is None else _options.number(first, "first")
-            return range(start, start + _options.count(count, "count"))
+            return range(start, start + _options.length(count, "count"))
         for option, value in (("count", count), ("first", first)):
             if value is not None:
                 raise ValueError(f"{option}={value!r}: a slice has its variants already")
         if self._indices.step != 1 or not self._indices:
             raise ValueError(f"variants {self._indices} are not consecutive, so they cannot be written")
+        _options.length(self._indices.stop - self._indices.start, "count")
         return self._indices
 
     def _validation(self) -> str:

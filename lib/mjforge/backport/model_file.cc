@@ -47,7 +47,8 @@ std::optional<ModelFile> ReadModelFile(const std::filesystem::path& file, diag::
   std::string why_not;
   std::optional<std::string> text = bytes::Read(file, bytes::kMaxMjcf, why_not);
   if (!text) {
-    findings.Add(Code::kYamlCannotRead, {}, fmt::format("cannot read '{}': {}", name, why_not));
+    findings.Add(Code::kYamlCannotRead, {}, fmt::format("cannot read '{}': {}", name, why_not),
+                 bytes::PipeHint(file));
     return std::nullopt;
   }
   if (const std::string_view kind = bytes::KindOf(*text); !kind.empty()) {

@@ -36,7 +36,9 @@ class FolderSink : public Sink {
 
   output::OverwritePolicy overwrite() const override {
     return {.force = request_.force,
-            .if_changed = request_.if_changed,
+            // A batch without a sound seal is made again; its files keep their times if they are
+            // as they were.
+            .if_changed = request_.if_changed || request_.resume,
             .durability = request_.durability,
             .assets = journal_.made_assets(),
             .kept_assets = journal_.assets()};

@@ -33,6 +33,12 @@ std::optional<std::string_view> VerifiedWords(std::string_view line) {
   return line == WithChecksum(words) ? std::optional(words) : std::nullopt;
 }
 
+// Returns true for JSON that contains nothing that could be lost.
+bool IsEmptyJson(std::string text) {
+  std::erase_if(text, [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; });
+  return text == "{}" || text == "[]" || text == "null";
+}
+
 Seal SealOfRequest(const SinkOptions& options, const std::filesystem::path& manifest) {
   const Request& request = options.request;
   Seal seal;
@@ -118,14 +124,14 @@ void Journal::ReadPreviousSeal() {
 
 // Returns true if manifest, seal and the snapshot of the spec do not exist or were made by an
 // earlier run. A damaged manifest is recognized by its seal, a damaged seal by the names of its
-// first and its last member.
+// first and its last member. JSON without content may be replaced, too.
 bool Journal::MayReplaceOutputs(diag::Findings& findings) const {
   const bool force = options_.request.force;
   const bool is_sealed = previous_seal_ && previous_seal_->manifest.file == file_.filename();
   constexpr std::string_view kSealStart = R"({"mjforge_seal":)";
   const auto is_seal = [&](std::string_view text) {
     return kSealStart.starts_with(text.substr(0, text.find('\0')).substr(0, kSealStart.size())) ||
-           text.find(R"(,"xxh128":")") != text.npos;
+           text.find(R"(,"xxh128":")") != text.npos || IsEmptyJson(std::string(text));
   };
   if (!MayReplaceManifest(file_, force || is_sealed, findings) ||
       !output::MayReplace(manifest::SealPathOf(file_), force, manifest::kMaxSeal, is_seal,

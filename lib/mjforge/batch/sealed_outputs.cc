@@ -24,6 +24,12 @@ void ReportDamage(const std::filesystem::path& file, const std::string& why_not,
                fmt::format("run the command that made it again with {}", option));
 }
 
+void ReportUnreadable(const std::filesystem::path& file, const std::string& why_not,
+                      diag::Findings& findings) {
+  findings.Add(diag::Code::kYamlCannotRead, {},
+               fmt::format("cannot read '{}': {}", file.string(), why_not));
+}
+
 // Returns true if a file exists and is not empty or, with `verify`, has its hash; otherwise adds a
 // finding.
 bool CheckHash(const std::filesystem::path& file, bool verify, std::uint64_t limit,
@@ -31,6 +37,11 @@ bool CheckHash(const std::filesystem::path& file, bool verify, std::uint64_t lim
   std::string why_not;
   const auto start = bytes::ReadStart(file, verify ? limit : 1, why_not);
   if (start && (verify ? bytes::Sha256Of(*start) == sha256 : !start->empty())) return true;
+  std::string ignored;
+  if (!start && bytes::MayRead(file, limit, ignored)) {
+    ReportUnreadable(file, why_not, findings);
+    return false;
+  }
   if (start) why_not = start->empty() ? "it is empty" : "its bytes are others";
   ReportDamage(file, why_not, findings);
   return false;
@@ -56,9 +67,17 @@ bool CheckSealed(const std::filesystem::path& folder, const manifest::SealedFile
                  diag::Findings& findings) {
   const std::filesystem::path path = folder / file.file;
   std::string why_not;
-  const bool is_good = verify ? bytes::IsSound(path, file.content, why_not)
-                              : bytes::HasSize(path, file.content.size, why_not);
-  if (is_good) return true;
+  auto found = bytes::Soundness::kSound;
+  if (verify) {
+    found = bytes::Compare(path, file.content, why_not);
+  } else if (!bytes::HasSize(path, file.content.size, why_not)) {
+    found = bytes::Soundness::kChanged;
+  }
+  if (found == bytes::Soundness::kSound) return true;
+  if (found == bytes::Soundness::kUnreadable) {
+    ReportUnreadable(path, why_not, findings);
+    return false;
+  }
   // If the size is right, suggest --verify, because resuming otherwise compares only sizes.
   std::string ignored;
   const bool has_size = bytes::HasSize(path, file.content.size, ignored);

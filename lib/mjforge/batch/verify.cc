@@ -34,6 +34,8 @@ class Verification {
       CheckBatch(ManifestOf(what));
     } else if (output::IsManifestName(name)) {
       CheckBatch(what);
+    } else if (const auto series = SeriesOf(what)) {
+      CheckSeries(*series);
     } else {
       CheckArchive(what);
     }
@@ -128,6 +130,31 @@ class Verification {
     return is_good;
   }
 
+  // Returns the destination of a series of archives or of families; nullopt for another name.
+  static std::optional<output::Destination> SeriesOf(const std::filesystem::path& what) {
+    std::string ignored;
+    std::optional<output::Destination> series = output::ParseDestination(what.string(), 1, ignored);
+    if (!series || (series->kind != output::Destination::Kind::kArchives && !series->IsSplit()))
+      return std::nullopt;
+    return series;
+  }
+
+  // Checks the batches and shards whose seals name the series.
+  void CheckSeries(const output::Destination& series) {
+    bool is_sealed = false;
+    for (const std::string& name : NamesIn(series.Folder(), findings_)) {
+      if (!name.ends_with(kSealEnding)) continue;
+      const std::filesystem::path manifest = ManifestOf(series.Folder() / name);
+      std::string why_not;
+      const auto seal = manifest::ReadSealBeside(manifest, why_not);
+      if (!seal || seal->output != series.path.filename()) continue;
+      CheckBatch(manifest);
+      is_sealed = true;
+    }
+    if (!is_sealed && findings_.empty())
+      CheckBatch(series.Manifest({}));  // reports that the seal is missing
+  }
+
   // Checks an archive by the seal of the batch that contains it.
   void CheckArchive(const std::filesystem::path& archive) {
     const std::filesystem::path folder = archive.parent_path();
@@ -149,7 +176,7 @@ class Verification {
       return;
     }
     ReportMissing(fmt::format("no seal beside '{}' is about it", archive.string()),
-                  "name a folder, a manifest, or an archive that 'mjforge generate' wrote");
+                  "run the command that made it again with --resume; other files have no seal");
   }
 
   void ReportMissing(std::string message, std::string hint) {

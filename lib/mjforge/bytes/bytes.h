@@ -108,6 +108,10 @@ using Assets = std::vector<Asset>;
 /// `why_not`.
 bool MayRead(const std::filesystem::path& file, std::uint64_t limit, std::string& why_not);
 
+/// Returns the hint for a pipe that a user names where "-" is possible, too; an empty text for
+/// other files.
+std::string PipeHint(const std::filesystem::path& file);
+
 /// Returns true for a regular file of this size. Otherwise sets `why_not` ("it has 12 bytes, not
 /// 40").
 bool HasSize(const std::filesystem::path& file, std::uint64_t size, std::string& why_not);
@@ -122,8 +126,9 @@ class Checksum {
   Checksum& operator=(const Checksum&) = delete;
 
   void Add(std::string_view bytes);
-  /// Adds the next `count` bytes of a file. Returns false if the file has fewer or reading fails.
-  bool Add(File& file, std::uint64_t count);
+  /// Adds the next `count` bytes of a file. Returns false if the file has fewer or, with `why_not`
+  /// set, if reading fails.
+  bool Add(File& file, std::uint64_t count, std::string& why_not);
   /// Returns the checksum of all bytes added so far, in hexadecimal.
   std::string Text() const;
   void Clear();
@@ -145,8 +150,11 @@ struct Prefix {
 /// number of prefixes before the first that does not match; 0 if the file cannot be read.
 std::size_t CountSound(const std::filesystem::path& file, std::span<const Prefix> prefixes);
 
-/// Returns true if the file has this size and this checksum. Otherwise sets `why_not` ("it has 12
-/// bytes, not 40").
+enum class Soundness { kSound, kChanged, kUnreadable };
+/// Compares a file with its size and checksum; sets `why_not` ("it has 12 bytes, not 40", "Too many
+/// open files") unless it is sound.
+Soundness Compare(const std::filesystem::path& file, const Prefix& whole, std::string& why_not);
+/// Returns true if a file is sound; sets `why_not` otherwise.
 bool IsSound(const std::filesystem::path& file, const Prefix& whole, std::string& why_not);
 
 /// Returns the SHA-256 hash of `bytes`, in hexadecimal.

@@ -13,6 +13,23 @@ namespace {
 
 constexpr std::uint64_t kReadBufferBytes = 256 * 1024;
 
+// Returns the number of prefixes before the first that does not match; sets `why_not` if the file
+// cannot be read.
+std::size_t CountMatching(const std::filesystem::path& file, std::span<const Prefix> prefixes,
+                          std::string& why_not) {
+  std::optional<File> opened = File::Open(file, why_not);
+  if (!opened) return 0;
+  Checksum checksum;
+  std::uint64_t at = 0;
+  for (std::size_t i = 0; i < prefixes.size(); ++i) {
+    const std::uint64_t end = prefixes[i].size;
+    if (end < at || !checksum.Add(*opened, end - at, why_not)) return i;
+    if (checksum.Text() != prefixes[i].checksum) return i;
+    at = end;
+  }
+  return prefixes.size();
+}
+
 }  // namespace
 
 struct Checksum::State {
@@ -26,8 +43,7 @@ void Checksum::Add(std::string_view bytes) {
   XXH3_128bits_update(&state_->hash, bytes.data(), bytes.size());
 }
 
-bool Checksum::Add(File& file, std::uint64_t count) {
-  std::string why_not;
+bool Checksum::Add(File& file, std::uint64_t count, std::string& why_not) {
   std::string buffer(std::min(count, kReadBufferBytes), '\0');
   while (count > 0) {
     const std::span<char> wanted = std::span(buffer).first(std::min(count, kReadBufferBytes));
@@ -53,25 +69,21 @@ std::string ChecksumOf(std::string_view bytes) {
 }
 
 std::size_t CountSound(const std::filesystem::path& file, std::span<const Prefix> prefixes) {
-  std::string why_not;
-  std::optional<File> opened = File::Open(file, why_not);
-  if (!opened) return 0;
-  Checksum checksum;
-  std::uint64_t at = 0;
-  for (std::size_t i = 0; i < prefixes.size(); ++i) {
-    const std::uint64_t end = prefixes[i].size;
-    if (end < at || !checksum.Add(*opened, end - at)) return i;
-    if (checksum.Text() != prefixes[i].checksum) return i;
-    at = end;
-  }
-  return prefixes.size();
+  std::string ignored;
+  return CountMatching(file, prefixes, ignored);
+}
+
+Soundness Compare(const std::filesystem::path& file, const Prefix& whole, std::string& why_not) {
+  if (!HasSize(file, whole.size, why_not)) return Soundness::kChanged;
+  why_not.clear();
+  if (CountMatching(file, {&whole, 1}, why_not) == 1) return Soundness::kSound;
+  if (!why_not.empty()) return Soundness::kUnreadable;
+  why_not = "its bytes are others";
+  return Soundness::kChanged;
 }
 
 bool IsSound(const std::filesystem::path& file, const Prefix& whole, std::string& why_not) {
-  if (!HasSize(file, whole.size, why_not)) return false;
-  if (CountSound(file, {&whole, 1}) == 1) return true;
-  why_not = "its bytes are others";
-  return false;
+  return Compare(file, whole, why_not) == Soundness::kSound;
 }
 
 }  // namespace mjforge::bytes

@@ -22,7 +22,7 @@ std::string Words(int error) { return std::generic_category().message(error); }
 std::string_view WhyNotRegular(::mode_t mode) {
   if (S_ISREG(mode)) return {};
   if (S_ISDIR(mode)) return "it is a folder";
-  if (S_ISFIFO(mode)) return "it is a pipe; '-' stands for standard input";
+  if (S_ISFIFO(mode)) return "it is a pipe";
   if (S_ISSOCK(mode)) return "it is a socket";
   return "it is a device";
 }
@@ -170,6 +170,11 @@ bool MayRead(const std::filesystem::path& file, std::uint64_t limit, std::string
   const std::optional<std::uint64_t> size = SizeOf(file, why_not);
   if (size && *size > limit) why_not = TooLong(limit);
   return size && *size <= limit;
+}
+
+std::string PipeHint(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return std::filesystem::is_fifo(file, ignored) ? "'-' stands for standard input" : "";
 }
 
 bool HasSize(const std::filesystem::path& file, std::uint64_t size, std::string& why_not) {

@@ -29,19 +29,20 @@ namespace fs = std::filesystem;
 class FileScan {
  public:
   FileScan(std::string_view text, fs::path folder) : text_(text), folder_(std::move(folder)) {
-    Add(text);
+    Add(text, {});
     for (std::size_t i = 0; i < documents_.size(); ++i) {
-      for (const auto& found : documents_[i]->select_nodes("//*")) {
-        if (IsInclude(found.node())) Include(FileOf(found.node()));
+      for (const auto& found : documents_[i].xml->select_nodes("//*")) {
+        if (IsInclude(found.node()))
+          Include(FileOf(found.node()), i == 0 ? found.node() : documents_[i].include);
       }
     }
-    ReadSettings(documents_[0]->document_element());
+    ReadSettings(documents_[0].xml->document_element());
   }
 
   std::optional<FileFault> Find() const {
     std::uint64_t pixels = 0;
-    for (const auto& document : documents_) {
-      for (const auto& found : document->select_nodes("//*")) {
+    for (const Document& document : documents_) {
+      for (const auto& found : document.xml->select_nodes("//*")) {
         const pugi::xml_node& element = found.node();
         std::optional<FileFault> fault = FindUnreadable(element);
         if (!fault && HasFaces(element)) fault = FindBadMesh(element);
@@ -50,7 +51,7 @@ class FileScan {
           if (pixels > bytes::kMaxPixels) fault = TooManyPixels(element);
         }
         if (!fault) continue;
-        fault->line = document == documents_[0] ? LineOf(element) : 1;
+        SetPlace(*fault, document.include ? document.include : element);
         return fault;
       }
     }
@@ -58,17 +59,22 @@ class FileScan {
   }
 
  private:
-  void Add(std::string_view text) {
-    documents_.push_back(std::make_unique<pugi::xml_document>());
-    documents_.back()->load_buffer(text.data(), text.size());
+  struct Document {
+    std::unique_ptr<pugi::xml_document> xml;
+    pugi::xml_node include;  // element of the text that includes the file; null for the text itself
+  };
+
+  void Add(std::string_view text, const pugi::xml_node& include) {
+    documents_.push_back({std::make_unique<pugi::xml_document>(), include});
+    documents_.back().xml->load_buffer(text.data(), text.size());
   }
 
-  void Include(const std::string& name) {
+  void Include(const std::string& name, const pugi::xml_node& include) {
     std::string why_not;
     if (included_.contains(name)) return;
     const auto text = bytes::Read(folder_ / name, bytes::kMaxMjcf, why_not);
-    if (text) Add(*text);
-    included_[name] = text ? documents_.back().get() : nullptr;
+    if (text) Add(*text, include);
+    included_[name] = text ? documents_.back().xml.get() : nullptr;
   }
 
   /// Reads the settings of `<compiler>` elements in the order of MuJoCo, which replaces each
@@ -208,15 +214,16 @@ class FileScan {
                                    Description(image), bytes::kMaxPixels)};
   }
 
-  int LineOf(const pugi::xml_node& element) const {
-    const auto offset =
-        static_cast<std::size_t>(std::max<std::ptrdiff_t>(element.offset_debug(), 0));
-    return 1 + static_cast<int>(std::ranges::count(text_.substr(0, offset), '\n'));
+  void SetPlace(FileFault& fault, const pugi::xml_node& element) const {
+    // pugixml returns the offset of the tag's name, which is after the character '<'.
+    fault.offset =
+        static_cast<std::size_t>(std::max<std::ptrdiff_t>(element.offset_debug() - 1, 0));
+    fault.line = 1 + static_cast<int>(std::ranges::count(text_.substr(0, fault.offset), '\n'));
   }
 
   std::string_view text_;
   fs::path folder_;
-  std::deque<std::unique_ptr<pugi::xml_document>> documents_;  // the first is that of the text
+  std::deque<Document> documents_;                             // the first is that of the text
   std::map<std::string, const pugi::xml_document*> included_;  // by name; null: not readable
   std::string texture_folder_;
   std::string mesh_folder_;

@@ -1,6 +1,7 @@
 // Checks the files that an MJCF text refers to, and its meshes, before MuJoCo reads them.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -13,7 +14,10 @@ namespace mjforge::engine {
 /// An element that refers to a file that MuJoCo must not open, or a mesh that MuJoCo must not read.
 struct FileFault {
   diag::Code code = diag::Code::kYamlCannotRead;
-  int line = 0;  // line in the model's text; 1 if an included file has the element
+  // Place of the element in the model's text or, if an included file has the element, of the
+  // include.
+  int line = 0;
+  std::size_t offset = 0;
   std::string message;
 };
 

@@ -176,7 +176,7 @@ bool PartFile::Truncate(std::uint64_t size, diag::Findings& findings) {
   if (size == 0) return true;
   std::string why_not;
   std::optional<bytes::File> kept = bytes::File::Open(temporary_, why_not);
-  if (kept && checksum_.Add(*kept, size)) return true;
+  if (kept && checksum_.Add(*kept, size, why_not)) return true;
   AddCannotWrite(file_, EIO, findings);
   return false;
 }

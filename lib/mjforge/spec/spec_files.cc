@@ -66,7 +66,9 @@ std::optional<std::uint32_t> ReadSource(const fs::path& file, std::string_view n
     if (snapshot != nullptr) (snapshot->*held_texts).emplace(file, *text);
     return sources.Add(shown, *std::move(text));
   }
-  findings.Add(Code::kYamlCannotRead, mark, fmt::format("cannot read '{}': {}", name, why_not))
+  findings
+      .Add(Code::kYamlCannotRead, mark, fmt::format("cannot read '{}': {}", name, why_not),
+           mark ? std::string() : bytes::PipeHint(file))
       .files = {file.string()};
   return std::nullopt;
 }

@@ -297,7 +297,10 @@ engine::Model Loader::Impl::LoadFile(const std::filesystem::path& file, diag::So
     return std::move(loaded.model);
   }
   if (loaded.fault) {
-    findings.Add(loaded.fault->code, xml::MarkOfLine(sources, xml->source, loaded.fault->line),
+    // A text that was backported has the lines of the source, but other columns.
+    findings.Add(loaded.fault->code,
+                 xml->backported ? xml::MarkOfLine(sources, xml->source, loaded.fault->line)
+                                 : xml::MarkAt(sources, xml->source, loaded.fault->offset),
                  loaded.error);
     return nullptr;
   }

@@ -103,6 +103,41 @@ TEST_CASE("without --resume a batch starts anew") {
   CHECK_FALSE(output::PartFile::Exists(test.folder / "out/manifest.jsonl"));
 }
 
+TEST_CASE("a seal without content is replaced, and another file in its place is not") {
+  CrateBatch test(kBoxSpec);
+  const Request request = Resuming(test.Of(30, "out"));
+  test.Make(request);
+  const auto whole = test.Bytes("out");
+  const std::string seal = "out/manifest.seal.json";
+  for (const char* text : {"", "{}", "null\n", "[]", "{ \n}"}) {
+    INFO(text);
+    test.folder.Write(seal, text);
+    CHECK(test.Make(request).ok == 30);
+    CHECK(test.Bytes("out") == whole);
+  }
+  for (const char* text : {"{\"a\": 1}", "0", "mine"}) {
+    INFO(text);
+    test.folder.Write(seal, text);
+    CHECK(test.Make(request).files_failed);
+    CHECK(test.folder.Read(seal) == text);
+  }
+}
+
+TEST_CASE("objects of a batch that lost its seal are not written again") {
+  CrateBatch test(kBoxSpec);
+  const Request request = test.Of(30, "out");
+  test.Make(request);
+  const auto whole = test.Bytes("out");
+  const auto kept = test.folder / "out/crate_000005.xml";
+  const auto time = std::filesystem::last_write_time(kept) - std::chrono::hours(1);
+  std::filesystem::last_write_time(kept, time);
+  test.folder.Write("out/crate_000006.xml", "");
+  std::filesystem::remove(test.folder / "out/manifest.seal.json");
+  CHECK(test.Make(Resuming(request)).ok == 30);
+  CHECK(test.Bytes("out") == whole);
+  CHECK(std::filesystem::last_write_time(kept) == time);
+}
+
 TEST_CASE("a batch of other options is not gone on with") {
   CrateBatch test(kBoxSpec);
   for (const std::string output : {"out", "tar/x.tar"}) {

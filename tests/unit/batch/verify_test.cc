@@ -77,6 +77,32 @@ TEST_CASE_METHOD(VerifyTest, "a batch without a seal is not good") {
         std::string::npos);
 }
 
+TEST_CASE_METHOD(VerifyTest, "a series is verified by its name, also without a seal") {
+  Request request = Of(100, "out/x_%d.tar.zst", 30);
+  Make(request);
+  Make(Of(20, "out/y_%d.tar.zst", 10));
+  CHECK(IsGood("out/x_%d.tar.zst"));
+  CHECK(verified.variants == 100);
+  CHECK(verified.files == 5);
+  folder.Write("out/x_1.tar.zst", "");
+  CHECK_FALSE(IsGood("out/x_%d.tar.zst"));
+  CHECK(findings[0].message.find("x_1.tar.zst' was changed: it has 0 bytes") != std::string::npos);
+  CHECK(IsGood("out/y_%d.tar.zst"));
+  std::filesystem::remove(folder / "out/y.manifest.seal.json");
+  for (const char* name : {"out/y_%d.tar.zst", "out/y_1.tar.zst"}) {
+    CHECK_FALSE(IsGood(name));
+    REQUIRE(findings.size() == 1);
+    CHECK(findings[0].code == diag::Code::kBatchMissing);
+    CHECK(findings[0].hint.starts_with("run the command that made it again with --resume"));
+  }
+  request.destination.path = folder / "shards/x_%d.tar";
+  request.destination.format = output::ArchiveFormat::kTar;
+  for (request.shard = {.index = 0, .count = 2}; request.shard.index < 2; ++request.shard.index)
+    Make(request);
+  CHECK(IsGood("shards/x_%d.tar"));
+  CHECK(verified.variants == 100);
+}
+
 TEST_CASE_METHOD(VerifyTest, "a manifest that is left over from another batch is not good") {
   Make(Of(10, "out/x.tar.zst"));
   Request plain = Of(10, "out/x.tar");
