@@ -72,32 +72,32 @@ int ContactsIn(const model::Object& object) {
   return SizeOf(object, Target::kMujoco, parsed).attribute("nconmax").as_int();
 }
 
-TEST_CASE("a placed geom that lies on many others needs room for all of these contacts") {
-  model::Object object = Balls(40);  // they touch, but are one body
+/// Returns a row of 40 balls, one body, and a board that was placed on all of them.
+model::Object BoardOnBalls() {
+  model::Object object = Balls(40);
   model::Body& body = object.bodies.emplace_back();
   body.name = "board";
   body.stands_at = "pile.surface";
   body.parts.push_back(hand_made::Solid("board", model::GeomType::kBox, {4, 0.1, 0.1},
                                         {{4, 0, 0.2}, {1, 0, 0, 0}}, 3));
   body.joints.emplace_back();
+  return object;
+}
+
+TEST_CASE("a placed geom that lies on many others needs room for all of these contacts") {
+  model::Object object = BoardOnBalls();
   CHECK(ContactsIn(object) == 1.5 * 40 + 50);
-  body.X_PB.p.z() = 1;
+  object.bodies[1].X_PB.p.z() = 1;
   CHECK(ContactsIn(object) == 0);
   // The board is above the balls, but the bounding box of the tilted board contains some of them.
-  body.X_PB = {{0, 0, 4}, {std::cos(0.3), 0, std::sin(0.3), 0}};
+  object.bodies[1].X_PB = {{0, 0, 4}, {std::cos(0.3), 0, std::sin(0.3), 0}};
   CHECK(ContactsIn(object) == 0);
 }
 
 TEST_CASE("pairs of boxes, and of convex geoms with multiccd, have several contacts") {
-  model::Object object = Balls(40);
+  model::Object object = BoardOnBalls();
   for (model::Part& ball : object.bodies[0].parts) ball.shape.type = model::GeomType::kEllipsoid;
   for (model::Part& ball : object.bodies[0].parts) ball.shape.size = {0.1, 0.1, 0.1};
-  model::Body& body = object.bodies.emplace_back();
-  body.name = "board";
-  body.stands_at = "pile.surface";
-  body.parts.push_back(hand_made::Solid("board", model::GeomType::kBox, {4, 0.1, 0.1},
-                                        {{4, 0, 0.2}, {1, 0, 0, 0}}, 3));
-  body.joints.emplace_back();
   const int single = ContactsIn(object);
   SECTION("boxes") {
     for (model::Part& part : object.bodies[0].parts) part.shape.type = model::GeomType::kBox;

@@ -183,13 +183,9 @@ TEST_CASE("a body in an interior is lowered until it touches") {
   CHECK(result.blocker == inner);
 }
 
-TEST_CASE("a body that would hang on a wall by its end does not stand") {
-  Scene scene;
-  const int bin = scene.AddBin(0.2, 0.05, 0.01);
-  const int pan = scene.Add(ShapeOf(GeomType::kBox, 0.05, 0.05, 0.05));
-  const double handle_z = GENERATE(-0.03, 0.03);  // below and above the rim of the bin
-  scene.AddPart(ShapeOf(GeomType::kBox, 0.1, 0.01, 0.01), At(0.15, 0, handle_z));
-  Region region = BoxRegion(0.2, 0.2);
+/// Tries to place a body in the middle of an interior of a bin, as wide as twice `half`.
+PlaceResult PlaceInside(const Scene& scene, int bin, double half, int body) {
+  Region region = BoxRegion(half, half);
   region.walls = true;
   const auto placer = MakePlacer();
   placer->Begin(scene.object);
@@ -197,7 +193,16 @@ TEST_CASE("a body that would hang on a wall by its end does not stand") {
   PlaceTry where;
   where.support = bin;
   where.region = &region;
-  const PlaceResult result = placer->Try(pan, where);
+  return placer->Try(body, where);
+}
+
+TEST_CASE("a body that would hang on a wall by its end does not stand") {
+  Scene scene;
+  const int bin = scene.AddBin(0.2, 0.05, 0.01);
+  const int pan = scene.Add(ShapeOf(GeomType::kBox, 0.05, 0.05, 0.05));
+  const double handle_z = GENERATE(-0.03, 0.03);  // below and above the rim of the bin
+  scene.AddPart(ShapeOf(GeomType::kBox, 0.1, 0.01, 0.01), At(0.15, 0, handle_z));
+  const PlaceResult result = PlaceInside(scene, bin, 0.2, pan);
   if (handle_z > 0) {
     CheckAt(result, {0, 0, 0.05 + kContactGap}, 1e-6);
   } else {
@@ -210,15 +215,7 @@ TEST_CASE("a body lies across two walls if its middle is between them") {
   Scene scene;
   const int bin = scene.AddBin(0.2, 0.05, 0.01);
   const int board = scene.Add(ShapeOf(GeomType::kBox, 0.25, 0.05, 0.01));
-  Region region = BoxRegion(0.3, 0.2);
-  region.walls = true;
-  const auto placer = MakePlacer();
-  placer->Begin(scene.object);
-  placer->Stand(bin);
-  PlaceTry where;
-  where.support = bin;
-  where.region = &region;
-  CheckAt(placer->Try(board, where), {0, 0, 0.06 + kContactGap}, 1e-6);
+  CheckAt(PlaceInside(scene, bin, 0.3, board), {0, 0, 0.06 + kContactGap}, 1e-6);
 }
 
 TEST_CASE("round bowls nest") {
