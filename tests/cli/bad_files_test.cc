@@ -283,7 +283,7 @@ TEST_CASE_METHOD(BadInputTest,
   CheckSpec("mjforge: 1\nname: crate\nbodies: [{name: b, mjcf: a.xml}]\n", "model/bad-texture");
   const auto file = Run({"validate", "a.xml", "-q"});
   CHECK(file.status == 1);
-  CHECK(file.err.starts_with("a.xml:2:1: error: with texture 't' the pictures have more than "));
+  CHECK(file.err.starts_with("a.xml:2:8: error: with texture 't' the pictures have more than "));
 }
 
 TEST_CASE_METHOD(BadInputTest,

@@ -11,7 +11,7 @@ namespace mjforge::attach {
 
 namespace {
 
-// Loads a file with the mesh masses of MuJoCo 3.
+// Loads a file by the rules of MuJoCo 3 for masses and shapes of meshes.
 engine::Loaded Load(engine::Engine& engine, const std::filesystem::path& file) {
   if (mjVERSION_HEADER >= 300) return backport::LoadFile(engine, file);
   diag::Sources sources;
@@ -19,7 +19,7 @@ engine::Loaded Load(engine::Engine& engine, const std::filesystem::path& file) {
   std::optional<xml::XmlElement> root = xml::ReadXml(file, sources, findings);
   if (!root) return {};
   xml::ResolveFiles(*root, file.parent_path(), findings);
-  backport::AddMeshInertia(*root, [&](const std::string& text) { return engine.LoadText(text); });
+  backport::ApplyLaterRules(*root, [&](const std::string& text) { return engine.LoadText(text); });
   return engine.LoadText(xml::Flatten(*root).text);
 }
 
