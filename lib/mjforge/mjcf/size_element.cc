@@ -132,9 +132,9 @@ struct TouchingGeoms {
   double flat_pairs = 0;                         // pairs that may have several contacts
 };
 
-std::size_t CountDistinct(std::vector<std::size_t>& indices) {
+std::size_t CountDistinct(std::vector<std::size_t> indices) {
   std::ranges::sort(indices);
-  return indices.size() - std::ranges::unique(indices).size();
+  return static_cast<std::size_t>(std::unique(indices.begin(), indices.end()) - indices.begin());
 }
 
 /// Returns the number of contacts between different children of the world at the start: the sum
@@ -160,7 +160,7 @@ double CountContactsAtStart(const model::Object& object) {
     }
   }
   double sum = 0;
-  for (auto& [trees, touching] : pairs) {
+  for (const auto& [trees, touching] : pairs) {
     const auto count = static_cast<double>(
         std::min(touching.of_first.size(),
                  std::max(CountDistinct(touching.of_first), CountDistinct(touching.of_second))));
