@@ -12,6 +12,10 @@
 
 #ifdef __SANITIZE_ADDRESS__
 #include <sanitizer/lsan_interface.h>
+
+// Names the library whose leaks are not reported: Mesa's threads allocate memory while they draw,
+// and may still run when the program ends.
+const char* __lsan_default_suppressions() { return "leak:libOSMesa\n"; }
 #endif
 
 namespace mjforge::picture {
