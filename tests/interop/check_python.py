@@ -82,7 +82,7 @@ def finds_another_record():
             change(record)
             lines[1] = json.dumps(record)
             manifest.write_text("\n".join(lines) + "\n")
-            pathlib.Path(path, "manifest.seal.json").unlink()  # it would tell that the manifest was changed
+            pathlib.Path(path, "manifest.seal.json").unlink()  # it has the size of the manifest
             findings = mjforge.prove(path)
         expect(len(findings) == 1 and f"the {what} is" in findings[0].message, f"{what}: {findings}")
         expect((findings[0].code, findings[0].index) == ("mujoco/mismatch", 1), findings[0].text)
