@@ -117,28 +117,11 @@ bool HasPolygons(std::string_view content) {
   return false;
 }
 
-// Layout of binary STL: a header of 80 bytes, the number of triangles, and for each triangle twelve
-// numbers (normal and corners) and two unused bytes.
-static_assert(std::endian::native == std::endian::little);
-constexpr std::size_t kStlCount = 80;  // offset of the number of triangles
-constexpr std::size_t kStlHeader = 84;
-constexpr std::size_t kStlTriangle = 50;
-
-template <typename T>
-T ValueAt(std::string_view bytes, std::size_t at) {
-  T value;
-  std::memcpy(&value, bytes.data() + at, sizeof(value));
-  return value;
-}
-
-bool IsBinaryStl(std::string_view content) {
-  return content.size() >= kStlHeader && (content.size() - kStlHeader) % kStlTriangle == 0 &&
-         (content.size() - kStlHeader) / kStlTriangle == ValueAt<std::uint32_t>(content, kStlCount);
-}
-
 void AddBinaryStl(std::string_view content, MeshBuilder& builder) {
-  for (std::size_t at = kStlHeader; at < content.size(); at += kStlTriangle) {
-    const auto numbers = ValueAt<std::array<float, 12>>(content, at);
+  static_assert(std::endian::native == std::endian::little);
+  for (std::size_t at = mesh_data::kStlHeader; at < content.size(); at += mesh_data::kStlTriangle) {
+    std::array<float, 12> numbers;  // normal and corners
+    std::memcpy(numbers.data(), content.data() + at, sizeof(numbers));
     std::array<Eigen::Vector3d, 3> corners;
     for (std::size_t k = 0; k < 3; ++k)
       corners[k] = {numbers[3 * k + 3], numbers[3 * k + 4], numbers[3 * k + 5]};
@@ -227,7 +210,7 @@ std::optional<MeshFile> ParseObj(std::string_view content, std::string& why_not)
 std::optional<MeshFile> ParseStl(std::string_view content, std::string& why_not) {
   const auto parse = [&]() -> std::optional<MeshFile> {
     MeshBuilder builder;
-    const bool is_binary = IsBinaryStl(content);
+    const bool is_binary = mesh_data::IsBinaryStl(content);
     if (is_binary) {
       AddBinaryStl(content, builder);
     } else if (!AddTextStl(content, builder, why_not)) {

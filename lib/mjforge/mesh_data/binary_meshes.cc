@@ -61,18 +61,18 @@ std::string FindDataFault(std::string_view content, std::uint64_t numbers, std::
 
 }  // namespace
 
+bool IsBinaryStl(std::string_view content) {
+  constexpr std::size_t kCount = kStlHeader - sizeof(std::uint32_t);
+  return content.size() >= kStlHeader && (content.size() - kStlHeader) % kStlTriangle == 0 &&
+         (content.size() - kStlHeader) / kStlTriangle == ValueAt<std::uint32_t>(content, kCount);
+}
+
 Check CheckStl(std::string_view content) {
-  // A header of 80 bytes, the number of triangles, and for each triangle twelve numbers (normal and
-  // corners) and two unused bytes. MuJoCo ignores the normals.
-  constexpr std::size_t kCount = 80;
-  constexpr std::size_t kStlHeader = 84;
-  constexpr std::size_t kTriangle = 50;
-  constexpr std::size_t kCorners = 12;
-  if (content.size() < kStlHeader || (content.size() - kStlHeader) % kTriangle != 0) return {};
-  const std::size_t triangles = (content.size() - kStlHeader) / kTriangle;
-  if (triangles != ValueAt<std::uint32_t>(content, kCount)) return {};
+  constexpr std::size_t kCorners = 12;  // after the normal, which MuJoCo ignores
+  if (!IsBinaryStl(content)) return {};
+  const std::size_t triangles = (content.size() - kStlHeader) / kStlTriangle;
   for (std::size_t i = 0; i < triangles; ++i) {
-    if (!AreFinite(content, kStlHeader + i * kTriangle + kCorners, 9)) return {kNotFinite, 0};
+    if (!AreFinite(content, kStlHeader + i * kStlTriangle + kCorners, 9)) return {kNotFinite, 0};
   }
   return {{}, 3 * triangles};
 }

@@ -30,6 +30,14 @@ struct Check {
 /// all, because MuJoCo rejects it with a reason.
 Check CheckFile(Format format, std::string_view content);
 
+/// Layout of binary STL: a header of 84 bytes, the last four of which are the number of triangles,
+/// and for each triangle twelve floats (normal and corners) and two unused bytes.
+inline constexpr std::size_t kStlHeader = 84;
+inline constexpr std::size_t kStlTriangle = 50;
+
+/// Returns true if the size of the content matches the number of triangles in its header.
+bool IsBinaryStl(std::string_view content);
+
 /// Attributes of an element `mesh` or `skin`, empty if it does not have them.
 struct InlineMesh {
   std::string_view vertex = {};

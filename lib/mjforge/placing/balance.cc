@@ -36,26 +36,15 @@ std::vector<Vector2d> CarryingPoints(std::span<const distance::PlacedShape> shap
   return points;
 }
 
-double DistanceToSegment(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
-  const Vector2d along = b - a;
-  const double length = along.squaredNorm();
-  const double share = length > 0 ? std::clamp(along.dot(p - a) / length, 0.0, 1.0) : 0;
-  return (p - a - share * along).norm();
-}
-
 // Returns the distance of a point from the convex hull of points; 0 inside.
 double DistanceToHull(const Vector2d& p, std::vector<Vector2d> points) {
   const Polygon hull = solid::ConvexPolygonOf(std::move(points));
+  if (solid::ConvexContains(hull, p)) return 0;
   double distance = std::numeric_limits<double>::infinity();
-  bool is_inside = hull.size() > 2;
-  for (std::size_t i = 0; i < hull.size(); ++i) {
-    const Vector2d& a = hull[i];
-    const Vector2d& b = hull[(i + 1) % hull.size()];
-    distance = std::min(distance, DistanceToSegment(p, a, b));
-    const Vector2d edge = b - a;
-    is_inside &= edge.x() * (p - a).y() >= edge.y() * (p - a).x();
-  }
-  return is_inside ? 0 : distance;
+  for (std::size_t i = 0; i < hull.size(); ++i)
+    distance =
+        std::min(distance, solid::DistanceToSegment(p, hull[i], hull[(i + 1) % hull.size()]));
+  return distance;
 }
 
 }  // namespace

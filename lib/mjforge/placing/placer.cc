@@ -14,6 +14,7 @@
 #include "mjforge/placing/placing.h"
 #include "mjforge/placing/stable_poses.h"
 #include "mjforge/placing/widest_gap.h"
+#include "mjforge/solid/solid.h"
 
 namespace mjforge::placing {
 namespace {
@@ -47,6 +48,7 @@ struct Orientation {
   std::vector<BodyShape> shapes;  // in the body's frame B
   PlacedShapes placed;            // these shapes in frame L
   Footprint footprint;            // in frame L
+  Vector3d p_BCm;                 // centre of mass in frame B
   double bottom = 0;              // least z in L, m
   double height = 0;              // m
 };
@@ -55,8 +57,13 @@ Orientation Oriented(const model::Object& object, int body, const Eigen::Quatern
   std::vector<BodyShape> shapes = ShapesBelow(object, body);
   PlacedShapes placed = ShapesAt(shapes, {Vector3d::Zero(), q_LB});
   Footprint footprint = FootprintOf(placed);
-  Orientation orientation{
-      body, q_LB, q_LB, std::move(shapes), std::move(placed), std::move(footprint)};
+  Orientation orientation{body,
+                          q_LB,
+                          q_LB,
+                          std::move(shapes),
+                          std::move(placed),
+                          std::move(footprint),
+                          MassBelow(object, body).p_FCm};
   Eigen::AlignedBox3d box;
   for (const distance::PlacedShape& shape : orientation.placed) box.extend(shape.box_W);
   if (orientation.placed.empty()) return orientation;
@@ -67,16 +74,10 @@ Orientation Oriented(const model::Object& object, int body, const Eigen::Quatern
 
 // Returns true if, in the modelled orientation, the centre of mass of the body is above the convex
 // hull of its points that touch the ground.
-bool IsStable(const model::Object& object, const Orientation& upright) {
+bool IsStable(const Orientation& upright) {
   constexpr double kTouching = 1e-4;  // m; higher points do not touch the ground
-  const Vector2d center = MassBelow(object, upright.body).p_FCm.head<2>();
-  const Polygon outline = FootprintOf(upright.placed, kTouching).Outline();
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Vector2d edge = outline[(i + 1) % outline.size()] - outline[i];
-    const Vector2d to_center = center - outline[i];
-    if (edge.x() * to_center.y() < edge.y() * to_center.x()) return false;
-  }
-  return outline.size() > 2;
+  return solid::ConvexContains(FootprintOf(upright.placed, kTouching).Outline(),
+                               upright.p_BCm.head<2>());
 }
 
 // Returns the orientation `asked`. If it is nullopt, returns the modelled orientation or, if the
@@ -84,7 +85,7 @@ bool IsStable(const model::Object& object, const Orientation& upright) {
 Orientation OrientationOf(const model::Object& object, int body,
                           const std::optional<Eigen::Quaterniond>& asked) {
   Orientation orientation = Oriented(object, body, asked.value_or(Eigen::Quaterniond::Identity()));
-  if (!asked && !IsStable(object, orientation)) {
+  if (!asked && !IsStable(orientation)) {
     const std::vector<model::StablePose> poses = StablePosesOf(object, body, 0);
     const auto least = std::ranges::max_element(
         poses, {}, [](const model::StablePose& pose) { return pose.rotation.w(); });
@@ -243,7 +244,7 @@ class RegionTry {
     // A body that was lowered onto the edge of a wall would fall from there.
     if (rise > kContactGap) {
       const std::vector<Contact> contacts = obstacles.FindContacts(shapes, kCarrying);
-      if (!IsBalanced(shapes, contacts, X_WB * MassBelow(object_, of_.body).p_FCm)) {
+      if (!IsBalanced(shapes, contacts, X_WB * of_.p_BCm)) {
         result.verdict = PlaceVerdict::kBlocked;
         result.blocker = contacts.empty() ? where_.support : contacts.front().body;
         return;

@@ -22,13 +22,8 @@ double SizeOf(std::span<const Point2> points) {
 /// Returns the distance between two segments, 0 if they cross.
 double DistanceBetween(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   const bool apart = Turn(a, b, c) * Turn(a, b, d) > 0 || Turn(c, d, a) * Turn(c, d, b) > 0;
-  const auto to_segment = [](const Point2& p, const Point2& from, const Point2& to) {
-    const Point2 side = to - from;
-    const double share = std::clamp((p - from).dot(side) / side.squaredNorm(), 0.0, 1.0);
-    return (from + share * side - p).norm();
-  };
-  const double ends = std::min(
-      {to_segment(a, c, d), to_segment(b, c, d), to_segment(c, a, b), to_segment(d, a, b)});
+  const double ends = std::min({DistanceToSegment(a, c, d), DistanceToSegment(b, c, d),
+                                DistanceToSegment(c, a, b), DistanceToSegment(d, a, b)});
   return apart ? ends : std::min(ends, Turn(a, b, c) == 0 && Turn(a, b, d) == 0 ? ends : 0.0);
 }
 

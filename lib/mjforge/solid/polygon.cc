@@ -36,6 +36,20 @@ std::vector<Point2> Clipped(std::span<const Point2> corners, const Point2& norma
 }
 
 // Source: Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979.
+double DistanceToSegment(const Point2& p, const Point2& from, const Point2& to) {
+  const Point2 side = to - from;
+  const double length = side.squaredNorm();
+  const double share = length > 0 ? std::clamp((p - from).dot(side) / length, 0.0, 1.0) : 0;
+  return (from + share * side - p).norm();
+}
+
+bool ConvexContains(std::span<const Point2> corners, const Point2& p) {
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (Turn(corners[i], corners[(i + 1) % corners.size()], p) < 0) return false;
+  }
+  return corners.size() > 2;
+}
+
 std::vector<Point2> ConvexPolygonOf(std::vector<Point2> points, double straight) {
   std::ranges::sort(points, {}, [](const Point2& p) { return std::pair(p.x(), p.y()); });
   points.erase(std::unique(points.begin(), points.end()), points.end());

@@ -27,8 +27,14 @@ double AreaOf(std::span<const Point2> corners);
 /// at corner i.
 Point2 OutwardNormal(std::span<const Point2> corners, std::size_t i);
 
+/// Returns the distance of a point from a segment, m. The ends of the segment may coincide.
+double DistanceToSegment(const Point2& p, const Point2& from, const Point2& to);
+
 /// Returns the part of a convex polygon in which dot(normal, p) <= limit; empty if there is none.
 std::vector<Point2> Clipped(std::span<const Point2> corners, const Point2& normal, double limit);
+
+/// Returns true if a convex polygon contains a point. Less than three corners contain nothing.
+bool ConvexContains(std::span<const Point2> corners, const Point2& p);
 
 /// Returns the convex hull, counter-clockwise, without straight corners, at which the sine of the
 /// angle between the two edges is at most `straight`.
