@@ -95,6 +95,18 @@ class Proofs(unittest.TestCase):
         with self.assertRaisesRegex(FileNotFoundError, "has no manifest"):
             manifests_of(self.path / "none.tar")
 
+    def test_a_shard_that_was_not_made_is_missing(self):
+        for shard in (0, 2):
+            self.write("shards/", 6, shard=f"{shard}/3")
+        with unittest.mock.patch.object(_prove, "Crew", Agreeing):
+            (finding,) = mjforge.prove(self.path / "shards")
+            self.assertEqual(finding.code, "batch/missing")
+            self.assertIn("shard 1/3 is missing: there is no '", finding.message)
+            self.assertIn("manifest-00001-of-00003.jsonl'", finding.message)
+            self.assertEqual(mjforge.prove(self.path / "shards/manifest-00002-of-00003.jsonl"), [])
+            self.write("shards/", 6, shard="1/3")
+            self.assertEqual(mjforge.prove(self.path / "shards"), [])
+
     def test_the_record_names_the_release_that_checked_it(self):
         version = subprocess.run([PACKAGE / "mjforge/bin/mjforge", "--version"], capture_output=True,
                                  text=True).stdout.splitlines()[1]

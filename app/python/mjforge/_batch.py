@@ -8,7 +8,7 @@ import os
 import pathlib
 import re
 import stat
-from typing import Any, Callable, Iterator, Mapping, Optional, Union
+from typing import Any, Callable, Iterator, Mapping, Optional, Sequence, Union
 
 from ._findings import Finding
 from ._json import loads
@@ -18,8 +18,8 @@ from ._library import lines, members
 _MAX_FILE = 256 << 20
 _MAX_ASSETS = 1 << 30  # bytes of an archive's assets that are kept in memory
 _RESUME = "run the command that made it again with --resume"
-_SHARD = re.compile(r"-\d+-of-\d+")
-_MANIFEST = re.compile(rf"(.+\.)?manifest({_SHARD.pattern})?\.jsonl(\.zst)?")
+_SHARD = re.compile(r"-(?P<index>\d{5})-of-(?P<count>\d{5})(?=\.jsonl)")
+_MANIFEST = re.compile(r"(.+\.)?manifest(-\d{5}-of-\d{5})?\.jsonl(\.zst)?")
 
 
 def manifests_of(batch: Union[str, "os.PathLike[str]"]) -> list[pathlib.Path]:
@@ -51,6 +51,22 @@ def manifests_of(batch: Union[str, "os.PathLike[str]"]) -> list[pathlib.Path]:
             f"'{os.fspath(batch)}' has no manifest: name the folder, the archive or the manifest that "
             "'mjforge generate' wrote")
     return found
+
+
+def missing_shards(manifests: Sequence[pathlib.Path]) -> Iterator[Finding]:
+    """A finding for each shard that has no manifest among these, of batches that are not merged."""
+    present: dict[tuple[pathlib.Path, int], set[int]] = {}
+    for manifest in manifests:
+        if shard := _SHARD.search(manifest.name):
+            whole = manifest.with_name(_SHARD.sub("", manifest.name))
+            present.setdefault((whole, int(shard["count"])), set()).add(int(shard["index"]))
+    for (whole, count), indices in present.items():
+        for index in sorted(set(range(count)) - indices):
+            name = whole.name.replace(".jsonl", f"-{index:05}-of-{count:05}.jsonl")
+            yield Finding({
+                "severity": "error", "code": "batch/missing", "notes": [],
+                "message": f"shard {index}/{count} is missing: there is no '{whole.with_name(name)}'",
+                "hint": f"make it with --shard {index}/{count} --resume"})
 
 
 @dataclasses.dataclass

@@ -11,7 +11,7 @@ import sys
 import time
 from typing import Any, Optional, Union
 
-from ._batch import Reader, Stored, manifests_of
+from ._batch import Reader, Stored, manifests_of, missing_shards
 from ._comparison import Difference
 from ._findings import Finding, printable
 from ._options import MAX_JOBS
@@ -74,6 +74,8 @@ def run(batch: Union[str, "os.PathLike[str]"], jobs: Optional[int], progress: bo
             _prove(manifest, crew, proof, progress)
     finally:
         crew.close()
+    if pathlib.Path(batch).is_dir():
+        proof.findings += missing_shards(manifests)
     return proof
 
 

@@ -108,9 +108,7 @@ class ShardMerger {
     const auto& [count, indices] = *found.begin();
     for (std::uint64_t i = 0; i < count && findings_.size() < kMaxFindings; ++i) {
       if (indices.contains(i)) continue;
-      ReportMissing(fmt::format("shard {}/{} is missing: there is no '{}'", i, count,
-                                destination_.Manifest({i, count}).string()),
-                    fmt::format("make it with --shard {}/{} --resume", i, count));
+      ReportMissingShard({i, count}, destination_.Manifest({i, count}), findings_);
     }
     if (findings_.HasErrors()) return std::nullopt;
     return count;

@@ -49,6 +49,14 @@ bool CheckHash(const std::filesystem::path& file, bool verify, std::uint64_t lim
 
 }  // namespace
 
+void ReportMissingShard(const output::Shard& shard, const std::filesystem::path& manifest,
+                        diag::Findings& findings) {
+  findings.Add(diag::Code::kBatchMissing, {},
+               fmt::format("shard {}/{} is missing: there is no '{}'", shard.index, shard.count,
+                           manifest.string()),
+               fmt::format("make it with --shard {}/{} --resume", shard.index, shard.count));
+}
+
 std::vector<std::string> NamesIn(const std::filesystem::path& folder, diag::Findings& findings) {
   std::vector<std::string> names;
   std::error_code error;

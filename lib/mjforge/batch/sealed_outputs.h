@@ -11,6 +11,7 @@
 
 #include "mjforge/diag/diag.h"
 #include "mjforge/manifest/manifest.h"
+#include "mjforge/output/output.h"
 
 namespace mjforge::batch {
 
@@ -22,6 +23,10 @@ std::vector<std::string> NamesIn(const std::filesystem::path& folder, diag::Find
 /// seal; otherwise adds a finding.
 bool CheckSealed(const std::filesystem::path& folder, const manifest::SealedFile& file, bool verify,
                  diag::Findings& findings);
+
+/// Adds a finding for a shard that has no manifest, which would have the path `manifest`.
+void ReportMissingShard(const output::Shard& shard, const std::filesystem::path& manifest,
+                        diag::Findings& findings);
 
 /// Compares the files of a folder with records. Reads an asset of several objects only once.
 class ObjectChecker {

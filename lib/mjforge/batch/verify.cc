@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <map>
+#include <set>
 
 #include "mjforge/batch/batch.h"
 #include "mjforge/batch/sealed_outputs.h"
@@ -75,6 +77,7 @@ class Verification {
     }
     if (is_empty && findings_.empty())
       ReportMissing(fmt::format("'{}' has no manifest", folder.string()), {});
+    ReportMissingShards();
   }
 
   void CheckBatch(const std::filesystem::path& manifest) {
@@ -93,11 +96,44 @@ class Verification {
           "it is left over from another batch in this place");
       return;
     }
+    const output::Shard shard{seal->shard, seal->shards};
+    if (!shard.IsWhole()) shards_[WholeOf(manifest, shard)][shard.count].insert(shard.index);
     const std::filesystem::path folder = manifest.parent_path();
     for (const manifest::SealedFile& archive : seal->archives) Check(folder, archive);
     if (!Check(folder, seal->manifest)) return;
     result_.variants += seal->records;
     if (seal->output.empty()) CheckObjects(manifest);
+  }
+
+  // Returns the path of the manifest into which `merge` joins this shard's manifest.
+  static std::filesystem::path WholeOf(std::filesystem::path manifest, const output::Shard& shard) {
+    std::string name = manifest.filename().string();
+    const std::string suffix = shard.Suffix();
+    if (const std::size_t at = name.rfind(suffix); at != name.npos) name.erase(at, suffix.size());
+    return manifest.replace_filename(name);
+  }
+
+  // Reports the shards without a manifest, for all batches that were checked and are not merged.
+  void ReportMissingShards() {
+    std::error_code ignored;
+    for (const auto& [whole, batches] : shards_) {
+      if (std::filesystem::exists(whole, ignored)) continue;
+      for (const auto& [count, present] : batches) ReportMissingShards(whole, count, present);
+    }
+  }
+
+  void ReportMissingShards(const std::filesystem::path& whole, std::uint64_t count,
+                           const std::set<std::uint64_t>& present) {
+    std::uint64_t missing = count - present.size();
+    for (output::Shard shard{0, count}; missing > 0 && findings_.size() < kMaxFindings;
+         ++shard.index) {
+      if (present.contains(shard.index)) continue;
+      std::string name = whole.filename().string();
+      name.insert(name.rfind(kManifestEnding), shard.Suffix());
+      ReportMissingShard(shard, whole.parent_path() / name, findings_);
+      --missing;
+    }
+    result_.more_findings += missing;
   }
 
   bool Check(const std::filesystem::path& folder, const manifest::SealedFile& file) {
@@ -153,6 +189,7 @@ class Verification {
     }
     if (!is_sealed && findings_.empty())
       CheckBatch(series.Manifest({}));  // reports that the seal is missing
+    ReportMissingShards();
   }
 
   // Checks an archive by the seal of the batch that contains it.
@@ -186,6 +223,9 @@ class Verification {
   diag::Sources& sources_;
   diag::Findings& findings_;
   VerifyResult result_;
+  // Indices of the shards that were checked, by the manifest into which `merge` would join them, and
+  // by the number of shards.
+  std::map<std::filesystem::path, std::map<std::uint64_t, std::set<std::uint64_t>>> shards_;
 };
 
 }  // namespace

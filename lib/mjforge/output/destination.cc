@@ -52,13 +52,11 @@ std::string StemOf(const Destination& destination) {
   return stem;
 }
 
-// Returns the part of a shard's file names before the extension: "-00003-of-00008"; empty for a
-// whole batch.
-std::string PartOf(const Shard& shard) {
-  return shard.IsWhole() ? std::string() : fmt::format("-{:05}-of-{:05}", shard.index, shard.count);
-}
-
 }  // namespace
+
+std::string Shard::Suffix() const {
+  return IsWhole() ? std::string() : fmt::format("-{:05}-of-{:05}", index, count);
+}
 
 std::filesystem::path Destination::Archive(std::uint64_t number) const {
   std::string name = path.filename().string();
@@ -83,14 +81,13 @@ std::filesystem::path Destination::Folder() const {
 }
 
 std::filesystem::path Destination::Rows(const Shard& shard) const {
-  return Folder() / fmt::format("{}{}.rows", StemOf(*this), PartOf(shard));
+  return Folder() / fmt::format("{}{}.rows", StemOf(*this), shard.Suffix());
 }
 
 std::filesystem::path Destination::Manifest(const Shard& shard) const {
   const std::string stem = kind == Kind::kFolder ? std::string() : StemOf(*this);
-  const std::string part = PartOf(shard);
-  return Folder() / fmt::format("{}{}manifest{}.jsonl{}", stem, stem.empty() ? "" : ".", part,
-                                format == ArchiveFormat::kTarZstd ? kZstd : "");
+  return Folder() / fmt::format("{}{}manifest{}.jsonl{}", stem, stem.empty() ? "" : ".",
+                                shard.Suffix(), format == ArchiveFormat::kTarZstd ? kZstd : "");
 }
 
 bool IsManifestName(std::string_view name) {

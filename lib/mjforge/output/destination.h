@@ -18,6 +18,9 @@ struct Shard {
   std::uint64_t count = 1;
 
   bool IsWhole() const { return count == 1; }
+  /// Returns the end of the shard's file names, before the extension: "-00003-of-00008"; empty for
+  /// a whole batch.
+  std::string Suffix() const;
 };
 
 /// Destination of a batch.

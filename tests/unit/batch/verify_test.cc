@@ -103,6 +103,29 @@ TEST_CASE_METHOD(VerifyTest, "a series is verified by its name, also without a s
   CHECK(verified.variants == 100);
 }
 
+TEST_CASE_METHOD(VerifyTest, "a batch of which a shard was not made is not good") {
+  for (const std::string output : {"out", "series/x_%02d.tar.zst"}) {
+    const std::string folder_name = output.substr(0, output.find('/'));
+    INFO(output);
+    Request request = Of(100, output);
+    for (const std::uint64_t index : {0, 3}) {
+      request.shard = {index, 4};
+      Make(request);
+    }
+    for (const std::string& name : {folder_name, output}) {
+      CHECK_FALSE(IsGood(name));
+      REQUIRE(findings.size() == 2);
+      CHECK(findings[0].code == diag::Code::kBatchMissing);
+      CHECK(findings[0].message == "shard 1/4 is missing: there is no '" +
+                                       request.destination.Manifest({1, 4}).string() + "'");
+      CHECK(findings[1].hint == "make it with --shard 2/4 --resume");
+    }
+    CHECK(IsGood(request.destination.Manifest({3, 4}).lexically_relative(folder / ".")));
+    for (request.shard.index = 1; request.shard.index < 3; ++request.shard.index) Make(request);
+    CHECK(IsGood(folder_name));
+  }
+}
+
 TEST_CASE_METHOD(VerifyTest, "a manifest that is left over from another batch is not good") {
   Make(Of(10, "out/x.tar.zst"));
   Request plain = Of(10, "out/x.tar");
