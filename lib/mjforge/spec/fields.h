@@ -76,7 +76,7 @@ enum class FieldKind {
 /// Returns true for kinds that are a value, which may be drawn or computed.
 constexpr bool HoldsValue(FieldKind kind) { return kind <= FieldKind::kPosition; }
 
-/// Selection of a part's geoms to which an attribute is written.
+/// Selects the geoms of a part to which an attribute is written.
 enum class Applies { kBoth, kCollision, kVisual };
 
 /// The motion of a joint, which selects one of the two units of a field ("rad or m").

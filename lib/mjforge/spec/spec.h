@@ -89,16 +89,18 @@ struct ObjectSpec {
   // All files read, in the order in which they were first read.
   std::vector<std::filesystem::path> files;
   std::string sha256;  // hash of the texts of `files`, in hexadecimal
-  /// The applied settings, from files and from the caller: name, YAML flow text.
+  /// The applied settings, from parameter files and from the caller: pairs of a name and a value
+  /// (YAML flow text).
   std::vector<std::pair<std::string, std::string>> settings;
 
   expr::SymbolTable names;  // parameters and loop variables; slot 0 is `index`
-  // Name and place of each function.
+  // Name of each function, and its position in the text.
   std::vector<std::pair<std::string, diag::SourceMark>> functions;
   std::vector<Parameter> parameters;  // in file order
   std::vector<int> evaluation_order;  // indices into parameters
   /// Imported files with parameters, each as a spec with only a name, parameters and requirements.
-  /// All specs that import a file share its parameters, whose draws are keyed by the file's name.
+  /// All specs that import a file share its parameters, because the draws depend on the file's
+  /// name, not on the importing spec.
   std::vector<std::shared_ptr<const ObjectSpec>> shared;
   std::vector<Requirement> requirements;
   std::vector<Material> materials;  // own materials, then imported ones, in file order

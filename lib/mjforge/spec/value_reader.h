@@ -16,9 +16,9 @@
 
 namespace mjforge::spec {
 
-/// Names that values refer to.
+/// Names that the values of a spec refer to.
 struct UsedNames {
-  std::set<std::string, std::less<>> names;    // parameters, functions, loops, bodies
+  std::set<std::string, std::less<>> names;    // parameters, functions, loop variables, bodies
   std::set<std::string, std::less<>> members;  // members with their owners: "arm.top", "size.x"
   std::set<std::string, std::less<>> materials;
   bool any_material = false;  // true if a material's name is computed, so that any may be used
@@ -53,7 +53,7 @@ class ValueReader {
   /// Reads a list in brackets, or the name of a list or vector. Returns nullopt for other nodes.
   std::optional<Value> ReadListOrName(const YamlNode& node);
 
-  /// Reads the mapping of a draw whose result has this kind.
+  /// Reads the mapping of a draw (`{normal: [1, 0.1]}`) whose result has this kind.
   Value ReadDrawOf(FieldKind kind, const YamlNode& map,
                    std::span<const std::string_view> extra_keys = {}) {
     return ReadMapping({.kind = kind}, map, extra_keys);

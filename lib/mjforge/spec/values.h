@@ -67,10 +67,11 @@ struct SharedParameter {
 bool IsListLength(double number);
 inline constexpr std::string_view kListLengthRule = "must be a whole number, 0 to 100000";
 
-/// The rows of a record, found by the values of the record's key.
+/// Index of a record's rows by the values of the record's key.
 struct RecordRows {
-  std::map<double, std::size_t> numbers;  // row of each key; a text's key is its expr::TextKey()
-  std::vector<std::string> names;         // value of the key in each row, as written
+  std::map<double, std::size_t>
+      numbers;  // row of each value; a text is represented by its expr::TextKey()
+  std::vector<std::string> names;  // value of the key in each row, as written
 };
 
 /// A draw from a distribution.
@@ -109,7 +110,7 @@ struct PointLoop {
 /// z} in space, or {arc: [p, q, r]} through three points.
 struct Arc {
   std::shared_ptr<const Value> center;  // center, or the first of three points
-  // Radius, from, to and, in space, the axis; or the second and third point.
+  // Radius, start angle, end angle and, in space, the axis; or the second and third point.
   std::vector<Value> measures;
   std::shared_ptr<const Value> steps;
 };
