@@ -83,8 +83,7 @@ std::vector<JointPosition> ReadPositions(const YamlNode& positions, Context& con
   for (const YamlNode::Pair& pair : positions.pairs) {
     JointPosition position = {context.values.ReadText(YamlNode::Scalar(pair.key, pair.mark)),
                               pair.mark, context.values.Read(kPosition, pair.value)};
-    if (position.value.components != 0)
-      all.push_back(std::move(position));  // 0: wrong, already reported
+    if (position.value.components != 0) all.push_back(std::move(position));  // 0: reported
   }
   return all;
 }

@@ -69,9 +69,8 @@ inline constexpr std::string_view kListLengthRule = "must be a whole number, 0 t
 
 /// Index of a record's rows by the values of the record's key.
 struct RecordRows {
-  std::map<double, std::size_t>
-      numbers;  // row of each value; a text is represented by its expr::TextKey()
-  std::vector<std::string> names;  // value of the key in each row, as written
+  std::map<double, std::size_t> numbers;  // row of each value; texts by expr::TextKey()
+  std::vector<std::string> names;         // value of the key in each row, as written
 };
 
 /// A draw from a distribution.
