@@ -34,7 +34,7 @@ struct Formula {
   std::string name;
   std::vector<std::string> arguments;
   std::string body;
-  diag::SourceMark mark = {};  // place of the body
+  diag::SourceMark mark = {};  // position of the body in the spec's text
 
   std::string Usage() const;  // "bulge(z)"
 };
@@ -51,7 +51,7 @@ class SymbolTable {
     Type type = Type::kNumber;
     int slot = 0;
     int components = 1;
-    int list = -1;  // number of the list; -1: not a list
+    int list = -1;  // index in the array of lists; -1: not a list
     Dimensions dimensions = {};
 
     bool is_list() const { return list >= 0; }
@@ -67,7 +67,7 @@ class SymbolTable {
   void DeclareUnknown(std::string name) { unknown_.insert(std::move(name)); }
   /// Ends the scope of a name, such as a loop's variable.
   void Forget(std::string_view name);
-  /// Declares a forgotten name again, with the slots that the name had.
+  /// Declares a name again after Forget(), with the slots that the name had.
   void Restore(const Variable& variable) { variables_.insert_or_assign(variable.name, variable); }
   const Variable* Find(std::string_view name) const;
   /// Adds a function. Replaces a function of the same name.
