@@ -22,7 +22,7 @@ class Sobol;
 enum class Method {
   kRandom,  // independent uniform random numbers
   kSobol,   // a scrambled Sobol sequence for the parameters' draws
-  kLatin,   // for every draw, each of N equal cells of (0, 1) has one item of a block
+  kLatin,   // for every draw, each of N equal cells of (0, 1) contains one of N items
   kGrid,    // all combinations of levels of the parameters' draws
 };
 /// Returns the names of the methods in the order of Method: "random", "sobol", "latin", "grid".
