@@ -18,7 +18,7 @@ struct Survey {
   std::uint64_t count = 0;      // number of variants
   std::vector<double> first;    // numbers of the first variant
   std::vector<bool> varies;     // true for each number that differs between variants
-  std::vector<unsigned> flags;  // for each number of a kFlag array: bit v is set if a variant has v
+  std::vector<unsigned> flags;  // in kFlag arrays: bit v is set if any variant's flag is v
   std::vector<double> largest;  // largest value of each number
 
   /// All materials in the order of their first variants, with the numbers of these variants.
@@ -36,7 +36,7 @@ struct Survey {
   };
   std::vector<Parameter> parameters;
 
-  /// Returns the position in `materials` of the row's material `id`; -1 for no material.
+  /// Returns the position in `materials` of material `id` of the variant `row`; -1 for no material.
   double MaterialId(const RowView& row, double id) const;
 };
 
