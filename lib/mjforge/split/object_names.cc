@@ -1,4 +1,5 @@
-// Names of the elements of an object that is taken out of a scene: prefixes and references.
+// Names of the elements of an object that is copied from a scene into a file of its own: prefixes
+// and references.
 
 #include "mjforge/split/object_names.h"
 
@@ -79,7 +80,7 @@ bool HasUniqueNames(const model::Object& object, diag::Findings& findings) {
     add("body", body.name, body.mark);
     for (const model::Joint& joint : body.joints) add("joint", joint.name, joint.mark);
     for (const model::Site& site : body.sites) add("site", site.name, site.mark);
-    const model::Part* last = nullptr;  // a part that is split into two roles keeps its name
+    const model::Part* last = nullptr;  // collision and visual halves of a part have one name
     for (const model::Part& part : body.parts) {
       const bool is_twin = last != nullptr && part.name == last->name && part.mark == last->mark;
       if (!is_twin) add("part", part.name, part.mark);
