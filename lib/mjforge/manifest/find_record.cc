@@ -37,8 +37,8 @@ bytes::Section SectionOf(const Path& file, std::uint64_t index,
                            : bytes::Section{.begin = *(end - 1), .end = *end};
 }
 
-// Returns the record of a section with this index, or nullopt. Sets `is_read` if all lines were
-// read.
+// Returns the record with this index from a section of the manifest; nullopt if the section does
+// not contain the record. Sets `is_read` if all lines were read.
 std::optional<Record> FindIn(const bytes::Section& section, const Path& file, std::uint64_t index,
                              diag::Sources& sources, diag::Findings& findings, bool& is_read) {
   auto reader = RecordReader::Open(file, sources, findings, section);

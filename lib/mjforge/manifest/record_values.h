@@ -156,7 +156,7 @@ inline ExpectedKind Get(const rapidjson::Value& value, model::Box3& box) {
   return GetMember(value, "min", box.min) && GetMember(value, "max", box.max) ? "" : "a box";
 }
 
-/// Key of a JSON member, and the C++ member that holds its value.
+/// Key of a JSON member, and the C++ member that stores the value.
 template <typename Of>
 struct JsonMember {
   const char* key;
