@@ -154,7 +154,7 @@ void ReadTorqueUse(const YamlNode& joint, Entry& entry, Context& context);
 /// Reads `place:` of an entry of `bodies:`; returns nullopt if the entry has no `place:`.
 std::optional<PlaceEntry> ReadPlace(const YamlNode& body, Context& context);
 
-/// Read `contact:` and `mjcf:` into the sections of the spec.
+/// Read `contact:` and `mjcf:` into ObjectSpec::sections.
 void ReadContact(const YamlNode& contact, Context& context);
 void ReadSections(const YamlNode& sections, Context& context);
 

@@ -34,7 +34,7 @@ struct Parameter {
   std::string section;
   std::string source;  // the value as written in the YAML, on one line
   int slot = 0;
-  int list = -1;  // see expr::SymbolTable::Variable::list
+  int list = -1;  // index in the expressions' array of lists; -1: not a list
   /// Name of the record, only for the key of a record. Expressions may use the record's name
   /// instead of the key's ("style" for "style.name").
   std::string record;

@@ -90,7 +90,7 @@ class ValueReader {
   const UsedNames& uses() const { return uses_; }
   /// Adds the names that the values of another reader refer to.
   void AddUses(const ValueReader& other) { uses_.Add(other.uses_); }
-  /// Reports errors in the body of a function. Its arguments must be declared.
+  /// Reports errors in the body of a function. The function's arguments must be declared before.
   void CheckBody(const expr::Formula& formula);
   /// Reads text without interpolation. Returns an empty text after adding a finding.
   std::string ReadPlainText(std::string_view what, const YamlNode& node);
@@ -102,7 +102,7 @@ class ValueReader {
     int min_count = 1;
     int max_count = 1;
     std::string_view words = {};
-    std::string_view key = {};  // the field's key; empty for parameters and inner values
+    std::string_view key = {};  // the field's key; empty for parameters and for items of values
   };
   Value Read(const ExpectedForm& expected, const YamlNode& node);
   Value ReadBoolean(const YamlNode& node);

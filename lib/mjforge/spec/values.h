@@ -25,7 +25,7 @@ struct Loop;
 struct VariableReference {
   std::string name;
   int slot = 0;
-  int list = -1;  // see expr::SymbolTable::Variable::list
+  int list = -1;  // index in the expressions' array of lists; -1: not a list
 };
 
 /// A piece of a text: a literal, an interpolated expression, or a text variable.
@@ -137,10 +137,10 @@ struct DrawKinds {
 struct Value {
   diag::SourceMark mark;
   expr::Type type = expr::Type::kNumber;
-  int components = 1;    // size of a vector or of a list of points; 0 if the value is wrong
+  int components = 1;    // components of a vector, or entries of a list of points; 0: wrong value
   bool is_list = false;  // a list of any length, of numbers, texts or booleans
-  expr::Dimensions dimensions =
-      {};  // dimensions of a number, of a vector, or of each item of a list
+  // Dimensions of a number, of a vector, or of each item of a list.
+  expr::Dimensions dimensions = {};
   std::variant<double, bool, Text, expr::Expression, VariableReference, List, Draw, RandomRotation,
                RotationAbout, PointOnSphere, HsvColor, Each, Arrangement, SharedParameter,
                PointLoop, Arc, AxisOutlines>
