@@ -28,7 +28,8 @@ struct Builtin {
 
   /// Number of arguments; 0 for a variadic function.
   int arity() const { return is_variadic ? 0 : static_cast<int>(function.index()) + 1; }
-  /// Calls the function with the first arity() numbers of `values` as its arguments.
+  /// Calls the function with the first numbers of `values`: one, two or three, depending on the
+  /// function.
   double Call(const std::array<double, 3>& values) const;
 };
 

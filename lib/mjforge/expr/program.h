@@ -50,7 +50,7 @@ class Program {
  private:
   struct Step {
     const Builtin* builtin = nullptr;
-    // If both are null, the step reads the variable in `slot`.
+    // If `builtin` and `list_builtin` are null, the step reads the variable in `slot`.
     const ListBuiltin* list_builtin = nullptr;
     int slot = -1;
     ListSource list = {};
