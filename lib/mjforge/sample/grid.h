@@ -28,7 +28,7 @@ class Grid {
   /// the grid.
   void Place(std::uint64_t position, StreamId stream, std::array<double, 4>& uniforms) const;
 
-  /// Returns the number of points, at most 2^64 - 1.
+  /// Returns the number of points of the grid; 2^64 - 1 if there are more.
   std::uint64_t points() const { return points_; }
   /// Returns the size of the grid as text: "4 x 5 x 5 = 100 points".
   std::string Text() const;
