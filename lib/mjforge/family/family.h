@@ -38,8 +38,8 @@ struct ArrayShape {
   };
 
   std::string name;  // "geom_size"
-  std::vector<std::uint64_t>
-      dims;  // dimensions for one variant: {elements, numbers per element}, {} or {2, 3}
+  /// Dimensions for one variant: {elements, numbers per element}, {} or {2, 3}.
+  std::vector<std::uint64_t> dims;
   Type type = Type::kNumber;
   bool is_always_stored = false;  // stored even if all variants have the same numbers
   /// Names of the elements of the first dimension. Empty: the array is stored as a whole.
@@ -82,7 +82,7 @@ struct Numbers {
   std::vector<double> values;  // numbers of all arrays, in the order of the shapes
   std::vector<Material> materials;
 
-  /// Adds an array that is always stored.
+  /// Adds an array that is stored even if all variants have the same numbers (is_always_stored).
   void Add(std::string name, std::vector<std::uint64_t> dims, std::span<const double> numbers,
            ArrayShape::Type type = ArrayShape::Type::kNumber);
 };

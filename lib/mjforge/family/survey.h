@@ -30,7 +30,7 @@ struct Survey {
     std::string name;
     std::size_t kind = 0;           // index of the type in sample::ParameterValue
     std::uint64_t length = 0;       // length of the longest list
-    std::uint64_t code_points = 0;  // length of the longest text
+    std::uint64_t code_points = 0;  // length of the longest text, in Unicode code points
     bool varies = false;
     sample::ParameterValue first;  // value of the first variant
   };
