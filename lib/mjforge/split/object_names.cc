@@ -21,8 +21,9 @@ std::string ObjectNames::Of(std::string_view kind, const std::string& name) cons
   if (name.empty()) return name;
   if (kind.ends_with("body") && name == own_) return root_;
   std::string stem = HasPrefixOf(own_, name) ? name.substr(own_.size() + 1) : name;
-  // Begins names such as `glass_0` and `glass_0_rim` with an underscore, because hosts do not add
-  // the prefix `glass_0_` to names that have it, such as names derived from `glass_0`.
+  // Puts an underscore before names such as `glass_0` and `glass_0_rim` in the file of `glass_0`. A
+  // host that loads the file adds the prefix `glass_0_` to all names except those that seem to have
+  // it.
   const bool looks_prefixed = prefix_.empty() && (stem == own_ || HasPrefixOf(own_, stem));
   return (looks_prefixed ? "_" : prefix_) + stem;
 }
