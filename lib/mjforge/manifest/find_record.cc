@@ -66,7 +66,8 @@ std::optional<Record> FindRecord(const Path& file, std::uint64_t index, diag::So
                                  diag::Findings& findings) {
   const std::optional<std::vector<std::uint64_t>> cuts = CutsOf(file, findings);
   if (!cuts) return std::nullopt;
-  // Does not show findings of a section, because its line numbers are not those of the file.
+  // Does not show findings of a section, because line numbers in a section are not those of the
+  // file.
   diag::Sources section_sources;
   diag::Findings found;
   bool is_read = false;
