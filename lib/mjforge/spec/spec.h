@@ -172,8 +172,8 @@ std::unique_ptr<ObjectSpec> LoadSpecText(const std::string& name, std::string te
 std::vector<std::string> ListSpecs(const std::filesystem::path& folder);
 
 /// Returns the text of a spec, changed for a copy in `folder` (empty: the working folder).
-/// References to files are rewritten so that they name the same files from there, unless the spec
-/// computes their names. The comment line that names the JSON Schema for editors is removed.
+/// References to files are rewritten so that they name the same files from `folder`, unless the
+/// spec computes the names. The comment line that names the JSON Schema for editors is removed.
 /// Returns nullopt, after adding findings, if the spec has errors.
 std::optional<std::string> CopiedText(const std::string& reference,
                                       const std::filesystem::path& folder,
