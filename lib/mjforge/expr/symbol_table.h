@@ -41,9 +41,9 @@ struct Formula {
 
 /// Symbol table: the names that an expression may use, and the slot of each name, which is its
 /// index in the array of variables passed to Evaluate(). A vector `v` of n components has n slots
-/// (`v.x v.y v.z v.w`). Booleans are 0 and 1; texts are their TextKey()s. The slot of a list
-/// contains its length, and the list itself has a number, its index in the array of lists. Slots
-/// are not reused after Forget().
+/// (`v.x v.y v.z v.w`). Booleans are 0 and 1; texts are represented by their TextKey(). The slot of
+/// a list contains its length, and the list itself has a number, its index in the array of lists.
+/// Slots are not reused after Forget().
 class SymbolTable {
  public:
   struct Variable {
