@@ -40,7 +40,7 @@ double RoundWithin(double lo, double hi, double value);
 
 /// The evaluated items of a list.
 struct Items {
-  std::vector<double> numbers;     // a text is its TextKey(), true is 1, false is 0
+  std::vector<double> numbers;     // texts by expr::TextKey(); true is 1, false is 0
   std::vector<std::string> texts;  // texts of the items; empty for a list of other values
 };
 
