@@ -176,7 +176,7 @@ std::optional<Options> RecordedOptions(const manifest::Record& record, std::stri
 /// A variant to regenerate and compare.
 struct ReplayRequest {
   std::string what;  // a record ("out/manifest.jsonl:42") or a file ("out/hammer_000042.xml")
-  std::string spec;  // empty: the recorded spec
+  std::string spec;  // spec to regenerate the variant from; empty: the recorded spec
 };
 
 /// Regenerates a variant from its record or from the comment in its file and compares the bytes.
