@@ -123,10 +123,10 @@ struct Checks {
   // Limits for driven joints.
   bool drive = true;
   std::vector<JointCheck> joints;
-  double joint_overshoot = 0.05;           // maximum, relative to the range
-  double joint_reach = 0.9;                // minimum, relative to the range
+  double joint_overshoot = 0.05;           // largest distance beyond the range / range
+  double joint_reach = 0.9;                // smallest share of the range that is reached
   double joint_penetration = 0.001;        // m, largest penetration of bodies
-  double joint_return = 0.05;              // maximum, relative to the range
+  double joint_return = 0.05;              // largest distance of end from start / range
   double equality_error = 0.02;            // largest error / travel of joint 1 or object's size
   double hinge_range = 6.283185307179586;  // rad, widest range of an uncoupled hinge
   double slide_range = 3;                  // widest range of an uncoupled slide / longest side
