@@ -48,7 +48,7 @@ struct Seal {
 /// "out/manifest.jsonl.zst".
 std::filesystem::path SealPathOf(const std::filesystem::path& manifest);
 
-/// Maximum size of a seal in bytes, which no seal reaches: a folder cannot contain so many
+/// Maximum size of a seal in bytes. No seal is so large, because a folder cannot contain enough
 /// archives.
 inline constexpr std::uint64_t kMaxSeal = std::uint64_t{64} << 20;
 
