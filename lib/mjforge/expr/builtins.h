@@ -7,11 +7,11 @@
 
 namespace mjforge::expr {
 
-/// Dimensions that a built-in requires of its arguments. kSame: all arguments have one common
-/// dimension. kSameAndCount: all but the last have one common dimension, and the last is a plain
-/// number. kSameAfterFirst: all but the first have one common dimension.
+/// Dimensions that a built-in function requires of its arguments. kSame: all arguments have one
+/// common dimension. kSameAndCount: all but the last have one common dimension, and the last is a
+/// plain number. kSameAfterFirst: all but the first have one common dimension.
 enum class ArgumentRule { kAnything, kSame, kSameAndCount, kSameAfterFirst, kCount, kAngle };
-/// Dimension of a built-in's result. kSame: the common dimension of the arguments.
+/// Dimension of a built-in function's result. kSame: the common dimension of the arguments.
 enum class ResultRule { kSame, kCount, kAngle, kProduct, kQuotient, kPower, kRoot };
 
 /// A built-in function or operator.
@@ -28,7 +28,8 @@ struct Builtin {
 
   /// Number of arguments; 0 for a variadic function.
   int arity() const { return is_variadic ? 0 : static_cast<int>(function.index()) + 1; }
-  /// Calls the function with the first arity() numbers of `values` as its arguments.
+  /// Calls the function with the first numbers of `values`: one, two or three, depending on the
+  /// function.
   double Call(const std::array<double, 3>& values) const;
 };
 

@@ -11,13 +11,13 @@
 namespace mjforge::expr {
 
 /// Returns the dimension of the result of `builtin`. If the arguments do not have the dimensions
-/// that `builtin` requires, returns nullopt and sets `error`, whose place is `offset`.
+/// that `builtin` requires, returns nullopt and sets `error` at `offset`, in bytes.
 std::optional<Dimension> DeriveDimension(const Builtin& builtin,
                                          std::span<const Argument> arguments, std::size_t offset,
                                          Error& error);
 
-/// Returns true if the argument is a plain number. Otherwise returns false and sets `error`, whose
-/// place is `offset`; `what` describes the argument in the message ("an index").
+/// Returns true if the argument is a plain number. Otherwise returns false and sets `error` at
+/// `offset`, in bytes; `what` describes the argument in the message ("an index").
 bool CheckCount(const Argument& argument, std::string_view what, std::size_t offset, Error& error);
 
 /// Returns the dimension of a literal without a unit. Small whole numbers and 0.5 are counts,

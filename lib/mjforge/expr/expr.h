@@ -50,7 +50,8 @@ bool HasWord(std::string_view words, std::string_view word);
 /// Splits a text at spaces, tabs and line ends.
 std::vector<std::string_view> WordsOf(std::string_view text);
 
-/// The numbers of a list, and their prefix sums. The number of a text is its TextKey().
+/// The numbers of a list, and their prefix sums. A text in the list is represented by its
+/// TextKey().
 class Sequence {
  public:
   Sequence() : Sequence(std::vector<double>()) {}
@@ -70,7 +71,7 @@ struct Error {
   std::size_t offset = 0;  // offset in bytes from the start of the expression's text
   std::string message;
   std::string hint;
-  std::string formula = {};  // function in whose body `offset` is; empty: in the text itself
+  std::string formula = {};  // function whose body contains `offset`; empty: the text itself
 };
 
 class Program;  // private to lib/mjforge/expr
@@ -82,11 +83,12 @@ class Expression {
     std::string name;  // name in the expression, "r" or "size.x"; for a list, its name
     int slot = 0;
     Type type = Type::kNumber;  // for a list, the type of its items
-    int list = -1;              // number of the list; -1: not a list
+    int list = -1;              // index of a list among the lists; -1: not a list
   };
 
   const std::string& text() const { return text_; }
-  /// Type of the result. A text result is the TextKey() of one of texts() or of an input's text.
+  /// Type of the result. If it is kText, Evaluate() returns the TextKey() of one of texts() or of
+  /// an input's text.
   Type type() const { return type_; }
   /// Dimension of the result.
   const Dimension& dimension() const { return dimension_; }
@@ -101,8 +103,8 @@ class Expression {
 
   /// Computes the value from the variables and lists, which are indexed by the slots and list
   /// numbers of the SymbolTable that Compile() used. The result may be NaN or infinite; the caller
-  /// reports this together with the inputs. An operand that is NaN makes the result NaN, unless
-  /// `and`, `or` or `?:` ignores this operand.
+  /// must report such a result. An operand that is NaN makes the result NaN, unless `and`, `or` or
+  /// `?:` ignores this operand.
   double Evaluate(std::span<const double> variables, std::span<const Sequence> lists = {}) const {
     return constant_ ? *constant_ : Run(variables, lists);
   }

@@ -12,7 +12,7 @@ namespace mjforge::expr {
 /// Reference to a list or a vector that is a variable of an expression.
 struct ListSource {
   int slot = -1;       // slot of the list's length, or of the vector's first component
-  int list = -1;       // number of the list; -1 for a vector
+  int list = -1;       // index in the array of lists; -1 for a vector
   int components = 0;  // number of components of a vector
 
   bool operator==(const ListSource&) const = default;

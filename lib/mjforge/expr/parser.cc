@@ -358,7 +358,8 @@ class Parser : ProgramBuilder {
     ++state_.calls;
     const OptionalOperand result =
         state_.calls > kMaxCalls ? std::nullopt : Inline(formula, std::move(arguments));
-    // The error names this call, which is in the expression's text, not the nested call.
+    // Each caller replaces the error of a nested call, so that the final error is about the call in
+    // the expression's own text.
     if (state_.calls > kMaxCalls) return Fail(TooManyCalls(name, kMaxCalls));
     if (result) state_.results.emplace(std::move(call), *result);
     return result;

@@ -45,7 +45,8 @@ struct Argument {
 
 /// State that the parser of an expression shares with the parsers of the functions that it calls.
 struct ParseState {
-  /// A call: the function and, for each argument, step, bits of the constant, type and dimension.
+  /// Key of a call: the function and, for each argument, the index of its step in the program, the
+  /// bits of its constant, its type and its dimension.
   using Call =
       std::pair<const Formula*, std::vector<std::tuple<int, std::uint64_t, Type, Dimension>>>;
 

@@ -32,7 +32,8 @@ class Program {
 
   /// Result of the program if it does not depend on variables; otherwise nullopt.
   std::optional<double> constant() const;
-  /// Computes the result from the variables, indexed by slot, and the lists, indexed by number.
+  /// Computes the result from the variables, indexed by slot, and the lists, indexed by their
+  /// numbers in the SymbolTable.
   double Run(std::span<const double> variables, std::span<const Sequence> lists) const;
 
   /// An access beyond the end of a list.
@@ -49,7 +50,7 @@ class Program {
  private:
   struct Step {
     const Builtin* builtin = nullptr;
-    // If both are null, the step reads the variable in `slot`.
+    // If `builtin` and `list_builtin` are null, the step reads the variable in `slot`.
     const ListBuiltin* list_builtin = nullptr;
     int slot = -1;
     ListSource list = {};

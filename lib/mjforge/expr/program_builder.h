@@ -31,7 +31,7 @@ class ProgramBuilder : protected TokenCursor {
   TypedOperand Literal(double value, Type type, Dimension dimension = {}) const;
   TypedOperand Quoted(const Token& token);
   /// Adds a call of a function or operator. If the dimensions of the arguments are wrong, sets an
-  /// error, whose place is `offset`, the offset of the name or sign.
+  /// error at `offset`, the offset of the function's name or of the operator's sign.
   OptionalOperand AddCall(const Builtin& builtin, Type type, std::span<const Argument> arguments,
                           std::size_t offset);
   /// Returns the operand for a name, whose token was already read. `beside_text` is true if the
@@ -45,10 +45,10 @@ class ProgramBuilder : protected TokenCursor {
   /// `count` is not null, the function applies only to the first `count` values.
   OptionalOperand AddListCall(const ListBuiltin& builtin, std::size_t token, const Argument* count);
 
-  /// Adds the torque of the joint with this name.
+  /// Returns the operand for torque(NAME) of the joint with this name.
   OptionalOperand AddTorque(const Token& joint);
-  /// Adds the Euclidean distance of two points, which are sites or vectors of three components.
-  /// `offset` is the offset of the function's name.
+  /// Adds steps that compute the Euclidean distance of two points, which are sites or vectors of
+  /// three components. `offset` is the offset of the function's name.
   OptionalOperand AddDistance(const Token& a, const Token& b, std::size_t offset);
 
   const SymbolTable& names_;
@@ -59,8 +59,8 @@ class ProgramBuilder : protected TokenCursor {
   OptionalOperand AddComponent(const Token& token, const SymbolTable::Variable& vector,
                                std::string_view component);
   TypedOperand AddInput(const Token& token, const SymbolTable::Variable& variable, int component);
-  /// Returns the position of a site, or a vector of three components. Returns null, and sets an
-  /// error, for other names.
+  /// Returns the variable of a site's position, or of a vector of three components. Returns null,
+  /// and sets an error, for other names.
   const SymbolTable::Variable* FindPoint(const Token& name);
   ListSource AddList(const SymbolTable::Variable& variable);
   void RecordItem(const SymbolTable::Variable& variable, int item);

@@ -34,16 +34,16 @@ struct Formula {
   std::string name;
   std::vector<std::string> arguments;
   std::string body;
-  diag::SourceMark mark = {};  // place of the body
+  diag::SourceMark mark = {};  // position of the body in the spec's text
 
   std::string Usage() const;  // "bulge(z)"
 };
 
 /// Symbol table: the names that an expression may use, and the slot of each name, which is its
 /// index in the array of variables passed to Evaluate(). A vector `v` of n components has n slots
-/// (`v.x v.y v.z v.w`). Booleans are 0 and 1; texts are their TextKey()s. The slot of a list
-/// contains its length, and the list itself has a number, its index in the array of lists. Slots
-/// are not reused after Forget().
+/// (`v.x v.y v.z v.w`). Booleans are 0 and 1; texts are represented by their TextKey(). The slot of
+/// a list contains its length, and the list itself has a number, its index in the array of lists.
+/// Slots are not reused after Forget().
 class SymbolTable {
  public:
   struct Variable {
@@ -51,7 +51,7 @@ class SymbolTable {
     Type type = Type::kNumber;
     int slot = 0;
     int components = 1;
-    int list = -1;  // number of the list; -1: not a list
+    int list = -1;  // index in the array of lists; -1: not a list
     Dimensions dimensions = {};
 
     bool is_list() const { return list >= 0; }
@@ -67,7 +67,7 @@ class SymbolTable {
   void DeclareUnknown(std::string name) { unknown_.insert(std::move(name)); }
   /// Ends the scope of a name, such as a loop's variable.
   void Forget(std::string_view name);
-  /// Declares a forgotten name again, with the slots that the name had.
+  /// Declares a name again after Forget(), with the slots that the name had.
   void Restore(const Variable& variable) { variables_.insert_or_assign(variable.name, variable); }
   const Variable* Find(std::string_view name) const;
   /// Adds a function. Replaces a function of the same name.

@@ -11,8 +11,8 @@
 namespace mjforge::expr {
 namespace {
 
-// Longer signs come before their beginnings. `=`, `&`, `|` and `..` are not valid in expressions,
-// but they are tokens, so that the parser can report them by name.
+// A sign comes after longer signs that begin with it (`<` after `<=`). `=`, `&`, `|` and `..` are
+// not valid in expressions, but they are tokens, so that the parser can report them by name.
 constexpr std::array<std::string_view, 26> kSigns = {
     "..", "<=", ">=", "==", "!=", "&&", "||", "+", "-", "*", "/", "^", "%",
     "(",  ")",  "[",  "]",  ",",  "?",  ":",  "<", ">", "!", "=", "&", "|"};

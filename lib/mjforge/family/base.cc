@@ -97,7 +97,8 @@ class BaseWriter {
     const std::string_view tag = TagOf(line);
     if (tag == "worldbody") is_in_world_ = true;
     if (tag == "/worldbody") is_in_world_ = false;
-    // Skip the opening comment, which is about the variant; BeginBody() writes all inertias.
+    // Skip the opening comment, which describes one variant, and the inertias, because BeginBody()
+    // writes those of all bodies.
     if (tag.starts_with('!') || (is_in_world_ && tag == "inertial")) return;
     if (is_in_world_ && tag == "joint" && depth_ == 1) MakeFree();
     base_ += line;

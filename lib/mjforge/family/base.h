@@ -1,5 +1,6 @@
-// Edits of the text of a family's base MJCF, which is the MJCF of one variant. The edits are made
-// line by line, because the writer of MJCF puts each element on a line of its own.
+// Edits of the text of a family's base MJCF: the MJCF of one variant, which simulators load for all
+// variants of the family. The edits are made line by line, because the writer of MJCF puts each
+// element on a line of its own.
 
 #pragma once
 
@@ -24,15 +25,15 @@ struct NewPlace {
   std::optional<Eigen::Vector4d> quat;
 };
 
-/// Returns the base MJCF with these poses in place of its own.
+/// Returns the base MJCF with the poses of `places` in place of the elements' own poses.
 std::string WithPlaces(std::string_view base, std::span<const NewPlace> places);
 
-/// Returns the base MJCF with these values of `frictionloss`, each paired with the name of its
-/// joint.
+/// Returns the base MJCF with another `frictionloss` of the joints in `joints`: pairs of a joint's
+/// name and the value.
 std::string WithFrictions(std::string_view base,
                           std::span<const std::pair<std::string, double>> joints);
 
-/// Returns the base MJCF with the given materials and their textures; adds those that are missing.
+/// Returns the base MJCF after adding the given materials and textures that it does not contain.
 std::string WithMaterials(std::string_view base, std::span<const Material> materials);
 
 }  // namespace mjforge::family

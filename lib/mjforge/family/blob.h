@@ -1,4 +1,4 @@
-// Encoding of numbers and texts in the file of rows.
+// Encoding of numbers and texts in a file of rows (rows.h).
 
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace mjforge::family {
 
-/// Appends numbers as their bytes in memory, because a family is finished on a machine of the kind
-/// that began it; appends a text as its length and its bytes.
+/// Appends numbers as their bytes in memory, and texts as their length and bytes. The byte order is
+/// not portable, because a file of rows is read on the same kind of machine that wrote the file.
 class BlobWriter {
  public:
   template <typename T>

@@ -10,19 +10,20 @@
 
 namespace mjforge::family {
 
-/// The number of elements of a kind, and the name of an element; an empty text if it has none.
+/// Return the number of elements of a kind, and the name of an element; an empty text if the
+/// element has no name.
 int ElementCount(const mjModel& m, mjtObj kind);
 std::string ElementName(const mjModel& m, mjtObj kind, int id);
 
-/// Names of the arrays of flags, which have one flag for each element of a kind.
+/// Names of the arrays of coincidence flags, with one flag for each element of a kind.
 inline constexpr std::string_view kBodyFlags = "body_sameframe";
 inline constexpr std::string_view kGeomFlags = "geom_sameframe";
 inline constexpr std::string_view kSiteFlags = "site_sameframe";
 inline constexpr std::string_view kJointFlags = "jnt_simple";
 
-/// Adds the arrays of flags. A body, geom or site has a structure::SameFrame. A joint has 1 if its
-/// anchor is the origin and its axis is a coordinate axis, so that its body can be simple
-/// (body_simple); otherwise 0.
+/// Adds the arrays of coincidence flags to `numbers`. The flag of a body, geom or site is a
+/// structure::SameFrame. The flag of a joint is 1 if the joint's anchor is the origin and its axis
+/// is a coordinate axis, so that the body can be simple (body_simple); otherwise 0.
 void AddCoincidences(const mjModel& m, Numbers& numbers);
 
 }  // namespace mjforge::family

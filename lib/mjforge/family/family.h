@@ -27,7 +27,8 @@ struct mjModel_;  // MuJoCo's compiled model
 
 namespace mjforge::family {
 
-/// Description of an array that every variant of a family has.
+/// Name, dimensions and type of an array, such as mjModel's geom_size, that every variant of a
+/// family has.
 struct ArrayShape {
   enum class Type : std::uint8_t {
     kNumber,    // double
@@ -37,13 +38,13 @@ struct ArrayShape {
   };
 
   std::string name;  // "geom_size"
-  std::vector<std::uint64_t>
-      dims;  // dimensions for one variant: {elements, numbers per element}, {} or {2, 3}
+  /// Dimensions for one variant: {elements, numbers per element}, {} or {2, 3}.
+  std::vector<std::uint64_t> dims;
   Type type = Type::kNumber;
   bool is_always_stored = false;  // stored even if all variants have the same numbers
   /// Names of the elements of the first dimension. Empty: the array is stored as a whole.
   std::vector<std::string> elements;
-  /// Position of each number within its joint, for arrays of degrees of freedom and coordinates.
+  /// Position of each number within its joint, for arrays indexed like qvel or qpos.
   std::vector<std::uint64_t> components;
 
   /// Number of doubles of one variant.
@@ -81,7 +82,7 @@ struct Numbers {
   std::vector<double> values;  // numbers of all arrays, in the order of the shapes
   std::vector<Material> materials;
 
-  /// Adds an array that is always stored.
+  /// Adds an array that is stored even if all variants have the same numbers (is_always_stored).
   void Add(std::string name, std::vector<std::uint64_t> dims, std::span<const double> numbers,
            ArrayShape::Type type = ArrayShape::Type::kNumber);
 };
@@ -91,11 +92,13 @@ struct Numbers {
 /// because releases of MuJoCo choose different frames for a mesh.
 Numbers Read(const mjModel_& m, const model::Object& object, const mjcf::MjcfDocument& document);
 
-/// Returns the MJCF of a variant with `<inertial>` in every body, so that its masses do not depend
-/// on its geoms. With `mocap`, bodies that are fixed to the world become mocap bodies.
+/// Returns a variant's MJCF as a family's base MJCF: with `<inertial>` in every body, so that the
+/// masses of bodies do not depend on the geoms. With `mocap`, bodies that are fixed to the world
+/// become mocap bodies.
 std::string BaseOf(const mjcf::MjcfDocument& document, const Numbers& numbers, bool mocap);
 
-/// A chunk of variants, encoded for the file of rows (rows.h), to which chunks are appended.
+/// Encodes a chunk, a group of variants of one family, which is then appended to a file of rows
+/// (rows.h).
 class Rows {
  public:
   /// Adds a variant and returns an empty text. If the variant cannot be in one family with the
@@ -117,10 +120,11 @@ class Rows {
   std::string details_;                  // materials and parameters of each variant
 };
 
-/// Returns the block that adds an asset of the base MJCF to a file of rows.
+/// Returns the bytes that store an asset of the base MJCF in a file of rows.
 std::string AssetBlock(std::string_view name, std::string_view content);
 
-/// Facts about a family that are the same for all variants.
+/// Values that are the same for all variants of a family, such as the seed, which its .npz file
+/// contains as JSON.
 struct Facts {
   std::vector<std::pair<std::string, std::string>> members;  // names and JSON values
 };
@@ -129,9 +133,9 @@ struct Facts {
 bool IsRows(const std::filesystem::path& file);
 
 /// Writes the variants of all files of rows, one after the other, as an .npz file for each family.
-/// Loads the base MJCF of each family in MuJoCo. `place` returns the path of a family by its key,
-/// which is Structure::FamilyKey(); the same path for several families is an error. Returns the
-/// files, which are still to be committed; an empty list after adding a finding.
+/// Loads the base MJCF of each family in MuJoCo. `place` returns the path of a family's .npz file
+/// by the family's key, Structure::FamilyKey(); the same path for several families is an error.
+/// Returns the files, which the caller must commit; an empty list after adding a finding.
 std::vector<std::unique_ptr<output::PartFile>> WriteNpz(
     std::span<const std::filesystem::path> rows, const Facts& facts,
     const std::function<std::filesystem::path(const std::string& key)>& place,

@@ -114,8 +114,8 @@ class BaseCompletion {
     return std::span(survey_.flags).subspan(at, shape->size());
   }
 
-  // Calls `act` for each element whose flag in the base may be wrong for a variant, or, if
-  // `if_different`, is not the same in all variants.
+  // Calls `act` for each element whose flag in the base may be wrong for a variant. If
+  // `if_different` is true, also calls `act` for each element whose flag differs between variants.
   template <typename Act>
   void ForEachWrong(const Flagged& array, const Numbers& flags, bool if_different, const Act& act) {
     const std::span<const unsigned> variants = FlagsOfVariants(array.flags);

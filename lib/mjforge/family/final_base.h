@@ -19,7 +19,8 @@ struct FinalBase {
   std::map<std::string, std::set<std::size_t>> moved;
 };
 
-/// Completes the base of the header, and loads it in MuJoCo. Returns nullopt after a finding.
+/// Completes the base MJCF of a family's header, and loads the result in MuJoCo. Returns nullopt
+/// after adding a finding.
 std::optional<FinalBase> Complete(const Header& header, const bytes::Assets& assets,
                                   const Survey& survey, diag::Findings& findings);
 

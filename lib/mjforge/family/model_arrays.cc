@@ -128,7 +128,8 @@ class Reader {
     return shape;
   }
 
-  // Adds the element's name of each row, without the world; a joint may have several rows.
+  // Sets the name of the element to which each row of the array belongs. The world body has no
+  // row; a joint has one for each of its degrees of freedom or coordinates.
   void NameRows(const Field& field, ArrayShape& shape) const {
     const int count = ElementCount(m_, field.kind);
     for (int id = field.kind == mjOBJ_BODY ? 1 : 0; id < count; ++id) {

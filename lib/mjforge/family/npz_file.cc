@@ -15,7 +15,7 @@ using output::ArrayType;
 
 class FamilyFile {
  public:
-  /// Takes files in which the family of `header` is selected (RowsFile::Select).
+  /// Requires that the family of `header` is selected in all `files` (RowsFile::Select).
   FamilyFile(std::span<RowsFile> files, const Header& header, const Facts& facts,
              diag::Findings& findings)
       : files_(files),

@@ -32,18 +32,19 @@ struct RowView {
   std::span<const double> values;
   /// Materials of the variant; their `numbers` are those of the first variant, see `looks`.
   std::vector<const Material*> materials;
-  std::vector<std::array<double, 10>> looks;  // numbers of these materials in the variant
+  std::vector<std::array<double, 10>> looks;  // Material::numbers of `materials` in this variant
   std::vector<sample::ParameterValue> parameters;
 };
 
-/// Reads a file of rows. All functions throw std::runtime_error if it is damaged.
+/// Reads a file of rows. All functions throw std::runtime_error if the file is damaged.
 class RowsFile {
  public:
   explicit RowsFile(const std::filesystem::path& file);
 
   /// Headers of the families in the file, in the order of their first chunks.
   std::vector<Header> Headers() const;
-  /// Selects the family of this header for the functions below; a file without it has no variants.
+  /// Selects the family of this header for the functions below. If the file does not contain the
+  /// family, count() is 0.
   void Select(const Header& header);
 
   const Header& header() const { return families_[selected_].header; }
@@ -52,9 +53,10 @@ class RowsFile {
   }
   const bytes::Assets& assets() const { return assets_; }
 
-  /// Calls the function with each variant, in order.
+  /// Calls the function with each variant of the selected family, in order.
   void ForEach(const std::function<void(const RowView&)>& visit);
-  /// Calls the function with `count` numbers of each variant, from position `first` on.
+  /// Calls the function with a part of the numbers of each variant: `count` numbers from position
+  /// `first` on.
   void ForEachPart(std::uint64_t first, std::uint64_t count,
                    const std::function<void(std::span<const double>)>& visit);
 

@@ -18,7 +18,7 @@ struct Survey {
   std::uint64_t count = 0;      // number of variants
   std::vector<double> first;    // numbers of the first variant
   std::vector<bool> varies;     // true for each number that differs between variants
-  std::vector<unsigned> flags;  // for each number of a kFlag array: bit v is set if a variant has v
+  std::vector<unsigned> flags;  // in kFlag arrays: bit v is set if any variant's flag is v
   std::vector<double> largest;  // largest value of each number
 
   /// All materials in the order of their first variants, with the numbers of these variants.
@@ -30,13 +30,13 @@ struct Survey {
     std::string name;
     std::size_t kind = 0;           // index of the type in sample::ParameterValue
     std::uint64_t length = 0;       // length of the longest list
-    std::uint64_t code_points = 0;  // length of the longest text
+    std::uint64_t code_points = 0;  // length of the longest text, in Unicode code points
     bool varies = false;
     sample::ParameterValue first;  // value of the first variant
   };
   std::vector<Parameter> parameters;
 
-  /// Returns the position in `materials` of the row's material `id`; -1 for no material.
+  /// Returns the position in `materials` of material `id` of the variant `row`; -1 for no material.
   double MaterialId(const RowView& row, double id) const;
 };
 

@@ -20,9 +20,9 @@ struct TexturePixels {
   std::vector<std::uint8_t> rgb;
 };
 
-/// Generates a texture with MuJoCo. Random marks are made by mjforge, with the same density,
-/// because the marks of MuJoCo differ between releases, and between the textures of a file. Returns
-/// nullopt and sets `why_not` if MuJoCo rejects the texture.
+/// Generates a texture with MuJoCo. Random marks (`mark="random"`) are made by mjforge, with the
+/// density of MuJoCo's marks, because MuJoCo's own marks differ between releases, and between the
+/// textures of a file. Returns nullopt and sets `why_not` if MuJoCo rejects the texture.
 std::optional<TexturePixels> PixelsOf(const model::Texture& texture, engine::Engine& engine,
                                       std::string& why_not);
 

@@ -51,7 +51,8 @@ struct Library {
 /// Returns the libraries whose version may change an object or the result of its validation.
 std::vector<Library> Libraries();
 
-/// Returns the folder of the bundled specs: share/mjforge/specs beside a parent of the program's.
+/// Returns the folder of the bundled specs: share/mjforge/specs in any of the folders that contain
+/// the program; nullopt if there is none.
 std::optional<std::filesystem::path> CatalogueFolder();
 
 /// Returns the folders in which specs are looked up by name: the folders of MJFORGE_PATH (separated
@@ -59,7 +60,7 @@ std::optional<std::filesystem::path> CatalogueFolder();
 std::vector<std::filesystem::path> SearchPath(
     std::optional<std::filesystem::path> catalogue = CatalogueFolder());
 
-/// A spec that is ready for making variants.
+/// A loaded spec from which variants are generated.
 struct Recipe {
   std::unique_ptr<spec::ObjectSpec> spec;
   /// Name of the spec in records and comments: its name in the search path ("tools/hammer") or its
@@ -69,16 +70,16 @@ struct Recipe {
   /// Path of the spec's file if `reference` is its file name; empty if `reference` is a name in the
   /// search path.
   std::filesystem::path file;
-  /// Names and values of the applied settings, those from files before those of the caller; each
-  /// name once.
+  /// Names and values of the applied settings: first from parameter files, then from the caller.
+  /// Each name occurs once, with its last value.
   std::vector<std::pair<std::string, std::string>> settings;
-  /// Snapshot (spec::SnapshotText) of a spec that has no file, or of one that was loaded from a
-  /// snapshot and whose files were changed or removed since; otherwise empty.
+  /// Texts of all of the spec's files (spec::SnapshotText) if the spec has no file, or if it was
+  /// loaded from such a snapshot and its files were changed or removed since; otherwise empty.
   std::string snapshot;
 };
 
-/// Loads a spec by name or path, or the spec of a snapshot by the snapshot's file; see
-/// spec::LoadSpec.
+/// Loads the spec with this name or path (see spec::LoadSpec), or the spec in the snapshot file
+/// `reference`.
 std::optional<Recipe> LoadRecipe(const std::string& reference, const spec::LoadOptions& options,
                                  diag::Sources& sources, diag::Findings& findings);
 
@@ -132,8 +133,8 @@ class Generator {
   void FindReference();
   /// Returns true if a variant has the structure of the batch; otherwise adds a finding.
   bool CheckStructure(Variant& variant) const;
-  // Divide a scene into objects, write one object, and write all of them; return false after an
-  // error.
+  // SplitScene() divides a scene into objects, WriteEach() writes all objects, WritePart() writes
+  // one. All return false after an error.
   bool SplitScene(const model::Object& scene, Variant& variant);
   bool WriteEach(Variant& variant);
   bool WritePart(split::ScenePart& part, manifest::PlacedFile& placed, Variant& variant);
@@ -147,7 +148,7 @@ class Generator {
   std::unique_ptr<physics::Laboratory> laboratory_;  // null: variants are not simulated
   const diag::Sources& sources_;
   diag::Sources record_sources_;  // `sources_` with file names in place of paths
-  manifest::Record common_;       // result of BatchRecord
+  manifest::Record common_;       // result of BatchRecord()
   sample::Sampler sampler_;
   files::Maker files_;
   attach::MjcfReader attachments_;
@@ -174,8 +175,8 @@ std::optional<Options> RecordedOptions(const manifest::Record& record, std::stri
 
 /// A variant to regenerate and compare.
 struct ReplayRequest {
-  std::string what;  // "out/manifest.jsonl:42" or "out/hammer_000042.xml"
-  std::string spec;  // empty: the recorded spec
+  std::string what;  // a record ("out/manifest.jsonl:42") or a file ("out/hammer_000042.xml")
+  std::string spec;  // spec to regenerate the variant from; empty: the recorded spec
 };
 
 /// Regenerates a variant from its record or from the comment in its file and compares the bytes.

@@ -47,7 +47,7 @@ struct Options {
   mjcf::Target target = mjcf::Target::kMujoco;
   mjcf::AssetForm assets = mjcf::AssetForm::kInline;
   bool each = false;  // each object of a scene gets a file; `document` is then the whole scene
-  std::string name;   // valid for CheckName; empty: the name of the spec
+  std::string name;   // name of each object, with ${index}; empty: the spec's name
   std::uint64_t attempt = 0;  // first attempt; earlier ones are not tried
   OnInvalid on_invalid = OnInvalid::kFail;
   sample::Method sampler = sample::Method::kRandom;
@@ -58,9 +58,9 @@ struct Options {
   /// The variants form a family: each has the numbers of its compiled model, and structures may
   /// differ in fields that depend on numbers being exactly zero or equal. Needs a validation.
   bool family = false;
-  /// For a family: number of variants, from layout_first on, whose geoms and sites every variant
-  /// also has; 0: no padding. batch::OptionsOf replaces other values by the number of variants of
-  /// the batch.
+  /// Padding of a family: every variant gets all geoms and sites of this number of variants from
+  /// layout_first on; 0: no padding. batch::OptionsOf replaces other values by the number of
+  /// variants of the batch.
   std::uint64_t pad = 0;
   /// The geoms and sites to pad with, from FindSuperset(). Null: the generator finds them.
   std::shared_ptr<const padding::Superset> superset = nullptr;
@@ -72,7 +72,7 @@ struct Options {
   std::string snapshot_file = {};
 };
 inline constexpr int kMaxResamples = 100;
-/// Layout::kOne: number of variants among which the first valid variant is searched.
+/// For Layout::kOne: number of variants that are tried in the search for the first valid variant.
 inline constexpr std::uint64_t kMaxReferences = 100;
 
 }  // namespace mjforge::forge

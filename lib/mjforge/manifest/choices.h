@@ -46,7 +46,7 @@ template <typename Enum>
 constexpr std::string_view NameOf(Enum value) {
   return WordsOf(value)[static_cast<std::size_t>(value)];
 }
-/// Returns the enumerator with that name, or nullopt if no enumerator has it.
+/// Returns the enumerator with that name; nullopt if no enumerator has the name.
 template <typename Enum>
 constexpr std::optional<Enum> Find(std::string_view word) {
   for (std::size_t i = 0; i < WordsOf(Enum()).size(); ++i) {

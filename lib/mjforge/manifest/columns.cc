@@ -1,4 +1,4 @@
-// Values of records as columns, for tables.
+// Columns of a table of records, one for each member of their JSON.
 
 #include "mjforge/manifest/columns.h"
 
@@ -16,7 +16,8 @@ std::string_view TextOf(const rapidjson::Value& value) {
   return {value.GetString(), value.GetStringLength()};
 }
 
-// Returns the inner column with that key, which is usually the next one; adds it if there is none.
+// Returns the inner column with that key; adds the column if there is none. The column usually has
+// the index `next`.
 Column& InnerOf(Column& column, std::string_view key, std::size_t next) {
   std::vector<Column>& inner = column.inner;
   if (next < inner.size() && inner[next].key == key) return inner[next];

@@ -1,4 +1,4 @@
-// Values of records as columns, for tables.
+// Columns of a table of records, one for each member of their JSON.
 
 #pragma once
 
@@ -23,7 +23,7 @@ struct Column {
   static constexpr char kList = 'l';     // number of items
   static constexpr char kObject = 'o';   // number of members
 
-  std::string key;                    // the name of a member, or the number of an item
+  std::string key;                    // name of the member, or number of the item of a list
   std::string kinds;                  // kind of each row's value
   std::vector<std::uint64_t> values;  // value of each row
   std::vector<Column> inner;          // columns of the items or members, in order of occurrence
@@ -36,8 +36,8 @@ class Columns {
 
   /// Adds a row; returns false if the text is not a JSON object.
   bool Add(std::string text);
-  /// Returns the columns of the members, in the order of the constructor's argument. All of them
-  /// and their inner columns have a value for each row.
+  /// Returns the columns of the members, in the order of the constructor's argument. All columns
+  /// and inner columns have one value per row.
   const std::vector<Column>& Finish();
   std::size_t rows() const { return rows_; }
   /// Distinct texts of all columns, each once.

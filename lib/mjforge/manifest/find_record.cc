@@ -37,8 +37,8 @@ bytes::Section SectionOf(const Path& file, std::uint64_t index,
                            : bytes::Section{.begin = *(end - 1), .end = *end};
 }
 
-// Returns the record of a section with this index, or nullopt. Sets `is_read` if all lines were
-// read.
+// Returns the record with this index from a section of the manifest; nullopt if the section does
+// not contain the record. Sets `is_read` if all lines were read.
 std::optional<Record> FindIn(const bytes::Section& section, const Path& file, std::uint64_t index,
                              diag::Sources& sources, diag::Findings& findings, bool& is_read) {
   auto reader = RecordReader::Open(file, sources, findings, section);
@@ -66,7 +66,8 @@ std::optional<Record> FindRecord(const Path& file, std::uint64_t index, diag::So
                                  diag::Findings& findings) {
   const std::optional<std::vector<std::uint64_t>> cuts = CutsOf(file, findings);
   if (!cuts) return std::nullopt;
-  // Does not show findings of a section, because its line numbers are not those of the file.
+  // Does not show findings of a section, because line numbers in a section are not those of the
+  // file.
   diag::Sources section_sources;
   diag::Findings found;
   bool is_read = false;

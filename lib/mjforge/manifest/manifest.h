@@ -43,9 +43,9 @@ struct StatusCounts {
 /// A line of manifest.jsonl: provenance and result of a variant. The name is always set, in
 /// contrast to the provenance in the variant's file.
 struct Record : mjcf::Provenance {
-  std::string file;       // relative to the manifest, or in the archive; empty: no file was written
-  std::string archive;    // relative to the manifest; empty: the file is not in an archive
-  std::string spec_file;  // relative to the manifest; empty: the spec is found by name, or unknown
+  std::string file;       // path from the manifest's folder or in the archive; empty: no file
+  std::string archive;    // path from the manifest's folder; empty: not in an archive
+  std::string spec_file;  // path from the manifest's folder; empty: spec found by name, or unknown
   std::uint64_t attempt = 0;
   std::vector<std::pair<std::string, sample::ParameterValue>> params;
   model::MassProperties mass_properties;
@@ -71,8 +71,8 @@ struct Record : mjcf::Provenance {
   std::string structure;  // key of the structure (structure.h); empty: not loaded in MuJoCo
   Layout layout = Layout::kAny;
   std::optional<std::uint64_t> layout_first;  // Layout::kOne: index of the batch's first variant
-  /// Number of variants, from layout_first on, whose geoms and sites every variant of a family has
-  /// (--pad); 0: no padding.
+  /// Padding of a family (--pad): every variant has all geoms and sites of this number of variants
+  /// from layout_first on; 0: no padding.
   std::uint64_t pad = 0;
   bool mocap = false;  // in the family's base model, fixed bodies are mocap bodies
   std::optional<physics::Result> physics;  // empty if not requested or not measurable
@@ -107,8 +107,8 @@ std::string PhysicsJson(const physics::Result& result);
 /// Returns the record of a line; nullopt, and the reason in `why_not`, if the line is not a record.
 std::optional<Record> ReadRecord(std::string_view line, std::string& why_not);
 
-/// Returns the offsets in a manifest at which a section may begin: bytes::CutsOf. Returns nullopt,
-/// after adding a finding, if the file cannot be read.
+/// Returns the offsets at which a manifest can be divided into sections, for reading parts of it
+/// (bytes::CutsOf). Returns nullopt, after adding a finding, if the file cannot be read.
 std::optional<std::vector<std::uint64_t>> CutsOf(const std::filesystem::path& file,
                                                  diag::Findings& findings);
 
@@ -118,18 +118,20 @@ class RecordReader {
  public:
   /// Returns a reader; nullopt, after adding a finding, if the file cannot be read. Later, each
   /// line that is not a record becomes a finding at that line, so sources and findings must outlive
-  /// the reader. In a section, lines are counted from its start.
+  /// the reader. If `section` is a part of the file, lines are counted from the start of the
+  /// section.
   static std::optional<RecordReader> Open(const std::filesystem::path& file, diag::Sources& sources,
                                           diag::Findings& findings,
                                           const bytes::Section& section = {});
 
   enum class Outcome { kRecord, kBadLine, kEnd, kUnreadable };
-  /// Replaces `record` with the record on the next line. After a bad line, the next call continues
-  /// with the following line. The first kMaxBadLines bad lines, an error of the file system, and
-  /// more than kMaxSkippedLines bad lines become findings.
+  /// Replaces `record` with the record on the next line. After a line that is not a record, the
+  /// next call continues with the following line. Adds a finding for each of the first kMaxBadLines
+  /// such lines, for more than kMaxSkippedLines, and for an error of the file system.
   Outcome Next(Record& record);
   static constexpr std::uint64_t kMaxBadLines = 50;
-  /// Limit for bad lines, because a small compressed file can contain thousands of millions.
+  /// Maximum number of bad lines, because a small compressed file can contain thousands of
+  /// millions.
   static constexpr std::uint64_t kMaxSkippedLines = 1'000'000;
 
   /// Number of the last line read, counted from 1.
@@ -137,7 +139,7 @@ class RecordReader {
   /// Returns true if the last line read has no line end or, in a compressed file, the last frame is
   /// incomplete, because it was still being written.
   bool torn() const { return lines_.torn(); }
-  /// Returns the place of the last line read, for further findings about it.
+  /// Returns the place of the last line read, for further findings about that line.
   diag::SourceMark Mark() const;
 
  private:

@@ -14,7 +14,7 @@ namespace mjforge::manifest {
 /// An object of a scene, which has a file of its own.
 struct PlacedFile {
   std::string name;
-  std::string file;  // relative to the folder of placement.json
+  std::string file;  // path from the folder of placement.json
   model::Pose pose;  // pose of the object's root body in the scene at the start
   std::string at;    // region or site where `place:` put the object; empty: no `place:`
   bool is_free = false;

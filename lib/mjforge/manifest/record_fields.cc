@@ -40,7 +40,7 @@ RecordField Field(const char* key, std::string schema, std::string_view doc) {
   return field;
 }
 
-// Makes a field that is left out if its member has the default value.
+// Makes a field that a record's JSON does not contain if `member` has its default value.
 template <auto member, FieldScope scope = FieldScope::kVariant>
 RecordField OptionalField(const char* key, std::string schema, std::string_view doc) {
   RecordField field = Field<member, scope>(key, std::move(schema), doc);
@@ -50,7 +50,7 @@ RecordField OptionalField(const char* key, std::string schema, std::string_view 
   return field;
 }
 
-// Makes a field for a property of the object, which is null if no object was made.
+// Makes a field for a property of the object. The value is null in JSON if no object was made.
 template <auto... way>
 RecordField ObjectField(const char* key, std::string schema, std::string_view doc) {
   return {key, std::move(schema), doc,
@@ -62,7 +62,7 @@ RecordField ObjectField(const char* key, std::string schema, std::string_view do
           }};
 }
 
-// Makes a field for a text, which is null if the text is empty.
+// Makes a field for a text. The value is null in JSON if the text is empty.
 template <std::string Record::*member>
 RecordField NullableField(const char* key, std::string schema, std::string_view doc) {
   return {key, std::move(schema), doc,

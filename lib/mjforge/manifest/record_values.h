@@ -156,7 +156,7 @@ inline ExpectedKind Get(const rapidjson::Value& value, model::Box3& box) {
   return GetMember(value, "min", box.min) && GetMember(value, "max", box.max) ? "" : "a box";
 }
 
-/// Key of a JSON member, and the C++ member that holds its value.
+/// Key of a JSON member, and the C++ member that stores the value.
 template <typename Of>
 struct JsonMember {
   const char* key;
@@ -171,7 +171,8 @@ void PutAll(Json& json, const Of& of, const JsonMember<Of> (&members)[n]) {
     std::visit([&](auto at) { json.Member(member.key, of.*at); }, member.at);
 }
 
-/// Reads all members of a table. Returns false if a member is missing or has another kind.
+/// Reads all members that a table lists from a JSON object. Returns false if a member is missing or
+/// has another kind.
 template <typename Of, std::size_t n>
 bool GetAll(const rapidjson::Value& object, Of& of, const JsonMember<Of> (&members)[n]) {
   return std::ranges::all_of(members, [&](const JsonMember<Of>& member) {
@@ -179,7 +180,7 @@ bool GetAll(const rapidjson::Value& object, Of& of, const JsonMember<Of> (&membe
   });
 }
 
-/// Returns the properties of a table of members, for a JSON Schema.
+/// Returns the text of `properties` in a JSON Schema for the members that a table lists.
 template <typename Of, std::size_t n>
 std::string SchemaOf(const JsonMember<Of> (&members)[n]) {
   // JSON types, in the order of the alternatives of JsonMember::at.

@@ -14,7 +14,7 @@
 
 namespace mjforge::manifest {
 
-/// Size and checksum of a file when its batch was finished.
+/// Size and checksum that a file had when its batch was finished.
 struct SealedFile {
   std::string file;  // name in the folder of the seal
   bytes::Prefix content;
@@ -48,8 +48,8 @@ struct Seal {
 /// "out/manifest.jsonl.zst".
 std::filesystem::path SealPathOf(const std::filesystem::path& manifest);
 
-/// Limit of the size of a seal in bytes; a seal with as many archives as a folder can have is
-/// smaller.
+/// Maximum size of a seal in bytes. No seal is so large, because a folder cannot contain enough
+/// archives.
 inline constexpr std::uint64_t kMaxSeal = std::uint64_t{64} << 20;
 
 /// Returns the seal as one line of JSON, with the line end.
@@ -61,8 +61,8 @@ std::optional<Seal> ReadSeal(std::string_view text, std::string& why_not);
 /// or damaged.
 std::optional<Seal> ReadSealBeside(const std::filesystem::path& manifest, std::string& why_not);
 
-/// Describes the first option in which two seals' outputs differ: "per_archive is '10', not '20'".
-/// Empty if all such options are equal.
+/// Describes the first output option in which two seals differ: "per_archive is '10', not '20'".
+/// Empty if all output options are equal.
 std::string DifferenceOfOutput(const Seal& seal, const Seal& other);
 
 }  // namespace mjforge::manifest

@@ -17,7 +17,7 @@ using spec::Applies;  // alias for libraries that must not use namespace `spec`
 
 /// An MJCF attribute and its value: `numbers` or, if `numbers` is empty, `text`.
 struct Attribute {
-  std::string_view name;  // points into the static field table
+  std::string_view name;  // refers to text in the table of fields
   Applies applies = Applies::kBoth;
   sample::Numbers numbers;
   std::string text;
@@ -35,7 +35,7 @@ auto* FindAttribute(Attributes& attributes, std::string_view name) {
 
 /// An MJCF element that is copied without interpretation, such as a sensor or a camera.
 struct Element {
-  std::string_view tag;  // points into the static section table
+  std::string_view tag;  // refers to text in the table of sections
   std::string name;      // empty if the element has no name
   std::vector<Attribute> attributes;
   std::vector<Element> children;

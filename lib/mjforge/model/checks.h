@@ -63,7 +63,7 @@ struct GraspingCheck {
   std::vector<std::string> sites = {};  // grasp sites; empty: the sites that the manual lists
   double width = 0.08;                  // m, largest distance between the jaws
   double force = 30;                    // N, closing force
-  double pull = 5;                      // N, joint resistance of the part that is grasped
+  double pull = 5;                      // N, force of a joint on the jaws that hold its moving part
   int tries = 3;                        // number of attempts at each site
   diag::SourceMark mark = {};
 
@@ -112,10 +112,10 @@ struct Checks {
   double tilt = 0.2617993877991494;    // rad, largest tilt of a stable object
   double nudge = 0.17453292519943295;  // rad, initial tilt of a stable object before its release
   double drift = std::numeric_limits<double>::infinity();  // m, largest motion along the floor
-  // Largest depth in the floor at landing, m.
+  // Largest penetration into the floor at landing, m.
   double penetration = std::numeric_limits<double>::infinity();
-  double sink = 0.001;        // m, largest depth in the floor at rest
-  double energy_gain = 0.02;  // maximum, relative to mass * g * size
+  double sink = 0.001;        // m, largest penetration into the floor at rest
+  double energy_gain = 0.02;  // largest gain of energy / (mass * g * size)
   std::optional<HoldingCheck> holds;
   std::optional<SettlingCheck> settled;
   std::vector<FittingCheck> fits;
@@ -123,22 +123,22 @@ struct Checks {
   // Limits for driven joints.
   bool drive = true;
   std::vector<JointCheck> joints;
-  double joint_overshoot = 0.05;           // maximum, relative to the range
-  double joint_reach = 0.9;                // minimum, relative to the range
+  double joint_overshoot = 0.05;           // largest distance beyond the range / range
+  double joint_reach = 0.9;                // smallest share of the range that is reached
   double joint_penetration = 0.001;        // m, largest penetration of bodies
-  double joint_return = 0.05;              // maximum, relative to the range
-  double equality_error = 0.02;            // relative to joint 1's travel or to the object's size
+  double joint_return = 0.05;              // largest distance of end from start / range
+  double equality_error = 0.02;            // largest error / travel of joint 1 or object's size
   double hinge_range = 6.283185307179586;  // rad, widest range of an uncoupled hinge
-  double slide_range = 3;                  // widest, uncoupled slide / object's longest side
+  double slide_range = 3;                  // widest range of an uncoupled slide / longest side
   // Limits that are checked without a simulation.
   std::vector<PartCheck> parts;
   Eigen::Vector2d density = {20, 22'000};      // kg/m^3, lowest and highest density of a part
-  Eigen::Vector2d bulk_density = {1, 22'000};  // kg/m^3, lowest and highest, mass / bounding box
-  double overlap = 0.05;                       // maximum, relative to the mass of the body
+  Eigen::Vector2d bulk_density = {1, 22'000};  // kg/m^3, lowest and highest: mass / box volume
+  double overlap = 0.05;                       // largest mass counted twice / mass of the body
   double thickness = 0.001;                    // m, least thickness of a part
   double aspect = 100;  // largest ratio of a part's longest and shortest side
   double gap = 0.0005;  // m, largest gap between parts that are connected
-  double look = 0.2;    // distance of visual beyond collision shape / size of the body
+  double look = 0.2;    // largest distance of visual beyond collision shape / body's size
   /// Silenced findings: code of each finding, and the reason why it is silenced.
   std::vector<std::pair<std::string, std::string>> silenced;
 

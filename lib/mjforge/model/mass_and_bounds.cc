@@ -98,7 +98,7 @@ MassProperties SubtreeMass(const std::vector<Body>& bodies, std::size_t first) {
 // from bodies that are fixed to it. Other simulators treat a fixed body as a body with a fixed
 // joint, and require mass on both sides of each joint.
 void ShareMass(std::vector<Body>& bodies) {
-  std::vector<std::size_t> movers(bodies.size());  // M: the body itself or its ancestor with joints
+  std::vector<std::size_t> movers(bodies.size());  // M: the body or its ancestor with joints
   std::vector<Pose> X_MB(bodies.size());
   for (std::size_t i = 1; i < bodies.size(); ++i) {
     movers[i] = i;

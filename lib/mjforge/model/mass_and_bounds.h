@@ -25,8 +25,8 @@ Bounds DeclaredBounds(const Eigen::Vector3d& total_size);
 /// the object's bodies or their start.
 void MeasureAtStart(Object& object);
 
-/// Multiplies masses by `factor`: those of the parts of body `body` whose index is at least
-/// `first_part`, and those of all bodies whose index is at least `first_body`.
+/// Multiplies by `factor` the masses of the parts of body `body` from index `first_part` on, and
+/// the masses of all bodies from index `first_body` on.
 void ScaleMass(double factor, std::vector<Body>& bodies, std::size_t body, std::size_t first_part,
                std::size_t first_body);
 /// Moves half the mass of a fixed child to each massless body with joints; the child is the first

@@ -34,7 +34,7 @@ inline constexpr int kMaxParts = 40'000;
 /// Suffix of the visual geom of a part with two geoms; the collision geom has the part's name.
 inline constexpr std::string_view kVisualSuffix = "_vis";
 
-/// A mesh that MJCF contains inline (shapes of `solid`), or a file that is copied into the output.
+/// An inline mesh (from the library `solid`), or a mesh file that is copied into the output.
 struct MeshAsset {
   std::string name;
   TriangleMesh mesh;           // surface after scaling
@@ -176,7 +176,7 @@ struct Object {
   Bounds bounds;
   MassProperties mass_properties;       // in W, at the start state
   std::optional<StartForm> start_form;  // nullopt: depends on the target
-  diag::SourceMark start_mark;          // first entry of `pose:`, or else `start:`; may be no place
+  diag::SourceMark start_mark;          // first entry of `pose:`, or else `start:`; may be empty
   Checks checks;
   std::vector<Expectation> expectations;
   std::vector<Pile> piles;

@@ -1,4 +1,4 @@
-// Interface to the search for places: one try at a place for a body, and its result.
+// Interface to the search for places of bodies: inputs and result of one try.
 
 #pragma once
 

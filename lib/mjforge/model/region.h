@@ -37,7 +37,7 @@ struct Region {
   double height = std::numeric_limits<double>::infinity();  // free height above the area, m
   double margin = 0;  // least distance of footprints from the edge, m
   double clear = 0;   // least distance between bodies in the region, m
-  // True for an interior, into which bodies are lowered; its floor may be uneven.
+  // True for the interior of a container, into which bodies are lowered; the floor may be uneven.
   bool walls = false;
   diag::SourceMark mark;
 };

@@ -74,7 +74,7 @@ struct Box3 {
   void Add(const Box3& other);
 };
 /// Return the exact axis-aligned bounding box of a shape, or of a solid's convex hull, at a pose.
-/// The box is empty if `extent` has no curves.
+/// The box is empty if `extent` is an empty hull.
 Box3 BoundsOf(const Shape& shape, const Pose& X_AG);
 Box3 BoundsOf(const solid::Extent& extent, const Pose& X_AS);
 

@@ -11,7 +11,8 @@
 
 namespace mjforge::sample {
 
-/// The draws of a spec's parameters that use the same stream.
+/// A random stream from which a parameter's value is drawn, with its dimensions in a sampling
+/// method.
 struct DrawnStream {
   StreamId stream = 0;
   int numbers = 1;           // count of uniform numbers drawn; each is a dimension
@@ -32,9 +33,9 @@ inline StreamId SharedStream(const spec::ObjectSpec& shared) {
   return Child(Child(kRootStream, "import"), shared.name);
 }
 
-/// Returns the streams of all parameters: first those of imported files, then the spec's own in
-/// file order. A draw comes before the draws in its arguments, limits and options. The streams are
-/// those that Evaluator uses. A choice with `exact: true` is left out, because it draws no uniform
+/// Returns the streams of all parameters: first of imported files, then of the spec itself in file
+/// order. A draw comes before the draws in its arguments, limits and options. The streams are those
+/// that Evaluator uses. A choice with `exact: true` is left out, because it draws no uniform
 /// number.
 std::vector<DrawnStream> DrawnStreams(const spec::ObjectSpec& spec);
 

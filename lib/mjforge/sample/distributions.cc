@@ -42,8 +42,8 @@ double LogNormal(double mu, double sigma, Interval limits, double u) {
   return std::clamp(std::exp(NormalValue(mu, sigma, logs, u)), limits.lo, limits.hi);
 }
 
-// Returns the quantile of a truncated exponential distribution. The distribution has no memory:
-// above lo, it is the same distribution, shifted.
+// Returns the quantile of a truncated exponential distribution. The distribution is memoryless: its
+// part above lo is the same distribution, shifted by lo.
 double Exponential(double rate, Interval limits, double u) {
   const double lo = std::max(0.0, limits.lo);
   const double value = lo - std::log1p(u * std::expm1(-rate * (limits.hi - lo))) / rate;

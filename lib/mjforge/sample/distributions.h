@@ -41,8 +41,8 @@ std::optional<std::string> CheckArguments(spec::Distribution distribution,
 double Quantile(spec::Distribution distribution, std::span<const double> arguments,
                 std::optional<Interval> limits, double u);
 
-/// Returns the smallest interval that contains every value of the distribution. RoundWithin() needs
-/// it.
+/// Returns the smallest interval that contains every value of the distribution: the bounds for
+/// RoundWithin().
 Interval Support(spec::Distribution distribution, std::span<const double> arguments,
                  std::optional<Interval> limits);
 

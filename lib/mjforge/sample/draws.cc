@@ -152,7 +152,7 @@ void Evaluator::AppendRotationAbout(const spec::RotationAbout& about, SourceMark
   Numbers axis;
   Vector(*about.axis, Child(path, "about"), axis);
   // std::hypot of three numbers has the same last bit on every processor; std::hypot of two numbers
-  // has not.
+  // does not.
   double length = std::hypot(axis[0], axis[1], axis[2]);
   if (length == 0) {
     length = Fail(Code::kSampleBadArgument, mark,

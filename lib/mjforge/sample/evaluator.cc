@@ -64,8 +64,8 @@ double Evaluator::EvaluateExpression(const expr::Expression& expression, SourceM
   if (std::isfinite(result)) return result;
   for (const expr::Expression::Input& input : expression.inputs()) {
     if (!std::isnan(Variable(input.slot))) continue;
-    // The cause of a failed input was already reported. The exception is a property of a body that
-    // was left out, which was never set.
+    // A finding already explains a failed input. Without a failure, the input is a property of a
+    // body that this variant leaves out, which was never set.
     if (failed_) return kFailedNumber;
     return Fail(Code::kExprNotFinite, mark,
                 fmt::format("expression '{}' uses '{}', which has no value in this variant",

@@ -16,18 +16,19 @@ namespace mjforge::sample {
 
 /// A full factorial design: every combination of the levels of all dimensions, where the first
 /// dimension varies slowest. A discrete dimension has one level per value. All other dimensions
-/// have the same number of levels, which is as large as possible with at most `size` points. The
-/// first of these dimensions have one level more as long as the grid has at most `size` points.
+/// have the same number of levels, which is as large as possible with at most `size` points. Then
+/// the first of these dimensions get one level more, as many as the limit of `size` points allows.
 class Grid {
  public:
   Grid(std::span<const DrawnStream> streams, std::uint64_t size);
 
-  /// Replaces the uniform numbers of a stream by its coordinates at the grid point `position`,
-  /// which are centres of cells. Positions beyond the last point start again with the first one.
-  /// Does not change the uniform numbers of a stream that has no dimension in the grid.
+  /// Replaces the uniform numbers of a stream by the stream's coordinates of the grid point
+  /// `position`, which are centres of cells of (0, 1). Positions beyond the last point start again
+  /// with the first one. Does not change the uniform numbers of a stream that has no dimension in
+  /// the grid.
   void Place(std::uint64_t position, StreamId stream, std::array<double, 4>& uniforms) const;
 
-  /// Returns the number of points, at most 2^64 - 1.
+  /// Returns the number of points of the grid; 2^64 - 1 if there are more.
   std::uint64_t points() const { return points_; }
   /// Returns the size of the grid as text: "4 x 5 x 5 = 100 points".
   std::string Text() const;

@@ -71,7 +71,7 @@ class CircleThrough {
     for (std::size_t i = 0; i < 3; ++i) point[i] = first_[i] + along * x_[i] + across * y_[i];
   }
 
-  /// Interpolates between values given at the three points.
+  /// Interpolates values given at the three points at the fraction `share` of the arc.
   double Between(double share, double first, double second, double last) const {
     const double angle = share * to_last_;
     if (angle <= to_second_) return std::lerp(first, second, angle / to_second_);

@@ -37,7 +37,8 @@ double RoundByScaling(double value, int places) {
   return places < 0 ? whole * power : whole / power;
 }
 
-// Rounds if the power of ten is not exact as a double.
+// Rounds to `digits` + 1 significant digits. Also applies to powers of ten that are not exact as
+// doubles.
 double RoundByText(double value, int digits) {
   if (digits >= 16) return value;
   char text[40];

@@ -49,7 +49,7 @@ class Evaluator {
   double Number(const spec::Value& value, StreamId path);
   std::optional<bool> Boolean(const spec::Value& value, StreamId path);
   std::optional<std::string> Text(const spec::Value& value, StreamId path);
-  /// Replaces the content of `out` by the components of a vector, or by a single number.
+  /// Evaluates a vector or a single number, and replaces the content of `out` by its components.
   void Vector(const spec::Value& value, StreamId path, Numbers& out);
   /// Evaluates a value of any kind. A single number in brackets is a vector.
   std::optional<ParameterValue> Any(const spec::Value& value, StreamId path);
@@ -66,8 +66,8 @@ class Evaluator {
   /// Returns the current values of an entry's loop variables and local values, for Restore().
   SavedVariables Save(const spec::Entry& entry) const;
   void Restore(const SavedVariables& saved);
-  /// Marks the variables of a value as failed. `list` is the number of the value's list; -1 if it
-  /// has none.
+  /// Marks the variables of a value as failed. `list` is the index of the value among the lists; -1
+  /// if the value is not a list.
   void ClearVariables(int slot, int list, const spec::Value& value);
   /// Sets the variables of a parameter from slot `slot` on: one for a number, boolean or text, one
   /// per component for a vector.
@@ -79,7 +79,7 @@ class Evaluator {
   /// Appends a uniformly distributed random rotation as a quaternion w x y z.
   void AppendRotation(StreamId path, Numbers& out);
 
-  /// Returns four independent uniform numbers in (0, 1), for draws that are not values in the spec.
+  /// Returns four uniform numbers in (0, 1), for draws that are not values in the spec.
   std::array<double, 4> Uniforms(StreamId path) const {
     return sampler_ != nullptr ? sampler_->Uniforms(key_, path) : sample::Uniforms(key_, path);
   }
@@ -110,14 +110,14 @@ class Evaluator {
   /// Returns component `i` of the vector to which a name refers.
   double Component(const spec::VariableReference& variable, int i, diag::SourceMark mark);
   double EvaluateExpression(const expr::Expression& expression, diag::SourceMark mark);
-  /// Appends the text of one piece. Returns false if its evaluation fails.
+  /// Evaluates one piece of a text and appends the result. Returns false if the evaluation fails.
   bool AppendPiece(const spec::TextPiece& piece, diag::SourceMark mark, std::string& out);
   /// Returns the text whose TextKey() is the result of an expression.
   const std::string& TextOf(const expr::Expression& expression, double key) const;
-  /// Appends the components of a vector, or a single number.
+  /// Evaluates a vector or a single number, and appends its components.
   void AppendVector(const spec::Value& value, StreamId path, Numbers& out);
-  /// Returns the stream of item `i` below `path`. An item without draws needs no stream, and gets
-  /// `path` itself.
+  /// Returns the random stream of item `i` of the list with stream `path`. Returns `path` itself
+  /// for an item without draws, which uses no stream.
   static StreamId ItemStream(const spec::Value& item, StreamId path, std::size_t i);
 
   // Defined in lists.cc.
@@ -157,19 +157,20 @@ class Evaluator {
   StreamId root_;
   diag::Findings* findings_;
   const Sampler* sampler_;
-  std::vector<double> variables_;      // indexed by slot; NaN if failed or not set
-  std::vector<std::string> texts_;     // indexed by slot
-  std::vector<expr::Sequence> lists_;  // indexed by number of the list
-  // Indexed by number of the list; empty for lists without texts.
+  std::vector<double> variables_;      // values of variables by slot; NaN if failed or not set
+  std::vector<std::string> texts_;     // texts of text variables by slot
+  std::vector<expr::Sequence> lists_;  // indexed by list number
+  // Texts of each list in `lists_`; empty for lists of numbers or booleans.
   std::vector<std::vector<std::string>> list_texts_;
-  std::vector<Evaluator> shared_;  // evaluators of spec_.shared, the imported specs
+  std::vector<Evaluator> shared_;  // evaluators of spec_.shared, the imported files
   bool failed_ = false;
 };
 
 /// Number of rejected draws after which the requirements are reported as impossible.
 inline constexpr std::uint64_t kMaxAttempts = 1000;
 
-/// Returns an evaluator after its Sample() drew the parameters; nullopt after adding a finding.
+/// Returns an evaluator with drawn parameters; nullopt, after adding a finding, if
+/// Evaluator::Sample() fails.
 std::optional<Evaluator> Sample(const spec::ObjectSpec& spec, DrawKey key, StreamId root,
                                 Evaluator::Overrides overrides, diag::Findings& findings,
                                 const Sampler* sampler = nullptr);

@@ -61,7 +61,7 @@ std::size_t Sampler::ExactOption(std::span<const double> weights, const DrawKey&
   std::uint64_t rank = Permuted(key.index % batch_, batch_, keys[0]);
   const std::vector<std::uint64_t> counts = LargestRemainder(weights, batch_);
   std::size_t option = 0;
-  // The sum of the counts is the size of the batch.
+  // The loop ends, because the sum of the counts is the size of the batch and `rank` is smaller.
   while (rank >= counts[option]) rank -= counts[option++];
   return option;
 }

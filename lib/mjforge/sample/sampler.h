@@ -22,7 +22,7 @@ class Sobol;
 enum class Method {
   kRandom,  // independent uniform random numbers
   kSobol,   // a scrambled Sobol sequence for the parameters' draws
-  kLatin,   // for every draw, each of N equal cells of (0, 1) has one item of a block
+  kLatin,   // for every draw, each of N equal cells of (0, 1) contains one of N items
   kGrid,    // all combinations of levels of the parameters' draws
 };
 /// Returns the names of the methods in the order of Method: "random", "sobol", "latin", "grid".
@@ -41,8 +41,8 @@ inline constexpr std::uint64_t kMaxBatch = std::uint64_t{1} << 52;
 /// random.
 class Sampler {
  public:
-  /// `batch` is N, at most kMaxBatch; 0 if unknown, and then methods that need N draw random
-  /// numbers. `seed` is the seed of all keys. The spec need not outlive the sampler.
+  /// `batch` is N, at most kMaxBatch. If N is unknown (0), the methods that need N draw independent
+  /// random numbers. `seed` is the seed of all keys. The spec need not outlive the sampler.
   Sampler(const spec::ObjectSpec& spec, Method method, std::uint64_t seed, std::uint64_t batch);
 
   /// Returns four uniform numbers in (0, 1), distributed over the batch by the method.

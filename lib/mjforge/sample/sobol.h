@@ -24,8 +24,8 @@ class Sobol {
   /// direction numbers get no dimension.
   Sobol(std::span<const DrawnStream> streams, std::uint64_t seed);
 
-  /// Replaces the uniform numbers of a stream by its coordinates of point `index`, in (0, 1). Does
-  /// not change the uniform numbers of a stream without a dimension.
+  /// Replaces the uniform numbers of a stream by the stream's coordinates of point `index`, in (0,
+  /// 1). Does not change the uniform numbers of a stream without a dimension.
   void Place(std::uint64_t index, StreamId stream, std::array<double, 4>& uniforms) const;
 
  private:

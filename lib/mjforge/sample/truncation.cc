@@ -64,7 +64,7 @@ Slice<Real> NormalSlice(Interval z) {
 // long double is used.
 constexpr double kSafeReach = 1e-280;
 
-// Returns the smallest interval that contains the same non-negative whole numbers.
+// Returns the smallest interval that contains the same non-negative whole numbers as `limits`.
 Interval WholePart(Interval limits) {
   return {std::max(0.0, std::ceil(limits.lo)), std::floor(limits.hi)};
 }

@@ -6,15 +6,16 @@
 
 namespace mjforge::sample {
 
-/// Returns true if the probability of the interval z under the standard normal distribution is
-/// representable. Beyond about 150 standard deviations, the probability underflows to 0.
+/// Returns true if the probability of the interval `z`, in standard deviations from the mean, is
+/// representable for the normal distribution. Beyond about 150 standard deviations, the probability
+/// underflows to 0.
 bool NormalReaches(Interval z);
-/// Returns the quantile at u of the standard normal distribution truncated to z. Probabilities are
-/// computed from the nearer tail.
+/// Returns the quantile at `u` of the standard normal distribution truncated to the interval `z`.
+/// Probabilities are computed from the nearer tail.
 double TruncatedNormal(Interval z, double u);
 
-/// Functions like NormalReaches() and TruncatedNormal() for the Poisson distribution. The mean must
-/// be positive; the limits may be any real numbers.
+/// Counterparts of NormalReaches() and TruncatedNormal() for the Poisson distribution. The mean
+/// must be positive; the limits may be any real numbers.
 bool PoissonReaches(double mean, Interval limits);
 double TruncatedPoisson(double mean, Interval limits, double u);
 

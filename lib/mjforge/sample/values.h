@@ -23,7 +23,7 @@ using Numbers = boost::container::small_vector<double, 6>;
 /// A number that could not be computed. The reason was already reported in a finding.
 inline constexpr double kFailedNumber = std::numeric_limits<double>::quiet_NaN();
 
-/// Returns true if any of the numbers failed.
+/// Returns true if any of the numbers could not be computed (kFailedNumber).
 template <typename Range>
 bool HasFailedNumber(const Range& numbers) {
   return std::ranges::any_of(numbers, [](double number) { return std::isnan(number); });
@@ -38,13 +38,13 @@ using ParameterValue = std::variant<double, bool, std::string, std::vector<doubl
 /// that is finer. The result is always in [lo, hi]. An infinite bound means that there is no bound.
 double RoundWithin(double lo, double hi, double value);
 
-/// The values of a list.
+/// The evaluated items of a list.
 struct Items {
-  std::vector<double> numbers;     // a text is its TextKey(), true is 1, false is 0
+  std::vector<double> numbers;     // texts by expr::TextKey(); true is 1, false is 0
   std::vector<std::string> texts;  // texts of the items; empty for a list of other values
 };
 
-/// A list of points, and the place in the spec from which each point comes.
+/// A list of points, and the position of each point in the spec's text.
 struct PointList {
   std::size_t per_point = 2;  // number of coordinates per point
   Numbers numbers;

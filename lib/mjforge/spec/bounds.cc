@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-// Returns bounds from two constants; nullopt if one of them depends on the variant.
+// Returns the bounds from `low` to `high`; nullopt unless both are constants.
 std::optional<Bounds> Between(const Value& low, const Value& high) {
   const auto from = ConstantOf(low);
   const auto to = ConstantOf(high);
@@ -20,8 +20,8 @@ std::optional<Bounds> Between(const Value& low, const Value& high) {
   return Bounds{*from, *to};
 }
 
-// Returns the interval that contains the bounds of all options of a choice. Returns nullopt if an
-// option has no bounds.
+// Returns the smallest interval that contains the bounds of all options of a choice. Returns
+// nullopt if an option has no bounds.
 std::optional<Bounds> Around(const std::vector<Value>& options) {
   std::optional<Bounds> all;
   for (const Value& option : options) {

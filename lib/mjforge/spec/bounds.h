@@ -8,8 +8,8 @@ namespace mjforge::spec {
 
 struct Value;
 
-/// The closed interval that contains every value of a number. An end is infinite if the
-/// distribution has no limit there.
+/// Closed interval of the values that a number can have. An end is infinite if the number's
+/// distribution is unbounded there.
 struct Bounds {
   double low = 0;
   double high = 0;

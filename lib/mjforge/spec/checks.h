@@ -13,7 +13,8 @@
 
 namespace mjforge::spec {
 
-/// An item of `at:`: the position of a joint, a value for MuJoCo's qpos.
+/// Position of a joint (its qpos in MuJoCo) at which an expectation or a check is evaluated: an
+/// item of `at:`.
 struct JointPosition {
   Value joint;  // a text: the joint's name
   diag::SourceMark mark;
@@ -22,9 +23,9 @@ struct JointPosition {
 
 enum class ExpectationKind { kThat, kGap, kTouch, kApart, kInside };
 
-/// An entry of `expect:`.
+/// A condition that every variant must meet: an entry of `expect:`.
 struct Expectation {
-  Entry entry;  // if, for, let; `min` and `max` are in `fields`
+  Entry entry;  // keys `if`, `for`, `let`; `fields` contains `min` and `max`
   ExpectationKind kind = ExpectationKind::kThat;
   std::optional<expr::Expression> condition;  // only for kThat
   std::vector<Value> names;                   // for all other kinds: names of two bodies or parts
@@ -51,14 +52,14 @@ struct Checks {
   };
   std::optional<Settling> settled;
   struct JointCheck {
-    Entry entry;                // if, for, let; the thresholds are in `fields`
+    Entry entry;                // keys `if`, `for`, `let`; `fields` contains the thresholds
     std::vector<Value> joints;  // texts: names of joints
     std::vector<JointPosition> at;
     std::string skip;
   };
   std::vector<JointCheck> joints;
   struct Fitting {
-    Entry entry;  // if, for, let; all other keys are in `fields`
+    Entry entry;  // keys `if`, `for`, `let`; `fields` contains all other keys
   };
   std::vector<Fitting> fits;
   struct Grasping {
@@ -68,7 +69,7 @@ struct Checks {
   };
   std::optional<Grasping> grasps;
   struct PartCheck {
-    Entry entry;               // if, for, let; the limits are in `fields`
+    Entry entry;               // keys `if`, `for`, `let`; `fields` contains the limits
     std::vector<Value> parts;  // texts: names of parts
   };
   std::vector<PartCheck> parts;

@@ -1,4 +1,4 @@
-// Values that are the same in all variants, as JSON.
+// JSON text of values that are the same in all variants.
 
 #include "mjforge/spec/constant_json.h"
 

@@ -1,4 +1,4 @@
-// Values that are the same in all variants, as JSON.
+// JSON text of values that are the same in all variants.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,7 @@ namespace mjforge::spec {
 struct Value;
 
 /// Returns the options of a choice or a cycle as a JSON list. Returns nullopt for any other value,
-/// and if an option is not the same in all variants (a number, text or boolean, or a list of
-/// these).
+/// and if an option can differ between variants.
 std::optional<std::string> ConstantChoices(const Value& value);
 
 }  // namespace mjforge::spec

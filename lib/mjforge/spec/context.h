@@ -1,4 +1,4 @@
-// State that all readers of a spec share, and the interfaces of these readers.
+// State of reading one spec, and the functions that read the spec's sections.
 
 #pragma once
 
@@ -20,11 +20,12 @@ namespace mjforge::spec {
 class NestedLoader {
  public:
   virtual ~NestedLoader() = default;
-  /// Loads the spec named at `mark`; returns null, after adding a finding, if loading fails.
+  /// Loads the spec that `reference` names. Returns null, after adding a finding at `mark`, if
+  /// loading fails.
   virtual std::shared_ptr<const ObjectSpec> LoadNested(const std::string& reference,
                                                        diag::SourceMark mark) = 0;
-  /// Reads another file of the spec, relative to the spec's folder, and returns its number among
-  /// the sources. Returns nullopt, and adds a finding, if reading fails.
+  /// Reads the file `name`, relative to the spec's folder, and returns its number in diag::Sources.
+  /// Returns nullopt, and adds a finding, if reading fails.
   virtual std::optional<std::uint32_t> OpenFile(const std::string& name, diag::SourceMark mark) = 0;
 };
 
@@ -35,11 +36,11 @@ struct Context {
   ObjectSpec& spec;
   NestedLoader& loader;
   ValueReader values;
-  // Names and places of all local values (`let:`).
+  // Names of all local values (`let:`), and their positions in the text.
   std::vector<std::pair<std::string, diag::SourceMark>> locals = {};
 };
 
-/// Reports keys of the mapping that the element does not have, with suggestions.
+/// Reports each key of the mapping that is not a key of the element, and suggests a similar key.
 void CheckKeys(const ElementInfo& element, const YamlNode& map, Context& context);
 
 /// Adds a finding if the mapping has `key` but not `other`, which `key` requires.
@@ -61,8 +62,8 @@ bool IsMap(const YamlNode& node, std::string_view what, Context& context);
 /// expected content ("pairs of bodies").
 bool IsList(const YamlNode& node, std::string_view what, Context& context);
 
-/// Reads the fields of a mapping whose kind is a value (HoldsValue), not structure. Reports fields
-/// that exclude each other (two orientations, density and mass).
+/// Reads the keys of a mapping that have a value (HoldsValue), not a structure such as a list of
+/// parts. Reports keys that exclude each other (two orientations, density and mass).
 std::vector<Field> ReadFields(const ElementInfo& element, const YamlNode& map, Context& context);
 
 /// Reads the mapping under the key `element.name` of `map` into a child of `entry`, and returns the
@@ -76,7 +77,8 @@ bool ExcludeEachOther(const FieldInfo& a, const FieldInfo& b);
 /// Returns the field with this key; null if there is none.
 const Field* FindField(std::span<const Field> fields, Key id);
 
-/// Adds a finding unless expr::IsName(name). `what` describes the named thing ("a parameter").
+/// Adds a finding if `name` is not a valid name in expressions. `what` describes the named thing
+/// ("a parameter").
 void CheckName(std::string_view what, std::string_view name, diag::SourceMark mark,
                diag::Findings& findings);
 
@@ -87,13 +89,16 @@ bool CheckNotReserved(std::string_view what, std::string_view name, diag::Source
 
 /// Reads `functions:` and defines the functions for all expressions that are read later.
 void ReadFunctions(const YamlNode& functions, Context& context);
-/// Checks the bodies of the functions. Call CheckFunctions() after the parameters are declared.
+/// Checks the expressions that define the functions. Call CheckFunctions() after the parameters are
+/// declared.
 void CheckFunctions(Context& context);
-/// Returns `names` and, for each function among them, the names that the function's body uses.
+/// Returns `names` and, for each function among them, the names that the function's expression
+/// uses.
 std::vector<std::string> WithNamesInFunctions(std::vector<std::string> names,
                                               const expr::SymbolTable& known);
 
-/// A setting: the name of a parameter or `checks.KEY`, and the new value.
+/// A setting, which replaces a value of the spec: the name of a parameter, `checks.KEY`,
+/// `root.joints` or `root.start`, and the new value.
 struct NamedNode {
   std::string name;
   YamlNode value;
@@ -122,34 +127,34 @@ void CheckDetent(const YamlNode& joint, const Entry& entry, Context& context);
 /// Returns true for `joints: free` and false for `joints: none`. Returns nullopt, and adds a
 /// finding, for other words.
 std::optional<bool> IsFreeWord(const YamlNode& joints, Context& context);
-/// Reads positions of joints: `at:` of an entry of `expect:` or `checks:`.
+/// Reads the joint positions in `at:` of an entry of `expect:` or `checks:`.
 std::vector<JointPosition> ReadPositions(const YamlNode& positions, Context& context);
-/// Reads `pose:` of an object, which is a mapping or a list.
+/// Reads the start state of an object: `pose:`, a mapping or a list.
 std::vector<Entry> ReadStarts(const YamlNode& pose, Context& context);
 /// Reads `view:` of an object.
 void ReadView(const YamlNode& view, Context& context);
 /// Reads `expect:` of an object.
 void ReadExpectations(const YamlNode& list, Context& context);
 
-/// Reads `bodies:` in order, because each body may use properties of earlier bodies; then the
-/// joints of the root and of the bodies, which may use properties of all bodies. `bodies`
-/// and `joints` may be null.
+/// Reads `bodies:` in order, because each body may use properties of earlier bodies. Then reads the
+/// joints of the root and of the bodies, which may use properties of all bodies. `bodies` and
+/// `joints` may be null.
 void ReadBodiesAndJoints(const YamlNode* bodies, const YamlNode* joints, Context& context);
 /// Declares a variable for each property of a body (PREFIXtop, PREFIXbottom, ...) and returns the
-/// slot of the first variable.
+/// slot (index) of the first variable.
 int DeclareMeasures(const std::string& prefix, expr::SymbolTable& names);
-/// Declares the properties that are known only after all bodies are read: NAME.subtree_top and the
-/// other properties of subtrees, NAME.pos of sites, and torque(NAME) of the joints in
-/// `joint_lists`.
+/// Declares variables for properties that are known only after all bodies are read:
+/// NAME.subtree_top and the other properties of subtrees, NAME.pos of sites, and torque(NAME) of
+/// the joints in `joint_lists`.
 void DeclareWholeProperties(std::span<const YamlNode* const> joint_lists, Context& context);
-/// Sets the entry's slot to that of torque(NAME) of the joint. Reports uses of torque() in the keys
-/// from which the torque is computed.
+/// Sets the slot of a joint's entry to the slot of the variable torque(NAME). Reports uses of
+/// torque() in the keys from which the torque is computed.
 void ReadTorqueUse(const YamlNode& joint, Entry& entry, Context& context);
 
-/// Reads `place:` of a body's entry; returns nullopt if the body has none.
+/// Reads `place:` of an entry of `bodies:`; returns nullopt if the entry has no `place:`.
 std::optional<PlaceEntry> ReadPlace(const YamlNode& body, Context& context);
 
-/// Read `contact:` and `mjcf:` into the sections of the spec.
+/// Read `contact:` and `mjcf:` into ObjectSpec::sections.
 void ReadContact(const YamlNode& contact, Context& context);
 void ReadSections(const YamlNode& sections, Context& context);
 
@@ -162,16 +167,16 @@ inline constexpr std::string_view kChecksPrefix = "checks.";
 /// Reads `checks:`, in which settings replace values. `checks` may be null.
 void ReadChecks(const YamlNode* checks, std::span<const NamedNode> settings, Context& context);
 
-/// Clears the slots of properties of bodies, joints and sites that no expression uses, so that they
-/// are not computed.
+/// Sets the slots of properties of bodies, joints and sites to -1 if no expression uses the
+/// property, so that the property is not computed.
 void DropUnusedProperties(Context& context);
 
 /// Warns of parameters, functions, local values and the spec's own materials that are never used.
 /// `materials` may be null.
 void ReportUnused(const YamlNode* materials, Context& context);
 
-/// Checks the fields of a part against its type, if the type is a literal: missing fields, fields
-/// without meaning, the count of sizes.
+/// Reports fields that the type of a part requires but the part lacks, fields that the type does
+/// not take, and a wrong count of sizes. Does nothing unless the type is a literal.
 void CheckPart(const Entry& part, Context& context);
 
 }  // namespace mjforge::spec

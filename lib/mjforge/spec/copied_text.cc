@@ -1,4 +1,4 @@
-// Texts of new specs: copies of specs, with references to the same files, and the starter.
+// Texts of new specs: copies of specs, with references to the same files, and the starter spec.
 
 #include <algorithm>
 #include <array>

@@ -65,7 +65,8 @@ class CsvParser {
     do {
       const std::size_t quote = text_.find('"', at_ + 1);
       if (quote == text_.npos) return std::nullopt;
-      // Each taken piece begins with the opening quote, or with the second quote of a pair.
+      // The appended piece begins with a quote: the opening quote or, after a doubled quote (""),
+      // the second of the two, which is part of the cell.
       cell += Take(quote - at_);
       Take(1);
     } while (Peek() == '"');

@@ -14,15 +14,15 @@ namespace mjforge::spec {
 
 struct TableColumn {
   std::string name;
-  diag::SourceMark mark;  // place in the header
+  diag::SourceMark mark;  // position of the name in the header line
   bool is_text = false;
   std::string unit;             // SI unit of the column's dimension: m for mm
-  std::vector<YamlNode> cells;  // numbers with the header's unit, or texts
+  std::vector<YamlNode> cells;  // cells below the header: numbers with the header's unit, or texts
 };
 
-/// Parses the text of a source as CSV with a header line (RFC 4180). A column name may be followed
-/// by a unit, `height [mm]`, or by `[text]`; without either, a column is numeric if all its cells
-/// are numbers. Returns nullopt, and adds findings, if the text is not such a table.
+/// Parses text number `file` of `sources` as CSV with a header line (RFC 4180). A column name may
+/// be followed by a unit, `height [mm]`, or by `[text]`; without either, a column is numeric if all
+/// its cells are numbers. Returns nullopt, and adds findings, if the text is not such a table.
 std::optional<std::vector<TableColumn>> ReadTable(std::uint32_t file, const diag::Sources& sources,
                                                   diag::Findings& findings);
 

@@ -38,7 +38,7 @@ bool Fits(const DistributionInfo& info, FieldKind kind) {
   return kind == FieldKind::kNumber || kind == FieldKind::kInteger || kind == FieldKind::kNumbers;
 }
 
-// Returns true if a mapping that contains the draw `main` may also contain the key.
+// Returns true if a mapping that contains the key `main` of a draw may also contain `key`.
 bool IsOption(std::string_view key, std::string_view main) {
   if (const DistributionInfo* info = FindDistribution(main))
     return !key.empty() && (key == info->option || key == info->flag);
@@ -84,7 +84,8 @@ bool ValueReader::IsVectorForm(std::string_view key, const ExpectedForm& expecte
   return ((key == kAbout || key == kHsv) && allows(4)) || (key == kOnSphere && allows(3));
 }
 
-// Reports a drawn colour or quaternion in a field for other numbers. A parameter accepts both.
+// Reports a drawn colour in a field other than `rgba`, and a drawn quaternion in a field that is
+// not a quaternion. Parameters accept both.
 void ValueReader::CheckMeaning(bool is_color, const ExpectedForm& expected, const YamlNode& node) {
   const std::string_view key = expected.key;
   if (key.empty() || (is_color ? key == "rgba" : key.ends_with("quat"))) return;

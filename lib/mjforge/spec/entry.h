@@ -24,7 +24,7 @@ struct ObjectSpec;
 struct Field {
   const FieldInfo* info = nullptr;
   Value value;
-  diag::SourceMark mark;    // place of the key
+  diag::SourceMark mark;    // position of the key in the text
   bool is_default = false;  // true if the value comes from `defaults:`
 };
 
@@ -49,7 +49,7 @@ struct Entry {
   std::vector<Field> fields;
   // True for a frame, whose pose is in `fields` and whose parts are `children`.
   bool is_frame = false;
-  // Parts of a frame; `screw` and `couple` of a joint; inner elements of a section's element.
+  // Parts of a frame; `screw` and `couple` of a joint; inner elements of an MJCF element.
   std::vector<Entry> children;
   // Slot (index of the variable) of torque(NAME) of a joint, or of NAME.pos of a site; -1 if no
   // expression uses the variable.
@@ -85,7 +85,7 @@ struct PlaceEntry {
 
 /// An entry of `bodies:`: inline parts, another spec, or an MJCF file.
 struct BodyEntry {
-  Entry head;  // name, if, for; spec and overrides; `fields`: parent, pose, mass, mjcf, body
+  Entry head;  // `name`, `if`, `for`, `spec`; `fields` has parent, pose, mass, mjcf, body
   std::vector<Entry> parts;
   std::vector<Entry> sites;
   std::vector<Entry> regions;
@@ -93,18 +93,20 @@ struct BodyEntry {
   std::vector<Entry> joints;
   bool has_joints = false;          // the body has `joints:`, possibly `none`
   bool is_free = false;             // `joints: free`
-  std::optional<PlaceEntry> place;  // place that determines pose and parent
+  std::optional<PlaceEntry> place;  // `place:`, which determines pose and parent
   /// Slot of NAME.top; the slots of the other properties follow. -1 if no expression uses a
   /// property of the body.
   int first_property = -1;
   /// Slot of NAME.subtree_top; the slots of the other properties follow. -1 if no expression uses a
   /// property of the subtree.
   int first_subtree_property = -1;
-  /// Slot of NAME.PARAMETER for each of head.nested->parameters; -1 if expressions cannot use it.
+  /// Slots of NAME.PARAMETER, one for each of head.nested->parameters; -1 if expressions cannot use
+  /// the parameter.
   std::vector<int> parameter_slots;
 };
 
-/// A section of `mjcf:`. `contact:` adds its pairs to the section `contact`.
+/// A section of MJCF that the spec passes through (`mjcf:`). The body pairs in the spec's `contact:
+/// exclude:` are added to the MJCF section `contact`.
 struct Section {
   const SectionInfo* info = nullptr;
   std::vector<Entry> entries;  // a single entry if `info->is_element`

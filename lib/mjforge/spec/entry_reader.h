@@ -25,10 +25,10 @@ class EntryReader {
               Naming naming = Naming::kOptional, std::string_view key = "name");
   void End(const Entry& entry);
 
-  /// Reads `spec:` with its `params:` and `materials:`.
+  /// Reads the nested spec of an entry: `spec:` with its `params:` and `materials:`.
   void ReadNested(const YamlNode& map, const YamlNode& spec, Entry& entry);
-  /// Reports keys of the element that have no meaning for `what` ("a frame"): all keys except
-  /// `allowed`.
+  /// Reports the element's keys in `map`, except `allowed`, because they have no meaning for `what`
+  /// ("a frame").
   void RejectKeys(const YamlNode& map, std::initializer_list<std::string_view> allowed,
                   const ElementInfo& element, std::string_view what);
 

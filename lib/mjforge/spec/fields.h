@@ -21,7 +21,7 @@ enum class FieldKind {
   kText,       // text, with ${...}
   kNumbers,    // a list of min_count to max_count numbers; a single number needs no brackets
   kPoints,     // a list of points, each a list of min_count to max_count numbers
-  kOutlines,   // a list of lists of points
+  kOutlines,   // a list of outlines, each a list of points
   kPosition,   // a position of a joint: a number, or the 4 numbers of a quaternion
   kPlainText,  // text without ${...}
   kFormat,     // the number 1, the version of the format
@@ -73,10 +73,10 @@ enum class FieldKind {
   kSilence,
   kAnything,
 };
-/// Returns true for kinds that are a value, which may be drawn or computed.
+/// Returns true for kinds of fields that contain a value, which may be drawn or computed.
 constexpr bool HoldsValue(FieldKind kind) { return kind <= FieldKind::kPosition; }
 
-/// Selection of a part's geoms to which an attribute is written.
+/// Selects the geoms of a part to which an attribute is written.
 enum class Applies { kBoth, kCollision, kVisual };
 
 /// The motion of a joint, which selects one of the two units of a field ("rad or m").

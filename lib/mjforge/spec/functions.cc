@@ -69,7 +69,7 @@ Dependencies UsesOf(const std::vector<const Formula*>& all) {
   return uses;
 }
 
-// Returns the place of a function's name in the spec.
+// Returns the position of a function's name in the spec's text.
 diag::SourceMark MarkOf(const Formula& formula, const Context& context) {
   const auto& all = context.spec.functions;
   return std::ranges::find(all, formula.name, [](const auto& one) { return one.first; })->second;

@@ -1,4 +1,4 @@
-// Reader of joint positions: `pose:` with its starts, and `at:` of expectations and checks.
+// Reader of joint positions: the start state `pose:`, and `at:` of expectations and checks.
 
 #include <fmt/format.h>
 
@@ -68,7 +68,7 @@ Value ValueReader::ReadPosition(const FieldInfo& field, const YamlNode& node, Mo
   }
   Value value = Read(form, node, motion);
   if (value.components != 2 && value.components != 3) return value;
-  if (!is_turn) {  // a ball joint's position is reported as a quaternion
+  if (!is_turn) {  // Read() reports a wrong quaternion
     findings_.Add(
         Code::kSpecWrongType, value.mark,
         fmt::format("a position is a number or the four of a quaternion, not {}", KindText(value)));

@@ -242,7 +242,7 @@ class SpecLoader : public NestedLoader {
     const auto& [file, root] = from;
     std::shared_ptr<const ObjectSpec>& known = state_.imported[file];
     if (known != nullptr) return known;
-    // Base of the paths of tables.
+    // Paths of CSV tables in the imported file are relative to that file's folder.
     const fs::path folder = std::exchange(folder_, file.parent_path());
     auto spec = std::make_shared<ObjectSpec>();
     spec->name = file.stem().string();

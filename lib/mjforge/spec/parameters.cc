@@ -120,7 +120,7 @@ std::string SomeOf(std::span<const std::string> words) {
   return words.size() > kShown ? fmt::format("{}, ... ({} in all)", text, words.size()) : text;
 }
 
-// Reports a setting of a record's key if it is a constant that no row has as its key.
+// Reports a setting of a record's key to a constant that is not the key of any row.
 void CheckKey(const ParameterNode& declared, const Value& value, Context& context) {
   const auto number = ConstantOf(value);
   if (!number || declared.rows->numbers.contains(*number)) return;
@@ -204,8 +204,8 @@ bool CheckPinnedChoice(const YamlNode& own, const YamlNode& pinned, Context& con
   return false;
 }
 
-// Replaces the nodes of parameters by their settings. Returns a flag for each parameter: true if it
-// was set.
+// Replaces the YAML values of parameters by their settings. Returns a flag for each parameter: true
+// if a setting replaced its value.
 std::vector<bool> ApplySettings(std::span<const NamedNode> settings,
                                 std::vector<ParameterNode>& declared, Context& context) {
   std::vector<bool> is_set(declared.size());

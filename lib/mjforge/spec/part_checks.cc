@@ -56,7 +56,7 @@ void CheckPart(const Entry& part, Context& context) {
   const auto word = LiteralText(type->value);
   if (!word) return;
   const ShapeInfo* shape = FindShape(*word);
-  if (shape == nullptr) return;  // reported when the word was read
+  if (shape == nullptr) return;  // unknown type, already reported
   for (const Key id : shape->required) {
     if (part.Find(id) != nullptr) continue;
     context.findings.Add(Code::kSpecMissingKey, part.mark,

@@ -139,8 +139,8 @@ class RecordParameterReader {
     }
   }
 
-  // Returns the rows, found by their values in this column. Returns null unless these values are
-  // constants or texts, and all different.
+  // Returns an index of the rows by their values in this column. Returns null unless these values
+  // are constants or texts, and all different.
   std::shared_ptr<const RecordRows> KeyOf(const TableColumn& column) const {
     auto rows = std::make_shared<RecordRows>();
     for (const YamlNode& cell : column.cells) {

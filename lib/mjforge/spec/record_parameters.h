@@ -11,17 +11,17 @@
 
 namespace mjforge::spec {
 
-/// The YAML source of a parameter. A record parameter has one ParameterNode for each of its
-/// columns.
+/// The YAML text of a parameter. A record parameter is declared as several parameters, one for each
+/// of its columns.
 struct ParameterNode {
   std::string name;  // "leg", "style.leg"
   diag::SourceMark mark;
   YamlNode node;
-  std::string source;       // Parameter::source; empty: the text of the spec
+  std::string source;       // value for display (Parameter::source); empty: as written
   std::string record = {};  // name of the record ("style"), only for its key column, the first one
   std::string unit = {};
-  FieldKind kind = FieldKind::kAnything;        // kind of the options
-  std::shared_ptr<const RecordRows> rows = {};  // only for the columns of a record
+  FieldKind kind = FieldKind::kAnything;        // kind of the cells of a CSV column
+  std::shared_ptr<const RecordRows> rows = {};  // rows of the record; null for others
 
   bool is_key() const { return !record.empty(); }
 };

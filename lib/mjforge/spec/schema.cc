@@ -284,8 +284,8 @@ std::string DrawsWithDoc(std::string_view none) {
   }));
 }
 
-// Returns one definition for each pair of minimum and maximum count of a number list without
-// bounds.
+// Returns the definitions of lists of numbers without bounds: one for each pair of minimum and
+// maximum count.
 std::string NumberLists(std::string_view /*none*/) {
   std::set<std::string> done;
   JsonMembers lists;

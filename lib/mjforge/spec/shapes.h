@@ -9,7 +9,7 @@
 
 namespace mjforge::spec {
 
-/// A type of part, and the keys that it takes.
+/// A type of part ("box"), and the keys that parts of the type take.
 struct ShapeInfo {
   std::string_view type;
   int sizes = 0;         // count of numbers in `size`; 0: the type has no `size`
@@ -20,7 +20,7 @@ struct ShapeInfo {
 
   bool Takes(Key key) const;
 };
-/// Returns the shape of a type; null if there is none.
+/// Returns the part type with this name; null if there is none.
 const ShapeInfo* FindShape(std::string_view type);
 
 /// Returns true if the key has a meaning for only some types of parts.

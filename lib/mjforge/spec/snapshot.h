@@ -19,16 +19,16 @@ namespace mjforge::spec {
 struct YamlNode;
 
 /// Files and texts that loads of a spec have read. A load with a snapshot takes files and texts
-/// from it, and adds those that it does not contain yet.
+/// from the snapshot, and adds to it the files that it does not contain yet.
 struct Snapshot {
   using Texts = std::map<std::filesystem::path, std::string>;
 
-  std::string spec;                   // reference of the spec; "-": the spec is `texts["-"]`
+  std::string spec;                   // path or name of the spec; "-": the spec is `texts["-"]`
   std::string text_name = "<stdin>";  // name of the text `texts["-"]` in findings
   std::filesystem::path folder;       // base of relative paths; empty: the working folder
   std::vector<std::filesystem::path> search_path;
-  /// Files that were found by reference. The key is the absolute folder of the referring file, and
-  /// the reference.
+  /// Results of searches for files. The key is the absolute folder of the referring file, and the
+  /// reference (path or name) in that file.
   std::map<std::pair<std::filesystem::path, std::string>, std::filesystem::path> found;
   Texts texts;  // text of each file; the key is the canonical path
   /// Texts of parameter files (LoadOptions::parameter_files), by canonical path. Not part of

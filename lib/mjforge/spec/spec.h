@@ -34,7 +34,7 @@ struct Parameter {
   std::string section;
   std::string source;  // the value as written in the YAML, on one line
   int slot = 0;
-  int list = -1;  // see expr::SymbolTable::Variable::list
+  int list = -1;  // index in the expressions' array of lists; -1: not a list
   /// Name of the record, only for the key of a record. Expressions may use the record's name
   /// instead of the key's ("style" for "style.name").
   std::string record;
@@ -89,16 +89,18 @@ struct ObjectSpec {
   // All files read, in the order in which they were first read.
   std::vector<std::filesystem::path> files;
   std::string sha256;  // hash of the texts of `files`, in hexadecimal
-  /// The applied settings, from files and from the caller: name, YAML flow text.
+  /// The applied settings, from parameter files and from the caller: pairs of a name and a value
+  /// (YAML flow text).
   std::vector<std::pair<std::string, std::string>> settings;
 
   expr::SymbolTable names;  // parameters and loop variables; slot 0 is `index`
-  // Name and place of each function.
+  // Name of each function, and its position in the text.
   std::vector<std::pair<std::string, diag::SourceMark>> functions;
   std::vector<Parameter> parameters;  // in file order
   std::vector<int> evaluation_order;  // indices into parameters
   /// Imported files with parameters, each as a spec with only a name, parameters and requirements.
-  /// All specs that import a file share its parameters, whose draws are keyed by the file's name.
+  /// All specs that import a file share its parameters, because the draws depend on the file's
+  /// name, not on the importing spec.
   std::vector<std::shared_ptr<const ObjectSpec>> shared;
   std::vector<Requirement> requirements;
   std::vector<Material> materials;  // own materials, then imported ones, in file order
@@ -170,8 +172,8 @@ std::unique_ptr<ObjectSpec> LoadSpecText(const std::string& name, std::string te
 std::vector<std::string> ListSpecs(const std::filesystem::path& folder);
 
 /// Returns the text of a spec, changed for a copy in `folder` (empty: the working folder).
-/// References to files are rewritten so that they name the same files from there, unless the spec
-/// computes their names. The comment line that names the JSON Schema for editors is removed.
+/// References to files are rewritten so that they name the same files from `folder`, unless the
+/// spec computes the names. The comment line that names the JSON Schema for editors is removed.
 /// Returns nullopt, after adding findings, if the spec has errors.
 std::optional<std::string> CopiedText(const std::string& reference,
                                       const std::filesystem::path& folder,

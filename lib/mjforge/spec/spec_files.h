@@ -16,7 +16,7 @@
 
 namespace mjforge::spec {
 
-/// Returns the canonical path of a file, or `file` itself if there is none.
+/// Returns the canonical path of a file, or `file` itself if the path cannot be resolved.
 std::filesystem::path Canonical(const std::filesystem::path& file);
 
 /// Returns the file that `reference` names in `folder` or in the search path of the options. Asks
@@ -25,9 +25,10 @@ std::optional<std::filesystem::path> FindFile(const std::string& reference,
                                               const std::filesystem::path& folder,
                                               const LoadOptions& options);
 
-/// Reads a file, adds its text to `sources` and returns the number of the source. Takes the text
-/// from the list `held_texts` of `snapshot` if `snapshot` is not null and contains the file,
-/// otherwise from the disk. Returns nullopt, and adds a finding with `name`, if reading fails.
+/// Reads a file, adds its text to `sources` and returns the number of the text there. Takes the
+/// text from the map `held_texts` of `snapshot` if `snapshot` is not null and the map contains the
+/// file, otherwise from the disk. Returns nullopt, and adds a finding with `name`, if reading
+/// fails.
 std::optional<std::uint32_t> ReadSource(const std::filesystem::path& file, std::string_view name,
                                         diag::SourceMark mark, Snapshot* snapshot,
                                         diag::Sources& sources, diag::Findings& findings,
@@ -35,8 +36,8 @@ std::optional<std::uint32_t> ReadSource(const std::filesystem::path& file, std::
 
 class SpecFiles {
  public:
-  /// `first` is the spec's own file, already read as `source`. The other arguments must outlive
-  /// this object.
+  /// `first` is the spec's own file, whose text is number `source` in `sources`. `options`,
+  /// `sources` and `findings` must outlive this object.
   SpecFiles(const LoadOptions& options, const std::filesystem::path& first, std::uint32_t source,
             diag::Sources& sources, diag::Findings& findings)
       : options_(options),
@@ -52,11 +53,11 @@ class SpecFiles {
   /// Returns true, and adds a finding, if the file is being read already: it then refers to itself,
   /// directly or through other files.
   bool IsOpen(const std::filesystem::path& file, diag::SourceMark mark);
-  /// Reads the file unless it was read before, and returns its number among the sources. Returns
+  /// Reads the file unless it was read before, and returns its number in diag::Sources. Returns
   /// nullopt, and adds a finding, if reading fails.
   std::optional<std::uint32_t> Open(const std::filesystem::path& file, diag::SourceMark mark);
-  /// Parses the file, whose text is the source with this number. Returns nullopt if ParseYaml()
-  /// does.
+  /// Parses the file, whose text is number `source` in diag::Sources. Returns nullopt, after adding
+  /// findings, if the text is not valid YAML.
   std::optional<YamlNode> Parse(const std::filesystem::path& file, std::uint32_t source);
 
   /// Marks a file as being read during the lifetime of this object.
@@ -85,7 +86,7 @@ class SpecFiles {
   diag::Findings& findings_;
   std::vector<std::filesystem::path> open_;  // files that are being read, outermost first
   std::vector<std::filesystem::path> files_;
-  std::vector<std::uint32_t> source_ids_;  // number of each file of `files_` among the sources
+  std::vector<std::uint32_t> source_ids_;  // number of each file of `files_` in diag::Sources
 };
 
 }  // namespace mjforge::spec

@@ -143,7 +143,7 @@ void ValueReader::CheckDrawBounds(const FieldInfo& field, const Draw& draw, int 
   if (draw.distribution == Distribution::kChoice || draw.distribution == Distribution::kCycle) {
     for (const Value& option : draw.arguments) CheckBounds(field, option, position);
   } else if (draw.distribution == Distribution::kUniform) {
-    // Allow ends of a range that equal an exclusive bound.
+    // Allow ends of a range that equal an exclusive lower bound.
     FieldInfo ends = field;
     ends.above = false;
     ends.kind = FieldKind::kNumber;

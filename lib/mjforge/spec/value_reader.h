@@ -16,9 +16,9 @@
 
 namespace mjforge::spec {
 
-/// Names that values refer to.
+/// Names that the values of a spec refer to.
 struct UsedNames {
-  std::set<std::string, std::less<>> names;    // parameters, functions, loops, bodies
+  std::set<std::string, std::less<>> names;    // parameters, functions, loop variables, bodies
   std::set<std::string, std::less<>> members;  // members with their owners: "arm.top", "size.x"
   std::set<std::string, std::less<>> materials;
   bool any_material = false;  // true if a material's name is computed, so that any may be used
@@ -53,7 +53,7 @@ class ValueReader {
   /// Reads a list in brackets, or the name of a list or vector. Returns nullopt for other nodes.
   std::optional<Value> ReadListOrName(const YamlNode& node);
 
-  /// Reads the mapping of a draw whose result has this kind.
+  /// Reads the mapping of a draw (`{normal: [1, 0.1]}`) whose result has this kind.
   Value ReadDrawOf(FieldKind kind, const YamlNode& map,
                    std::span<const std::string_view> extra_keys = {}) {
     return ReadMapping({.kind = kind}, map, extra_keys);
@@ -90,7 +90,7 @@ class ValueReader {
   const UsedNames& uses() const { return uses_; }
   /// Adds the names that the values of another reader refer to.
   void AddUses(const ValueReader& other) { uses_.Add(other.uses_); }
-  /// Reports errors in the body of a function. Its arguments must be declared.
+  /// Reports errors in the body of a function. The function's arguments must be declared before.
   void CheckBody(const expr::Formula& formula);
   /// Reads text without interpolation. Returns an empty text after adding a finding.
   std::string ReadPlainText(std::string_view what, const YamlNode& node);
@@ -102,7 +102,7 @@ class ValueReader {
     int min_count = 1;
     int max_count = 1;
     std::string_view words = {};
-    std::string_view key = {};  // the field's key; empty for parameters and inner values
+    std::string_view key = {};  // the field's key; empty for parameters and for items of values
   };
   Value Read(const ExpectedForm& expected, const YamlNode& node);
   Value ReadBoolean(const YamlNode& node);

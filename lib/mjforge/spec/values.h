@@ -25,7 +25,7 @@ struct Loop;
 struct VariableReference {
   std::string name;
   int slot = 0;
-  int list = -1;  // see expr::SymbolTable::Variable::list
+  int list = -1;  // index in the expressions' array of lists; -1: not a list
 };
 
 /// A piece of a text: a literal, an interpolated expression, or a text variable.
@@ -67,9 +67,9 @@ struct SharedParameter {
 bool IsListLength(double number);
 inline constexpr std::string_view kListLengthRule = "must be a whole number, 0 to 100000";
 
-/// The rows of a record, found by the values of the record's key.
+/// Index of a record's rows by the values of the record's key.
 struct RecordRows {
-  std::map<double, std::size_t> numbers;  // row of each key; a text's key is its expr::TextKey()
+  std::map<double, std::size_t> numbers;  // row of each value; texts by expr::TextKey()
   std::vector<std::string> names;         // value of the key in each row, as written
 };
 
@@ -109,7 +109,7 @@ struct PointLoop {
 /// z} in space, or {arc: [p, q, r]} through three points.
 struct Arc {
   std::shared_ptr<const Value> center;  // center, or the first of three points
-  // Radius, from, to and, in space, the axis; or the second and third point.
+  // Radius, start angle, end angle and, in space, the axis; or the second and third point.
   std::vector<Value> measures;
   std::shared_ptr<const Value> steps;
 };
@@ -137,10 +137,10 @@ struct DrawKinds {
 struct Value {
   diag::SourceMark mark;
   expr::Type type = expr::Type::kNumber;
-  int components = 1;    // size of a vector or of a list of points; 0 if the value is wrong
+  int components = 1;    // components of a vector, or entries of a list of points; 0: wrong value
   bool is_list = false;  // a list of any length, of numbers, texts or booleans
-  expr::Dimensions dimensions =
-      {};  // dimensions of a number, of a vector, or of each item of a list
+  // Dimensions of a number, of a vector, or of each item of a list.
+  expr::Dimensions dimensions = {};
   std::variant<double, bool, Text, expr::Expression, VariableReference, List, Draw, RandomRotation,
                RotationAbout, PointOnSphere, HsvColor, Each, Arrangement, SharedParameter,
                PointLoop, Arc, AxisOutlines>

@@ -39,8 +39,9 @@ void DeclareTorque(const YamlNode& joint, Context& context) {
   if (names.Find(torque) == nullptr) names.Declare(torque, expr::Type::kNumber, 1, {kTorque});
 }
 
-// Slot of each declared name. A name is declared only once, because several entries with different
-// conditions may have it. A name is not declared if a parameter of a nested spec has it.
+// Slot (variable index) of each declared NAME.pos of a site and NAME.subtree_ of a body. A name is
+// declared only once, because several entries with different conditions may have the name. A name
+// is not declared if a parameter of a nested spec has it.
 using Declared = std::map<std::string, int>;
 
 void DeclarePositions(std::vector<Entry>& sites, expr::SymbolTable& names, Declared& declared) {

@@ -1,4 +1,4 @@
-// Parsing of YAML text into a tree with places, from the events of yaml-cpp.
+// Parsing of YAML text into a tree with positions in the text, from the events of yaml-cpp.
 
 #include "mjforge/spec/yaml.h"
 
@@ -193,7 +193,7 @@ class TreeBuilder : public YAML::EventHandler {
   std::size_t alias_nodes_ = 0;
 };
 
-// Returns the place of the first byte that is NUL or not UTF-8.
+// Returns the position of the first byte that is NUL or not UTF-8.
 std::optional<SourceMark> FirstBadByte(std::uint32_t file, std::string_view text) {
   SourceMark mark{file, 1, 1};
   for (std::size_t i = 0; i < text.size();) {
@@ -210,8 +210,8 @@ std::optional<SourceMark> FirstBadByte(std::uint32_t file, std::string_view text
   return std::nullopt;
 }
 
-// Returns the place of the first bracket that is nested deeper than kMaxDepth. yaml-cpp's own limit
-// does not count brackets that are never closed.
+// Returns the position of the first bracket that is nested deeper than kMaxDepth. yaml-cpp's own
+// limit does not count brackets that are never closed.
 std::optional<SourceMark> FirstTooDeep(std::uint32_t file, std::string_view text) {
   constexpr int kMaxDepth = 200;
   SourceMark mark{file, 1, 0};

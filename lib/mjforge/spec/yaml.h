@@ -1,4 +1,4 @@
-// A tree of YAML nodes in which each node has its own place in the text.
+// A tree of YAML nodes in which each node has its own position in the text.
 
 #pragma once
 
@@ -21,7 +21,7 @@ struct YamlNode {
   struct Pair;
 
   Kind kind = Kind::kNull;
-  diag::SourceMark mark;        // place of the node; an empty value has its key's mark
+  diag::SourceMark mark;        // position of the node; an empty value has its key's mark
   std::string text;             // text of a kScalar
   bool quoted = false;          // kScalar: in quotes, so never a number
   bool flow = false;            // kScalar: an item of a list in brackets
@@ -38,16 +38,16 @@ struct YamlNode {
 
 struct YamlNode::Pair {
   std::string key;
-  diag::SourceMark mark;  // place of the key
+  diag::SourceMark mark;  // position of the key
   YamlNode value;
 };
 
 /// Maximum size of a YAML text in bytes. Even a spec with a hundred thousand parts is far shorter.
 inline constexpr std::size_t kMaxYamlBytes = 8u << 20;
 
-/// Parses the text of a source. Returns nullopt, and adds findings, if the text is empty, binary,
-/// too long, not exactly one YAML document, nested too deeply, or expands too many aliases. Also
-/// reports repeated keys and tags, but continues after them.
+/// Parses text number `file` of `sources`. Returns nullopt, and adds findings, if the text is
+/// empty, binary, too long, not exactly one YAML document, nested too deeply, or expands too many
+/// aliases. Also reports repeated keys and tags, but continues after them.
 std::optional<YamlNode> ParseYaml(std::uint32_t file, const diag::Sources& sources,
                                   diag::Findings& findings);
 

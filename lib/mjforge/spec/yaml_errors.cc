@@ -25,8 +25,8 @@ std::string_view FlowValue(std::string_view line, std::size_t begin) {
   return inside ? std::string_view() : line.substr(begin, end - begin);
 }
 
-// Returns the value that ends the line: the text after the first `key: ` or, without one, the first
-// `- ` before the column.
+// Returns the value at the end of the line. The value begins after the first `: ` before the column
+// or, if there is none, after the first `- `.
 std::string_view LineValue(std::string_view line, std::size_t column) {
   const std::string_view before = line.substr(0, column);
   std::size_t begin = before.find(": ");

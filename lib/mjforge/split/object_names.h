@@ -1,4 +1,4 @@
-// Names of the elements of an object that is taken out of a scene.
+// Names of the elements of an object that is copied from a scene into a file of its own.
 #pragma once
 
 #include <map>
@@ -28,7 +28,8 @@ class ObjectNames {
 
   /// Returns the new name of an element that is not an asset; empty for an element without a name.
   std::string Of(std::string_view kind, const std::string& name) const;
-  /// Returns the new name of an asset, which may have the prefix of any object that shares it.
+  /// Returns the new name of an asset, whose old name may have the prefix of any object that shares
+  /// the asset.
   std::string OfAsset(std::string_view kind, const std::string& name);
   /// Renames an element and its children, and updates their references to other elements.
   void Rename(model::Element& element) const;
@@ -40,8 +41,9 @@ class ObjectNames {
   std::string own_;
   std::string prefix_;
   std::string root_;
-  std::map<std::pair<std::string, std::string>, std::string> assets_;  // new, by kind and old name
-  std::set<std::pair<std::string, std::string>> taken_;                // by kind and new name
+  // New name of each asset, by kind and old name.
+  std::map<std::pair<std::string, std::string>, std::string> assets_;
+  std::set<std::pair<std::string, std::string>> taken_;  // kinds and new names of these assets
 };
 
 /// Returns false, after adding a finding, if two elements of a kind have the same name.

@@ -11,9 +11,9 @@
 
 namespace mjforge::split {
 
-/// Results in place of an object's index, if an element belongs to no single object.
+/// Results in place of an object's index if an element does not belong to exactly one object.
 inline constexpr int kNoOwner = -1;   // the empty root, or a reference to several objects
-inline constexpr int kAnyOwner = -2;  // the element refers to nothing that an object has
+inline constexpr int kAnyOwner = -2;  // the element refers to no element of an object
 
 /// Objects of a scene, and the bodies and elements that each owns. Split() defines where an object
 /// begins.
@@ -25,7 +25,8 @@ class Owners {
   const std::vector<int>& roots() const { return roots_; }
   /// Returns the index of the object that a body, given by its index, belongs to.
   int OfBody(std::size_t body) const { return bodies_[body]; }
-  /// Returns the index of the object to which all references of an element and its children lead.
+  /// Returns the index of the object that has all elements to which `element` and its children
+  /// refer; kNoOwner or kAnyOwner if there is no such object.
   int Of(const model::Element& element) const;
 
  private:

@@ -137,7 +137,7 @@ class Extraction {
   int owner_;
   ObjectNames names_;
   Object object_;
-  // Indices in the object, by indices in the scene.
+  // Index of each copied body in the object, by the body's index in the scene.
   std::map<int, int> new_bodies_;
   std::map<int, int> new_meshes_;
   std::map<int, int> new_materials_;

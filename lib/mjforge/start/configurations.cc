@@ -1,4 +1,5 @@
-// Poses of an object's bodies at zero and at its start, and its joints, sites and tendons by name.
+// Poses of an object's bodies at the zero configuration (qpos0) and at the start, and the object's
+// joints, sites and tendons by name.
 #include "mjforge/start/configurations.h"
 
 #include <algorithm>

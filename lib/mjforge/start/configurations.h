@@ -1,4 +1,5 @@
-// Poses of an object's bodies at zero and at its start, and its joints, sites and tendons by name.
+// Poses of an object's bodies at the zero configuration (qpos0) and at the start, and the object's
+// joints, sites and tendons by name.
 #pragma once
 
 #include <map>
@@ -48,13 +49,14 @@ bool IsTurned(const Eigen::Quaterniond& q);
 inline bool IsScalar(const model::Joint& joint) {
   return joint.type == "hinge" || joint.type == "slide";
 }
-/// Returns the motion of the joints after joint k of a body from zero to the start, in the frame of
-/// the body: the product D_(k+1) ... D_n of the motions of these joints.
+/// Returns the motion, from zero to the start, of all joints of a body after joint k = `joint`, in
+/// the frame of the body: the product D_(k+1) ... D_n of the joints' motions.
 model::Pose MotionOfLaterJoints(const model::Body& body, std::size_t joint);
 
 class Configurations {
  public:
-  /// Keeps a reference to the object, whose names and joints must not change meanwhile.
+  /// Stores a reference to the object. The object's names and joints must not change while this
+  /// Configurations exists.
   explicit Configurations(const model::Object& object);
 
   const model::Object& object() const { return object_; }

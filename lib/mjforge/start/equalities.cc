@@ -10,8 +10,9 @@ namespace {
 using model::Element;
 using model::Pose;
 
-// Shifts the polynomial y = c(x) of an equality to a zero that has moved by `dx` and `dy`. Without
-// a second joint or tendon (`has_x` is false), only the constant c[0] changes.
+// Returns the coefficients of an equality's polynomial y = c(x) after the zeros of x and y have
+// moved by `dx` and `dy`. Without a second joint or tendon (`has_x` is false), only the constant
+// c[0] changes.
 sample::Numbers Shifted(const sample::Numbers& c, bool has_x, double dx, double dy) {
   sample::Numbers shifted = c;
   for (std::size_t k = 0; has_x && k < c.size(); ++k) {

@@ -16,8 +16,8 @@ bool ChangesSpring(const Configurations& configurations, const model::Element& t
 /// Writes `springlength` of all tendons for which ChangesSpring() returns true.
 void RewriteTendons(const Configurations& configurations, model::Object& object);
 
-/// Rewrites cameras and lights that follow their body: MuJoCo takes their offset from the body, or
-/// from the centre of mass, from the zero configuration.
+/// Rewrites cameras and lights with the mode track or trackcom, because MuJoCo computes their
+/// offset from the body or its centre of mass in the zero configuration.
 void RewriteViews(const Configurations& configurations, model::Object& object);
 
 }  // namespace mjforge::start

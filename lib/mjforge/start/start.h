@@ -29,7 +29,7 @@ void CheckEqualities(const model::Object& object, diag::Findings& findings);
 /// Rewrites an object without obstacles so that its zero configuration is its start: poses of
 /// bodies, axes, anchors and `ref` of joints, and everything that MuJoCo measures from qpos0.
 /// Positions of hinges and slides keep their meaning. Ball joints lose their start position,
-/// because it is now their zero. Returns false if no joint starts elsewhere than at zero.
+/// because it is now their zero. Returns false if all joints start at zero.
 bool MoveZeroToStart(model::Object& object);
 
 }  // namespace mjforge::start

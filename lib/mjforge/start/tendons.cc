@@ -3,8 +3,8 @@
 
 namespace mjforge::start {
 
-// Compares the tendon at qpos_spring with ball joints at zero and at their start, because MuJoCo
-// takes the rest length at qpos_spring, where only ball and free joints depend on qpos0.
+// Compares the tendon's path at qpos_spring before and after the move of zero. MuJoCo takes the
+// rest length at qpos_spring, which depends on qpos0 only for ball and free joints.
 bool ChangesSpring(const Configurations& configurations, const model::Element& tendon) {
   const sample::Numbers stiffness = NumbersOf(tendon.attributes, "stiffness");
   const sample::Numbers rest = NumbersOf(tendon.attributes, "springlength");

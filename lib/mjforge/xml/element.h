@@ -1,4 +1,4 @@
-// An element of an MJCF file, with its place, and findings about elements.
+// An element of an MJCF file, with its position in the text, and findings about elements.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ struct XmlElement {
   /// Unique name that is added for MuJoCo if the element has no name in the file; otherwise empty.
   std::string generated_name;
 
-  /// Returns the value of an attribute; null if the element does not have it.
+  /// Returns the value of an attribute; null if the element does not have the attribute.
   const std::string* Find(std::string_view attribute) const;
   void Set(std::string_view attribute, std::string value);
   void Remove(std::string_view attribute);
@@ -29,8 +29,8 @@ struct XmlElement {
   std::string Description() const;
 };
 
-/// Adds a finding with a note at `place`, which is in the MJCF file. Returns the finding, so that
-/// the caller can set the finding's own place, which is in the spec.
+/// Add an error or a warning with a note at `place` in the MJCF file, and return the finding, so
+/// that the caller can set the finding's own place in the spec.
 diag::Finding& AddError(diag::Findings& findings, diag::Code code, diag::SourceMark place,
                         std::string message, std::string hint = {});
 diag::Finding& AddWarning(diag::Findings& findings, diag::Code code, diag::SourceMark place,

@@ -32,8 +32,8 @@ class Lines {
     }
   }
 
-  /// Returns the place of an element's '<', one byte before the offset that pugixml returns (that
-  /// of the tag).
+  /// Returns the place of an element's '<', one byte before the tag's name, whose offset pugixml
+  /// returns.
   diag::SourceMark MarkOf(const pugi::xml_node& node) const {
     const auto offset =
         static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug() - 1, 0));
