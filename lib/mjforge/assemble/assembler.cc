@@ -9,9 +9,9 @@
 
 namespace mjforge::assemble {
 
-// Assembles the object again without those optional bodies for which no place was found, because
-// they are known only at the end of an assembly. All other draws keep their values. Stops after an
-// error, because another assembly would not report the failed values again.
+// Assembles the object, again if no place is found for an optional body: the next assembly leaves
+// this body out, and all other draws keep their values. Stops after an error, because another
+// assembly would not report the failed values again.
 std::optional<model::Object> Assembler::Assemble(sample::Evaluator& values, const Options& options,
                                                  diag::Findings& findings) {
   const std::size_t before = findings.size();

@@ -162,8 +162,8 @@ void Assembly::AddFrame(Scope& scope, const spec::Entry& entry, const model::Pos
   AddParts(scope, entry.children, X_SF * X_FChild.value_or(model::Pose()));
 }
 
-// Adds a welded spec. Empty specs are counted, too: if each spec contains the next one twice, the
-// number of specs doubles with each level of nesting.
+// Adds a spec that is used as a part (welded). Empty specs are counted, too: if each spec contains
+// the next one twice, the number of specs doubles with each level of nesting.
 void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const model::Pose& X_SF) {
   if (!HasRoomFor("specs in it", spec_count_++, entry.mark)) return;
   const std::optional<std::string> name = ReadName(scope, entry, scope.parts, findings_);
@@ -217,7 +217,7 @@ void Assembly::Move(const model::Pose& X_BC, const ElementCounts& from, int pare
   }
 }
 
-// Scales the masses of a spec so that they add up to its `mass:`.
+// Scales the masses of a spec's parts and bodies so that they add up to the spec's `mass:`.
 void Assembly::ScaleObject(Scope& scope, std::size_t first_part, std::size_t first_body) {
   const spec::ObjectSpec& spec = scope.values.spec();
   FieldReader reader(scope.values, findings_, "object", spec.name, scope.values.root());

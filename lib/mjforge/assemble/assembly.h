@@ -27,7 +27,7 @@ namespace mjforge::assemble {
 /// The state of one assembly. An instance builds one object.
 class Assembly {
  public:
-  /// Leaves out the bodies in `left_out`. Adds optional bodies for which no place is found to it.
+  /// Omits the bodies in `left_out`, and adds to `left_out` optional bodies that find no place.
   Assembly(Assembler& assembler, std::set<std::string>& left_out, diag::Findings& findings)
       : findings_(findings),
         placer_(assembler.placer()),
@@ -79,11 +79,11 @@ class Assembly {
   void AddBody(Scope& scope, const spec::BodyEntry& entry, sample::StreamId bodies);
   void AddBody(Scope& scope, const spec::BodyEntry& entry, const std::string& name,
                sample::StreamId bodies, const Link& link);
-  /// Adds the entry's elements to the last body. Returns the body's bounds if the spec uses them.
+  /// Adds the entry's elements to the last body. Returns the body's bounds, empty if not needed.
   model::Bounds AddContents(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
                             const std::string& name, const Link& link);
   void AddOwnJoints(const spec::BodyEntry& entry, const Link& link);
-  /// Adds the parts, nested spec or MJCF body of the entry to the last body, the current one.
+  /// Adds the parts, nested spec or MJCF body of the entry to the current body, which is the last.
   void Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
             const std::string& name, const Link& link);
   void PlaceBody(Scope& scope, FieldReader& reader, const spec::Entry& entry,
@@ -92,13 +92,13 @@ class Assembly {
   /// Returns the angle of a spec's `front:`, in rad, counter-clockwise about z from -y.
   double FrontOf(Scope& scope);
   using JointedVisitor = std::function<void(const spec::BodyEntry&, std::size_t body)>;
-  /// For each body with a list of joints: sets the variables of its entry, then calls `visit`.
+  /// For each body with a list of joints: sets the loop variables of its entry, then calls `visit`.
   void ForEachJointed(Scope& scope, const JointedVisitor& visit);
   /// Returns the random stream of a body's joints.
   sample::StreamId JointsOf(const Scope& scope, std::size_t body) const;
-  /// Adds the joints of all lists. Their expressions may use properties of all bodies of the spec.
+  /// Adds the joints of each `joints:`. Their expressions may use properties of all bodies.
   void AddListedJoints(Scope& scope);
-  /// Sets the variables for the properties of a body, such as NAME.top and NAME.mass.
+  /// Sets the variables of expressions that are properties of a body: NAME.top, NAME.mass, ...
   void SetProperties(Scope& scope, const spec::BodyEntry& entry, const model::Bounds& bounds,
                      std::size_t index);
   void SetWholeProperties(Scope& scope);  // whole_properties.cc
@@ -116,7 +116,7 @@ class Assembly {
   void ReportUnknownJoint(std::string_view what, const RequestedPosition& position);
 
   // starts.cc
-  /// Reads `pose:` of a spec into starts_.
+  /// Reads the start states in `pose:` of a spec into starts_.
   void ReadStarts(Scope& scope);
   void ReadStart(Scope& scope, const spec::Entry& entry, sample::StreamId pose);
   /// Applies the starts of the scope's spec, which are the items of starts_ from `first` on, to the
@@ -163,7 +163,7 @@ class Assembly {
                   sample::StreamId regions);
   void AddRegion(Scope& scope, const spec::Entry& entry, std::string_view owner,
                  sample::StreamId regions);
-  /// Runs the searches from index `first` on, and removes them.
+  /// Runs the searches in face_searches_ from index `first` on, and removes them from this list.
   void SearchFaces(std::size_t first);
   void AddRootJoints(Scope& scope);
   void AddJoints(Scope& scope, const std::vector<spec::Entry>& entries, sample::StreamId joints);
@@ -191,8 +191,8 @@ class Assembly {
   std::size_t spec_count_ = 0;                   // count of specs used as parts (welded)
   bool is_full_ = false;                         // true after kMaxParts was exceeded and reported
   std::unordered_map<std::string, int> bodies_;  // body indices by full name
-  std::vector<RequestedStart> starts_;           // starts of specs that are not complete yet
-  std::vector<RequestedStart> lost_starts_;      // starts whose joint or actuator does not exist
+  std::vector<RequestedStart> starts_;           // start states of specs that are not complete yet
+  std::vector<RequestedStart> lost_starts_;  // start states whose joint or actuator does not exist
   std::vector<FaceSearch> face_searches_;
   std::vector<EmptySearch> empty_searches_;
 };

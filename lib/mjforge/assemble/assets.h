@@ -24,13 +24,15 @@ inline sample::StreamId MaterialPath(const sample::Evaluator& values,
   return sample::Child(sample::Child(values.root(), "materials"), material.name);
 }
 
-/// Name of a shape's outline, and places of its points in the spec, for findings.
+/// Name of a shape's outline (the outer polygon or a hole), and places of the outline's points in
+/// the spec, for findings.
 struct OutlinePlace {
   std::string name = {};                     // "hole 1 along x"; empty for the outer outline
   std::vector<diag::SourceMark> marks = {};  // places of the outline's points; may be empty
 };
 
-/// A shape for the library `solid`, and its places in the spec, for findings.
+/// A shape (lathe, prism, ...) that the library `solid` makes, and its places in the spec, for
+/// findings.
 struct SolidInput {
   const solid::SolidShape& shape;
   const spec::Field& field;  // field that contains the outer outline, the path or the size
@@ -54,8 +56,8 @@ class Assets {
   Assets(Assembler& assembler, model::Object& object, diag::Findings& findings)
       : assembler_(assembler), object_(object), findings_(findings) {}
 
-  /// Sets the part's render mesh and exact mass from a shape of the library `solid`. Returns the
-  /// convex pieces, with poses in the part's frame.
+  /// Makes a shape with the library `solid`. Sets the part's render mesh and exact mass, and
+  /// returns the convex pieces, with poses in the part's frame.
   std::optional<std::vector<model::Part>> AddShape(const FieldReader& reader,
                                                    const SolidInput& input, model::Part& part);
   /// Sets the part's mesh and shape from `file` and `scale`. File names are relative to `folder`.
@@ -71,8 +73,8 @@ class Assets {
   /// a finding.
   std::optional<int> AddTexture(sample::Evaluator& values, const spec::Material& material,
                                 const std::string& name);
-  /// Returns the index of a texture that equals `texture` and has the same name `own_name` in its
-  /// spec or file. Adds the texture if there is none.
+  /// Returns the index of a texture that equals `texture` and is named `own_name` in its spec or
+  /// file. Adds the texture if there is none.
   int ShareTexture(const std::string& own_name, model::Texture texture);
   /// Adds a finding if all textures together have too many pixels.
   void CheckPixels();
@@ -95,7 +97,8 @@ class Assets {
   void Report(const FieldReader& reader, const SolidInput& input, const solid::Fault& fault);
   std::vector<model::Part> AddSolid(const std::shared_ptr<const solid::Solid>& made,
                                     model::Part& part);
-  /// Adds a mesh that MJCF contains inline. A mesh without normals represents its convex hull.
+  /// Adds a mesh that MJCF contains inline. If the mesh has no normals, MuJoCo computes its
+  /// triangles as the convex hull of its vertices.
   void AddInline(const model::TriangleMesh& mesh, model::Part& part);
   void AddFile(const std::filesystem::path& file, const Eigen::Vector3d& scale,
                const Assembler::CachedMesh& content, model::Part& part);

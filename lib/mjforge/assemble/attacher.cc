@@ -11,14 +11,15 @@ namespace mjforge::assemble {
 using diag::Code;
 using spec::Key;
 
-// Renames the copied elements of an attachment, and adapts their indices and references.
+// Renames the copied elements of an attachment (a body of an MJCF file), and adapts their indices
+// and references.
 class Renamer {
  public:
   Renamer(const model::Attachment& attachment, std::string prefix, std::string root)
       : attachment_(attachment), prefix_(std::move(prefix)), root_(std::move(root)) {}
 
-  /// Indices of materials and meshes in the object. Each list is indexed by the index in the
-  /// attachment.
+  /// Indices, in the object, of the materials and meshes of the attachment. Each list is indexed by
+  /// the index in the attachment.
   std::vector<int> materials;
   std::vector<int> meshes;
 

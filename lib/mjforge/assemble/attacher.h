@@ -38,8 +38,8 @@ class Attacher {
         bodies_(context.bodies),
         findings_(findings) {}
 
-  /// Copies the MJCF body that the entry names into the existing body `index`, which its spec calls
-  /// `name`. Returns the number of added parts.
+  /// Copies the MJCF body that the entry names into the existing body `index`, whose name in the
+  /// spec is `name`. Returns the number of added parts.
   std::size_t Add(Scope& scope, FieldReader& reader, const spec::Entry& entry,
                   const std::string& name, std::size_t index);
 

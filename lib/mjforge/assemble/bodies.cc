@@ -17,8 +17,8 @@ namespace {
 using diag::Code;
 using spec::Key;
 
-// Clears the variables of a body's properties. If `if` leaves the body out, these variables must
-// have no value.
+// Clears the variables of a body's properties, because they must have no value if `if` leaves the
+// body out.
 void ClearProperties(const spec::BodyEntry& entry, sample::Evaluator& values) {
   ClearSlots(entry.first_property, spec::BodyPropertyNames().size(), values);
   for (std::size_t i = 0; i < entry.parameter_slots.size(); ++i) {
@@ -27,8 +27,9 @@ void ClearProperties(const spec::BodyEntry& entry, sample::Evaluator& values) {
   }
 }
 
-// Returns the position of a body's origin for `placement: corner`, if the lower corner of the
-// body's rotated bounding box is at `p`, relative to the lower corner of the declared box.
+// Returns the position of a body's origin for `placement: corner`. `p` is the position of the lower
+// corner of the body's rotated bounding box, relative to the lower corner of the box that the spec
+// declares by `total_size:`.
 Eigen::Vector3d OriginFromCorner(const Eigen::Vector3d& p, const Eigen::Quaterniond& q,
                                  const Eigen::Vector3d& total_size, const Eigen::Vector3d& min,
                                  const Eigen::Vector3d& max) {
@@ -39,8 +40,8 @@ Eigen::Vector3d OriginFromCorner(const Eigen::Vector3d& p, const Eigen::Quaterni
   return p - (total_size + lower);
 }
 
-// Adds the link's name to the prefix of names, so that the names of its parts, sites and views
-// begin with it.
+// Adds the name of a chain's link to the prefix of names, so that the names of the link's parts,
+// sites and views begin with the link's name.
 void EnterLink(Scope& scope, const Link& link, const std::string& name) {
   if (link.chain == nullptr) return;
   scope.link = name + "_";
@@ -162,8 +163,8 @@ model::Bounds Assembly::AddContents(Scope& scope, const spec::BodyEntry& entry, 
   return bounds;
 }
 
-// Adds the joints of a chain's link, or the free joint of a free body. The first link of a chain
-// does not get these joints if its entry has the key `joints:`, even with `none`.
+// Adds the joints between a chain's link and the previous link, or the free joint of a free body.
+// The first link of a chain has these joints only if its entry has no key `joints:`.
 void Assembly::AddOwnJoints(const spec::BodyEntry& entry, const Link& link) {
   if (link.chain != nullptr && (link.number > 0 || !entry.has_joints))
     body().joints = JointsOfLink(*link.chain, body().name, entry.head.mark);

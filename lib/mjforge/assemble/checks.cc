@@ -72,8 +72,8 @@ constexpr KeyedMember<model::JointCheck, std::optional<double>> kJointNumbers[] 
 constexpr KeyedMember<model::PartCheck, std::optional<double>> kPartNumbers[] = {
     {"thickness", &model::PartCheck::thickness}, {"aspect", &model::PartCheck::aspect}};
 
-// Reads the field, and assigns its value to the member of `out` that the table lists for the
-// field's key.
+// Reads a field, and assigns the value to the member of `out` that `table` lists for the field's
+// key.
 template <typename Table, typename Read, typename Struct>
 void SetMember(const Table& table, Read read, FieldReader& reader, const spec::Field& field,
                Struct& out) {

@@ -36,7 +36,7 @@ class Couplings {
   void CheckLeaders(const model::Object& object, diag::Findings& findings) const;
 
  private:
-  /// A joint that another joint follows.
+  /// A joint that another joint follows because of a coupling.
   struct Leader {
     std::string name;
     std::string shown;   // name in the spec

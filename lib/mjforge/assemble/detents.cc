@@ -68,7 +68,8 @@ bool ReadDetent(FieldReader& reader, const spec::Entry& entry, model::Joint& joi
                     expr::NumberText(lower), expr::NumberText(upper), expr::NumberText(centre)));
     return false;
   }
-  // The end that is nearer to the dead centre holds the joint with less than `holding`.
+  // Makes the end that is farther from the dead centre hold the joint with `holding`. The other end
+  // holds with less.
   const double stiffness = *holding / std::max(upper - centre, centre - lower);
   std::erase_if(joint.attributes, [](const model::Attribute& attribute) {
     return attribute.name == "stiffness" || attribute.name == "springdamper";

@@ -27,7 +27,7 @@ void Assembly::AddExpectations(Scope& scope) {
         entry.entry, scope.values, sample::Child(scope.values.root(), "expect"), [&] {
           if (!entry.condition) {
             AddExpectation(scope, entry);
-          } else if (object_.unmet.size() == unmet) {  // report the first instance only
+          } else if (object_.unmet.size() == unmet) {  // report only the first unmet instance
             CheckCondition(scope, entry);
           }
         });

@@ -13,8 +13,8 @@ namespace {
 
 using diag::Code;
 
-// Returns the value whose place a finding about the number at index `position` names: the item of a
-// list, or the whole value if it is not a list.
+// Returns the value at whose place a finding about the number at index `position` is reported: the
+// item of a list, or the whole value if it is not a list.
 const spec::Value& ItemOf(const spec::Value& value, std::size_t position) {
   const auto* list = std::get_if<spec::List>(&value.form);
   return list != nullptr && position < list->items.size() ? list->items[position] : value;

@@ -10,11 +10,12 @@
 
 namespace mjforge::assemble {
 
-/// Reads the fields of one element. Each function that returns nullopt or false adds a finding.
+/// Reads the fields (keys with values) of one element. Each function that returns nullopt or false
+/// adds a finding.
 class FieldReader {
  public:
-  /// `path` is the random stream of the element. Each field draws from the child stream that the
-  /// field's key names.
+  /// `path` is the random stream (sequence of random numbers) of the element. Each field draws from
+  /// the child stream with the field's key.
   FieldReader(sample::Evaluator& values, diag::Findings& findings, std::string_view element,
               std::string_view name, sample::StreamId path)
       : values_(values), findings_(findings), element_(element), name_(name), path_(path) {}

@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Least area, m^2, and free height, m, of the faces that the message about an empty search names.
+// Minimum area, m^2, and free height, m, of faces that the message about an empty search mentions.
 constexpr double kAnyArea = 1e-8;
 constexpr double kAnyHeight = 1e-5;
 
@@ -48,7 +48,8 @@ class FaceFinder {
   FaceFinder(const FaceSearch& search, const model::Object& object)
       : search_(search), object_(object), poses_(model::BodyPoses(object)) {}
 
-  // Returns the colliding parts of one body that belong to the spec.
+  // Returns the colliding parts of one body; for the root body, only the parts that belong to the
+  // spec.
   std::vector<PlacedShape> ShapesOf(std::size_t body) const {
     std::vector<PlacedShape> shapes;
     Add(body, shapes);
@@ -66,8 +67,8 @@ class FaceFinder {
     return shapes;
   }
 
-  // Returns the face as a region that is named like the search's pattern. Quadrilaterals with right
-  // angles become boxes.
+  // Returns the face as a region with the name, site and margin of the search's entry.
+  // Quadrilaterals with right angles become boxes.
   model::Region RegionOf(const LevelFace& face, std::size_t body) const {
     model::Region region = search_.pattern;
     region.height = face.height;
@@ -100,8 +101,8 @@ class FaceFinder {
                  is_root ? search_.last_part : object_.bodies[body].parts.size(), shapes);
   }
 
-  // Returns the two sides of a rectangle, the side closest to the x axis first. Returns nullopt for
-  // other polygons.
+  // Returns the edge vectors of a rectangle, first the edge whose direction is closer to the x
+  // axis. Returns nullopt for other polygons.
   static std::optional<std::pair<Vector2d, Vector2d>> SidesOf(
       const std::vector<Vector2d>& corners) {
     if (corners.size() != 4) return std::nullopt;
@@ -147,7 +148,7 @@ std::string AddFoundRegions(const FaceSearch& search, model::Object& object) {
   bool has_found = false;
   std::optional<LevelFace> largest;
   for (std::size_t i = 0; i < object.bodies.size(); ++i) {
-    // An entry with an MJCF file also searches all bodies that come from the file.
+    // A search on a body with `mjcf:` includes all bodies that come from the MJCF file.
     const bool is_owner = i == search.body;
     if (!is_owner && object.bodies[i].attached != static_cast<int>(search.body)) continue;
     model::Body& body = object.bodies[i];

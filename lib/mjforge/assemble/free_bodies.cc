@@ -28,7 +28,8 @@ bool MayBeFree(const std::vector<model::Body>& bodies, const model::Body& body,
     return false;
   }
   const model::Body* moving = MovingParent(bodies, body.parent);
-  // A body with `place:` may be on a moving support, because it is there only at the start.
+  // A body with `place:` may be on a moving support, because it stands on the support only at the
+  // start.
   if (moving == nullptr || !body.stands_at.empty()) return true;
   findings
       .Add(diag::Code::kModelBadValue, mark,

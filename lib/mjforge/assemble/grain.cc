@@ -63,7 +63,7 @@ bool ReadGrain(FieldReader& reader, const spec::Entry& entry, std::string_view t
 Eigen::Quaterniond TurnToGrain(const PartTexture& texture, Eigen::Vector3d& half) {
   if (texture.mapping.unit == Unit::kNone || !(texture.grain || texture.is_turned))
     return Eigen::Quaterniond::Identity();
-  // If edges are equally long, y is the longest.
+  // Prefers y if edges are equally long.
   const auto longer = [&](int a, int b) { return half[a] > half[b] ? a : b; };
   const int grain = texture.grain.value_or(longer(2, longer(0, 1)));
   const int first = grain == 0 ? 1 : 0, second = grain == 2 ? 1 : 2;  // the other axes

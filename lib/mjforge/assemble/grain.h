@@ -16,8 +16,9 @@ namespace mjforge::assemble {
 /// from x and y in the geom's frame.
 struct PartTexture {
   solid::TextureMapping mapping = {.unit = solid::TextureMapping::Unit::kNone};
-  bool is_turned =
-      false;  // along the longest edge; only generated textures, because a picture has a top
+  /// True if the grain is along the longest edge. Only for generated textures, because a picture
+  /// has a top edge.
+  bool is_turned = false;
   std::optional<int> grain = std::nullopt;  // axis that the spec specifies: 0, 1 or 2
 };
 
@@ -29,8 +30,8 @@ PartTexture TextureOf(const model::Object& object, int material);
 bool ReadGrain(FieldReader& reader, const spec::Entry& entry, std::string_view type,
                PartTexture& texture);
 
-/// Returns the orientation q_FG of the frame G in which a box is written. In a board, y of G is
-/// along the grain; in a post, z of G is. Converts the half sizes `half` from F to G.
+/// Returns the orientation q_FG of the frame G in which a box is written. In a board (flat box), y
+/// of G is along the grain; in a post, z of G is. Converts the half sizes `half` from F to G.
 Eigen::Quaterniond TurnToGrain(const PartTexture& texture, Eigen::Vector3d& half);
 
 /// Returns the mapping of a texture that is projected from above onto a shape of this size in x and

@@ -84,7 +84,7 @@ std::vector<LevelFace> Joined(std::vector<LevelFace> faces) {
   return {whole};
 }
 
-// Returns the top faces of all shapes. Faces of the convex pieces of one part are joined.
+// Returns the level top faces of all shapes. Top faces of the convex pieces of one part are joined.
 std::vector<LevelFace> TopFaces(std::span<const PlacedShape> shapes) {
   std::vector<LevelFace> faces;
   std::vector<LevelFace> pieces;

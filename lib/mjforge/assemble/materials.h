@@ -19,8 +19,8 @@ class Materials {
   /// Returns the evaluated material that a field names, or the material of the outer spec that
   /// replaces it. Returns null, and adds a finding, if there is none.
   const MaterialState* Use(Scope& scope, FieldReader& reader, const spec::Field& field);
-  /// Returns the index of a material that equals `material` and has the same name `own_name` in its
-  /// spec or file. Adds the material if there is none.
+  /// Returns the index of a material that equals `material` and is named `own_name` in its spec or
+  /// file. Adds the material if there is none.
   int Share(const std::string& own_name, model::Material material);
 
  private:

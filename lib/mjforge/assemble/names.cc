@@ -33,7 +33,8 @@ struct NamedElement {
   diag::SourceMark mark = {};
   const model::Part* part = nullptr;
 
-  /// Compares the hash first, because comparing numbers is faster than comparing texts.
+  /// Compares the hashes of the names first, because comparing numbers is faster than comparing
+  /// texts.
   bool operator<(const NamedElement& other) const {
     if (hash != other.hash) return hash < other.hash;
     return std::tie(kind, name, position) < std::tie(other.kind, other.name, other.position);
@@ -92,7 +93,7 @@ class NameTable {
   std::vector<NamedElement> elements_;
 };
 
-// Reports parts that have the name of another part's visual geom.
+// Reports parts that have the name of another part's visual geom (NAME_vis).
 void CheckVisualNames(const model::Object& object, const NameTable& names,
                       diag::Findings& findings) {
   for (const model::Body& body : object.bodies) {
@@ -103,7 +104,7 @@ void CheckVisualNames(const model::Object& object, const NameTable& names,
       const NamedElement* twin = names.Find("part", stem);
       if (twin == nullptr || twin->part->role == model::Role::kCollision || twin->part->as_is)
         continue;
-      // Skip visual parts: their only geom gets the suffix once more, so that it differs.
+      // Skip visual parts, because the geom of a visual part "a_vis" is named "a_vis_vis".
       if (!part.as_is && part.role == model::Role::kVisual) continue;
       ReportTwice("part", part.name, part.mark, twin->mark,
                   fmt::format("part '{}' has a visual twin of that name", stem), findings);

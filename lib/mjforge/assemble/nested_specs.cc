@@ -16,8 +16,8 @@ std::optional<sample::Evaluator> Assembly::SampleNested(Scope& scope, const spec
     if (given) overrides.emplace_back(parameter, *std::move(given));
   }
   if (!is_good) return std::nullopt;
-  // If its requirements fail, the nested spec is redrawn without redrawing the outer spec, starting
-  // with the outer spec's attempt number.
+  // If the requirements of the nested spec fail, only the nested spec is drawn again. Its first
+  // attempt has the attempt number of the outer spec.
   return sample::Sample(*entry.nested, scope.values.key(), path, overrides, findings_,
                         scope.values.sampler());
 }

@@ -12,7 +12,7 @@
 
 namespace mjforge::assemble {
 
-/// Counts of the failed tries to place one body, by reason.
+/// Counts of the failed tries (poses that were checked) to place one body, by reason.
 struct Misses {
   std::size_t count = 0;
   std::map<model::PlaceVerdict, std::size_t> verdicts;  // number of tries by verdict
@@ -24,7 +24,7 @@ struct Misses {
   bool AreAll(model::PlaceVerdict verdict) const;
 };
 
-/// Description, for messages, of a body for which no place was found.
+/// Facts about a body for which no place was found, for the message.
 struct NoRoom {
   std::string body;
   std::string at;                         // name in `at:`: a region or a site

@@ -168,9 +168,9 @@ bool Assembly::SetDensity(FieldReader& reader, const spec::Field& field, double 
   return true;
 }
 
-// Sets the mass from the first of these that exists: the part's own mass or density, the density of
-// its material, the mass or density in the defaults, the density of water. A visual part has mass
-// only if its entry has the key `mass` or `density`.
+// Sets the mass from the first of the following that exists: the part's own mass or density, the
+// density of its material, the mass or density in the defaults, the density of water. A visual part
+// has mass only if its entry has the key `mass` or `density`.
 bool Assembly::ReadMass(FieldReader& reader, const spec::Entry& entry,
                         const MaterialState* material, model::Part& part) {
   const spec::Field* mass = entry.Find(Key::kMass);

@@ -49,8 +49,8 @@ std::string_view StemOf(const spec::Entry& entry) {
   return text->pieces.front().literal;
 }
 
-// Returns the entry with this literal name, or the entry of a composed name that begins in the same
-// way. Returns null if there is none.
+// Returns the first entry that has this literal name or may have this name, because its composed
+// name begins in the same way. Returns null if there is none.
 const spec::Entry* FindElement(const std::vector<spec::Entry>& entries, std::string_view name) {
   return FindIn(entries, [&](const spec::Entry& entry) {
     const std::string_view stem = StemOf(entry);
@@ -64,8 +64,8 @@ const spec::Entry* FindElement(const std::vector<spec::Entry>& regions,
   return region != nullptr ? region : FindElement(sites, name);
 }
 
-// Returns the entry of `regions:` or `sites:` with this name of the body whose entry is at `body`,
-// in the spec or in a nested one. Returns null if there is none.
+// Finds the body whose entry is at the place `body`, in the spec or in a nested spec. Returns the
+// entry of this body's region or site with this name; null if there is none.
 const spec::Entry* FindDeclared(const spec::ObjectSpec& spec, diag::SourceMark body,
                                 std::string_view name) {
   for (const spec::BodyEntry& entry : spec.bodies) {
@@ -125,8 +125,9 @@ std::optional<PlaceTarget> PlaceNames::Find(std::string_view name) const {
   std::vector<std::string_view> path = PathOf(name);
   const std::string last(path.back());
   path.pop_back();
-  // Collect the possible full names of an element of the body BODY.INNER: its entry may be in this
-  // spec, in the spec of BODY or in the spec of INNER, and each of these gives another prefix.
+  // Collect the possible full names of an element of the body BODY.INNER. The element's entry may
+  // be in this spec, in the spec of BODY or in the spec of INNER, and each of these specs has
+  // another prefix.
   std::string prefix = scope_.prefix;
   std::vector<std::string> names = {prefix + last};
   for (const std::string_view part : path) {

@@ -45,7 +45,7 @@ class PlaceNames {
   void ReportBody(std::string_view owner, std::string_view name, diag::SourceMark mark,
                   diag::Findings& findings) const;
   /// Adds a finding about a name that neither a region nor a site has. `owner` is the element with
-  /// `place:`. `remedy` is the key with which a body gets what it lacks.
+  /// `place:`. `remedy` is the key that the hint suggests for declaring the missing element.
   void ReportTarget(std::string_view owner, std::string_view name, diag::SourceMark mark,
                     diag::Findings& findings, std::string_view remedy = "regions") const;
 

@@ -59,7 +59,7 @@ void Placements::ReadPile(const Request& request, sample::StreamId path, model::
 
 void Placements::CheckPile(const Request& request, const model::Pile& pile,
                            sample::StreamId places) {
-  if (pile.mark == request.entry.place->mark) return;  // the entry with which the pile begins
+  if (pile.mark == request.entry.place->mark) return;  // the pile has the options of this entry
   model::Pile asked;
   asked.is_big_first = pile.is_big_first;
   asked.time = pile.time;

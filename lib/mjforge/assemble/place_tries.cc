@@ -54,7 +54,8 @@ const model::StablePose& DrawPose(const std::vector<model::StablePose>& poses, d
 
 std::string OwnerOf(std::string_view name) { return fmt::format("body {}", Quoted(name)); }
 
-// Returns the relation between two bodies that a key of `place:` or `beside:` states.
+// Returns a verb for messages about two bodies: the relation that a key of `place:` or `beside:`
+// states.
 std::string_view RelationOf(Key key) {
   return key == Key::kFacing ? "faces" : key == Key::kBody ? "is placed beside" : "is placed at";
 }

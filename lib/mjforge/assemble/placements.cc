@@ -15,7 +15,7 @@ namespace {
 using diag::Code;
 using spec::Key;
 
-// Largest number of tries for one body.
+// Maximum number of tries to find a place for one body.
 constexpr std::size_t kMaxTries = 1000;
 // Number of tries after which the search ends if every try failed because of the region itself, not
 // because of other bodies.

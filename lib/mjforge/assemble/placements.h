@@ -15,7 +15,7 @@
 
 namespace mjforge::assemble {
 
-/// Members of the Assembly that Placements uses.
+/// Members of an Assembly that Placements uses.
 struct PlacementContext {
   model::Object& object;
   const std::unordered_map<std::string, int>& bodies;  // indices by full name
@@ -56,21 +56,21 @@ class Placements {
   void PileUp(const Request& request, sample::StreamId places);
   /// Returns the pile in the region of `trial`. Adds the pile if it does not exist yet.
   model::Pile& PileAt(const Request& request, const Trial& trial, sample::StreamId places);
-  /// Reports an entry that adds bodies to a pile and asks for another `order` or `time` than the
-  /// entry with which the pile begins.
+  /// Reports the entry of `request` if its `order` or `time` differs from those of the pile, which
+  /// are set by the first entry that adds a body to the pile.
   void CheckPile(const Request& request, const model::Pile& pile, sample::StreamId places);
   /// Reads `order` and `time` of a pile.
   void ReadPile(const Request& request, sample::StreamId path, model::Pile& pile);
-  /// Returns true, and adds a finding, if the body is in a pile, because other bodies cannot refer
-  /// to it.
+  /// Returns true, and adds a finding, if `body`, to which the request refers, is in a pile. Bodies
+  /// in piles have no place yet.
   bool IsPiled(const Request& request, int body, diag::SourceMark mark);
   void Settle(const Request& request, const Trial& trial, const model::PlaceResult& result);
-  /// Returns false, and adds a finding, if the body stands at the point that it must face, so that
-  /// its heading would be a rounding error.
+  /// Returns false, and adds a finding, if the body stands at the point that it must face, because
+  /// the direction to this point would be a rounding error.
   bool HasHeading(const Request& request, const Trial& trial, const model::PlaceResult& result);
   void GiveUp(const Request& request, const Trial& trial, const Misses& misses);
-  /// If the entry allows it (`fewer: true`), adds the body to the bodies that the next assembly
-  /// leaves out, and returns true.
+  /// Returns false unless the entry has `fewer: true`. Otherwise inserts the body into
+  /// PlacementContext::left_out, so that the next assembly leaves the body out.
   bool LeaveOut(const Request& request);
 
   // place_tries.cc
@@ -94,9 +94,8 @@ class Placements {
   /// yet.
   std::optional<int> ReadBody(const Request& request, FieldReader& reader,
                               const spec::Field& field);
-  /// Returns true if the body already has its place. Otherwise adds a finding, unless it was
-  /// already reported that no place was found for the body.
-  /// `field` is the field that names the body.
+  /// Returns true if the body, which `field` names, already has its place. Otherwise adds a
+  /// finding, unless it was already reported that no place was found for the body.
   bool MustStand(const Request& request, int body, const spec::Field& field);
   bool MustBeLevel(const Request& request, const Trial& trial, diag::SourceMark mark);
   /// Returns "a -> b -> a" if bodies are placed on each other in a circle; otherwise an empty text.

@@ -15,7 +15,8 @@
 
 namespace mjforge::assemble {
 
-/// The references of the elements in the sections of one object.
+/// The references, by name, of the elements in the MJCF sections (sensor, actuator, ...) of an
+/// object.
 class References {
  public:
   References(model::Object& object, diag::Findings& findings)
@@ -54,8 +55,8 @@ class References {
   /// Returns the names of all elements, by kind, for the kinds that references need. The result
   /// refers to texts in the object and in `geoms`, to which the function adds the names of geoms.
   Names CollectNames(std::vector<std::string>& geoms) const;
-  /// Removes the element if it refers to a removed one. Returns true if this call removed the
-  /// element.
+  /// Removes the element that has the reference if its target was removed. Returns true if this
+  /// call removed the element.
   bool DropIfRemoved(const NameReference& reference);
   bool IsDropped(ElementPlace place) const {
     return dropped_.contains({place.section, place.position});
@@ -65,7 +66,7 @@ class References {
   model::Object& object_;
   diag::Findings& findings_;
   std::vector<NameReference> references_;
-  // Elements that do not exist: the reason, by kind and name.
+  // Reasons why elements were removed, by kind and name of the element.
   std::map<std::string, std::map<std::string, std::string>, std::less<>> removed_;
   // Removed elements of sections.
   std::set<std::pair<const spec::SectionInfo*, std::size_t>> dropped_;

@@ -214,7 +214,7 @@ void Assembly::SearchFaces(std::size_t first) {
   for (std::size_t i = first; i < face_searches_.size(); ++i) {
     const model::Region& region = face_searches_[i].pattern;
     std::string why_not = AddFoundRegions(face_searches_[i], object_);
-    // Another spec may have faces only for some parameters.
+    // Do not report searches of nested specs, which may have faces only for some parameters.
     if (!why_not.empty() && region.mark.file == spec_->mark.file)
       empty_searches_.push_back({region.name, region.mark, std::move(why_not)});
   }

@@ -20,8 +20,8 @@ struct FaceSearch {
   model::Region pattern;       // region with name, site, margin and clear of the entry
   double least_area = 0.0025;  // smallest area, m^2
   double least_height = 0.03;  // smallest free height, m
-  /// Elements of the spec that contains the entry: a range of the root body's parts, and a range of
-  /// bodies.
+  /// Elements of the spec that contains the entry: the parts from `first_part` to `last_part` - 1
+  /// of the body `root`, and the bodies from `first_body` to `last_body` - 1.
   std::size_t root = 0;
   std::size_t first_part = 0;
   std::size_t last_part = 0;

@@ -78,8 +78,8 @@ bool Repetition::Walk(const spec::Entry& entry, std::size_t depth, sample::Evalu
     bool exists = !locals_first || SetLocals(entry, values, list);
     if (exists && entry.condition)
       exists = values.Condition(*entry.condition, entry.mark).value_or(false);
-    // Set the local values only now, because those of an instance that does not exist may be
-    // impossible to compute.
+    // Set the local values after the condition, because the values of an instance that does not
+    // exist may be impossible to compute.
     if (exists && !locals_first) exists = SetLocals(entry, values, list);
     if (exists) visit();
     return !findings_.HasErrors(before);

@@ -20,8 +20,8 @@ class Repetition {
   std::optional<std::size_t> Count(const spec::Entry& entry, sample::Evaluator& values,
                                    std::size_t existing);
   /// Calls `visit` for each instance that exists, after setting its loop variables and local
-  /// values. Local values are drawn from the child of the stream `list` that the instance's name
-  /// selects. Stops after an instance with an error, because the other instances would fail in the
+  /// values. The random stream of local values depends on the stream `list` and on the instance's
+  /// name. Stops after an instance with an error, because the other instances would fail in the
   /// same way.
   template <typename Visit>
   void ForEach(const spec::Entry& entry, sample::Evaluator& values, sample::StreamId list,

@@ -22,8 +22,8 @@ struct MaterialState {
   std::vector<model::Attribute> contact;
 };
 
-/// State of one spec in the object: the outermost spec, a spec used as a part (welded), or one used
-/// as a body.
+/// State of one spec in the object: of the outermost spec, of a spec used as a part (welded), or of
+/// a spec used as a body.
 struct Scope {
   Scope(sample::Evaluator& evaluator, std::string name_prefix, int root,
         const model::Pose& X_BodyS);
@@ -48,8 +48,8 @@ struct Scope {
     sample::SavedVariables variables;
   };
   std::vector<Jointed> jointed = {};
-  /// Slot and value (kg) of the variable NAME.mass of each body. The values are scaled if the spec
-  /// has `mass:`.
+  /// Index (slot) in the evaluator, and value (kg), of the variable NAME.mass of each body. The
+  /// values are scaled if the spec has `mass:`.
   std::vector<std::pair<int, double>> body_masses;
 
   /// Returns the prefix without `link` at its end.

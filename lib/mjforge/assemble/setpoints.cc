@@ -53,7 +53,8 @@ std::optional<double> HoldingInput(const model::Element& actuator, double length
   return -(NumberOf(actuator, "biasprm", 0, 0) + slope * length) / gain;
 }
 
-// Sets the numbers that the spec does not specify, so that the servo holds its joint at the start.
+// Sets the numbers of a servo's setpoint that the spec does not specify, so that the servo holds
+// its joint at the start.
 void SetHolding(const model::Object& object, const model::Element& actuator,
                 model::Setpoint& setpoint) {
   const model::Joint* joint = StartedJoint(object, actuator);

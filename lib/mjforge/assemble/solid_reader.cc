@@ -56,7 +56,8 @@ class SolidReader {
     return *std::move(points);
   }
 
-  /// Reads the holes of a prism in the order of solid::Fault::loop: holes along z, then x, then y.
+  /// Reads the holes of a prism: holes along z, then x, then y, which is the order of
+  /// solid::Fault::loop.
   void Holes(const Eigen::Vector3d& scale, solid::Prism& prism) {
     const spec::Field* field = entry_.Find(Key::kHoles);
     if (field == nullptr) return;
@@ -76,8 +77,8 @@ class SolidReader {
     }
   }
 
-  /// Returns the `count` numbers of a required field. If `last` is given, it is the last number,
-  /// and the field contains the others.
+  /// Returns the `count` numbers of a required field. If `last` has a value, this value is the last
+  /// number, and the field contains the others.
   sample::Numbers Numbers(Key key, std::string_view name, std::size_t count,
                           const std::optional<double>& last = std::nullopt) {
     field_ = Required(reader_, entry_, key, name, mark_);

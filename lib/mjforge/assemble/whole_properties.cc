@@ -85,7 +85,7 @@ void WholeProperties::SetSubtrees(const std::unordered_map<std::string, int>& bo
     if (entry.first_subtree_property < 0) continue;
     const auto name = spec::LiteralText(entry.head.name);
     std::string full = scope_.prefix + std::string(name.value_or(""));
-    // Name of the first link.
+    // The properties of a chain are those of its first link.
     if (entry.head.FindChild(spec::kChainElement) != nullptr) full += "_0";
     const auto found = bodies.find(full);
     if (found == bodies.end()) continue;  // `if` left the body out

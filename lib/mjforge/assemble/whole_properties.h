@@ -13,14 +13,15 @@
 
 namespace mjforge::assemble {
 
-/// Removes the values of `count` variables, starting with slot `slot`. Does nothing if `slot` is
-/// negative.
+/// Removes the values of `count` variables, starting with the variable at index `slot` of the
+/// evaluator. Does nothing if `slot` is negative.
 void ClearSlots(int slot, std::size_t count, sample::Evaluator& values);
 /// Sets the variables from slot `slot` on to the properties of a body, in the order of
 /// spec::BodyProperty. `mass` is in kg.
 void SetMeasures(const model::Bounds& bounds, double mass, int slot, sample::Evaluator& values);
 
-/// Sets the variables for these properties in one spec, whose bodies are in `object`.
+/// Sets the variables for the properties of subtrees, sites and joints in one spec, whose bodies
+/// are in `object`.
 class WholeProperties {
  public:
   WholeProperties(Scope& scope, const model::Object& object, Repetition& repetition,
@@ -32,8 +33,8 @@ class WholeProperties {
   /// Sets NAME.subtree_top and the other properties of subtrees. `bodies` maps full names to
   /// indices.
   void SetSubtrees(const std::unordered_map<std::string, int>& bodies);
-  /// Sets NAME.pos of sites, in the frame of the spec. `root` is the index of the body that
-  /// contains the spec's root.
+  /// Sets NAME.pos of sites, in the frame of the spec. `root` is the index of the body to which the
+  /// spec's root elements belong.
   void SetPositions(std::size_t root);
   /// Sets torque(NAME) for the joints of a body; `joints` is the random stream of the joints.
   void SetTorques(const std::vector<spec::Entry>& entries, std::size_t body,

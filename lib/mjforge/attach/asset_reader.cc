@@ -18,14 +18,14 @@ constexpr std::string_view kTextureAttributes[] = {
 
 void ReadTexture(const XmlElement& element, model::Texture& out) {
   CopyAttributes(element, kTextureAttributes, out.attributes);
-  // Skips files of a texture with a generated pattern, because MuJoCo ignores such files.
+  // Ignores the files of a texture with a generated pattern (`builtin`), as MuJoCo does.
   const std::string* builtin = element.Find("builtin");
   if (builtin != nullptr && *builtin != "none") return;
   for (const std::string_view name : xml::kFileAttributes) {
     const std::string* text = element.Find(name);
     if (text == nullptr || text->empty()) continue;
     out.files.push_back({name, *text, {}});
-    if (name == "file") return;  // if given, MuJoCo ignores files of single sides
+    if (name == "file") return;  // with `file`, MuJoCo ignores the files of single sides
   }
 }
 

@@ -11,7 +11,8 @@
 
 namespace mjforge::attach {
 
-/// Reads the assets that an attachment uses, each once, and adds them to the attachment.
+/// Reads the assets that an attachment (a body of an MJCF file, for use in a spec) uses, each once,
+/// and adds them to the attachment.
 class AssetReader {
  public:
   AssetReader(const CompiledFile& file, const MeshReader& meshes, NameScope& scope,
@@ -24,7 +25,8 @@ class AssetReader {
   std::string MaterialName(int id);
   /// Returns the index of a compiled mesh in Attachment::meshes.
   int Mesh(int id);
-  /// Returns the pose, in the frame of a mesh asset, of the frame that MuJoCo gives to the mesh.
+  /// Returns the pose of a compiled mesh's frame, which MuJoCo computes from the inertia of the
+  /// mesh, in the frame of the mesh asset.
   const model::Pose& FrameOf(int mesh) const { return meshes_.FrameOf(mesh); }
 
  private:

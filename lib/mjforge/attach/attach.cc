@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using diag::Code;
 
-/// An MJCF file and the findings about the file. Pointers are null after an error.
+/// An MJCF file and the findings about the file. The pointers are null after an error.
 struct File {
   std::unique_ptr<CompiledFile> compiled;
   std::unique_ptr<MeshReader> meshes;
@@ -43,15 +43,16 @@ void AddAt(const diag::Findings& stored, diag::SourceMark mark, diag::Findings& 
   }
 }
 
-/// Returns true if the XML contains a body of this name. If the compiled model does not, MuJoCo
-/// fused the body with its parent.
+/// Returns true if the XML contains a body of this name. Call this function if the compiled model
+/// does not contain the body: if the XML does, MuJoCo fused the body with its parent.
 bool IsFused(const XmlElement& element, const std::string& body) {
   if (element.tag == "body" && element.Name() == body) return true;
   return std::ranges::any_of(element.children,
                              [&](const XmlElement& child) { return IsFused(child, body); });
 }
 
-/// Returns MuJoCo's id of the body; nullopt after a finding.
+/// Returns MuJoCo's id of the body with this name. If there is none, adds a finding and returns
+/// nullopt.
 std::optional<int> FindBody(const CompiledFile& file, const std::string& body,
                             diag::Findings& findings) {
   const mjModel& m = file.model();

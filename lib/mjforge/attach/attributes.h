@@ -15,8 +15,8 @@ namespace mjforge::attach {
 
 using xml::XmlElement;
 
-/// Adds attributes to an element, in the form that the field table of its kind states. Omits
-/// attributes that are equal to their defaults.
+/// Appends attributes to an element, in the form that spec::ElementInfo states for the element.
+/// Omits attributes that are equal to their defaults.
 class Attributes {
  public:
   Attributes(const spec::ElementInfo& info, std::vector<model::Attribute>& out)
@@ -27,7 +27,7 @@ class Attributes {
     if (value != usual) Number(key, value);
   }
   void Numbers(std::string_view key, std::span<const double> values);
-  /// Adds the attributes of a compiled element that mjModel stores in arrays.
+  /// Appends the attributes `fields` of the compiled element `id`, read from the arrays of mjModel.
   void Read(const mjModel& m, std::span<const compiled::ArrayField> fields, int id);
   void Read(const mjModel& m, mjtObj kind, int id) { Read(m, compiled::ArrayFields(kind), id); }
   void Text(std::string_view key, std::string text);
@@ -39,7 +39,7 @@ class Attributes {
   std::vector<model::Attribute>& out_;
 };
 
-/// Copies the attributes of an element that have one of these names.
+/// Appends those attributes of an element whose names are in `names` to `out`.
 void CopyAttributes(const XmlElement& element, std::span<const std::string_view> names,
                     std::vector<model::Attribute>& out);
 

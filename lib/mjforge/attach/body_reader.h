@@ -7,7 +7,8 @@
 
 namespace mjforge::attach {
 
-/// Fills Attachment::bodies and root_joints, and adds the assets that they use.
+/// Adds the bodies of `scope`, with their joints, geoms and other elements, to Attachment::bodies
+/// and root_joints. Adds the meshes and materials of these bodies to `assets`.
 void ReadBodies(const CompiledFile& file, NameScope& scope, AssetReader& assets,
                 model::Attachment& out, diag::Findings& findings);
 

@@ -43,7 +43,8 @@ constexpr CompiledKind kKinds[] = {
     {"actuator", "", mjOBJ_ACTUATOR},
     {"sensor", "", mjOBJ_SENSOR}};
 
-/// Calls `use` with each element of a section, body, frame or replicate, and its kind.
+/// Calls `use` with each element, and the element's kind (mjtObj), in a section and in its bodies,
+/// frames and replicates.
 template <typename Use>
 void ForEachIn(XmlElement& parent, std::string_view section, const Use& use) {
   for (XmlElement& child : parent.children) {

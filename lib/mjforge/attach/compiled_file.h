@@ -30,10 +30,10 @@ class CompiledFile {
   const mjModel& model() const { return *model_; }
   engine::Engine& engine() const { return *engine_; }
 
-  /// Returns the element from which MuJoCo compiled this object and no other; null if a composite
-  /// or a replicate made the object.
+  /// Returns the XML element of a compiled object; null if the object has no element of its own,
+  /// because a composite or a replicate made the object.
   const XmlElement* ElementOf(mjtObj kind, int id) const;
-  /// Returns the element from which MuJoCo compiled an object. Objects that a composite or a
+  /// Returns the XML element from which MuJoCo compiled an object. Objects that a composite or a
   /// replicate made have no element of their own, but their names begin with the composite's
   /// `prefix` or with the name of a replicated element. For such an object, returns the element
   /// with the longest matching prefix or name; if none matches, the first composite, or the root if

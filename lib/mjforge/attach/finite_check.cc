@@ -57,7 +57,8 @@ class FiniteCheck {
                          file_.string(), what));
   }
 
-  /// Checks the numbers `all` and all attributes of a body, joint, geom or other element.
+  /// Reports the lists `all`, and the attributes, of a body, joint, geom or other element that
+  /// contain a number that is not finite.
   template <typename Thing>
   void CheckThing(std::string_view kind, const Thing& thing,
                   std::initializer_list<Named> all = {}) {

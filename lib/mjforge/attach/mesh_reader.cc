@@ -23,8 +23,9 @@ XmlElement& AddChild(XmlElement& parent, std::string_view tag) {
   return child;
 }
 
-/// Copies only the meshes of a file, with all attributes on which the meshes' frames depend:
-/// `scale`, and the default density, which determines when MuJoCo stops diagonalising the inertia.
+/// Copies only the meshes of a file, with all attributes on which the meshes' frames depend.
+/// Besides `scale`, these include the default density, because it determines when MuJoCo's
+/// iteration that diagonalizes the inertia stops.
 void CopyMeshes(const XmlElement& from, XmlElement& to) {
   const auto copy = [&](const XmlElement& child, std::string_view attribute) {
     XmlElement& copied = AddChild(to, child.tag);

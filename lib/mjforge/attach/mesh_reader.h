@@ -14,7 +14,7 @@ namespace mjforge::attach {
 /// mesh; this class finds the inertial frame, to undo the move.
 class MeshReader {
  public:
-  /// Adds a finding if MuJoCo rejects the meshes on their own.
+  /// Loads a model that has only the meshes. Adds a finding if MuJoCo rejects this model.
   MeshReader(const CompiledFile& file, diag::Findings& findings);
 
   /// Returns X_AM of a compiled mesh: the pose of MuJoCo's frame M in the asset's frame A.

@@ -72,7 +72,8 @@ void NameScope::MarkDropped(mjtObj kind, int id) {
 }
 
 void NameScope::NameUnnamed() {
-  // Names bodies first, because the names of other elements begin with those of their bodies.
+  // Names bodies first, because the generated name of another element begins with the name of its
+  // body.
   for (const Unnamed& element : unnamed_) {
     const std::string start =
         element.kind == mjOBJ_BODY

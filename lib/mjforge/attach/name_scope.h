@@ -12,8 +12,9 @@
 
 namespace mjforge::attach {
 
-/// The contents of one attachment and their names: a body with all bodies and elements below that
-/// body and, once added, assets and elements of sections. `kind` and `id` are MuJoCo's.
+/// The set of elements that one attachment (a body of an MJCF file, for use in a spec) contains,
+/// and their names: the body, all bodies and elements below the body and, once added, assets and
+/// elements of sections. `kind` and `id` are MuJoCo's.
 class NameScope {
  public:
   /// Adds the body `root` with all bodies and elements below. Reports names that become equal when
@@ -57,7 +58,7 @@ class NameScope {
     mjtObj kind;
     int id;
     int body;
-    int number;  // index among elements of this kind in the body
+    int number;  // index among elements of this kind in their body
   };
   std::vector<Unnamed> unnamed_;
   std::set<Id> dropped_;

@@ -17,11 +17,12 @@ namespace mjforge::attach {
 struct Reference {
   mjtObj kind = mjOBJ_UNKNOWN;
   int id = -1;
-  std::string_view attribute = {};       // attribute with the target's name; empty: a child has it
+  std::string_view attribute = {};       // attribute that names the target; empty: a child has it
   std::string_view kind_attribute = {};  // attribute with the target's kind (objtype); empty: none
 };
 
-/// Copies elements of sections (contact, tendon, ...) into an attachment.
+/// Copies elements of sections (contact, tendon, ...) into an attachment (a body of an MJCF file,
+/// for use in a spec).
 class SectionReader {
  public:
   SectionReader(const CompiledFile& file, NameScope& scope, model::Attachment& out,

@@ -11,7 +11,8 @@ namespace {
 struct Sensor {
   mjtSensor type;
   std::string_view tag;
-  std::string_view object;  // attribute with the target; "objname" also has "objtype"
+  // Attribute that names the sensor's target. A sensor with "objname" also needs "objtype".
+  std::string_view object;
 };
 constexpr Sensor kSensors[] = {{mjSENS_TOUCH, "touch", "site"},
                                {mjSENS_ACCELEROMETER, "accelerometer", "site"},

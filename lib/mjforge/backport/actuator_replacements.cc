@@ -17,7 +17,7 @@ bool IsServo(const xml::XmlElement& element) {
 struct Gains {
   std::string kp = "1";
   std::string kv;
-  bool mixed = false;  // default classes contain gains for other kinds of actuators
+  bool mixed = false;  // true: default classes also set gains of actuators that are no servos
 };
 
 void ReadGains(const xml::XmlElement& element, Gains& gains) {
@@ -52,7 +52,8 @@ std::string_view TransmissionOf(const xml::XmlElement& actuator) {
 
 }  // namespace
 
-// Replaces the gain `kv` of a servo by the third number of an affine bias.
+// Replaces a servo with the gain `kv` by a `<general>` actuator with an affine bias, whose third
+// number is -kv.
 void Replacements::ReplaceDamping(ClassedElement& servo) {
   if (!IsServo(*servo.element) || FindMissing(servo, "kv") == nullptr) return;
   Gains gains;
@@ -83,7 +84,8 @@ void Replacements::ReplaceInheritedRange(ClassedElement& actuator) {
   const std::string* inherit = FindMissing(actuator, "inheritrange");
   if (inherit == nullptr || !IsNumber(*inherit)) return;
   if (!IsServo(*actuator.element)) {
-    if (actuator.element->tag == "general") return;  // gains and biases can make it a servo
+    // A general actuator may be a servo, depending on its gains and biases.
+    if (actuator.element->tag == "general") return;
     return MarkReplaced(actuator, "inheritrange", "only servos inherit ranges");
   }
   const double factor = xml::NumbersOf(*inherit).front();
@@ -129,7 +131,8 @@ std::optional<std::vector<ClassedElement*>> Replacements::ActuatorsOf(const std:
   return drivers;
 }
 
-// Replaces the force range of a joint by a force range of its actuator, if there is only one.
+// Replaces the force range of a joint by a force range of its actuator, if exactly one actuator
+// moves the joint.
 void Replacements::ReplaceJointForceRange(ClassedElement& joint, std::string_view range,
                                           std::string_view limited) {
   const bool has_limited = FindMissing(joint, limited) != nullptr;

@@ -46,7 +46,7 @@ std::string_view ReasonOf(Effect effect) {
   return {};
 }
 
-/// Returns true if an attribute with this value changes nothing.
+/// Returns true if the attribute `feature`, set to `value`, has no effect.
 bool IsNeutral(const MjcfFeature& feature, const std::string& value) {
   if (feature.neutral.empty()) return false;
   const std::vector<double> numbers = xml::NumbersOf(value);
@@ -55,7 +55,8 @@ bool IsNeutral(const MjcfFeature& feature, const std::string& value) {
   return !usual.empty() && std::ranges::all_of(numbers, [&](double n) { return n == usual[0]; });
 }
 
-/// Returns an equivalent list with the length of an older release; nullopt if there is none.
+/// Returns an equivalent list with the length that the older release requires; nullopt if there is
+/// none.
 std::optional<std::vector<double>> Resized(const MjcfList& list, std::vector<double> numbers) {
   const std::vector<double> usual = xml::NumbersOf(list.usual);
   const double neutral = list.beyond.empty() ? numbers[0] : xml::NumbersOf(list.beyond)[0];
@@ -145,7 +146,8 @@ class Backporter {
   const MjcfFeature* FindMissing(std::string_view parent, std::string_view tag) const {
     const MjcfFeature* feature = FindFeature(parent, tag);
     if (feature == nullptr) return nullptr;
-    // Frames and replicates of an attached file need only this build's MuJoCo, which expands them.
+    // Frames and replicates of an attached file may be as new as the MuJoCo of this build, because
+    // this MuJoCo expands them.
     const bool expands = use_ == Use::kBodies && feature->effect == Effect::kExpansion;
     return feature->since > (expands ? mjVERSION_HEADER : version_) ? feature : nullptr;
   }
@@ -165,7 +167,8 @@ class Backporter {
     });
   }
 
-  /// Reports an attribute of a default class that changes the meaning of an element of this class.
+  /// Adds an error for each attribute of `element`, which is in `<default>`, that the release lacks
+  /// and without which `classed`, an element that inherits the attribute, would change its meaning.
   void CheckInherited(const ClassedElement& classed, const xml::XmlElement& element) {
     for (const auto& [name, value] : element.attributes) {
       const MjcfFeature* feature = FindMissing("default", element.tag, name, value);
@@ -208,15 +211,17 @@ class Backporter {
            replacements_->Find(&element, attribute) == "";
   }
 
-  /// Returns true for sections that set options of the whole model, if only its bodies are used.
+  /// Returns true if only the bodies of the file are used, and the section only sets options of the
+  /// whole model.
   bool IsUnused(const xml::XmlElement& parent, const xml::XmlElement& section) const {
     constexpr std::string_view kOfModel[] = {"option", "size", "visual", "statistic", "keyframe"};
     return use_ == Use::kBodies && parent.tag == "mujoco" &&
            std::ranges::find(kOfModel, section.tag) != std::end(kOfModel);
   }
 
-  /// Warns that an attribute is removed (the element, if `attribute` is empty), unless it is
-  /// replaced. Reports an error if the model would mean something else without it.
+  /// Warns that an attribute, or the element if `attribute` is empty, is removed. Adds an error
+  /// instead if the removal changes the meaning of the model. Does nothing if the attribute was
+  /// replaced.
   void ReportRemoval(const xml::XmlElement& element, const std::string& attribute,
                      const std::string& value, const MjcfFeature& feature, bool in_default) {
     std::string_view reason = ReasonOf(feature.effect);
@@ -291,7 +296,8 @@ class Backporter {
     return only_value ? attribute + "=" + *value : attribute;
   }
 
-  /// Returns true for the first report of this attribute (empty: this tag) in the element's file.
+  /// Returns true, and stores the name, if no attribute of this name (no element of this tag, if
+  /// `attribute` is empty) was reported in the element's file before.
   bool IsNew(const xml::XmlElement& element, const std::string& attribute) {
     const std::string& name = attribute.empty() ? '<' + element.tag : attribute;
     return reported_.emplace(element.mark.file, name).second;
@@ -308,7 +314,7 @@ class Backporter {
   diag::Findings& findings_;
   const Replacements* replacements_ = nullptr;
   std::set<std::pair<std::uint32_t, std::string>> reported_;
-  bool has_command_ = false;  // a hint contains the conversion command
+  bool has_command_ = false;  // true: a hint already contains the conversion command
 };
 
 }  // namespace

@@ -9,7 +9,8 @@
 namespace mjforge::backport {
 namespace {
 
-/// Returns true for elements without defaults that share a tag with elements that have defaults.
+/// Returns true for elements to which no defaults apply: free joints, inertials, and the elements
+/// of a tendon's path.
 bool HasNoDefaults(std::string_view parent, std::string_view tag) {
   return parent == "fixed" || parent == "spatial" || tag == "freejoint" || tag == "inertial";
 }

@@ -21,21 +21,23 @@ struct ClassedElement {
 /// Returns the name of a mesh asset; MuJoCo names a mesh without a name after its file.
 std::string MeshName(const xml::XmlElement& mesh);
 
-/// The elements of a file, and their attributes with those of their default classes. Valid while
-/// the tree keeps its elements.
+/// The elements of a file, and lookup of their attributes, including those that they inherit from
+/// default classes. Valid as long as no element is added to the tree or removed from it.
 class DefaultClasses {
  public:
   explicit DefaultClasses(xml::XmlElement& root);
 
   std::vector<ClassedElement>& all() { return elements_; }
-  /// Returns the elements of a section that shares defaults: "actuator", "joint", ...
+  /// Returns the elements with this SectionOf(): all actuators for "actuator", all joints for
+  /// "joint".
   std::vector<ClassedElement*> In(std::string_view section);
 
   /// Returns an attribute of the element, or else of its default class; null if neither has it.
   const std::string* Find(const ClassedElement& classed, std::string_view attribute) const;
   std::string Get(const ClassedElement& classed, std::string_view attribute,
                   std::string_view otherwise) const;
-  /// Returns an attribute of the last compiler section that has it; `otherwise` if none has it.
+  /// Returns the value of a compiler setting in the last `<compiler>` that has it; `otherwise` if
+  /// none has it.
   std::string Setting(std::string_view attribute, std::string_view otherwise) const;
   /// Returns the elements of `<default>` that apply to the element, the main class first.
   std::vector<const xml::XmlElement*> DefaultsOf(const ClassedElement& classed) const;

@@ -22,8 +22,8 @@ using LoadText = std::function<engine::Loaded(const std::string&)>;
 constexpr std::string_view kFitted[] = {"sphere", "capsule", "cylinder", "ellipsoid", "box"};
 constexpr std::string_view kAngles[] = {"axisangle", "euler", "xyaxes", "zaxis"};
 
-/// Returns the sizes of the smallest shape whose bounding box contains a box with these half sizes;
-/// nullopt if a size would be negative, zero or larger than mjMAXVAL.
+/// Returns the sizes of the smallest shape whose bounding box contains a box with these half sizes,
+/// multiplied by `scale`; nullopt if a size would be negative, zero or larger than mjMAXVAL.
 std::optional<std::vector<double>> SizesOf(std::string_view type, const std::array<double, 3>& half,
                                            double scale) {
   const double radius = std::max(half[0], half[1]);
@@ -40,7 +40,8 @@ std::optional<std::vector<double>> SizesOf(std::string_view type, const std::arr
 class GeomFitter {
  public:
   explicit GeomFitter(xml::XmlElement& root) : elements_(root) {
-    // No release with this rule has global coordinates.
+    // Skips files with global coordinates, because no release that fits shapes by the new rule has
+    // global coordinates.
     if (elements_.Setting("fitaabb", "false") != "true" ||
         elements_.Setting("coordinate", "local") != "local")
       return;
@@ -90,8 +91,8 @@ class GeomFitter {
     return merged;
   }
 
-  /// Returns a model that has only the meshes, in massless geoms of type mesh at the poses of the
-  /// fitted geoms.
+  /// Returns a model that has only the meshes: each fitted geom becomes a massless geom of type
+  /// mesh, at the same pose.
   xml::XmlElement MeshModel() {
     xml::XmlElement model = Element("mujoco");
     xml::XmlElement assets = Element("asset");
@@ -130,7 +131,8 @@ class GeomFitter {
     if (const std::string* text = elements_.Find(geom, name)) copy.Set(name, std::string(*text));
   }
 
-  /// Replaces the mesh of a geom. `id` is the geom of type mesh in the model of the meshes.
+  /// Replaces `mesh` of a geom by the size, pos and quat of the fitted shape. `m` is the compiled
+  /// MeshModel(), in which `id` is the geom with the mesh.
   void Replace(const ClassedElement& geom, const mjModel& m, int id) {
     const int mesh = m.geom_dataid[id];
     const float* vertices = m.mesh_vert + static_cast<std::ptrdiff_t>(3) * m.mesh_vertadr[mesh];
@@ -148,7 +150,7 @@ class GeomFitter {
       half[axis] = highest - centre[axis];
     }
     const std::vector<double> scale = xml::NumbersOf(elements_.Get(geom, "fitscale", "1"));
-    if (scale.size() != 1) return;  // MuJoCo reports it
+    if (scale.size() != 1) return;  // MuJoCo reports the error
     const auto sizes = SizesOf(elements_.Get(geom, "type", "sphere"), half, scale[0]);
     if (!sizes) return;
     std::array<mjtNum, 3> pos;

@@ -13,9 +13,9 @@ namespace mjforge::backport {
 /// mesh by the size, pos and quat that MuJoCo 3.3.7 and later compute: the smallest shape whose
 /// axis-aligned bounding box contains that of the mesh. Older releases fit a sphere, capsule or
 /// cylinder around all vertices, and rotate the centre of the box wrongly; MuJoCo 2.2 also ignores
-/// the mesh's centre of mass. `load` loads a text in the place of the file. Changes nothing if
-/// MuJoCo rejects the meshes. Returns the place of the first changed geom; no place if there is
-/// none.
+/// the mesh's centre of mass. `load` loads an MJCF text as if it were the content of the file.
+/// Changes nothing if MuJoCo rejects the meshes. Returns the place of the first changed geom; no
+/// place if there is none.
 diag::SourceMark FitGeoms(xml::XmlElement& root,
                           const std::function<engine::Loaded(const std::string&)>& load);
 

@@ -13,8 +13,9 @@ namespace mjforge::backport {
 /// limit.
 inline constexpr std::size_t kMaxKeyNumbers = 1000;
 
-/// Removes longer attributes from all keys if `version` has the limit, and returns true if the tree
-/// changed. Warns of each key that is changed, unless `findings` is null.
+/// Removes attributes with more than kMaxKeyNumbers numbers from all keys if the release `version`
+/// has this limit, and returns true if the tree changed. Warns of each key that is changed, unless
+/// `findings` is null.
 bool RemoveLongKeys(xml::XmlElement& root, int version, const diag::Sources& sources,
                     diag::Findings* findings);
 

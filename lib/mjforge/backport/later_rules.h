@@ -22,7 +22,7 @@ struct LaterRules {
 
 /// Changes the tree so that this MuJoCo compiles it as later releases do: shapes fitted to meshes
 /// (FitGeoms), masses of meshes (AddMeshInertia), and geoms that `discardvisual` keeps
-/// (KeepReferencedGeoms). `load` loads a text in the place of the file.
+/// (KeepReferencedGeoms). `load` loads an MJCF text as if it were the content of the file.
 LaterRules ApplyLaterRules(xml::XmlElement& root,
                            const std::function<engine::Loaded(const std::string&)>& load);
 

@@ -27,8 +27,8 @@ bool NeedsLimits(const xml::XmlElement& element) {
   return std::ranges::any_of(kLimits, lacks) || std::ranges::any_of(element.children, NeedsLimits);
 }
 
-/// Sets `autolimits`, the default since 3.0. By default, older releases reject every file in which
-/// `autolimits` makes a difference.
+/// Sets `autolimits` to true, the default since 3.0, if the file has ranges without `limited`.
+/// Older releases reject such ranges without this setting.
 bool ImplyLimits(xml::XmlElement& root) {
   const auto is_compiler = [](const xml::XmlElement& section) { return section.tag == "compiler"; };
   for (const xml::XmlElement& section : root.children) {
@@ -51,7 +51,8 @@ bool HasState(const DefaultClasses& elements, const ClassedElement& actuator) {
   return tag == "general" && elements.Get(actuator, "dyntype", "none") != "none";
 }
 
-/// Moves actuators with a state behind the others; keeps the order of the file otherwise.
+/// Moves actuators with an activation state behind all other actuators; keeps the order of the file
+/// otherwise.
 bool OrderActuators(xml::XmlElement& root) {
   std::set<const xml::XmlElement*> stateful;
   DefaultClasses elements(root);

@@ -55,7 +55,8 @@ class MeshInertia {
     MeshInertiaKind kind = MeshInertiaKind::kLegacy;
   };
 
-  /// Returns false, and changes nothing, if MuJoCo rejects the copies.
+  /// Adds an inertia to each body in bodies_. Returns false, and changes nothing, if MuJoCo rejects
+  /// a copy of the model.
   bool AddAll(const LoadText& load) {
     const engine::Loaded meshes = load(xml::Flatten(Copy(nullptr)).text);
     if (!meshes.model) return false;
@@ -82,8 +83,9 @@ class MeshInertia {
   void Find() {
     DefaultClasses elements(root_);
     const std::string from_geoms = elements.Setting("inertiafromgeom", "auto");
-    // Skip files in which MuJoCo does not compute masses or has another rule for them, and files
-    // with global coordinates, which no later release has.
+    // Skip files in which MuJoCo does not compute masses from geoms, or computes the masses of
+    // meshes by `exactmeshinertia`. Also skip files with global coordinates, which no later release
+    // has.
     if (from_geoms == "false" || elements.Setting("exactmeshinertia", "false") != "false" ||
         elements.Setting("coordinate", "local") != "local")
       return;
@@ -93,7 +95,7 @@ class MeshInertia {
     for (const ClassedElement* geom : elements.In("geom")) {
       const xml::XmlElement* body = geom->parent;
       if (body->tag != "body" || (HasInertial(*body) && !replaces_)) continue;
-      // The masses of discarded geoms count in MuJoCo 3.1.2 and later.
+      // MuJoCo 3.1.2 and later count the masses of geoms that `discardvisual` removes.
       const bool counts = AddMesh(elements, *geom) || (discards && IsVisual(elements, *geom));
       if (counts || HasInertial(*body))
         bodies_.try_emplace(body, fmt::format("body{}", bodies_.size()));
@@ -107,7 +109,8 @@ class MeshInertia {
   }
   static bool HasInertial(const xml::XmlElement& body) { return HasChild(body, "inertial"); }
 
-  /// Adds the geom if it is a mesh with a mass, and returns true; returns false for other geoms.
+  /// Adds the geom to geoms_ and returns true if it is a mesh with a mass; returns false for other
+  /// geoms.
   bool AddMesh(DefaultClasses& elements, const ClassedElement& geom) {
     if (elements.Get(geom, "type", "") != "mesh") return false;
     if (elements.Get(geom, "shellinertia", "false") != "false") return false;
@@ -200,7 +203,8 @@ class MeshInertia {
     if (id < 0) {
       copy.Set("name", weighed.name);
       copy.Set("mass", "0");
-      if (weighed.kind == MeshInertiaKind::kConvex) copy.Set("contype", "1");  // creates the hull
+      // MuJoCo computes the convex hulls of colliding meshes only.
+      if (weighed.kind == MeshInertiaKind::kConvex) copy.Set("contype", "1");
       return copy;
     }
     const MeshMeasure measured = Measure(*meshes, meshes->geom_dataid[id], weighed.kind);
@@ -247,7 +251,7 @@ class MeshInertia {
   }
 
   xml::XmlElement& root_;
-  bool replaces_ = false;  // the geoms replace inertias in the file
+  bool replaces_ = false;  // true: masses of geoms replace `<inertial>` (inertiafromgeom)
   diag::SourceMark first_;
   std::map<const xml::XmlElement*, Geom> geoms_;
   std::map<const xml::XmlElement*, std::string> bodies_;

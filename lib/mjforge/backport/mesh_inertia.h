@@ -17,10 +17,10 @@ inline constexpr bool kComputesMeshInertia = mjVERSION_HEADER < 300 || mjVERSION
 /// meshes. MuJoCo 3 adds up the volumes of the pyramids from the centre of mass to each face,
 /// whatever the face's orientation, and counts the masses of geoms that `discardvisual` removes.
 /// Older releases use the volume of the box with the same inertia, and reject meshes with
-/// inconsistently oriented faces. Applies the attribute `inertia` of MuJoCo 3.2.5 where the
-/// elements of meshes have it, and removes the attribute. `load` loads a text in the place of the
-/// file. If MuJoCo rejects the file, only the attribute is removed, so that it does not hide the
-/// reason. Returns the place of the first changed body; no place if there is none.
+/// inconsistently oriented faces. Applies and removes the attribute `inertia` of meshes (MuJoCo
+/// 3.2.5). `load` loads an MJCF text as if it were the content of the file. If MuJoCo rejects the
+/// file, only the attribute is removed, so that it does not hide the reason. Returns the place of
+/// the first changed body; no place if there is none.
 diag::SourceMark AddMeshInertia(xml::XmlElement& root,
                                 const std::function<engine::Loaded(const std::string&)>& load);
 

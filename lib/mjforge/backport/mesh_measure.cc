@@ -45,7 +45,8 @@ std::span<const int> FacesOf(const mjModel& m, int mesh, bool of_hull) {
   return span(at(graph, 2 + 3 * graph[0] + 3 * graph[1]), graph[1]);
 }
 
-/// Moments of the pyramids from a common apex to each face, or of the faces, about this apex.
+/// Volume, first and second moments, about a common apex, of the pyramids from the apex to each
+/// face; for a shell, area and moments of the faces.
 struct Sums {
   double size = 0;
   Vector first = {};
@@ -75,7 +76,7 @@ struct Sums {
   }
 };
 
-/// Adds up the faces of a mesh, or the pyramids from `apex` to them.
+/// Returns the sums over all faces of a mesh, or over all pyramids from `apex` to the faces.
 Sums AddUp(const mjModel& m, int mesh, MeshInertiaKind kind, const Vector& apex) {
   Sums sums;
   const float* vertices = m.mesh_vert + static_cast<std::ptrdiff_t>(3) * m.mesh_vertadr[mesh];
@@ -98,8 +99,8 @@ Vector CentreOf(const Sums& sums, const Vector& apex) {
   return centre;
 }
 
-// Sets the principal axes of the moments, which are about the centre of mass, and returns the
-// second moments along them. MuJoCo sorts the moments of inertia in decreasing order.
+// Sets `measured.quat` to the principal axes, and returns the second moments along these axes.
+// `sums` must be about the centre of mass. MuJoCo sorts the moments of inertia in decreasing order.
 std::array<mjtNum, 3> Diagonalize(const Sums& sums, MeshMeasure& measured) {
   Matrix inertia = {};
   for (std::size_t i = 0; i < 9; ++i) inertia[i] = -sums.second[i];
@@ -124,8 +125,9 @@ std::optional<MeshInertiaKind> KindNamed(std::string_view word) {
 
 MeshMeasure Measure(const mjModel& m, int mesh, MeshInertiaKind kind) {
   MeshMeasure measured;
-  // MuJoCo's steps, because the sums over an open mesh depend on the apex of the pyramids: the
-  // centroid of the surface for the centre of mass, then the centre of mass for mass and inertia.
+  // Follows MuJoCo's steps, because the sums over an open mesh depend on the apex of the pyramids.
+  // The apex is the centroid of the surface for the centre of mass, then the centre of mass for
+  // mass and inertia.
   if (kind != MeshInertiaKind::kLegacy) {
     Vector apex = {};
     for (const MeshInertiaKind step : {MeshInertiaKind::kShell, kind}) {
@@ -143,7 +145,7 @@ MeshMeasure Measure(const mjModel& m, int mesh, MeshInertiaKind kind) {
   std::array<mjtNum, 3> squares = {second[0], second[4], second[8]};
   if (kind != MeshInertiaKind::kLegacy) squares = Diagonalize(sums, measured);
   // The mean square of a coordinate in a box with half size s is s^2 / 3. MuJoCo 2.2 rejects a box
-  // without a thickness, and a thinner one if its inertia is rounded.
+  // without thickness, and, because of rounding, a box that is thinner than kThinnest.
   constexpr double kThinnest = 1e-6;
   for (std::size_t i = 0; i < 3; ++i)
     measured.box[i] = std::sqrt(std::max(0.0, 3 * squares[i] / sums.size));

@@ -144,7 +144,8 @@ constexpr MjcfList kLists[] = {
      3007000, 3, "0", "0"},
 };
 
-/// Calls `use` with each word until `use` returns true; returns false if it never does.
+/// Calls `use` with each word of the text until `use` returns true; returns false if `use` never
+/// does.
 template <typename Use>
 bool AnyWord(std::string_view text, const Use& use) {
   while (!text.empty()) {

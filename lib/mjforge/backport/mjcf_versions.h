@@ -22,7 +22,7 @@ enum class Effect {
   kMeaning,     // the contents of the model
 };
 
-/// A row of the table: an element, or attributes of some elements.
+/// A row of the table of features that MJCF gained: an element, or attributes of some elements.
 struct MjcfFeature {
   /// Tags, separated by blanks: alone ("geom"), below a parent ("visual/rgba"), or all elements of
   /// a section ("sensor/*"). "body/" includes the world, frames and replicates. Elements of
@@ -66,7 +66,8 @@ bool IsAt(std::string_view where, std::string_view parent, std::string_view tag)
 /// value.
 bool HasAttribute(std::string_view names, std::string_view attribute, std::string_view value);
 
-/// Returns the section whose elements share defaults with this one: "actuator" for a `<motor>`.
+/// Returns the kind of elements that share defaults with this element: "actuator" for a `<motor>`,
+/// "joint" for a `<joint>`.
 std::string_view SectionOf(std::string_view parent, std::string_view tag);
 
 /// Returns the usual spelling of a release: "3.1.4" for 314, "3.10.0" for 3010000.

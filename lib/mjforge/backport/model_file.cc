@@ -21,7 +21,7 @@ std::filesystem::path FolderOf(const std::filesystem::path& file) {
 
 struct BackportedTree {
   xml::XmlElement root;
-  LaterRules differences;  // ModelFile::differences
+  LaterRules differences;  // for ModelFile::differences
 };
 
 /// Returns the backported tree of a file; nullopt if the file needs no change, or after an error.

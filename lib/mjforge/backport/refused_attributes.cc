@@ -14,7 +14,7 @@
 namespace mjforge::backport {
 namespace {
 
-/// The values that later releases accept.
+/// The values of an attribute that later releases accept.
 enum class Accepted { kNone, kInteger, kAtLeastMinusOne, kUpToTwo, kPositive };
 
 struct Row {
@@ -43,8 +43,8 @@ constexpr Row kRows[] = {
     {"visual/map", "znear", 230, Accepted::kPositive},
     {"mujoco/statistic", "extent", 230, Accepted::kPositive},
     {"visual/headlight", "active", 4000000, Accepted::kUpToTwo},
-    // From 3.0 on, MuJoCo requires an integer here; 2.2 rounds a number, and ignores further
-    // numbers.
+    // MuJoCo 3.0 and later require integers in the following attributes; 2.2 rounds numbers, and
+    // ignores further numbers.
     {"option", "iterations noslip_iterations", 300, Accepted::kInteger},
     {"mujoco/size",
      "njmax nconmax nstack nuserdata nkey nuser_body nuser_jnt nuser_geom nuser_site nuser_cam "

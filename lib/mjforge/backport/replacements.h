@@ -20,8 +20,8 @@ class Replacements {
 
   /// Makes all replacements.
   void Run();
-  /// Returns an empty text if the attribute was replaced, or the element if `attribute` is empty.
-  /// If the attribute has no effect in this file, returns the reason. Otherwise returns nullopt.
+  /// Returns an empty text if the attribute was replaced (the element, if `attribute` is empty). If
+  /// the attribute has no effect in this file, returns the reason. Otherwise returns nullopt.
   std::optional<std::string_view> Find(const xml::XmlElement* element,
                                        std::string_view attribute) const;
 
@@ -39,10 +39,11 @@ class Replacements {
   void ReplaceInheritedRange(ClassedElement& actuator);
   void ReplaceJointForceRange(ClassedElement& joint, std::string_view range,
                               std::string_view limited);
-  /// Returns the actuators that act on the joint directly; nullopt if other actuators act on the
-  /// joint, too.
+  /// Returns the actuators whose transmission is the joint itself; nullopt if further actuators may
+  /// move the joint, for example by a tendon.
   std::optional<std::vector<ClassedElement*>> ActuatorsOf(const std::string& joint);
-  /// Intersects the actuator's force range with a range of joint forces; false if impossible.
+  /// Intersects the actuator's force range with a range of joint forces; returns false if no force
+  /// remains or if the gear is 0.
   bool LimitForce(ClassedElement& actuator, std::vector<double> range);
 
   void ReplaceAssetFolder(ClassedElement& compiler);

@@ -26,7 +26,7 @@ constexpr std::pair<std::string_view, std::string_view> kReferences[] = {
 using Names = std::set<std::string>;
 
 /// Adds the names of all elements of a kind; returns false if the tree has an element that MuJoCo
-/// expands.
+/// expands to elements with new names (replicate, composite, ...).
 bool AddNames(const xml::XmlElement& parent, std::string_view kind, Names& names) {
   constexpr std::string_view kExpanded[] = {"replicate", "attach", "composite", "flexcomp"};
   for (const xml::XmlElement& child : parent.children) {

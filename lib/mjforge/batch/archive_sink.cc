@@ -19,7 +19,8 @@ std::optional<ResumedVariants> ArchiveSink::Open(diag::Findings& findings) {
   checkpoint_.next = options_.range.first;
   checkpoint_.archive = ArchiveOf(options_.range.first);
   const std::optional<ResumedVariants> resumed = FindResumable(findings);
-  if (!resumed && !journal_.is_unfinished()) journal_.Drop();  // remove the files that Open made
+  // Remove the files that journal_.Open() created.
+  if (!resumed && !journal_.is_unfinished()) journal_.Drop();
   if (!resumed || (resumed->done() == 0 && !journal_.Start(checkpoint_, findings)))
     return std::nullopt;
   return resumed;
@@ -27,8 +28,8 @@ std::optional<ResumedVariants> ArchiveSink::Open(diag::Findings& findings) {
 
 bool ArchiveSink::Take(ChunkResult& result, diag::Findings& findings) {
   if (result.done < result.chunk.count) {
-    // Ignores a partial segment, because the bytes of the archive would otherwise depend on where
-    // the batch stopped.
+    // Ignores the partial segment of a stopped worker, because the bytes of the archive would
+    // otherwise depend on where the batch stopped.
     result.statuses.clear();
     result.variants.clear();
     result.findings.clear();
@@ -74,8 +75,8 @@ std::optional<ResumedVariants> ArchiveSink::FindResumable(diag::Findings& findin
   return journal_.previous_seal() ? ContinueFinished(findings) : ResumedVariants();
 }
 
-// Returns all variants of a sealed batch if its files are unchanged; otherwise none, so that the
-// batch is made again from the start.
+// If the earlier batch was finished and its files are unchanged, returns all its variants;
+// otherwise none, so that the batch is made again from the start.
 std::optional<ResumedVariants> ArchiveSink::ContinueFinished(diag::Findings& findings) {
   const manifest::Seal& seal = *journal_.previous_seal();
   std::string why_not;
@@ -90,8 +91,8 @@ std::optional<ResumedVariants> ArchiveSink::ContinueFinished(diag::Findings& fin
   return is_complete_ ? resumed : ResumedVariants();
 }
 
-// Rolls back to the last checkpoint that matches manifest, archives and records. Returns the
-// variants before this checkpoint.
+// Rolls the outputs back to the last checkpoint of the journal that matches manifest, archives and
+// records. Returns the variants before this checkpoint.
 std::optional<ResumedVariants> ArchiveSink::Continue(diag::Findings& findings) {
   const std::vector<Checkpoint>& checkpoints = journal_.checkpoints();
   if (checkpoints.empty()) return ResumedVariants();
@@ -114,7 +115,8 @@ std::optional<ResumedVariants> ArchiveSink::Continue(diag::Findings& findings) {
 
 std::optional<Checkpoint> ArchiveSink::LastValidCheckpoint(std::uint64_t most) const {
   const std::vector<manifest::SealedFile>& closed = journal_.closed();
-  // A partial file that still exists was never renamed, so a file with the final name is older.
+  // A partial file that still exists was never renamed, so the file with its final name comes from
+  // an earlier batch.
   const auto lost = std::ranges::find_if(closed, [&](const manifest::SealedFile& file) {
     return !IsIntact(file) || output::PartFile::Exists(destination_.Folder() / file.file);
   });
@@ -132,7 +134,7 @@ std::optional<Checkpoint> ArchiveSink::LastValidCheckpoint(std::uint64_t most) c
   std::vector<bytes::Prefix> prefixes;
   prefixes.reserve(candidates.size());
   for (const Checkpoint& checkpoint : candidates) prefixes.push_back(checkpoint.part);
-  // The first candidate is the start of the archive, which needs no check.
+  // The first candidate needs no check, because it is the start of the archive.
   const std::filesystem::path part =
       output::PartFile::TemporaryNameOf(FileOf(candidates.front().archive));
   const std::size_t sound =

@@ -14,8 +14,8 @@
 
 namespace mjforge::batch {
 
-/// Sink that appends segments, each with the members of one chunk, to archives in index order.
-/// Resumes an unfinished archive.
+/// Sink (output of a batch) that writes archives. Appends segments in index order; each segment
+/// contains the files of one chunk of variants. Resumes an unfinished archive.
 class ArchiveSink : public Sink {
  public:
   explicit ArchiveSink(const SinkOptions& options)
@@ -34,7 +34,7 @@ class ArchiveSink : public Sink {
   virtual std::filesystem::path FileOf(std::uint64_t number) const {
     return destination_.Archive(number);
   }
-  /// Returns true if mjforge made the existing file, which may then be replaced.
+  /// Returns true if mjforge made `file`, so that the file may be replaced.
   virtual bool IsOwn(const std::filesystem::path& file) const {
     return output::IsObjectArchive(file);
   }
@@ -43,11 +43,11 @@ class ArchiveSink : public Sink {
   virtual std::uint64_t CountClosed(std::uint64_t intact, std::uint64_t /*files*/) const {
     return intact;
   }
-  /// Appends an asset to the archive.
+  /// Appends an asset to the archive under construction.
   virtual bool AppendAsset(const std::string& name, std::string_view bytes,
                            diag::Findings& findings);
   /// Completes the file under construction, and gives the file its final name. `next` is the
-  /// checkpoint after the file.
+  /// checkpoint (state of all outputs) after this file.
   virtual bool CloseFile(const Checkpoint& next, diag::Findings& findings);
 
   std::unique_ptr<output::PartFile>& file() { return archive_; }

@@ -52,7 +52,7 @@ constexpr std::chrono::duration<double> WallLimit(std::chrono::duration<double> 
 /// Exit status of a process that ran out of memory, the same as for failed input or output.
 inline constexpr int kNoMemoryStatus = 3;
 
-/// Result of one variant.
+/// Result of one variant, as shown to an Observer.
 struct FinishedVariant {
   std::uint64_t index = 0;
   std::string name;
@@ -61,7 +61,7 @@ struct FinishedVariant {
   std::string place;  // path of the variant's file; empty: no file
 };
 
-/// Result of a batch.
+/// Counts of a batch's variants, and its findings.
 struct Summary : manifest::StatusCounts {
   std::uint64_t resumed = 0;  // variants that an earlier run made; included in the counts
   std::uint64_t count = 0;    // variants of the shard
@@ -80,7 +80,7 @@ inline constexpr std::size_t kMaxFindings = 50;
 
 /// Callbacks of the process that runs the batch; each may be empty.
 struct Observer {
-  std::function<void(std::uint64_t)> resumed;  // called at first with Summary::resumed, unless 0
+  std::function<void(std::uint64_t)> resumed;           // called first if Summary::resumed > 0
   std::function<void(const FinishedVariant&)> variant;  // called in index order
   std::function<void(const Summary&)> progress;         // called at least ten times a second
 };
@@ -90,7 +90,7 @@ struct Observer {
 Summary Run(const forge::Recipe& recipe, diag::Sources& sources, const Request& request,
             const Observer& observer);
 
-/// A range of variants.
+/// A range of consecutive variants, by their indices.
 struct IndexRange {
   std::uint64_t first = 0;
   std::uint64_t count = 0;
@@ -101,9 +101,10 @@ IndexRange RangeOfShard(const output::Shard& shard, const IndexRange& all,
                         const output::Destination& destination);
 
 /// Merges the manifests of all shards beside or in `destination` into one, and returns the number
-/// of variants. Compares with the shards' seals: the bytes of manifests, the sizes of archives, and
-/// the existence of all other files; with `verify`, the bytes of all files. Returns nullopt, after
-/// adding findings, if a shard is missing, differs from its seal or belongs to another batch.
+/// of variants. Compares files with the shards' seals (lists of sizes and checksums): the bytes of
+/// manifests, the sizes of archives, and the existence of all other files; with `verify`, the bytes
+/// of all files. Returns nullopt, after adding findings, if a shard is missing, differs from its
+/// seal or belongs to another batch.
 std::optional<std::uint64_t> Merge(const output::Destination& destination, bool verify,
                                    diag::Sources& sources, diag::Findings& findings);
 

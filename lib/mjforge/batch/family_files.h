@@ -12,10 +12,10 @@
 
 namespace mjforge::batch {
 
-/// Writes the family of a batch, or one family for each structure, from files with the rows of its
-/// variants. `record` has the fields that all records of the batch have in common; each family file
-/// contains these fields as facts. Returns the files, to which the caller must give their final
-/// names; an empty list after adding a finding.
+/// Writes the family of a batch, or one family for each structure. `rows` are the files that
+/// contain the numbers of the batch's variants. `record` has the fields that all records of the
+/// batch have in common; each family file contains these fields as facts. Returns the files, to
+/// which the caller must give their final names; an empty list after adding a finding.
 std::vector<std::unique_ptr<output::PartFile>> WriteFamilies(
     const output::Destination& destination, std::span<const std::filesystem::path> rows,
     const manifest::Record& record, const IndexRange& all, bool force, diag::Findings& findings);

@@ -10,13 +10,14 @@
 
 namespace mjforge::batch {
 
-/// Collects the variants of a chunk as rows of one or several families.
+/// Collects the numbers of a chunk's variants, one row per variant, for one or several families.
 class FamilyRows {
  public:
   /// Adds a valid variant to the rows of the family whose file is `file`. Returns false, after
   /// adding a finding, if the variant's arrays differ from the arrays of the file's first variant.
   bool Add(const forge::Variant& variant, const std::string& file, diag::Findings& findings);
-  /// Ends the chunk and returns the bytes of all families, each after its header.
+  /// Returns the rows collected so far as bytes, with a header before the rows of each family, and
+  /// removes them from this object.
   std::string Take();
 
  private:

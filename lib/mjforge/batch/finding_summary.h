@@ -26,9 +26,9 @@ class FindingSummary {
 
   explicit FindingSummary(std::size_t limit) : limit_(limit) {}
 
-  /// Adds the findings of one variant.
+  /// Adds the findings of one variant; with `as_warnings`, errors become warnings.
   void Add(const diag::Findings& findings, bool as_warnings);
-  /// Adds a group of another summary, about later variants.
+  /// Merges a group of another summary, whose variants must have higher indices.
   void Add(Group group);
   void AddNotShown(std::uint64_t count) { not_shown_ += count; }
 

@@ -28,7 +28,8 @@ class FolderSink : public Sink {
     RemoveAbandoned();
     std::optional<ResumedVariants> resumed =
         request_.resume ? Continue(findings) : ResumedVariants();
-    if (!resumed && !journal_.is_unfinished()) journal_.Drop();  // remove the files that Open made
+    // Remove the files that journal_.Open() created.
+    if (!resumed && !journal_.is_unfinished()) journal_.Drop();
     if (!resumed || (resumed->done() == 0 && !journal_.Start(checkpoint_, findings)))
       return std::nullopt;
     return resumed;
@@ -36,8 +37,8 @@ class FolderSink : public Sink {
 
   output::OverwritePolicy overwrite() const override {
     return {.force = request_.force,
-            // A batch without a sound seal is made again; its files keep their times if they are
-            // as they were.
+            // If the earlier batch cannot be resumed, its variants are made again. Files that do
+            // not change then keep their modification times.
             .if_changed = request_.if_changed || request_.resume,
             .durability = request_.durability,
             .assets = journal_.made_assets(),
@@ -102,7 +103,8 @@ class FolderSink : public Sink {
                                                                              : std::nullopt;
   }
 
-  // A missing file may be in the middle of a chunk, so cut the manifest after the last good record.
+  // Cuts the manifest after the last record whose files are unchanged, which may be in the middle
+  // of a chunk.
   bool RollBackTo(const ResumedVariants& resumed, diag::Findings& findings) {
     if (resumed.done() == 0) return true;
     Checkpoint last = journal_.checkpoints().front();
@@ -145,7 +147,7 @@ class FolderSink : public Sink {
   output::MadeFolders folders_;  // declared before journal_, to be destroyed after journal_
   Journal journal_;
   Checkpoint checkpoint_;
-  // Names and SHA-256 of the assets in the resumed records.
+  // Names and SHA-256 of the assets to which the resumed records refer.
   std::map<std::string, std::string> kept_assets_;
 };
 

@@ -17,8 +17,8 @@ using manifest::Seal;
 using manifest::SealedFile;
 using output::Durability;
 
-// A line consists of words and, at its end, the checksum of these words. The first line contains
-// the seal of the batch after this text.
+// A line consists of words and, at its end, the checksum of these words. The first line consists of
+// kBegin and the seal of the batch (its options, as JSON).
 constexpr std::string_view kBegin = "mjforge-journal 1 ";
 constexpr std::size_t kChecksumDigits = 16;
 
@@ -26,14 +26,14 @@ std::string WithChecksum(std::string_view words) {
   return fmt::format("{} {}", words, bytes::ChecksumOf(words).substr(0, kChecksumDigits));
 }
 
-// Returns the words of a line; nullopt if the checksum does not match.
+// Returns the words of a line of the journal; nullopt if the checksum does not match.
 std::optional<std::string_view> VerifiedWords(std::string_view line) {
   if (line.size() <= kChecksumDigits) return std::nullopt;
   const std::string_view words = line.substr(0, line.size() - kChecksumDigits - 1);
   return line == WithChecksum(words) ? std::optional(words) : std::nullopt;
 }
 
-// Returns true for JSON that contains nothing that could be lost.
+// Returns true for an empty JSON object, an empty list and null, which may be overwritten.
 bool IsEmptyJson(std::string text) {
   std::erase_if(text, [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; });
   return text == "{}" || text == "[]" || text == "null";
@@ -93,7 +93,7 @@ bool Journal::Open(diag::Findings& findings) {
   return false;
 }
 
-// Removes the files that Open made.
+// Removes those files of Open() that are empty.
 void Journal::DropEmpty() {
   for (const auto& file : {&manifest_file_, &journal_file_}) {
     if (*file && (*file)->size() == 0) (*file)->Drop();
@@ -104,7 +104,7 @@ void Journal::DropEmpty() {
 bool Journal::IsOfThisBatch(diag::Findings& findings) const {
   const std::filesystem::path& manifest = is_unfinished_ ? part() : file_;
   const std::optional<Seal>& seal = is_unfinished_ ? journal_seal_ : previous_seal_;
-  if (!seal) {  // the first record has the options that determine the objects
+  if (!seal) {  // compare the first record, which has the options that determine the objects
     const auto is_enough = [](const manifest::Record&) { return false; };
     return ReadResumable(manifest, options_, is_enough, findings).has_value();
   }
@@ -295,8 +295,9 @@ bool Journal::AddCheckpoint(const Checkpoint& checkpoint, diag::Findings& findin
 bool Journal::AddClosedArchive(SealedFile archive, const Checkpoint& next,
                                diag::Findings& findings) {
   const bool is_durable = options_.request.durability == Durability::kBatch;
-  // The name of the partial file must be on the disk before the journal mentions the archive,
-  // because this name shows after a power cut that a file with the final name is an older one.
+  // The partial file's name must be on the disk before the journal mentions the archive. After a
+  // power cut, the existence of the partial file shows that a file with the final name is an older
+  // one.
   if (is_durable && !output::SyncFolder(file_.parent_path(), false, findings)) return false;
   const std::string line =
       fmt::format("closed {} {} {}", archive.content.size, archive.content.checksum, archive.file);
@@ -316,7 +317,8 @@ bool Journal::Finish(diag::Findings& findings) {
   seal_.manifest.content = {manifest_file_->size(), manifest_file_->checksum()};
   seal_.archives = closed_;
   const bool if_changed = request.if_changed || request.resume;
-  // The manifest gets its final name last, because this name promises that all other files exist.
+  // The manifest gets its final name last, because a manifest with this name means that all other
+  // files exist.
   if (!output::WriteFile(manifest::SealPathOf(file_), manifest::SealText(seal_), if_changed,
                          findings, request.durability) ||
       !manifest_file_->Commit(if_changed, request.durability, findings)) {

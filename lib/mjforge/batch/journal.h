@@ -15,7 +15,7 @@
 
 namespace mjforge::batch {
 
-/// State of manifest and archives at the end of a chunk.
+/// State of manifest and archives after a chunk (consecutive variants made by one worker).
 struct Checkpoint {
   std::uint64_t next = 0;           // index of the first variant that is not written
   bytes::Prefix manifest;           // size and checksum of the manifest
@@ -32,8 +32,8 @@ class Journal {
   explicit Journal(const SinkOptions& options);
 
   /// Opens manifest and journal. Returns false, after adding a finding, if another process has
-  /// opened them, if existing files were not made by mjforge, or if a batch to resume has another
-  /// output.
+  /// opened them, if existing files were not made by mjforge, or if the batch to resume has other
+  /// options.
   bool Open(diag::Findings& findings);
 
   /// Returns true if an earlier run left a batch under construction.
@@ -44,11 +44,12 @@ class Journal {
   std::uint64_t CountBefore(const Checkpoint& checkpoint) const {
     return checkpoint.next - checkpoints_.front().next;
   }
-  /// Closed archives, in order.
+  /// Complete archives, in the order of their completion.
   const std::vector<manifest::SealedFile>& closed() const { return closed_; }
-  /// Seal of the previous, finished batch; empty if there is none.
+  /// Seal (options, sizes and checksums of files) of the previous, finished batch; empty if there
+  /// is none.
   const std::optional<manifest::Seal>& previous_seal() const { return previous_seal_; }
-  /// Returns true if an earlier run of this batch made that archive.
+  /// Returns true if an earlier run of this batch made the archive with this name.
   bool HasMadeArchive(const std::string& archive) const;
   /// Names and SHA-256 of the assets of all records so far.
   const std::map<std::string, std::string>& assets() const { return seal_.assets; }
@@ -70,7 +71,7 @@ class Journal {
   /// Adds an asset of the folder or of the archive under construction. Returns false, after adding
   /// a finding, if an asset with that name has had another hash.
   bool AddAsset(const HashedAsset& asset, diag::Findings& findings);
-  /// Adds a checkpoint, with the present state of the manifest in place of checkpoint.manifest.
+  /// Adds a checkpoint, but with the present size and checksum of the manifest.
   bool AddCheckpoint(const Checkpoint& checkpoint, diag::Findings& findings);
   /// Adds an archive that is about to be renamed to its final name, and the checkpoint after it.
   /// From then on, HasMadeArchive recognizes the archive.

@@ -70,7 +70,7 @@ class ShardMerger {
  private:
   bool is_family() const { return destination_.kind == output::Destination::Kind::kFamily; }
 
-  // Writes the families of all shards, whose archives are files of rows.
+  // Merges the rows of all shards (their archives) into the family files of the whole batch.
   bool WriteFamily() {
     std::vector<std::filesystem::path> rows;
     for (const manifest::SealedFile& file : whole_.archives)

@@ -31,13 +31,15 @@ struct QuarantinedVariant {
   std::string how;  // end of the worker: "was killed by SIGSEGV"
 };
 
-/// Work for a worker: the variants to make, and those of them that are recorded as failed instead.
+/// Work for a worker: the variants to make. Variants in `quarantined` are not made, but recorded as
+/// failed.
 struct Task {
   Chunk chunk;
   std::vector<QuarantinedVariant> quarantined;
 };
 
-/// Text of a source that findings refer to and that only the worker has read.
+/// Text of a file that findings quote, and that the worker has read but the leading process has
+/// not.
 struct SourceText {
   std::uint32_t number = 0;  // number in the worker's diag::Sources
   std::string name;
@@ -54,7 +56,7 @@ struct HashedAsset {
   bool operator==(const HashedAsset&) const = default;
 };
 
-/// Result of a task.
+/// Result of a task, as the worker sends it to the leading process.
 struct ChunkResult {
   Chunk chunk;
   std::uint64_t done = 0;  // finished variants; less than chunk.count if stopped or failed

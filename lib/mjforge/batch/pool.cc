@@ -27,7 +27,7 @@ using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
 constexpr int kPollMilliseconds = 100;
-// Most results fit into a buffer of this size, which saves context switches.
+// Size of a channel's buffers. Most results fit into such a buffer, which saves context switches.
 constexpr int kBufferBytes = 1 << 20;
 constexpr int kBugStatus = 70;  // EX_SOFTWARE of sysexits.h
 // Limit of consecutive deaths of workers between variants, after which the batch fails.
@@ -134,7 +134,8 @@ std::shared_ptr<WorkerMailbox> MakeMailbox() {
           [](WorkerMailbox* mailbox) { ::munmap(mailbox, sizeof(WorkerMailbox)); }};
 }
 
-// Decodes the next message in the mailbox; the result holds the buffer until it is destroyed.
+// Decodes the next message in the mailbox. The message's buffer is free again when the result is
+// destroyed.
 ChunkResult ReadSharedResult(const std::shared_ptr<WorkerMailbox>& mailbox) {
   const std::string_view message = mailbox->Take();
   return DecodeResult(
@@ -253,8 +254,8 @@ void Pool::Send(WorkerProcess& worker, Task task) {
   if (worker.assigned.empty()) RecordProgress(worker);
   const std::string message = Encode(task);
   worker.assigned.push_back(std::move(task));
-  WriteMessage(worker.channel,
-               message);  // a failure means that the worker is dead; Receive replaces it
+  // A failure means that the worker is dead; Receive() replaces the worker.
+  WriteMessage(worker.channel, message);
 }
 
 bool Pool::IsBusy() const {
@@ -358,7 +359,7 @@ void Pool::KillSlowWorkers() {
   }
 }
 
-// Results of begun tasks contain the variants made so far.
+// Asks the workers to stop. The results of unfinished tasks contain the variants made so far.
 void Pool::AskToStop() {
   stopped_ = true;
   waiting_.clear();

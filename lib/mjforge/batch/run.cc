@@ -18,7 +18,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Approximate limit of the memory of results that wait for an earlier one.
+// Approximate limit, in bytes, of results that wait because a result with lower indices is missing.
 constexpr std::size_t kMaxWaitingBytes = std::size_t{8} << 20;
 // Time that workers have to finish their current variants after a signal.
 constexpr std::chrono::seconds kGrace{2};
@@ -26,8 +26,9 @@ constexpr auto kProgressEvery = std::chrono::milliseconds(100);
 
 std::uint64_t Cores() { return std::max(1U, std::thread::hardware_concurrency()); }
 
-// Warns if a sampler or an exact choice cannot cover the batch evenly, because the batch overlaps
-// several blocks, or because a grid has more or fewer points than the batch has variants.
+// Warns if this batch does not cover the values of a sampler or of an exact choice evenly. Reasons
+// are that the batch overlaps several blocks of `options.batch` variants, or that a grid has more
+// or fewer points than the batch has variants.
 void CheckSpread(const forge::Recipe& recipe, const Request& request, diag::Findings& findings) {
   const forge::Options& options = request.variant;
   const std::uint64_t size = options.batch;
@@ -76,7 +77,7 @@ class BatchRun {
       static_cast<manifest::StatusCounts&>(summary_) = *resumed;
       summary_.resumed = resumed->done();
       if (observer_.resumed && summary_.resumed > 0) observer_.resumed(summary_.resumed);
-      has_lost_worker_ = summary_.resumed < range_.count;  // assume a loss until Make succeeds
+      has_lost_worker_ = summary_.resumed < range_.count;  // until Make() succeeds
       try {
         Make(*sink, output_findings);
       } catch (const std::runtime_error& error) {
@@ -99,7 +100,8 @@ class BatchRun {
     if (todo.count == 0) return;
     const std::uint64_t jobs = std::min(request_.jobs == 0 ? Cores() : request_.jobs, todo.count);
     Schedule schedule(all_, todo, request_.destination, jobs);
-    // Without validation, workers finish tasks faster than the system schedules the leader.
+    // Assign more tasks in advance if variants are not validated, because workers then finish tasks
+    // faster than the system schedules the leader.
     const bool is_quick = request_.variant.validation == manifest::Validation::kNone;
     const Request request = WithSuperset();
     Pool pool(jobs, is_quick ? kMaxTasksPerWorker : 2, request_.time_limit, [&] {
@@ -135,7 +137,8 @@ class BatchRun {
     has_lost_worker_ = pool.has_lost_worker();
   }
 
-  // Returns the request with the geoms that all padded variants get, found once for all workers.
+  // Returns the request with the superset, the geoms that padding adds to every variant. The
+  // superset is found here, once, and not by each worker.
   Request WithSuperset() const {
     Request request = request_;
     if (request.variant.pad == 0) return request;
@@ -154,7 +157,7 @@ class BatchRun {
   // Returns true if the next result in index order is available.
   bool HasNext() const { return !waiting_.empty() && waiting_.begin()->first == next_; }
 
-  // Takes the next result; returns false if the batch must stop.
+  // Writes the next result to the sink; returns false if the batch must stop.
   bool TakeNext(Sink& sink, diag::Findings& output_findings) {
     ChunkResult result = std::move(waiting_.extract(waiting_.begin()).mapped());
     waiting_bytes_ -= SizeOf(result);
@@ -168,7 +171,7 @@ class BatchRun {
     }
     if (taken) Count(result);
     next_ = result.chunk.end();
-    // A result with fewer variants comes from a worker that was asked to stop.
+    // A result has fewer variants than its task if the worker was asked to stop.
     return !summary_.files_failed && result.done == result.chunk.count;
   }
 
@@ -181,7 +184,8 @@ class BatchRun {
     for (const FinishedVariant& done : result.variants) observer_.variant(done);
   }
 
-  // Adds each source of a worker once, and replaces the worker's numbers by the leader's.
+  // Adds the texts that only workers have read to sources_, each text once. Replaces the worker's
+  // numbers of texts in findings by the numbers in sources_.
   void RenumberSources(ChunkResult& result) {
     std::map<std::uint32_t, std::uint32_t> numbers;
     for (SourceText& source : result.sources) {

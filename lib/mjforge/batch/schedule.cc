@@ -22,7 +22,7 @@ Schedule::Schedule(const IndexRange& all, const IndexRange& todo,
       per_archive_(destination.per_archive),
       size_(kSegmentVariants) {
   if (!destination.IsArchive()) {
-    constexpr std::uint64_t kChunksPerJob = 8;  // keeps the last chunks small
+    constexpr std::uint64_t kChunksPerJob = 8;  // small chunks keep all jobs busy until the end
     size_ = std::clamp<std::uint64_t>(todo.count / (kChunksPerJob * jobs), 1, kSegmentVariants);
   }
 }

@@ -10,11 +10,11 @@
 
 namespace mjforge::batch {
 
-/// Number of variants in a segment of an archive. Constant, because the bytes of a compressed
-/// archive depend on the ends of its segments.
+/// Number of variants in a segment, the part of an archive that one worker makes at a time.
+/// Constant, because the bytes of a compressed archive depend on the ends of its segments.
 inline constexpr std::uint64_t kSegmentVariants = 64;
 
-/// Divides a range of variants into consecutive chunks.
+/// Divides a range of variants into consecutive chunks, each of which is a worker's task.
 class Schedule {
  public:
   /// Divides `todo`, the variants to make. Archives are counted from the start of `all`, the whole

@@ -11,7 +11,7 @@
 namespace mjforge::batch {
 namespace {
 
-// Limit of assets whose results are remembered.
+// Maximum number of assets whose check results are kept in memory.
 constexpr std::size_t kMaxRememberedAssets = 10'000;
 
 void ReportDamage(const std::filesystem::path& file, const std::string& why_not,
@@ -100,7 +100,7 @@ bool ObjectChecker::Check(const manifest::Record& record, diag::Findings& findin
 
 bool ObjectChecker::CheckAssets(const manifest::Record& record, diag::Findings& findings) {
   const std::filesystem::path folder = (folder_ / record.file).parent_path();
-  // Limit the memory, because each record may have generated assets of its own.
+  // Limit the memory for check results, because each record may have generated assets of its own.
   if (assets_.size() > kMaxRememberedAssets) assets_.clear();
   return std::ranges::all_of(record.assets, [&](const auto& asset) {
     const auto& [name, sha256] = asset;

@@ -19,8 +19,8 @@ namespace mjforge::batch {
 /// read.
 std::vector<std::string> NamesIn(const std::filesystem::path& folder, diag::Findings& findings);
 
-/// Returns true if the size or, with `verify`, the checksum of the file in `folder` matches its
-/// seal; otherwise adds a finding.
+/// Returns true if the size or, with `verify`, the checksum of the file in `folder` has the value
+/// in the seal (list of a batch's files); otherwise adds a finding.
 bool CheckSealed(const std::filesystem::path& folder, const manifest::SealedFile& file, bool verify,
                  diag::Findings& findings);
 
@@ -28,7 +28,8 @@ bool CheckSealed(const std::filesystem::path& folder, const manifest::SealedFile
 void ReportMissingShard(const output::Shard& shard, const std::filesystem::path& manifest,
                         diag::Findings& findings);
 
-/// Compares the files of a folder with records. Reads an asset of several objects only once.
+/// Compares the files of a folder with the hashes in records. Reads an asset that several objects
+/// use only once.
 class ObjectChecker {
  public:
   ObjectChecker(std::filesystem::path folder, bool verify)

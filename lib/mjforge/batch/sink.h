@@ -1,4 +1,4 @@
-// Sinks: the destinations of a batch, as used by its leading process.
+// Sinks: the outputs of a batch (a folder, archives, ...), which its leading process writes.
 
 #pragma once
 
@@ -53,8 +53,9 @@ struct SinkOptions {
   const manifest::Record& batch;
 };
 
-/// Reads the records of `manifest` from the start, until `options.range` or `most` records are
-/// complete or `is_good`, unless null, rejects one. Returns nullopt, after adding a finding, if a
+/// Reads the records of `manifest` from the start. Stops after the records of `options.range`,
+/// after `most` records, or before a record that is damaged, that `is_good` (unless null) rejects,
+/// or whose variant failed because its worker died. Returns nullopt, after adding a finding, if a
 /// record belongs to another batch or does not have the next index.
 std::optional<ResumedVariants> ReadResumable(
     const std::filesystem::path& manifest, const SinkOptions& options,

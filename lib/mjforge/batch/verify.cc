@@ -17,7 +17,7 @@ constexpr std::string_view kManifestEnding = ".jsonl";
 constexpr std::string_view kCompressedEnding = ".zst";
 constexpr std::string_view kPartEnding = ".part";
 
-// Returns true for the name of a whole batch's manifest, that is, not of a shard's.
+// Returns true for the name of a manifest of a whole batch; false for the manifest of a shard.
 bool IsWholeManifest(std::string_view name) {
   return name.find("manifest.jsonl") != name.npos && output::IsManifestName(name);
 }
@@ -45,7 +45,8 @@ class Verification {
   }
 
  private:
-  /// Returns the manifest that the seal names or, if the seal cannot be read, would name.
+  /// Returns the manifest that the seal names. If the seal cannot be read, returns the compressed
+  /// manifest if this file exists, otherwise the path of the uncompressed manifest.
   static std::filesystem::path ManifestOf(std::filesystem::path seal) {
     seal.replace_extension().replace_extension(kManifestEnding);
     std::filesystem::path compressed = seal;
@@ -166,7 +167,8 @@ class Verification {
     return is_good;
   }
 
-  // Returns the destination of a series of archives or of families; nullopt for another name.
+  // Returns the destination that has this name, if it is a series of archives or of families;
+  // otherwise nullopt.
   static std::optional<output::Destination> SeriesOf(const std::filesystem::path& what) {
     std::string ignored;
     std::optional<output::Destination> series = output::ParseDestination(what.string(), 1, ignored);
@@ -175,7 +177,7 @@ class Verification {
     return series;
   }
 
-  // Checks the batches and shards whose seals name the series.
+  // Checks the batches and shards whose seals name this series of archives or of families.
   void CheckSeries(const output::Destination& series) {
     bool is_sealed = false;
     for (const std::string& name : NamesIn(series.Folder(), findings_)) {

@@ -64,7 +64,7 @@ class ChunkMaker {
     result.findings.assign(finding_summary.groups().begin(), finding_summary.groups().end());
     for (const FindingSummary::Group& group : result.findings) AddSources(group.finding, result);
     for (const diag::Finding& finding : result.output_findings) AddSources(finding, result);
-    // Report the sources that were added since the last task: attached files.
+    // Report the files that were read since the last task: attached MJCF files.
     while (reported_sources_ < sources_.size())
       result.inputs.push_back(sources_.Name(++reported_sources_));
     return result;
@@ -82,7 +82,7 @@ class ChunkMaker {
     }
   }
 
-  // The finding has no place in the spec, because the leader does not know the cause of the death.
+  // The finding has no place in the spec, because the cause of the death is unknown.
   diag::Finding FindingOf(const QuarantinedVariant& quarantined) const {
     diag::Finding finding;
     finding.code = quarantined.too_slow ? diag::Code::kBatchTooSlow : diag::Code::kBatchWorkerDied;
@@ -211,7 +211,7 @@ class ChunkMaker {
     }
   }
 
-  // Adds the sources of a finding that the leader does not have.
+  // Adds to the result the texts that the finding quotes and that the leader does not have.
   void AddSources(const diag::Finding& finding, ChunkResult& result) {
     const auto add = [&](diag::SourceMark mark) {
       const bool is_known = mark.file <= leader_sources_ ||
@@ -226,8 +226,8 @@ class ChunkMaker {
   const Request& request_;
   bool lists_variants_;
   diag::Sources& sources_;
-  std::uint32_t leader_sources_;    // number of sources that the leading process has
-  std::uint32_t reported_sources_;  // number of sources that the leader has or that were reported
+  std::uint32_t leader_sources_;    // number of texts that the leading process has
+  std::uint32_t reported_sources_;  // number of texts that the leader has or that were reported
   std::set<std::string> reported_assets_;
   forge::Generator generator_;
   output::ObjectFolder folder_;

@@ -10,8 +10,9 @@ namespace mjforge::batch {
 /// Returns the options with which the request's variants are made.
 forge::Options OptionsOf(const Request& request);
 
-/// Returns the path of the file beside the manifest that has the snapshot in forge::Recipe:
-/// DIR/manifest.spec.json, STEM.manifest.spec.json, for all shards of a batch.
+/// Returns the path of the snapshot (copy of the spec, forge::Recipe::snapshot) beside the
+/// manifest: DIR/manifest.spec.json or STEM.manifest.spec.json. All shards of a batch have one
+/// snapshot.
 std::filesystem::path SnapshotPath(const output::Destination& destination);
 
 /// Makes a handler that makes the variants of a task and, if the destination is a folder, writes

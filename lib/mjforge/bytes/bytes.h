@@ -108,8 +108,8 @@ using Assets = std::vector<Asset>;
 /// `why_not`.
 bool MayRead(const std::filesystem::path& file, std::uint64_t limit, std::string& why_not);
 
-/// Returns the hint for a pipe that a user names where "-" is possible, too; an empty text for
-/// other files.
+/// If `file` is a pipe, returns a hint to pass "-" (standard input) instead; otherwise an empty
+/// text.
 std::string PipeHint(const std::filesystem::path& file);
 
 /// Returns true for a regular file of this size. Otherwise sets `why_not` ("it has 12 bytes, not
@@ -141,20 +141,20 @@ class Checksum {
 /// Returns the checksum of `bytes`, in hexadecimal.
 std::string ChecksumOf(std::string_view bytes);
 
-/// Length and checksum of the beginning of a file.
+/// Length and checksum of the first bytes of a file, or of a whole file.
 struct Prefix {
   std::uint64_t size = 0;
   std::string checksum;
 };
 /// Compares the beginnings of the file with `prefixes`, in ascending order of size. Returns the
-/// number of prefixes before the first that does not match; 0 if the file cannot be read.
+/// number of prefixes before the first prefix that does not match; 0 if the file cannot be read.
 std::size_t CountSound(const std::filesystem::path& file, std::span<const Prefix> prefixes);
 
 enum class Soundness { kSound, kChanged, kUnreadable };
-/// Compares a file with its size and checksum; sets `why_not` ("it has 12 bytes, not 40", "Too many
-/// open files") unless it is sound.
+/// Compares a file with its expected size and checksum. Unless both match, sets `why_not` ("it has
+/// 12 bytes, not 40", "Too many open files").
 Soundness Compare(const std::filesystem::path& file, const Prefix& whole, std::string& why_not);
-/// Returns true if a file is sound; sets `why_not` otherwise.
+/// Returns true if a file has the expected size and checksum; sets `why_not` otherwise.
 bool IsSound(const std::filesystem::path& file, const Prefix& whole, std::string& why_not);
 
 /// Returns the SHA-256 hash of `bytes`, in hexadecimal.

@@ -43,7 +43,7 @@ void SetTexts(PngWriter& writer, const PngTexts& texts) {
   for (const auto& [key, value] : texts) {
     png_text& chunk = chunks.emplace_back();
     chunk.compression = PNG_TEXT_COMPRESSION_NONE;
-    // libpng does not change the texts, but its interface lacks `const`.
+    // libpng does not change the texts, but its structure requires pointers to non-constant text.
     chunk.key = const_cast<char*>(key.c_str());
     chunk.text = const_cast<char*>(value.c_str());
     chunk.text_length = value.size();

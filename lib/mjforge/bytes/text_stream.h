@@ -15,7 +15,8 @@
 
 namespace mjforge::bytes {
 
-/// The text of a file from the start of a section to the end of the file.
+/// The text of a file from the start of a section (a range of the file's offsets) to the end of the
+/// file.
 class TextStream {
  public:
   TextStream(File file, bool is_compressed, const Section& section);
@@ -23,7 +24,7 @@ class TextStream {
   /// Reads at least one byte, unless the text ends, and never across the end of the section.
   /// Returns the number of bytes read; nullopt, and sets `why_not`, if reading fails.
   std::optional<std::size_t> Read(std::span<char> buffer, std::string& why_not);
-  /// Returns the number of bytes read so far that are behind the end of the section.
+  /// Returns the number of bytes, of those read so far, that are behind the end of the section.
   std::uint64_t bytes_after_section() const { return bytes_after_section_; }
   /// Returns true if the file ends within a Zstandard frame.
   bool ends_in_frame() const { return is_at_end_ && is_in_frame_; }

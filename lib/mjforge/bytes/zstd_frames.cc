@@ -15,8 +15,8 @@
 namespace mjforge::bytes {
 namespace {
 
-// Level of compression. Records consist mostly of digits that do not repeat, so higher levels are
-// slower and gain nothing.
+// Level of compression. The compressed texts (records of variants) consist mostly of digits that do
+// not repeat, so higher levels are slower and gain nothing.
 constexpr int kLevel = 1;
 
 // Number of bytes read at a time to find the frames of a file without a seek table.
@@ -100,7 +100,7 @@ std::vector<Frame> FromWholeFile(File& file, std::uint64_t size, std::string& wh
       at += count;
       left.remove_prefix(count);
     }
-    // Doubles the piece if not even one frame ends within the piece.
+    // Doubles the number of bytes to read if they do not contain a whole frame.
     piece = left.size() == bytes.size() ? 2 * piece : kPieceBytes;
   }
   return frames;

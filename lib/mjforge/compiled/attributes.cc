@@ -123,7 +123,8 @@ constexpr Kind kKinds[] = {
     {mjOBJ_TENDON, kTendon},     {mjOBJ_ACTUATOR, kActuator}, {mjOBJ_PAIR, kPair},
     {mjOBJ_EQUALITY, kEquality}, {mjOBJ_MATERIAL, kMaterial}, {mjOBJ_SENSOR, kSensor}};
 
-/// Returns the row of the array; nullopt if the attribute does not apply to the element.
+/// Returns the row of the field's array that belongs to element `id`; nullopt if the attribute does
+/// not apply to the element.
 std::optional<int> RowOf(const mjModel& m, const ArrayField& field, int id) {
   if (field.needs != nullptr && (m.*field.needs)[id] == 0) return std::nullopt;
   if (field.rows == Rows::kElement) return id;

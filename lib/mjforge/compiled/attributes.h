@@ -28,10 +28,12 @@ struct ArrayField {
   /// MuJoCo's default; nullopt if the attribute has no default.
   std::optional<std::array<double, 6>> usual = std::array<double, 6>{};
   Rows rows = Rows::kElement;
-  Flags needs = nullptr;                       // flag that enables the attribute; null: none
-  engine::Count mjModel::*variable = nullptr;  // count of user values, instead of `count`
+  Flags needs = nullptr;  // array of flags that enable the attribute; null: none
+  // Member with the number of user values (nuser_geom, ...), instead of `count`; null: none.
+  engine::Count mjModel::*variable = nullptr;
 
-  /// Returns true for flags. `directional` of lights is a flag, too, although a number since 3.3.3.
+  /// Returns true for attributes with the values true and false. `directional` of lights is
+  /// included, although it is a number in mjModel since 3.3.3.
   bool IsFlag() const { return std::holds_alternative<Flags>(array) || attribute == "directional"; }
   bool IsFloat() const { return std::holds_alternative<float * mjModel::*>(array); }
 };

@@ -49,7 +49,7 @@ void WritePose(const model::Pose& X, mjtNum* pos, mjtNum* quat);
 /// Converts an mjtGeom; nullopt for planes and height fields, which belong to scenes.
 std::optional<model::GeomType> GeomTypeOf(int mjtgeom);
 
-/// Returns true if a geom's contact bits let it collide.
+/// Returns true if a geom has any bit in contype or conaffinity.
 bool Collides(const mjModel& m, int geom);
 
 /// Returns X_WG of a geom, as computed by mj_kinematics.
@@ -59,7 +59,8 @@ model::Pose GeomPose(const mjData& d, int geom);
 /// have single precision.
 model::TriangleMesh MeshOf(const mjModel& m, int mesh);
 
-/// Exact bounding box of a geom at a pose. Empty for planes and height fields.
+/// Returns the exact bounding box, in frame A, of a geom at the pose `X_AG`. The box is empty for
+/// planes and height fields.
 model::Box3 GeomBox(const mjModel& m, int geom, const model::Pose& X_AG);
 
 /// Bounding box, in the world frame, of all colliding geoms at the poses that mj_kinematics
@@ -93,8 +94,8 @@ std::array<mjtNum, 4> BallAt(const mjModel& m, int joint, const Eigen::Vector3d&
 /// Returns mass, centre of mass and inertia of a body, in the body's frame.
 model::MassProperties MassOf(const mjModel& m, int body);
 
-/// Reads a body without its joints and parts. Body::parent is MuJoCo's id minus 1, so that the
-/// world is -1.
+/// Reads a body without its joints and without its geoms (Body::parts). Body::parent is MuJoCo's id
+/// minus 1, so that the world is -1.
 model::Body BodyOf(const mjModel& m, int id);
 model::Joint JointOf(const mjModel& m, int id);
 /// Reads a geom without its attributes and mass. A mesh geom has no Shape::mesh; its pose is the
@@ -103,9 +104,10 @@ std::optional<model::Part> PartOf(const mjModel& m, int id);
 
 /// Names given to elements that have no name: empty, or the result of NameOf().
 enum class Nameless { kEmpty, kNumbered };
-/// Reads the bodies with joints and parts as the functions above do, and also the `group` of parts.
-/// Mass and bounds of the object are in the world frame, at StartOf(). The bounds contain only
-/// `aabb`, the box around all colliding parts. All elements get the source mark `mark`.
+/// Reads all bodies with BodyOf(), their joints, and their parts with PartOf(), and also the
+/// `group` of parts. Mass and bounds of the object are in the world frame, at StartOf(). The bounds
+/// contain only `aabb`, the box around all colliding parts. All elements get the source mark
+/// `mark`.
 model::Object ObjectOf(const mjModel& m, diag::SourceMark mark, Nameless nameless);
 
 }  // namespace mjforge::compiled

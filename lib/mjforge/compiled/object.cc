@@ -19,8 +19,8 @@ void AddMass(const model::MassProperties& mass_W, model::MassProperties& sum) {
   sum = sum.mass > 0 ? model::Combine(sum, mass_W) : mass_W;
 }
 
-// Sets start position and `ref` of the body's last joint, whose id is `id`, if the model has a
-// start keyframe.
+// Copies a joint's start position, and its `ref`, to the last joint of `body`, if the model has a
+// start keyframe. `id` is MuJoCo's id of the joint.
 void SetStart(const mjModel& m, int id, model::Body& body) {
   const mjtNum* start = StartOf(m).data();
   if (start == m.qpos0) return;

@@ -23,8 +23,8 @@
 
 namespace mjforge::diag {
 
-/// A place in one of the texts of a Sources. Lines and columns count from 1, columns in bytes. A
-/// default-constructed mark has no place, and is false.
+/// A place in a text of Sources. Lines and columns count from 1, columns in bytes. A
+/// default-constructed mark has no place, and converts to false.
 struct SourceMark {
   std::uint32_t file = 0;  // 1-based number in Sources
   std::uint32_t line = 0;
@@ -38,9 +38,9 @@ struct SourceMark {
 /// findings quote lines of the texts.
 class Sources {
  public:
-  /// Adds a text and returns its number, which marks contain. Messages show `name` unchanged. If a
-  /// file is too long to be stored, `text` may be a piece of the file that begins at line
-  /// `first_line`.
+  /// Adds a text and returns its number, which marks contain (SourceMark::file). Messages show
+  /// `name` unchanged. If a file is too long to be stored, `text` may be a piece of the file that
+  /// begins at line `first_line`.
   std::uint32_t Add(std::string name, std::string text, std::uint32_t first_line = 1);
 
   const std::string& Name(std::uint32_t file) const { return files_[file - 1].name; }

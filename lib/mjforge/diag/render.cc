@@ -29,7 +29,7 @@ std::string Painted(std::string_view text, std::string_view paint, bool color) {
 
 bool IsContinuation(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
-// The part of a source line around the caret.
+// The part of a source line around the caret, as terminal cells (one per character).
 struct Excerpt {
   std::vector<TerminalCell> cells;
   // Index of the cell above the caret; cells.size() if the caret is after the last cell.
@@ -62,7 +62,8 @@ int WidthOf(const Excerpt& excerpt, std::size_t begin, std::size_t end) {
   return width;
 }
 
-// Removes the cells that are farthest from the caret until the excerpt fits into a line of output.
+// Removes the characters that are farthest from the caret until the excerpt fits into a line of
+// output.
 void Fit(Excerpt& excerpt) {
   const std::size_t count = excerpt.cells.size();
   if (!excerpt.cut_front && !excerpt.cut_back && WidthOf(excerpt, 0, count) <= kLineColumns) return;

@@ -18,8 +18,8 @@ struct TerminalCell {
   int width = 1;
 };
 
-/// Returns the cell of `character`, the first character of `text`. Unsafe characters are escaped
-/// like in SafeText().
+/// Returns the safe text and width of `character`, the first character of `text`. Unsafe characters
+/// are escaped like in SafeText().
 TerminalCell SafeCell(std::string_view text, Utf8Char character);
 
 /// Returns the text with every invalid byte replaced by U+FFFD.

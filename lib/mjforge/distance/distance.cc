@@ -149,10 +149,10 @@ class Penetration {
   }
 
  private:
-  // Limit of calls of Support(), which then stops libccd's refinement by returning the origin, a
-  // point that is no farther than the points that libccd has. Without a limit, libccd would refine
-  // its polytope in all directions for nearly concentric round shapes, whose depth is the same in
-  // each.
+  // Maximum number of calls of Support(). Further calls return the origin, which stops libccd's
+  // refinement, because the origin is no farther than the points that libccd has. Without a limit,
+  // libccd would refine its polytope in all directions for nearly concentric round shapes, whose
+  // depth is equal in all directions.
   static constexpr int kMostCalls = 1000;
 
   static void SupportOfA(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* point) {
@@ -179,7 +179,8 @@ class Penetration {
     return direction.dot(FarthestOfCore(a_, direction) - FarthestOfCore(b_, -direction)) / size_;
   }
 
-  // Returns the smallest Reach() near a direction or its opposite, by pattern search.
+  // Returns the smallest Reach() among directions near `direction` or near its opposite, found by
+  // pattern search.
   double Refined(const Vector3d& direction) const {
     Vector3d best = Reach(direction) < Reach(-direction) ? direction : Vector3d(-direction);
     double least = Reach(best);
@@ -206,8 +207,8 @@ class Penetration {
   mutable int calls_ = 0;
 };
 
-// Returns the vector from the nearest point of core B to the nearest point of core A, m; a longer
-// vector between two points if the cores are farther apart than `limit`.
+// Returns the vector from the nearest point of core B to the nearest point of core A, m. If the
+// cores are farther apart than `limit`, returns a vector between any two of their points.
 Vector3d BetweenCores(const PlacedShape& a, const PlacedShape& b, double size,
                       double limit = std::numeric_limits<double>::infinity()) {
   const auto difference = [&](const Vector3d& direction) {

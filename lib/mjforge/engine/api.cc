@@ -82,8 +82,8 @@ BufferSizes BufferSizesOf(const mjModel& m) {
 void SetBufferSizes(mjModel& m, const BufferSizes& sizes) {
   m.nconmax = sizes.contacts;
   m.njmax = sizes.rows;
-  constexpr double kMost =
-      std::numeric_limits<int>::max() / 16.0;  // MuJoCo counts the bytes in an int
+  // MuJoCo computes the size of the stack in bytes (8 per number) as an int.
+  constexpr double kMost = std::numeric_limits<int>::max() / 16.0;
   m.nstack = static_cast<int>(std::min(sizes.numbers, kMost));
 }
 #endif

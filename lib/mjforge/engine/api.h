@@ -96,8 +96,9 @@ inline constexpr int kDisablePassive = mjDSBL_SPRING | mjDSBL_DAMPER;
 inline constexpr int kDisablePassive = mjDSBL_PASSIVE;
 #endif
 
-/// Updates the body of a geom that was moved or got more bits of contype or conaffinity, because
-/// later releases store a bounding volume hierarchy and these bits for each body.
+/// Call this function after moving a geom or adding bits to its contype or conaffinity. Releases
+/// from 2.3.3 on store a bounding volume hierarchy for each body, which is disabled here; releases
+/// from 3.0 on also store these bits for each body, which are updated here.
 inline void UpdateBodyOf([[maybe_unused]] mjModel& m, [[maybe_unused]] int geom) {
 #if mjVERSION_HEADER >= 233
   m.opt.disableflags |= mjDSBL_MIDPHASE;

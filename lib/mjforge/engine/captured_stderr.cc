@@ -32,8 +32,8 @@ thread_local std::string* thread_capture;  // text of this thread's CapturedStde
   return static_cast<::ssize_t>(size);
 }
 
-// Returns the stream that captures; null if it cannot be made. The stream has no buffer, so
-// that each call of fprintf reaches Append at once.
+// Returns the stream that replaces stderr, or null if it cannot be created. The stream has no
+// buffer, so that each call of fprintf reaches Append at once.
 std::FILE* CapturingStream() {
   static std::FILE* const stream = [] {
     std::FILE* const made = ::fopencookie(

@@ -37,7 +37,8 @@ bool IsOutOfMemory(std::string_view message) {
 }
 void StoreWarning(const char* message) { thread_warnings.emplace_back(message); }
 
-// Adds Qhull's reasons to MuJoCo's "qhull error", or to the warnings if the model was loaded.
+// Inserts Qhull's reason into MuJoCo's "qhull error". If the model was loaded all the same, adds
+// Qhull's messages to the warnings instead.
 void AddQhullMessages(const std::vector<std::string>& messages, Loaded& loaded) {
   constexpr std::string_view kError = "qhull error";
   const std::size_t at = loaded.error.find(kError);
@@ -49,8 +50,8 @@ void AddQhullMessages(const std::vector<std::string>& messages, Loaded& loaded) 
   }
 }
 
-/// Enlarges a model's stack to what MuJoCo 2.2 reserves for models without `nstack`, plus room for
-/// a list of all pairs of bodies.
+/// Enlarges a model's stack to the size that MuJoCo 2.2 reserves for models without `nstack`, plus
+/// room for a list of all pairs of bodies.
 void ReserveStack(mjModel& m) {
   if (!kHasFixedBuffers) return;
   BufferSizes sizes = BufferSizesOf(m);
@@ -97,7 +98,8 @@ constexpr std::pair<std::string_view, Shortage> kShortages[] = {
 // Untouched pages cost nothing. The other buffers are small, because a load needs only the stack.
 constexpr std::string_view kStackSizes[] = {"10000000", "120000000"};
 
-/// Adds the shortage that a message reports; returns false if the message reports none.
+/// Adds the shortage that MuJoCo's message reports to `shortages`; returns false if the message
+/// reports none.
 bool AddShortage(const std::string& message, std::vector<Shortage>& shortages) {
   const auto found = std::ranges::find_if(kShortages, [&](const auto& known) {
     return kHasFixedBuffers && message.find(known.first) != std::string::npos;
@@ -107,8 +109,8 @@ bool AddShortage(const std::string& message, std::vector<Shortage>& shortages) {
   return true;
 }
 
-/// Loads a text, and again with a larger stack if the stack of MuJoCo 2.2 is too small. `load` is
-/// called with the text, or with a copy of the text that has another stack size.
+/// Loads a text with `load`. If the stack of MuJoCo 2.2 is too small, loads copies of the text with
+/// larger stack sizes.
 template <typename LoadText>
 Loaded LoadWithStack(const std::string& text, const LoadText& load) {
   const auto load_once = [&](const std::string& attempt) {

@@ -42,8 +42,8 @@ struct Loaded {
   std::string error;
   std::vector<std::string> warnings;
   std::optional<FileFault> fault;  // set if MuJoCo was not called because of a bad file
-  /// Memory limits of MuJoCo 2.2 that the unchanged text exceeds. The loaded model may have larger
-  /// buffers. Releases from 2.3 on reserve memory as needed.
+  /// Memory limits of MuJoCo 2.2 that the text exceeds, empty for releases from 2.3 on. `model` may
+  /// have larger buffers than the text requests.
   std::vector<Shortage> shortages;
 };
 

@@ -1,4 +1,4 @@
-// Mixes contact parameters of geom pairs, and lends the list of pairs to a model for one call of
+// Mixes contact parameters of geom pairs, and makes a model use a list of pairs for one call of
 // MuJoCo.
 #include "mjforge/engine/geom_pairs.h"
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kPairsOnly = 1;  // mjCOL_PAIR, which later releases do not have
 
-/// Returns the weight of the first geom's parameters in a contact.
+/// Returns the weight, from 0 to 1, of the first geom's parameters in a contact.
 mjtNum MixOf(mjtNum solmix1, mjtNum solmix2) {
   if (solmix1 >= mjMINVAL && solmix2 >= mjMINVAL) return solmix1 / (solmix1 + solmix2);
   if (solmix1 < mjMINVAL && solmix2 < mjMINVAL) return 0.5;
@@ -49,7 +49,7 @@ void Append(std::vector<mjtNum>& list, const Array& row) {
 
 }  // namespace
 
-/// Gives a model these pairs and no others during the lifetime of this object.
+/// Makes a model use only the pairs of a GeomPairs during the lifetime of this object.
 template <class Model, bool kTaken>
 class GeomPairs::ScopedPairs {
  public:

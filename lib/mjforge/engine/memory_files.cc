@@ -29,7 +29,7 @@ const mjVFS* MemoryFiles::Get() {
 }
 
 void MemoryFiles::SetText(const std::string& text) {
-  // Every text is added anew, because it may have the same address as the last text.
+  // Adds every text anew. Add() would skip a text that is at the address of the previous text.
   mj_deleteFileVFS(vfs_.get(), kTextName);
   mj_addBufferVFS(vfs_.get(), kTextName, text.data(), static_cast<int>(text.size()));
 }
@@ -61,7 +61,7 @@ void MemoryFiles::SetFile(int slot, const std::string& name, const std::string& 
   char* stored = vfs_->filename[slot];
   stored[name.copy(stored, mjMAXVFSNAME - 1)] = 0;
   vfs_->filesize[slot] = static_cast<int>(bytes.size());
-  // MuJoCo does not change the bytes.
+  // mjVFS requires a pointer to non-constant bytes, but MuJoCo does not change them.
   vfs_->filedata[slot] = const_cast<char*>(bytes.data());
 }
 

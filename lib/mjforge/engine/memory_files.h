@@ -25,8 +25,8 @@ class MemoryFiles {
   /// Removes all files except the text.
   void Clear();
   enum class Added { kYes, kTooMany, kNameTaken };
-  /// Adds a file. `name` has no folder and no capital letters. Adding the same bytes at the same
-  /// address again is allowed.
+  /// Adds a file. `name` has no folder and no capital letters. A file may be added twice with the
+  /// same name if `bytes` has the same address.
   Added Add(const std::string& name, const std::string& bytes);
 
  private:
@@ -38,7 +38,8 @@ class MemoryFiles {
   struct Delete {
     void operator()(mjVFS* vfs) const;
   };
-  /// Files that MuJoCo has copied. A file stays in memory if it is added again for the next text.
+  /// Files that MuJoCo has copied into its file system, by name. Clear() only marks them; Get()
+  /// removes those that were not added again.
   std::map<std::string, Entry> files_;
 #else
   // MuJoCo's functions are not used here, because they copy files and touch all of the 2 MB

@@ -24,8 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The files of a text and of all files that it includes, which MuJoCo 2.2 finds relative to the
-/// folder of the text.
+/// The files to which a text, or a file that the text includes, refers. MuJoCo 2.2 finds all files
+/// relative to the folder of the text.
 class FileScan {
  public:
   FileScan(std::string_view text, fs::path folder) : text_(text), folder_(std::move(folder)) {
@@ -154,7 +154,7 @@ class FileScan {
     return std::nullopt;
   }
 
-  /// Returns the first fault of the file and the numbers of a mesh or skin. A file of another
+  /// Returns the first fault in the file or in the numbers of a mesh or skin. A file of another
   /// format is no fault, because MuJoCo reports it.
   std::optional<FileFault> FindBadMesh(const pugi::xml_node& mesh) const {
     std::size_t vertices = 0;
