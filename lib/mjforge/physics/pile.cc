@@ -126,7 +126,7 @@ struct PileSettler::Impl {
   engine::Engine engine;
   Workspace workspace;
 
-  /// Tries releases until one has no fault; adds the faults of the last release.
+  /// Tries releases until one has no fault; adds findings about the faults of the last release.
   void Settle(model::Object& object, const model::Pile& pile, diag::Findings& findings);
   /// Simulates one release, and makes the poses at the end of the simulation the start of the
   /// bodies. Returns false, and changes no start, if the simulation diverges.
