@@ -70,8 +70,8 @@ std::string MakeGalleryIndex(std::span<const GalleryCard> cards);
 /// "specs/tools/hammer.html".
 std::string GalleryPageFile(const std::string& name);
 
-/// Returns true if the spec `a` is listed before `b` in galleries: kinds in alphabetical order,
-/// then the kinds of reference objects, of shapes and, last, of primitives.
+/// Returns true if the spec `a` is listed before `b` in galleries. Kinds (folders of specs) are in
+/// alphabetical order; reference objects, shapes and primitives are last.
 bool IsBeforeInGallery(const std::string& a, const std::string& b);
 
 }  // namespace mjforge::report

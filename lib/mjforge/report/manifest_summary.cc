@@ -151,7 +151,7 @@ std::vector<ShownVariant> ManifestSummary::Choose() const {
   slow.resize(std::min<std::size_t>(slow.size(), std::min<std::uint64_t>(shown_, variants) / 4));
   add(ShownVariant::Reason::kSlow, slow);
   const std::size_t room = shown_ - chosen.size();
-  // Take more than needed, because some of the sample are among the slow variants.
+  // Take more than needed, because some items of the sample are among the slow variants.
   std::vector<Record> others = good_.Take(room + slow.size());
   std::erase_if(others, [&](const Record& record) { return taken.contains(record.index); });
   std::vector<Record> spread;

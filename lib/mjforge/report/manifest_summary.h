@@ -54,14 +54,14 @@ struct ShownVariant {
   manifest::Record record;
 };
 
-/// Summary of the records that were added.
+/// Summary of the records of a manifest.
 class ManifestSummary {
  public:
   /// `shown`: maximum number of variants that Choose returns.
   explicit ManifestSummary(std::size_t shown);
 
   void Add(const manifest::Record& record);
-  /// Adds the summary of the records that follow in the manifest.
+  /// Adds the summary of the next section of the manifest.
   void Append(const ManifestSummary& next);
 
   const NumberTally& Of(MeasureId id) const { return measures[static_cast<std::size_t>(id)]; }

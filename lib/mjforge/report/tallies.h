@@ -39,8 +39,8 @@ struct Counts {
 
 /// The values of one parameter.
 struct ParameterTally {
-  /// Maximum number of different texts after Append. Tallies that are appended count all of their
-  /// texts, so that the counts in the sum are complete.
+  /// Maximum number of different texts in a sum of tallies. A tally that is not a sum counts all of
+  /// its texts, so that the counts in the sum are complete.
   static constexpr std::size_t kMaxTexts = 1000;
   /// Maximum number of different whole numbers that are counted one by one, and of bars in a chart.
   static constexpr std::size_t kMaxWhole = 24;
