@@ -1,5 +1,5 @@
-// Structures of a batch: how many there are, in what they differ, and which parameters separate
-// them.
+// Structures of a batch (classes of variants with equal elements and types): their number, their
+// differences, and the parameters that separate them.
 #include "structures.h"
 
 #include <fmt/format.h>
