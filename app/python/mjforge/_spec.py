@@ -26,9 +26,9 @@ class Spec:
 
     `spec`: a name in the catalogue, a path, YAML (a text with a line break), or the content of the
     YAML as a mapping. `set`: values of parameters, each a number, a list, a pair (a range; of whole
-    numbers for a parameter that draws whole numbers) or any text that a spec allows ("20cm ..
-    30cm"); "root.joints", "root.start" and "checks.profile" are names, too. `parameters`: YAML
-    files with values of parameters. Raises SpecError with all errors of the spec.
+    numbers for a parameter that draws whole numbers) or any text that a spec allows, such as
+    "20cm .. 30cm"; "root.joints", "root.start" and "checks.profile" are names, too. `parameters`:
+    YAML files with values of parameters. Raises SpecError with all errors of the spec.
 
     >>> import mjforge
     >>> hammer = mjforge.Spec("hammer", set={"handle_length": (0.2, 0.3)})
@@ -211,8 +211,9 @@ class Spec:
         """Makes the first `count` variants, loads each in the MuJoCo that the package contains, and
         reports those that fail. Writes no files.
 
-        `physics`: also simulates each variant. `profile="simready"`: adds tests. `jobs`: number of
-        processes (default: one per core). `time_limit`: time for each variant, s.
+        `physics`: also simulates each variant. `profile="simready"`: also runs the tests of the
+        SimReady benchmark. `jobs`: number of processes (default: one per core). `time_limit`: time
+        for each variant, s.
 
         >>> import mjforge
         >>> report = mjforge.Spec("mug").check(3)
