@@ -18,7 +18,7 @@ struct DifferingField {
   std::vector<std::string> elements;  // elements that differ in the first variant that differs
   std::string example;                // "geom_type of 'handle' is cylinder, not box"
   bool is_coincidence = false;
-  std::uint64_t variants = 0;  // variants that differ from the first one
+  std::uint64_t variants = 0;  // variants that differ from the first variant
   std::vector<report::Separator> separators;
 };
 

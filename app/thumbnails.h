@@ -13,8 +13,8 @@
 
 namespace mjforge::app {
 
-/// Small WebP pictures of the variants of a batch. Variants without a file, such as failed ones,
-/// are made again from the spec.
+/// Small WebP pictures of the variants of a batch. Variants without a file, such as failed
+/// variants, are made again from the spec.
 class Thumbnails {
  public:
   /// Draws the variants of this manifest. `spec` replaces the spec named in the records, unless

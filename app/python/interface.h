@@ -3,8 +3,8 @@
 //
 // No function throws. The package declares the same structs in _library.py. Texts are UTF-8. Input
 // texts end with a zero byte. Output texts have a size and are valid until the next call with the
-// same maker, table, archive or manifest, which must be used by one thread at a time; different
-// ones are independent.
+// same maker, table, archive or manifest. One thread at a time may use such an object; different
+// objects are independent.
 #pragma once
 
 #include <cstddef>

@@ -49,8 +49,8 @@ struct Destination {
   /// shard, which `merge` joins with the others, or NAME.rows while a whole family is made.
   std::filesystem::path Rows(const Shard& shard) const;
   /// Returns the path of the manifest: DIR/manifest.jsonl for a folder, STEM.manifest.jsonl beside
-  /// archives, STEM.manifest.jsonl.zst beside compressed ones; with "-00003-of-00008" before the
-  /// extension for a shard.
+  /// archives, STEM.manifest.jsonl.zst beside compressed archives; with "-00003-of-00008" before
+  /// the extension for a shard.
   std::filesystem::path Manifest(const Shard& shard) const;
   /// Returns the folder of the manifest.
   std::filesystem::path Folder() const;

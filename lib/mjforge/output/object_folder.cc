@@ -243,7 +243,7 @@ void RemoveFormerObjects(const std::filesystem::path& folder, const bytes::Asset
 
 }  // namespace
 
-// Returns true if an existing asset may be replaced by one with these bytes.
+// Returns true if an existing asset may be replaced by an asset with these bytes.
 bool ObjectFolder::IsOwn(const bytes::Asset& asset, std::string_view present,
                          std::string_view bytes, const std::string& sha256) const {
   // The name of a generated asset has a hash of its content.

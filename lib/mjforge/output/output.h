@@ -27,7 +27,8 @@ namespace mjforge::output {
 struct OverwritePolicy {
   bool force = false;       // replace files that mjforge did not make
   bool if_changed = false;  // leave a file with the same bytes untouched, including its time
-  // Durability of copied assets, which a resumed batch does not write again.
+  // Durability (safety from power cuts) of copied assets, which a resumed batch does not write
+  // again.
   Durability durability = Durability::kNone;
   // SHA-256 of assets that earlier runs of the same batch wrote. An existing file may be replaced
   // if its old or its new content has one of these hashes.

@@ -41,7 +41,7 @@ class PileReport {
              static_checks::Reporter& reporter)
       : m_(m), d_(d), object_(object), pile_(pile), bodies_(bodies), reporter_(reporter) {}
 
-  /// Adds an error for each body that left the region; returns true if there is one.
+  /// Adds an error for each body that left the region; returns true if it adds an error.
   bool AddLeft(const model::Pose& X_WR) {
     bool has_left = false;
     for (const PiledBody& body : bodies_) {

@@ -40,7 +40,7 @@ bool IsBelow(const PlacedShape& placed, const Support& support) {
 // at most `most`, m.
 //
 // Conservative advancement along a line: the plane through the nearest point of the fixed shape,
-// perpendicular to the shortest connection, separates both shapes until the moving one reaches it
+// perpendicular to the shortest connection, separates both shapes until the moving shape reaches it
 // (van den Bergen, "Ray casting against general convex objects with application to continuous
 // collision detection", 2004).
 double DropOf(PlacedShape moving, const PlacedShape& fixed, const Vector3d& up_W, double most) {

@@ -27,7 +27,8 @@ using model::PlaceVerdict;
 using model::Pose;
 
 constexpr double kSameAngle = 1e-12;  // rad
-// Obstacles up to this distance carry a body that was lowered until it touched the first one, m.
+// Obstacles up to this distance carry a body that was lowered until it touched the first obstacle,
+// m.
 constexpr double kCarrying = 2 * kContactGap;
 constexpr int kMostTurns = 20;
 

@@ -143,7 +143,7 @@ std::vector<ShownVariant> ManifestSummary::Choose() const {
         chosen.push_back({reason, record});
     }
   };
-  // Failed variants get half of the places, or more if there are too few good ones.
+  // Failed variants get half of the places, or more if there are too few good variants.
   const auto good = static_cast<std::size_t>(std::min<std::uint64_t>(good_.seen(), shown_));
   add(ShownVariant::Reason::kFailed, failed_.Take(std::max(shown_ / 2, shown_ - good)));
   std::vector<Record> slow = slow_;

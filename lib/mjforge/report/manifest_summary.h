@@ -1,4 +1,5 @@
-// Summary of a manifest, made in one pass, on all cores and in bounded memory.
+// Summary of a manifest (a JSON record for each variant of a batch), made in one pass, on all cores
+// and in bounded memory.
 
 #pragma once
 
@@ -29,7 +30,7 @@ struct Point {
   bool is_bad = false;
 };
 
-/// A finding that was read from a record.
+/// A finding that was read from a record of the manifest.
 struct RecordedFinding {
   std::string severity;
   std::string code;

@@ -1,4 +1,4 @@
-// Counts of drawn values, for good variants and for failed ones.
+// Counts of drawn values, for good and for failed variants.
 
 #pragma once
 
@@ -55,7 +55,7 @@ struct ParameterTally {
   std::string NameOf(std::size_t i) const;
 
   std::string name;
-  std::vector<NumberTally> numbers;  // a single one, or one per component of a vector
+  std::vector<NumberTally> numbers;  // one tally, or one per component of a vector
   bool more_texts = false;           // there were more texts than kMaxTexts
 
  private:
