@@ -143,7 +143,7 @@ class Loader {
 /// library, because MuJoCo looks up OpenGL's functions only once.
 class Renderer {
  public:
-  /// Returns null, and adds a finding, if neither library works.
+  /// Makes the renderer. Returns null, and adds a finding, if neither library works.
   static std::unique_ptr<Renderer> Open(diag::Findings& findings);
   ~Renderer();
   Renderer(const Renderer&) = delete;

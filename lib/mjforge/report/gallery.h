@@ -63,7 +63,8 @@ struct GalleryCard {
   bool has_page = false;
   std::optional<Thumbnail> picture;
 };
-/// Makes the index. Cards of one kind must be adjacent; the kind is the folder in the name.
+/// Makes the HTML of the index. Cards of one kind must be adjacent; the kind is the folder in the
+/// name.
 std::string MakeGalleryIndex(std::span<const GalleryCard> cards);
 
 /// Returns the file of the page of a spec, relative to the folder of the index:

@@ -73,7 +73,7 @@ class ParameterTallies {
   void Add(const std::vector<std::pair<std::string, sample::ParameterValue>>& params, bool is_bad);
   void Append(const ParameterTallies& other);
   const std::vector<ParameterTally>& list() const { return list_; }
-  /// Returns null if there is no parameter of that name.
+  /// Returns the tally of the parameter with this name; null if there is no such parameter.
   const ParameterTally* Find(const std::string& name) const;
 
  private:
