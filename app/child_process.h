@@ -29,7 +29,7 @@ std::string DescribeEnd(int status);
 /// RunInChild or DescribeEnd gave.
 void AddCrashFinding(const std::string& what, const std::string& reason, diag::Findings& findings);
 
-/// Runs one step; a crash becomes a finding about `what`.
+/// Runs one step in a child process; a crash becomes a finding about the file or spec `what`.
 ExitStatus RunInChild(const std::string& what, Seconds time_limit, Console& console,
                       const std::function<ExitStatus()>& take);
 

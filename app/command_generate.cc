@@ -192,7 +192,7 @@ std::optional<batch::Request> RequestOf(const GenerateOptions& options, std::str
     if (!shard) return std::nullopt;
     request.shard = *shard;
   }
-  // The index after the last one must not overflow.
+  // The index after the last index must not overflow.
   if (request.count > std::numeric_limits<std::uint64_t>::max() - request.first) {
     why_not = "--first and -n go beyond the largest index";
   } else if (request.variant.batch > sample::kMaxBatch) {
@@ -272,7 +272,7 @@ class Generation {
     ::mallopt(M_TRIM_THRESHOLD, kKept);
   }
 
-  // Loads all specs first, so that errors in the last one are reported before a variant is made.
+  // Loads all specs first, so that errors in the last spec are reported before a variant is made.
   ExitStatus Load() {
     if (!request_.variant.name.empty() &&
         !forge::CheckName(request_.variant.name, console_.findings)) {

@@ -166,9 +166,9 @@ class Preview {
     return is_moved;
   }
 
-  // Moves the joint `name` of all objects. Adds an error if no object's joint can be moved, and a
-  // warning if only some can, because variants differ in their joints. Returns false after an
-  // error.
+  // Moves the joint `name` of all objects to a position, rad or m. Adds an error if no object's
+  // joint can be moved, and a warning if only some can, because variants differ in their joints.
+  // Returns false after an error.
   bool MoveJoint(const std::string& name, double value, std::vector<PreviewObject>& objects) {
     diag::Findings found;
     bool is_moved = false;

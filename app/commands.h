@@ -16,7 +16,8 @@ namespace mjforge::app {
 /// Runs a command after its options were parsed.
 using Action = std::function<ExitStatus(Console&)>;
 
-// Each function adds the options of its command and returns the action that runs it.
+// Functions that add the options of a command to the parser, and return the action that runs the
+// command.
 Action AddGenerate(CLI::App& command);
 Action AddCheck(CLI::App& command);
 Action AddInspect(CLI::App& command);

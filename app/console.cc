@@ -15,7 +15,7 @@
 namespace mjforge::app {
 namespace {
 
-// Returns false and sets errno if not all bytes could be written.
+// Writes all bytes to a file descriptor; returns false and sets errno if that fails.
 bool WriteAll(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());

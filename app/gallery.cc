@@ -53,7 +53,7 @@ class Gallery {
   }
 
  private:
-  // Checks all files before the first one is written, because drawing takes long.
+  // Checks all files before the first file is written, because drawing takes long.
   bool MayReplaceAll() {
     bool may = report::MayReplace(options_.folder / kIndex, options_.force, console_.findings);
     for (const std::size_t i : steps_) {

@@ -16,7 +16,7 @@ std::string AngleText(double radians);
 /// Returns the name of an element without the object's prefix: "hinge" of "door_hinge".
 std::string ShortName(const model::Object& object, const std::string& name);
 
-/// Returns masses and sizes of variants, and all numbers of a typical one.
+/// Returns the ranges of mass and size of variants, and all other facts of a typical variant.
 std::vector<report::Fact> FactsOf(const std::vector<manifest::Record>& variants,
                                   const forge::Variant& typical);
 /// Returns the facts of a card: "0.3 to 0.9 kg, 24 to 31 cm, 2 joints".
@@ -24,7 +24,7 @@ std::string ShortFacts(const std::vector<manifest::Record>& variants, const mode
 
 /// Returns tables of joints, actuators, sensors, sites for grasps, and regions.
 std::vector<report::FeatureTable> FeaturesOf(const model::Object& object);
-/// Returns a table of the targets for which a variant can be written.
+/// Returns a table of the targets (--target) for which a variant can be written.
 report::FeatureTable TargetsOf(const forge::Recipe& recipe, diag::Sources& sources,
                                const forge::Options& options, std::uint64_t index);
 

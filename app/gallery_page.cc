@@ -62,7 +62,7 @@ const diag::Finding& FirstError(const diag::Findings& findings) {
   return error == findings.end() ? findings[0] : *error;
 }
 
-// Makes the page of one spec. Each variant is drawn before the next one is loaded, because
+// Makes the page of one spec. Each variant is drawn before the next variant is loaded, because
 // MuJoCo 2.2 may need most of the memory for a scene.
 class PageMaker {
  public:
@@ -252,7 +252,7 @@ GalleryResult GalleryPages::Make(const std::string& name) {
   return result;
 }
 
-// Opens the renderer once; later calls return the same one.
+// Opens the renderer once; later calls return the same renderer.
 picture::Renderer* GalleryPages::OpenRenderer(diag::Findings& findings) {
   if (!std::exchange(is_opened_, true)) renderer_ = picture::Renderer::Open(findings);
   return renderer_.get();

@@ -17,7 +17,7 @@ struct GalleryResult {
   report::GalleryCard card;
   std::optional<diag::Finding> finding;  // without a place; an error if there is no page
 
-  /// Returns the result as bytes, to be sent to another process.
+  /// Encodes the result as bytes, which a child process sends to its parent.
   std::string Pack() const;
   static GalleryResult Unpack(std::string_view bytes);
 };

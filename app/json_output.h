@@ -37,7 +37,7 @@ class JsonOutput : public diag::Json {
   }
 };
 
-/// Returns a line with one JSON object, whose members `write` adds to a JsonOutput.
+/// Returns one JSON object and a line end; `write` adds the members of the object.
 template <typename Write>
 std::string JsonLine(const Write& write) {
   JsonOutput json;

@@ -46,7 +46,7 @@ inline bool IsManifest(std::string_view name) {
   return output::IsManifestName(name);
 }
 
-/// Options of commands for one object: a variant of a spec, or a file.
+/// Options of commands for one object: a variant of a spec, or an MJCF file.
 struct ObjectOptions {
   std::string what;
   std::uint64_t index = 0;

@@ -39,9 +39,9 @@ class PageServer {
 
   /// Returns the response to a request that is too long to be read.
   static Response TooLong();
-  /// Returns the response to a request that may not be answered; nullopt if it may.
+  /// Returns the response that rejects a request; nullopt if the request is allowed.
   std::optional<Response> Refusal(const Request& request) const;
-  /// Answers a request that is not refused, at once or later.
+  /// Answers a request that was not rejected, at once or later.
   void Answer(const Request& request, const Respond& respond);
   /// Exempts a connection from the limit for strangers, because its request had the token.
   void Trust(std::uint64_t number) { strangers_.erase(number); }

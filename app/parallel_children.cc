@@ -54,7 +54,7 @@ void Send(int socket, std::size_t step, const std::string& result) {
   }
 }
 
-// Runs steps until none is left. `current` is shared with the children of this process.
+// Runs steps until none is left. `current` is the running step, shared with child processes.
 ExitStatus RunSome(const ParallelSteps& steps, int socket, Counter& next, Counter& current) {
   return RunInChild(
       steps.count, steps.time_limit,

@@ -160,7 +160,8 @@ Difference DifferenceOf(std::span<const Record> records, std::size_t parameter,
   return {is_count ? kCount : 4, width / std::max(std::abs(*max), std::abs(*min))};
 }
 
-// Returns false for parameters that are computed from others or looked up in a table.
+// Returns true for drawn parameters; false if the value is computed from others or looked up in a
+// table.
 bool IsDrawn(const spec::ObjectSpec& spec, const std::string& name) {
   const spec::Parameter* parameter = spec.FindParameter(name);
   if (parameter == nullptr) return false;

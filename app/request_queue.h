@@ -37,7 +37,8 @@ class RequestQueue {
         time_limit_(time_limit),
         replace_(replace) {}
 
-  /// Adds a request, which replaces an earlier one of the same client, unless `client` is empty.
+  /// Adds a request, which replaces an earlier request of the same client, unless `client` is
+  /// empty.
   void Add(const std::string& client, std::string request, Done done);
 
  private:

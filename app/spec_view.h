@@ -6,7 +6,7 @@
 
 namespace mjforge::app {
 
-/// Returns the chosen view, with the directions of the spec's `view:` where none was chosen.
+/// Returns the camera view `chosen`, with the spec's `view:` for directions that were not chosen.
 picture::View ViewOf(const spec::ObjectSpec& spec, picture::View chosen = {});
 
 /// Moves joints into the pose of the spec's `view:`. Adds a warning for a joint that does not reach

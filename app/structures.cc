@@ -1,5 +1,5 @@
-// Structures of a batch: how many there are, in what they differ, and which parameters separate
-// them.
+// Structures of a batch (classes of variants with equal elements and types): their number, their
+// differences, and the parameters that separate them.
 #include "structures.h"
 
 #include <fmt/format.h>
@@ -27,7 +27,8 @@ class Remaker {
  public:
   explicit Remaker(const std::filesystem::path& folder) : folder_(folder) {}
 
-  // Returns nullopt, and sets `why_not`, if the variant cannot be made as it was.
+  // Makes the first variant of a structure again, and returns its structure. Returns nullopt, and
+  // sets `why_not`, if the variant cannot be made as it was.
   std::optional<structure::Structure> operator()(const StructureTally& tally) {
     const manifest::Record& record = tally.first;
     diag::Findings findings;
@@ -91,8 +92,8 @@ class FieldComparison {
     }
   }
 
-  // Returns the fields. Structures from index `compared` on were not compared and belong to no
-  // group.
+  // Returns the fields that differ. Structures from index `compared` on were not compared and
+  // belong to no group.
   std::vector<DifferingField> Take(std::size_t compared) {
     for (std::size_t i = 0; i < fields_.size(); ++i) {
       std::fill(groups_[i].begin() + static_cast<std::ptrdiff_t>(compared), groups_[i].end(), -1);

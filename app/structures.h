@@ -1,5 +1,5 @@
-// Structures of a batch: how many there are, in what they differ, and which parameters separate
-// them.
+// Structures of a batch (classes of variants with equal elements and types): their number, their
+// differences, and the parameters that separate them.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct DifferingField {
   std::vector<std::string> elements;  // elements that differ in the first variant that differs
   std::string example;                // "geom_type of 'handle' is cylinder, not box"
   bool is_coincidence = false;
-  std::uint64_t variants = 0;  // variants that differ from the first one
+  std::uint64_t variants = 0;  // variants that differ from the first variant
   std::vector<report::Separator> separators;
 };
 

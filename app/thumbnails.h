@@ -13,18 +13,18 @@
 
 namespace mjforge::app {
 
-/// Small WebP pictures of the variants of a batch. Variants without a file, such as failed ones,
-/// are made again from the spec.
+/// Small WebP pictures of the variants of a batch. Variants without a file, such as failed
+/// variants, are made again from the spec.
 class Thumbnails {
  public:
   /// Draws the variants of this manifest. `spec` replaces the spec named in the records, unless
   /// empty. `sources` must outlive this object.
   Thumbnails(std::filesystem::path manifest, std::string spec, diag::Sources& sources);
 
-  /// Returns nullopt if the variant's file is missing or the object cannot be made or drawn.
+  /// Draws the variant of a record; returns nullopt if its file is missing or cannot be drawn.
   std::optional<report::Thumbnail> Draw(const manifest::Record& record);
 
-  /// Returns the reason if no pictures can be drawn at all; otherwise no findings.
+  /// Returns the reason for which no pictures can be drawn at all; empty if pictures can be drawn.
   diag::Findings TakeFindings() { return std::move(findings_); }
 
  private:

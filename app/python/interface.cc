@@ -43,7 +43,7 @@ struct MjforgeMaker {
   std::string description;
   std::string inputs_json;
   std::string failure;
-  // Files already listed in MjforgeVariant::inputs: number of sources, and paths of assets.
+  // Files that MjforgeVariant::inputs has already listed: number of sources, and paths of assets.
   std::uint32_t known_sources = 0;
   std::set<std::string> known_assets;
 };

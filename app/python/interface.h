@@ -3,8 +3,8 @@
 //
 // No function throws. The package declares the same structs in _library.py. Texts are UTF-8. Input
 // texts end with a zero byte. Output texts have a size and are valid until the next call with the
-// same maker, table, archive or manifest, which must be used by one thread at a time; different
-// ones are independent.
+// same maker, table, archive or manifest. One thread at a time may use such an object; different
+// objects are independent.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ struct MjforgeText {
   std::size_t size;
 };
 
-/// A spec, with the texts of its files once they have been read. Threads may share it.
+/// A spec, with the texts of its files after they were read. Threads may share a snapshot.
 struct MjforgeSnapshot;
 
 /// A spec with settings, and the options for its variants, which have the values of the command's
@@ -45,8 +45,7 @@ struct MjforgeVariant {
   MjforgeText findings;  // JSON, see MjforgeFindings; empty: none
   MjforgeText files;     // JSON: [[name in the XML, path, size], ...]; empty: none
   MjforgeText contents;  // concatenated contents, with these sizes, of the files without a path
-  MjforgeText inputs;    // JSON: [[path, SHA-256], ...] of the files that this maker has not used
-                         // before; empty: none
+  MjforgeText inputs;    // JSON: [[path, SHA-256], ...] of files that are new to this maker
 };
 
 /// Makes a snapshot without reading a file. The spec is `reference`, a file or a name in the search
@@ -97,7 +96,7 @@ int MjforgeAddRecord(MjforgeTable* table, const char* record, std::size_t size);
 /// with the kinds of manifest::Column; empty if there is not enough memory. Columns are numbered,
 /// each before its inner columns.
 MjforgeText MjforgeLayout(MjforgeTable* table);
-/// Return the kind and the value of each row of a column of the last layout.
+/// Return the kinds and the values of a column of the last layout, one for each row.
 const char* MjforgeKinds(MjforgeTable* table, std::size_t column);
 const std::uint64_t* MjforgeValues(MjforgeTable* table, std::size_t column);
 

@@ -41,8 +41,8 @@ def check(
     jobs: Optional[int] = None,
     time_limit: Optional[float] = None,
 ) -> Report:
-    """`Spec(spec, set=set).check(...)`: what fails among the first `count` variants. Raises SpecError
-    for a broken spec.
+    """Equals `Spec(spec, set=set).check(...)`: makes the first `count` variants and reports those
+    that fail. Raises SpecError if the spec has errors.
 
     >>> import mjforge
     >>> print(mjforge.check("hammer", 3))
@@ -59,13 +59,15 @@ def check(
 def prove(
     batch: "Union[str, os.PathLike[str], Batch]", *, jobs: Optional[int] = None, progress: bool = True
 ) -> "list[Finding]":
-    """Loads every file of a batch in the `mujoco` that is installed and compares it with its
-    record: numbers of elements, names, mass, center of mass, inertia, bounds and start state.
-    Returns what is not as recorded.
+    """Loads every file of a batch in the installed `mujoco` and compares the model with the
+    variant's record, a line of the manifest: numbers of elements, names, mass, center of mass,
+    inertia, bounds and start state. Returns the findings: differences, and files that are missing,
+    changed or rejected by MuJoCo.
 
-    `batch`: a folder, an archive, a series of archives ("x_%05d.tar"), a manifest or a Batch. `jobs`:
-    processes (default: one per core). `progress`: a bar, if standard error is a terminal. Raises
-    FileNotFoundError without a manifest, ImportError without a MuJoCo.
+    `batch`: a folder, an archive, a series of archives ("x_%05d.tar"), a manifest or a Batch.
+    `jobs`: number of processes (default: one per core). `progress`: shows a progress bar if
+    standard error is a terminal. Raises FileNotFoundError if there is no manifest, ImportError if
+    MuJoCo is not installed.
     """
     from ._prove import run  # keeps the import of the package short
 

@@ -1,4 +1,4 @@
-"""`python -m mjforge` and the console script: the command itself."""
+"""`python -m mjforge` and the console script `mjforge`: run the command."""
 
 import os
 import sys
@@ -7,7 +7,9 @@ from ._library import PROGRAM
 
 
 def main() -> None:
-    """Proves a batch in the MuJoCo of this Python, or becomes the command."""
+    """Runs `mjforge prove` with the MuJoCo of this Python; for other commands, replaces this
+    process by the program.
+    """
     if sys.argv[1:2] == ["prove"]:
         from ._prove import main as prove
 

@@ -1,4 +1,4 @@
-"""Makes a variant again from its record."""
+"""Makes a variant again from its record, a line of a manifest."""
 
 from __future__ import annotations
 
@@ -11,13 +11,14 @@ from ._spec import Source, Spec
 from ._variant import Variant
 from ._yaml import Verbatim
 
-# Options of variants(), and the members of a record that have their values.
+# Options of variants(), each with the member of a record that has the option's value.
 _OPTIONS = {"target": "target", "assets": "assets_as", "sampler": "sampler", "batch": "batch",
             "on_invalid": "on_invalid", "place_seed": "place_seed", "name": "name"}
 
 
 def _files_of(record: Mapping[str, Any], folder: Optional[pathlib.Path]) -> Iterator[pathlib.Path]:
-    """Places where the file of a record's spec may be; `folder` is that of the manifest."""
+    """Returns paths at which the spec of a record may be; `folder` is the folder of the manifest.
+    """
     if folder is not None and record.get("spec_file"):
         yield folder / record["spec_file"]
     name = os.path.basename(record["spec"])
@@ -56,7 +57,7 @@ def make_again(record: Mapping[str, Any], spec: Union[Source, Spec, None],
     elif not isinstance(spec, Spec):
         spec = Spec(spec, set=_settings_of(record))
     options = {option: record[name] for option, name in _OPTIONS.items() if record.get(name) is not None}
-    if record.get("attempt"):  # earlier attempts may have been rejected by what validates them
+    if record.get("attempt"):  # validation may have rejected earlier attempts
         options["validate"] = record.get("validate", "none")
     variant = spec.variants(record["seed"], set=_settings_of(record), **options)[record["index"]]
     again = variant.record

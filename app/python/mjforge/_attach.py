@@ -1,4 +1,4 @@
-"""Puts a variant into a scene of MuJoCo, and its joints to the start pose."""
+"""Adds a variant to a scene (MjSpec), and sets its joints to the start pose in a simulation."""
 
 from __future__ import annotations
 
@@ -19,7 +19,9 @@ Pose = tuple[Any, Any]  # position and quaternion, arrays
 
 
 def vector_of(value: Any, size: int, what: str) -> list[float]:
-    """A vector given as an argument. `what` is its name in the TypeError or ValueError."""
+    """Returns an argument as a list of `size` finite numbers. `what` is the argument's name in the
+    TypeError or ValueError.
+    """
     try:
         numbers = [float(number) for number in value]
     except (TypeError, ValueError):
@@ -43,12 +45,14 @@ def _is(thing: Any, name: str, what: str) -> None:
 
 
 def _module_of(thing: Any) -> Any:
-    """The MuJoCo that a model or spec belongs to."""
+    """Returns the MuJoCo package to which a model or spec belongs."""
     return importlib.import_module(type(thing).__module__.partition(".")[0])
 
 
 def _bottom(variant: Variant, quat: Quaternion) -> float:
-    """Lowest point of the box around the object at its start, turned by `quat`, in m."""
+    """Returns the z, m, of the lowest point of the variant's bounding box at the start, turned by
+    `quat`.
+    """
     box, target = variant.some_of_record("aabb", "target")
     if target == "scene":
         return 0.0  # the file has the object on the floor
@@ -59,12 +63,13 @@ def _bottom(variant: Variant, quat: Quaternion) -> float:
 
 
 def _name_of_root(parent: MjsBody) -> str:
-    """Name of the first body in a body that has one; empty if none has."""
+    """Returns the name of the first body with a name below `parent`; empty if no body has a name.
+    """
     return next((name for body in parent.bodies if (name := str(body.name) or _name_of_root(body))), "")
 
 
 def _without_keyframe(xml: str) -> str:
-    """Returns the text of a file without its keyframe, which is the last section of what mjforge writes."""
+    """Returns an MJCF text without its keyframe, which mjforge writes as the last section."""
     start = xml.rfind("\n  <keyframe>")
     return xml if start < 0 else xml[:start] + "\n</mujoco>\n"
 
@@ -82,10 +87,11 @@ def attach(variant: Variant, scene: MjSpec, prefix: str, pos: Sequence[float], q
                           "python -m pip install 'mujoco>=3.3'")
     if stand:
         place[2] -= _bottom(variant, turn)
-    # Calls of MjSpec for each element are slower than parsing, because they convert each number. A
-    # keyframe removed from the text costs a hundredth of one that is removed from the parsed spec.
+    # Removes the keyframe from the text, because removing it from the parsed spec takes a hundred
+    # times as long. Elements are parsed, because calls of MjSpec for each element convert each
+    # number and are slower.
     child = type(scene).from_string(_without_keyframe(variant.xml), assets=variant.files)
-    child.njmax = child.nconmax = -1  # sizes for the object alone
+    child.njmax = child.nconmax = -1  # drops buffer sizes, which are for the object alone
     name = _name_of_root(child.worldbody)
     scene.attach(child, prefix=prefix, frame=scene.worldbody.add_frame(pos=place, quat=turn))
     return scene.body(prefix + name)
@@ -138,7 +144,9 @@ class _Start:
                 data.act[first:first + count] = [next(activations, 0.0) for _ in range(count)]
 
     def _origin(self) -> Pose:
-        """Pose of the object's own frame in the world, from the present pose of its first body."""
+        """Returns the pose of the object's own frame in the world, computed from the present pose
+        of the object's first body.
+        """
         import numpy as np
 
         mujoco, model, data, members = self._mujoco, self._model, self._data, self._members
@@ -158,7 +166,9 @@ class _Start:
         return self._product(now, (moved, back))
 
     def _placed(self, joint: Joint, origin: Any) -> Any:
-        """Numbers in qpos of a free body that starts at its pose beside the first one."""
+        """Returns the numbers in qpos of a free body that starts at its pose relative to the
+        object's frame.
+        """
         import numpy as np
 
         start = np.array(joint.start)

@@ -1,4 +1,4 @@
-"""The files of a batch, read back: its manifest, and the objects in a folder or in archives."""
+"""Reading of the files of a batch: the manifest, and the objects in a folder or in archives."""
 
 from __future__ import annotations
 
@@ -14,22 +14,23 @@ from ._findings import Finding
 from ._json import loads
 from ._library import lines, members
 
-# Must be bytes::kMaxAsset of the library.
+# Size limit of a file, bytes; must be bytes::kMaxAsset of the library.
 _MAX_FILE = 256 << 20
-_MAX_ASSETS = 1 << 30  # bytes of an archive's assets that are kept in memory
+_MAX_ASSETS = 1 << 30  # largest size of the assets of an archive that are kept in memory
 _RESUME = "run the command that made it again with --resume"
 _SHARD = re.compile(r"-(?P<index>\d{5})-of-(?P<count>\d{5})(?=\.jsonl)")
 _MANIFEST = re.compile(r"(.+\.)?manifest(-\d{5}-of-\d{5})?\.jsonl(\.zst)?")
 
 
 def manifests_of(batch: Union[str, "os.PathLike[str]"]) -> list[pathlib.Path]:
-    """The manifests of a batch: a folder of objects, of archives or of several batches, an archive,
-    a series of archives ('x_%05d.tar'), or a manifest. Raises FileNotFoundError.
+    """Returns the manifests of a batch. `batch` is a folder of objects, of archives or of several
+    batches, an archive, a series of archives ("x_%05d.tar"), or a manifest. Raises
+    FileNotFoundError if there is no manifest.
     """
     path = pathlib.Path(batch)
     found: list[pathlib.Path] = []
     if not os.fspath(batch):
-        pass  # pathlib takes an empty text for the working folder
+        pass  # pathlib would use the working folder for an empty path
     elif path.is_dir():
         names = {name for name in os.listdir(path) if _MANIFEST.fullmatch(name)}
         # A merged manifest has all records of its shards.
@@ -71,42 +72,44 @@ def missing_shards(manifests: Sequence[pathlib.Path]) -> Iterator[Finding]:
 
 @dataclasses.dataclass
 class Stored:
-    """An object of a batch as it is stored."""
+    """An object of a batch: its MJCF file, the other files of the object, and its record."""
 
-    place: str  # path of the file, below its archive if there is one
+    place: str  # path of the MJCF file; in an archive, with the path of the archive
     record: Mapping[str, Any]
     xml: bytes
-    files: Mapping[str, bytes]  # by their names in the XML
-    line: bytes = b""  # of the manifest
+    files: Mapping[str, bytes]  # contents of meshes and textures, by their names in the XML
+    line: bytes = b""  # line of the manifest with the record
 
 
 class Reader:
-    """Reads the objects of a manifest in their order. Everything that cannot be read becomes a
-    finding, which `report` gets.
+    """Reads the objects of a manifest in their order. Calls `report` with a finding for everything
+    that cannot be read.
     """
 
     def __init__(self, manifest: pathlib.Path, report: Callable[[Finding], None]) -> None:
         self.manifest = manifest
         self._report = report
         self._archive: Optional[str] = None
-        self._process = 0  # that opened the archive
+        self._process = 0  # id of the process that opened the archive
         self._members: Iterator[tuple[str, bytes]] = iter(())
-        self._broken: Optional[str] = None  # an archive without an object that it should have
-        self._assets: dict[str, bytes] = {}  # of the archive, the last used at the end
+        self._broken: Optional[str] = None  # archive in which an object is missing
+        self._assets: dict[str, bytes] = {}  # assets of the archive; the last used are at the end
         self._asset_bytes = 0
-        self.records = 0  # read so far
-        self.objects = 0  # records of these that have a file
-        self._last: Optional[tuple[int, int]] = None  # seed and index of the record before
-        self._is_sound = True  # no line was wrong so far
+        self.records = 0  # number of records read so far
+        self.objects = 0  # number of these records that have a file
+        self._last: Optional[tuple[int, int]] = None  # seed and index of the previous record
+        self._is_sound = True  # true if no line was wrong so far
 
     def count(self) -> Optional[int]:
-        """The number of records according to the seal; None without one."""
+        """Returns the number of records according to the seal (a file beside a complete manifest);
+        None if there is no seal.
+        """
         sealed = self._sealed()
         return None if sealed is None else sealed[0]
 
     def _sealed(self) -> Optional[tuple[int, int]]:
-        """The number of records and the size of the manifest (bytes) according to the seal; None without
-        a seal of this manifest.
+        """Returns the number of records and the size of the manifest, bytes, according to the seal;
+        None if the manifest has no seal.
         """
         try:
             seal = loads(_content(self._seal_path()))
@@ -121,7 +124,9 @@ class Reader:
         return self.manifest.with_name(name)
 
     def compare_with_seal(self) -> None:
-        """Compares a manifest that was read to its end with its seal, unless a line was wrong."""
+        """Reports a manifest whose number of records or size differs from its seal, unless a line
+        was wrong. All records must have been read.
+        """
         sealed = self._sealed()
         if sealed is None or not self._is_sound:
             return
@@ -151,8 +156,8 @@ class Reader:
                 yield stored
 
     def read(self, record: Mapping[str, Any], line: bytes) -> Optional[Stored]:
-        """The object of a record with a file; None after a finding. Those of an archive are read in
-        the order of their records, of which some may be passed over.
+        """Returns the object of a record that has a file; None after a finding. Objects of an
+        archive must be read in the order of their records, but records may be left out.
         """
         try:
             stored = self._read(record)
@@ -176,8 +181,9 @@ class Reader:
         return None
 
     def _is_repeated(self, record: Mapping[str, Any], number: int) -> bool:
-        """True, after a finding, for a record whose index is not above that of the record before it. The
-        seed is compared, too, because manifests of several batches may have been joined.
+        """Returns True, after a finding, if the index of a record is not above the index of the
+        previous record. Does not compare records with different seeds, because manifests of several
+        batches may have been joined.
         """
         before, self._last = self._last, (record["seed"], record["index"])
         if before is None or before[0] != record["seed"] or before[1] < record["index"]:
@@ -203,9 +209,10 @@ class Reader:
         return Stored(str(below / name), record, _content(below / name), files)
 
     def _member(self, archive: str, name: str) -> bytes:
-        """Objects are in an archive in the order of the manifest, assets before the first that
-        needs them. A process that was forked shares the place in an open file with its parent, so
-        it opens the archive anew."""
+        """Returns a member of an archive. An archive has the objects in the order of the manifest,
+        and assets before the first object that needs them. Opens the archive anew in a forked
+        process, because a fork shares the position in an open file with its parent.
+        """
         if (archive, os.getpid()) != (self._archive, self._process):
             self._archive, self._process, self._members = archive, os.getpid(), members(archive)
             self._assets, self._asset_bytes = {}, 0
@@ -251,7 +258,8 @@ class Reader:
 
 
 def _regular(path: Union[str, "os.PathLike[str]"]) -> Union[str, "os.PathLike[str]"]:
-    """The path. Raises OSError for pipes and devices, whose reading may never end."""
+    """Returns the path. Raises OSError for pipes and devices, because reading them may never end.
+    """
     if not stat.S_ISREG(os.stat(path).st_mode):
         raise OSError(f"'{os.fspath(path)}' is not a regular file")
     return path
@@ -278,7 +286,7 @@ def _is_count(value: Any) -> bool:
 
 
 def _is_inside(value: Any) -> bool:
-    """True for a path that stays below its folder."""
+    """Returns True for a relative path that stays below its folder."""
     if not isinstance(value, str) or "\0" in value or os.path.isabs(value):
         return False
     return ".." not in value.split("/")
@@ -292,7 +300,7 @@ def _are_assets(value: Any) -> bool:
     return isinstance(value, dict) and all(map(_is_inside, value))
 
 
-# Members of a record that are used here.
+# Values of `status`, and tests of the members of a record that are used here.
 _STATUSES = ("ok", "failed", "skipped")
 _ALWAYS = {"status": lambda value: isinstance(value, str), "index": _is_count, "seed": _is_count}
 _OF_OBJECTS = {"file": _is_inside, "sha256": lambda value: isinstance(value, str), "mass": _is_number,
@@ -302,13 +310,15 @@ _OPTIONAL = {"archive": _is_inside, "assets": _are_assets}
 
 
 def bad_manifest(manifest: pathlib.Path, message: str, **place: int) -> Finding:
-    """The finding that a manifest cannot be read."""
+    """Returns the finding that a manifest cannot be read."""
     return Finding({"severity": "error", "code": "output/bad-manifest", "message": message, "notes": [],
                     "file": str(manifest), **place})
 
 
 def record_of(line: bytes) -> tuple[dict[str, Any], str]:
-    """The record in a line of a manifest, and the reason why the line is none; empty if it is one."""
+    """Returns the record in a line of a manifest, and the reason why the line is not a record; the
+    reason is empty if the line is a record.
+    """
     try:
         record = loads(line)
     except (ValueError, RecursionError):
@@ -317,7 +327,7 @@ def record_of(line: bytes) -> tuple[dict[str, Any], str]:
 
 
 def problem_of(record: Any) -> str:
-    """The reason why a JSON value is not a record; empty if it is one."""
+    """Returns the reason why a JSON value is not a record; empty if the value is a record."""
     if not isinstance(record, dict):
         return "it is not a JSON object"
     needed = {**_ALWAYS, **(_OF_OBJECTS if record.get("status") == "ok" else {})}

@@ -1,4 +1,6 @@
-"""Runs the command, which uses as many processes as asked without forking this one."""
+"""Runs the command `mjforge` as a child process, so that its worker processes are not forks of this
+process.
+"""
 
 from __future__ import annotations
 
@@ -12,13 +14,14 @@ from ._findings import Finding
 from ._json import loads
 from ._library import PROGRAM, c_text
 
-# Lines of `generate --verbose`: of each variant, and at first of those that an earlier run made.
+# Lines that `generate --verbose` prints: one for each variant, and first the number of variants
+# that an earlier run made.
 _VARIANT = re.compile(r".*: (ok|failed|skipped), attempt \d+")
 _KEPT = re.compile(r"(\d+) variants? kept")
 
 
 class _Messages:
-    """What the command writes to standard error."""
+    """Findings and other messages that the command writes to standard error."""
 
     def __init__(self, progress: Optional[Callable[[int], object]]) -> None:
         self.findings: list[Finding] = []
@@ -46,17 +49,19 @@ class _Messages:
 
 def run(arguments: list[str], text: bytes,
         progress: Optional[Callable[[int], object]] = None) -> list[Finding]:
-    """What was found. `text` goes to standard input; `progress` gets the number of variants that
-    are done, those of an earlier run included.
+    """Runs the command and returns its findings. `text` goes to standard input. `progress` is
+    called with the number of variants that are done, including those of an earlier run.
 
-    Raises ValueError for wrong usage, OSError for failed input or output, KeyboardInterrupt when
-    either process was interrupted: the command has then ended and every file is complete.
+    Raises ValueError for wrong usage, OSError if reading or writing failed, and KeyboardInterrupt
+    if this process or the command was interrupted; the command has then ended, and every file is
+    complete.
     """
     command = [PROGRAM, arguments[0], "--findings=json",
                "--quiet" if progress is None else "--verbose", *arguments[1:]]
     for argument in command:
         c_text(argument, "argument")
-    # In a session of its own a Ctrl-C at the terminal reaches it once, through this process.
+    # Starts a session of its own, so that Ctrl-C at the terminal reaches the command only once,
+    # through this process.
     process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
                                stderr=subprocess.PIPE, start_new_session=True)
     assert process.stdin is not None and process.stderr is not None
@@ -85,7 +90,9 @@ def run(arguments: list[str], text: bytes,
 
 
 def options_of(options: Mapping[str, Any]) -> list[str]:
-    """`time_limit=5` is `--time-limit 5`; True is a flag; False and None are left out."""
+    """Returns options as words of a command line: `time_limit=5` becomes `--time-limit 5`, and True
+    becomes a flag without a value. Leaves out False and None.
+    """
     words = []
     for name, value in options.items():
         if value is None or value is False:

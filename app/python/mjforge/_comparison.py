@@ -6,7 +6,7 @@ import dataclasses
 import xml.parsers.expat
 from typing import Any, Iterator, Mapping, Optional
 
-# Kinds of the elements with names, by tag within the sections that mix them.
+# Kinds of elements with names, by tag, in sections with several kinds of elements.
 _KINDS = {
     "worldbody": {tag: tag for tag in ("body", "joint", "geom", "site", "camera", "light")}
     | {"freejoint": "joint"},
@@ -14,7 +14,7 @@ _KINDS = {
     "contact": {tag: tag for tag in ("pair", "exclude")},
     "custom": {tag: tag for tag in ("numeric", "text", "tuple")},
 }
-# Sections whose children are all of one kind.
+# Kind of the elements in each section with a single kind.
 _SECTIONS = {"equality": "equality", "tendon": "tendon", "actuator": "actuator", "sensor": "sensor",
              "keyframe": "key"}
 
@@ -33,7 +33,9 @@ class Element:
 
 
 def elements_of(xml_bytes: bytes) -> list[Element]:
-    """The named elements, in the order of the file. Raises ValueError for what is not XML."""
+    """Returns the named elements, in the order of the file. Raises ValueError if the file is not
+    XML.
+    """
     elements: list[Element] = []
     path: list[str] = []
     parser = xml.parsers.expat.ParserCreate()
@@ -68,17 +70,18 @@ class Difference:
     code: str = "mujoco/mismatch"
 
 
-# How far the faces of facets and of pieces are from those of the true solid, relative to its size.
+# Tolerances of the bounding box, as shares of the size: distances from the true solid of the faces
+# of render meshes (facets), and of the pieces that collide.
 FACETS = 0.02
 PIECES = 0.05
 
 
 class Comparison:
-    """Compares a model with a record and with the names in its file.
+    """Compares a compiled model with its record and with the names in its MJCF file.
 
-    `tolerance` is relative to the mass, the size and their products. Masses, bounds and inertia are
-    those of the whole object at the start state, in the frame of its root before the root's own joints
-    move it.
+    `tolerance` is relative to the mass, to the size and to their products. Masses, bounds and
+    inertia are those of the whole object at the start state, in the frame that the root has before
+    the root's own joints move it.
     """
 
     def __init__(self, mujoco: Any, model: Any, record: Mapping[str, Any], file: bytes,
@@ -96,7 +99,8 @@ class Comparison:
         self.differences: list[Difference] = []
 
     def run(self) -> list[Difference]:
-        """Every difference found."""
+        """Returns all differences. If numbers or names of elements differ, compares nothing else.
+        """
         self._counts_and_names()
         if self.differences:
             return self.differences
@@ -106,7 +110,7 @@ class Comparison:
             number = self.mujoco.mj_name2id(self.model, self.mujoco.mjtObj.mjOBJ_KEY, key.name)
             self.mujoco.mj_resetDataKeyframe(self.model, data, number)
         self.mujoco.mj_kinematics(self.model, data)
-        # Positions are rounded in proportion to the largest of them.
+        # Rounding errors of positions are proportional to the largest position.
         reach = self.np.abs(self._in_object(data.geom_xpos[self.model.geom_bodyid > 0]))
         self.size = max(self.size, float(reach.max(initial=0)))
         self._masses(data)
@@ -116,7 +120,7 @@ class Comparison:
         return self.differences
 
     def _start_key(self) -> Optional[Element]:
-        """The keyframe that mjforge writes."""
+        """Returns the keyframe with the start state; None if the file has no such keyframe."""
         return next((e for e in self.elements if e.kind == "key" and e.name.endswith(START)), None)
 
     def _root(self) -> Optional[Element]:
@@ -142,7 +146,9 @@ class Comparison:
                     Difference(f"there is no {element.kind} {element.name!r}", element))
 
     def _in_object(self, points: Any) -> Any:
-        """Points of the world in the object's frame; in a scene the object rests on the floor."""
+        """Converts points from the world to the object's frame; in a scene, the object rests on the
+        floor.
+        """
         is_scene = self.record.get("target") == "scene"
         return points + [0, 0, self.record["aabb"]["min"][2] if is_scene else 0]
 
@@ -168,8 +174,9 @@ class Comparison:
                       mass * self.size**2, 2e-12)
 
     def _boxes(self, data: Any) -> Iterator[tuple[int, Any, Any]]:
-        """Id, center and half sizes of the bounding box of each geom of the object, in the object's
-        frame."""
+        """Yields the id, center and half sizes of the bounding box of each geom of the object, in
+        the object's frame.
+        """
         np, model, types = self.np, self.model, self.mujoco.mjtGeom
         centers = self._in_object(data.geom_xpos)
         axes = data.geom_xmat.reshape(-1, 3, 3)
@@ -198,15 +205,18 @@ class Comparison:
             yield int(geom), centers[geom], half
 
     def _bounds(self, data: Any) -> None:
-        """Each face of the recorded box, which is that of the true solid, must be near the face of a
-        geom: facets are a little off, and pieces that collide a little more. It lies between that of
-        the colliding geoms and that of all geoms, because a part may collide only in a `<pair>`."""
+        """Compares the recorded bounding box, which is that of the true solid. Each face of the box
+        must be near a face of the bounding box of some geom (FACETS), and must not be farther
+        inside the bounds of the colliding geoms than PIECES. Geoms without contact bits count, too,
+        because a part may collide only in a `<pair>`.
+        """
         np, model = self.np, self.model
         boxes = list(self._boxes(data))
         if not boxes:
             return
         ids = [geom for geom, _, _ in boxes]
-        # Upper faces; the lower ones with their signs changed.
+        # Positions of the faces of each box: the lower faces with changed signs, then the upper
+        # faces.
         faces = np.array([np.concatenate((half - center, half + center)) for _, center, half in boxes])
         collide = (model.geom_contype[ids] | model.geom_conaffinity[ids]) != 0
         colliding = faces[collide if collide.any() else slice(None)].max(axis=0)
@@ -218,7 +228,9 @@ class Comparison:
                          [box["min"], box["max"]], self._root())
 
     def _start(self, data: Any) -> None:
-        """The start state: of the keyframe that mjforge writes, otherwise all joints at zero."""
+        """Checks the start state, which is that of the keyframe that mjforge writes; without a
+        keyframe, all joints are at zero.
+        """
         mujoco, model, np = self.mujoco, self.model, self.np
         start = self._start_key()
         element = start or self._root()

@@ -1,4 +1,6 @@
-"""Families: objects of one structure whose numbers differ, for engines that step many worlds."""
+"""Families: variants with the same elements but different numbers, for engines that step many
+worlds.
+"""
 
 from __future__ import annotations
 
@@ -15,7 +17,7 @@ Rows = Any  # whole numbers: a list, or an array of NumPy
 
 
 class Family:
-    """Objects of one structure, whose numbers differ: variants in rows, for many worlds.
+    """Variants of a spec with the same elements but different numbers, for many parallel worlds.
 
     >>> hammers = mjforge.load_family("hammers.npz")  # doctest: +SKIP
     >>> scene.attach(hammers.base, prefix="hammer/", frame=scene.worldbody.add_frame())  # doctest: +SKIP
@@ -24,8 +26,9 @@ class Family:
     >>> fields["geom_size"].shape  # doctest: +SKIP
     (64, 11, 3)
 
-    Its methods take the compiled scene, the prefix with which the base was attached, and `rows`: the
-    variant of each world, as positions in `index`. Without rows, each variant has a world.
+    Methods take the compiled scene, the prefix with which the base was attached, and `rows`: the
+    variant of each world, as positions in `index`. Without `rows`, there is one world for each
+    variant.
     """
 
     def __init__(self, file: FamilyFile) -> None:
@@ -34,13 +37,14 @@ class Family:
 
     @property
     def path(self) -> "os.PathLike[str]":
-        """The file."""
+        """Path of the family's file."""
         return self._file.path
 
     @property
     def base(self) -> MjSpec:
-        """A new MjSpec of the object, to be changed or attached to a scene. If meshes differ between variants,
-        it has those of all variants, from which `fields` chooses (`geom_dataid`). It has no keyframe: see `start`.
+        """A new MjSpec of the object, which can be changed or attached to a scene. If meshes differ
+        between variants, the MjSpec has the meshes of all variants, and `fields` selects the mesh
+        of each world (`geom_dataid`). The MjSpec has no keyframe; see `start`.
         """
         from ._family_base import spec_of
 
@@ -48,19 +52,24 @@ class Family:
 
     @property
     def arrays(self) -> dict[str, Any]:
-        """The arrays of the file, a row for each variant: the numbers that differ, by field of mjModel, in the
-        order of `names`; the start state; mass, bounds and offsets.
+        """Arrays of the file, with one row for each variant: the numbers that differ between
+        variants, by field of mjModel and in the order of `names`; the start state; mass, bounds and
+        offsets.
         """
         return self._file.arrays()
 
     @property
     def names(self) -> dict[str, list[str]]:
-        """Names of the elements in each of the arrays; a joint once for each of its numbers."""
+        """Names of the elements in each of the arrays. The name of a joint is repeated for each
+        number of the joint.
+        """
         return {name: self._file.members[f"{name}.names"].tolist() for name in self._file.fields()}
 
     @property
     def parameters(self) -> dict[str, Any]:
-        """The parameters of the spec, a row for each variant; lists are filled up as in the file."""
+        """Values of the spec's parameters, with one row for each variant. Lists are padded, as in
+        the file.
+        """
         import numpy as np
 
         constants = {name: np.broadcast_to(value, (len(self), *value.shape))
@@ -69,31 +78,36 @@ class Family:
 
     @property
     def index(self) -> Any:
-        """The index of each variant in its batch."""
+        """Index of each variant in its batch."""
         return self._file.members["index"]
 
     @property
     def facts(self) -> Mapping[str, Any]:
-        """The facts in the file: name, seed, settings, version."""
+        """Facts in the file: name, seed, settings, version."""
         return self._file.facts
 
     def table(self, frame: Optional[bool] = None) -> Any:
-        """A table of index, parameters, mass and bounds with the columns of Variants.table, which describes `frame`."""
+        """Returns a table of index, parameters, mass and bounds of the variants, with the columns
+        of Variants.table, which documents `frame`.
+        """
         from ._family_table import table_of
 
         return table_of(self._file, self.parameters, frame)
 
     def fields(self, model: MjModel, prefix: Prefix = "", rows: Rows = None, *,
                over: Optional[Mapping[str, Any]] = None) -> dict[str, Any]:
-        """The numbers of a scene's model in each world: arrays [worlds, ...] by field of mjModel.
+        """Returns the numbers of a scene's model in each world: arrays [worlds, ...] by field of
+        mjModel.
 
-        `model`: the compiled scene. `prefix`: that of the object, or a list of prefixes if the scene has it
-        several times. `rows`: the variant of each world, for several objects [worlds, objects]. `over`: the
-        result of another family for the same scene, whose numbers worlds keep.
+        `model`: the compiled scene. `prefix`: the prefix of the object's names, or a list of
+        prefixes if the scene contains the object several times. `rows`: the variant of each world;
+        for several objects an array [worlds, objects]. `over`: the result of another family for the
+        same scene; the numbers of this family are added to a copy.
 
-        The result has all fields in which worlds may differ, also those that MuJoCo derives from others
-        (`body_subtreemass`, `geom_rbound`). "opt.timestep" and "stat.meaninertia" are members of
-        `model.opt` and `model.stat`. Raises ValueError if the object is not in the scene.
+        The result contains all fields in which worlds may differ, including fields that MuJoCo
+        derives from others (`body_subtreemass`, `geom_rbound`). The keys "opt.timestep" and
+        "stat.meaninertia" are members of `model.opt` and `model.stat`. Raises ValueError if the
+        object is not in the scene.
         """
         from ._family_fields import fields_of
 
@@ -101,30 +115,33 @@ class Family:
 
     def start(self, model: MjModel, prefix: Prefix = "", rows: Rows = None, *,
               over: Optional[Mapping[str, Any]] = None) -> dict[str, Any]:
-        """The start state of each world: those of the arrays qpos, qvel, act, ctrl, mocap_pos and mocap_quat that
-        the model has numbers for.
+        """Returns the start state of each world: the arrays qpos, qvel, act, ctrl, mocap_pos and
+        mocap_quat, except those that are empty for the model.
 
-        The object is where it stands in the scene, and its joints are at their start; everything else is at
-        its default. The arguments are those of `fields`, and `over` is the result of another `start`.
+        The object keeps its place in the scene, and its joints are at their start positions;
+        everything else is at its default. The arguments are those of `fields`, except that `over`
+        is the result of another `start`.
         """
         from ._family_start import start_of
 
         return start_of(self, model, prefix, rows, over)
 
     def to_model(self, model: MjModel, prefix: Prefix = "", row: int = 0) -> MjModel:
-        """A copy of the scene's model with the numbers of one variant, for MuJoCo itself."""
+        """Returns a copy of the scene's model with the numbers of one variant, for MuJoCo itself.
+        """
         from ._family_fields import model_of
 
         return model_of(self, model, prefix, row)
 
     def to_warp(self, m: Any, model: MjModel, prefix: Prefix = "", rows: Rows = None, *,
                 over: Optional[Mapping[str, Any]] = None, worlds: Rows = None) -> None:
-        """Gives the worlds of MuJoCo Warp their variants.
+        """Gives each world of MuJoCo Warp the numbers of its variant.
 
-        `m`: mujoco_warp.put_model(model), which gets arrays with a row for each world; the other arguments are those
-        of `fields`. With `worlds`, a list as long as `rows`, these worlds get other variants, in place, at a reset.
-        Raises ValueError for a difference that Warp cannot have: poses of geoms that are fixed to the world (make the
-        family with --mocap), and fields that worlds share.
+        `m`: the result of mujoco_warp.put_model(model), whose fields become arrays with one row for
+        each world. `worlds`: a list as long as `rows`; only these worlds get other variants, in
+        place, for example at a reset. The other arguments are those of `fields`. Raises ValueError
+        for differences that Warp does not support: poses of geoms that are fixed to the world (make
+        the family with --mocap), and fields that all worlds share.
         """
         from ._to_warp import to_warp
 
@@ -132,22 +149,26 @@ class Family:
 
     def to_batch(self, batch: Any, prefix: Prefix = "", rows: Rows = None, *,
                  over: Optional[Mapping[str, Any]] = None, worlds: Rows = None) -> None:
-        """Gives the simulations of a mujoco.batch.Batch their variants; a row for each. See `to_warp`."""
+        """Gives each simulation of a mujoco.batch.Batch the numbers of its variant, one row for
+        each simulation. See `to_warp`.
+        """
         from ._to_batch import to_batch
 
         to_batch(self, batch, prefix, rows, over, worlds)
 
     def to_mjx(self, model: MjModel, prefix: Prefix = "", rows: Rows = None, *,
                over: Optional[Mapping[str, Any]] = None) -> "tuple[dict[str, Any], Any]":
-        """The numbers of each world for MJX (its implementation in JAX): a dict, and axes for jax.vmap.
+        """Returns the numbers of each world for MJX (its implementation in JAX): a dict of arrays,
+        and axes for jax.vmap.
 
         >>> numbers, axes = hammers.to_mjx(model, "hammer/")  # doctest: +SKIP
         >>> worlds = mjx.put_model(model).tree_replace(numbers)  # doctest: +SKIP
         >>> step = jax.jit(jax.vmap(mjx.step, in_axes=(axes, 0)))  # doctest: +SKIP
 
-        The arguments are those of `fields`. Meshes that collide must have convex hulls with the same faces, as those
-        of `--target mjx` have. Raises ValueError for this, and for a field that MJX has once for all worlds. Looks
-        that MJX does not read (such as `mat_rgba` of a renderer) are left as they are.
+        The arguments are those of `fields`. The meshes of a colliding geom must have convex hulls
+        with the same faces in all variants, as with `--target mjx`. Raises ValueError if the faces
+        differ, or if a field differs that MJX shares between worlds. Fields that MJX does not read,
+        such as `mat_rgba` of a renderer, are left unchanged.
         """
         from ._to_mjx import replacements
 
@@ -155,12 +176,14 @@ class Family:
 
     def to_mjlab(self, name: str, mode: str = "startup", rows: "Optional[Callable[[Any, Any], Any]]" = None,
                  ) -> "tuple[Any, Any]":
-        """An entity of mjlab (EntityCfg), and the event (EventTermCfg) that gives environments their variants.
+        """Returns an entity of mjlab (EntityCfg), and an event (EventTermCfg) that gives
+        environments their variants.
 
-        `name` is that of the entity in SceneCfg.entities. `mode`: "startup" gives each environment a variant in
-        turn, "reset" another one, drawn at random, at each of its resets. `rows` chooses otherwise: it is called with
-        the environment and a tensor of ids, and returns a row of the family for each. An event has an attribute
-        `rows`: the rows that environments have now.
+        `name`: name of the entity in SceneCfg.entities. `mode`: with "startup", environments get
+        the variants in turn; with "reset", an environment gets a random variant at each of its
+        resets. `rows`: a function that selects the variants instead. It is called with the
+        environment and a tensor of ids, and returns a row of the family for each id. The event has
+        an attribute `rows`: the present row of each environment.
         """
         from ._to_mjlab import entity_and_event
 
@@ -169,8 +192,8 @@ class Family:
     def to_newton(self, builder: Any, rows: Rows = None, **options: Any) -> None:
         """Adds worlds to a newton.ModelBuilder, each with the variant of its row.
 
-        Each world is imported with `add_mjcf`, which gets the options, from MJCF of its variant, so that all of
-        Newton's solvers have its numbers. Without rows, each variant has a world.
+        Imports MJCF of each variant by `add_mjcf`, which gets the options, so that all of Newton's
+        solvers use the numbers of the variant. Without `rows`, there is one world for each variant.
         """
         from ._to_newton import add_worlds
 
@@ -186,7 +209,7 @@ class Family:
         return {**self.__dict__, "_model": None}
 
     def _compiled(self) -> MjModel:
-        """The compiled base, without the meshes of variants."""
+        """Returns the compiled base, without the meshes of single variants."""
         from ._family_base import compiled
 
         if self._model is None:
@@ -197,8 +220,8 @@ class Family:
 def load_family(path: "Union[str, os.PathLike[str]]") -> Family:
     """Reads a family, which `mjforge generate SPEC -n 4096 -o NAME.npz` wrote.
 
-    Raises FileNotFoundError without the file, ValueError if it is not a family, was cut short or changed,
-    ImportError without NumPy.
+    Raises FileNotFoundError if the file does not exist, ValueError if it is not a family, was cut
+    short or was changed, and ImportError if NumPy is not installed.
     """
     from ._family_file import FamilyFile  # keeps the import of the package short
 

@@ -1,4 +1,6 @@
-"""The numbers of a scene's model in each world: those of its variant, and those that MuJoCo derives."""
+"""Numbers of a scene's model in each world: those of the world's variant, and those that MuJoCo
+derives from them.
+"""
 
 from __future__ import annotations
 
@@ -36,7 +38,9 @@ def fields_of(family: Family, model: MjModel, prefix: Any, rows: Any,
 
 
 def write(placed: Placed, worlds: Worlds, rows: Any) -> None:
-    """Writes the numbers of one object's variants, without what MuJoCo derives from them."""
+    """Writes the numbers of one object's variants into `worlds`, without the numbers that MuJoCo
+    derives from them.
+    """
     _Writer(placed, worlds, rows).run()
 
 
@@ -46,7 +50,7 @@ def model_of(family: Family, model: MjModel, prefix: Any, row: Any) -> MjModel:
     changed = copy.copy(model)
     for name, array in values.items():
         writer(changed, name)(array[0])
-    if "bvh_aabb" not in values:  # this release leaves the boxes of its trees as they were
+    if "bvh_aabb" not in values:  # this release does not update the boxes of the midphase
         changed.opt.disableflags |= _module_of(model).mjtDisableBit.mjDSBL_MIDPHASE
     return changed
 
@@ -62,7 +66,7 @@ class _Writer:
         self._base = placed.base
         self._members = placed.family._file.members
         self._worlds = worlds
-        self._rows = rows  # the variant of each world
+        self._rows = rows  # variant of each world
 
     def run(self) -> None:
         self._write_meshes()
@@ -87,13 +91,15 @@ class _Writer:
         self._worlds.add_bounds(self._sized())
 
     def _values(self, field: str) -> Any:
-        """The numbers of each world."""
+        """Returns the numbers of a field in each world."""
         return self._members[field][self._rows]
 
     def _write(self, field: str, there: Any, values: Any) -> None:
-        """Writes numbers of elements whose ids in the scene are given."""
+        """Writes the numbers of elements in each world; `there` has the ids of the elements in the
+        scene.
+        """
         out = self._worlds.array(field)
-        if field == "eq_data":  # releases have different numbers of columns
+        if field == "eq_data":  # the number of columns depends on the release of MuJoCo
             out[:, there, :values.shape[-1]] = values
         else:
             out[:, there] = values.reshape(out[:, there].shape)
@@ -101,7 +107,7 @@ class _Writer:
     def _write_elements(self, field: str) -> None:
         kind = field.partition("_")[0]
         mine, values = self._placed.elements(field), self._values(field)
-        if field == "geom_size":  # that of a mesh is computed from its vertices
+        if field == "geom_size":  # MuJoCo computes the size of a mesh geom from the vertices
             is_shape = self._base.geom_dataid[mine] < 0
             mine, values = mine[is_shape], values[:, is_shape]
         if field == "eq_data":
@@ -113,8 +119,9 @@ class _Writer:
         self._write(field, there, values)
 
     def _welded_to_world(self, mine: Any, values: Any) -> Any:
-        """Computes anew what is relative to the world of the base: the anchor of a connect moves with the object;
-        that of a weld stays, as where MjSpec attaches a weld, and so its place in the other body moves.
+        """Recomputes numbers that are relative to the world of the base. The anchor of a connect
+        moves with the object. The anchor of a weld stays in place, as when MjSpec attaches a weld,
+        so that its position in the other body changes.
         """
         types, (pos, quat) = self._placed.types, self._placed.frame_of_roots()
         for at, number in enumerate(mine):
@@ -124,7 +131,7 @@ class _Writer:
             if self._placed.ids("body")[0] != 0:
                 raise ValueError(f"prefix={self._placed.prefix!r}: the object has an equality with the world, and is "
                                  "attached to a body: attach it to the world")
-            first, second, turn = values[:, at, :3], values[:, at, 3:6], values[:, at, 6:10]  # turn: of a weld
+            first, second, turn = values[:, at, :3], values[:, at, 3:6], values[:, at, 6:10]  # turn: of welds
             if kind == types.mjEQ_CONNECT:
                 anchor = first if ends[0] == 0 else second
                 anchor[...] = pos + rotate(quat, anchor)
@@ -143,7 +150,7 @@ class _Writer:
                     ids[self._values(field)])
 
     def _full(self, field: str, mine: Any) -> Any:
-        """An array of the base for some of its elements, with the numbers of each world."""
+        """Returns an array of the base for the elements `mine`, with the numbers of each world."""
         np = self._np
         values = np.repeat(getattr(self._base, field)[mine][None].astype(float), len(self._rows), axis=0)
         if f"{field}.names" in self._members:
@@ -152,7 +159,9 @@ class _Writer:
         return values
 
     def _stored(self, fields: Iterable[str]) -> Any:
-        """Ids in the base of all elements in the arrays."""
+        """Returns the ids in the base of all elements that the family's arrays of these fields
+        contain.
+        """
         found = [self._placed.elements(field) for field in fields if f"{field}.names" in self._members]
         return self._np.unique(self._np.concatenate([self._np.zeros(0, int), *found]))
 
@@ -177,8 +186,9 @@ class _Writer:
             self._write(quat_field, there, quat)
 
     def _through_mesh(self, mine: Any, has_mesh: Any, pose: "tuple[Any, Any]") -> "tuple[Any, Any]":
-        """Moves poses of mesh geoms from the frame of MJCF to that of this MuJoCo, which differs by release.
-        Constant poses are in MuJoCo's frame of the base's mesh.
+        """Converts poses of mesh geoms from the frame of MJCF to the mesh frame of this MuJoCo,
+        which depends on the release. Poses that are equal in all variants are in MuJoCo's frame of
+        the base's mesh.
         """
         model = self._placed.model
         for at in self._np.flatnonzero(has_mesh):
@@ -198,7 +208,7 @@ class _Writer:
         return f"{field}.names" in self._members and element in self._placed.elements(field)
 
     def _mesh_ids(self, mesh: int) -> Any:
-        """The mesh of the scene in each world, for a mesh of the base."""
+        """Returns, for a mesh of the base, the id of the mesh in the scene for each world."""
         ids = self._worlds_meshes.get(mesh)
         if ids is not None:
             return ids[self._rows]
@@ -209,7 +219,7 @@ class _Writer:
         return self._np.flatnonzero(is_mesh & self._np.isin(self._base.geom_dataid, list(self._worlds_meshes)))
 
     def _write_meshes(self) -> None:
-        """Chooses the meshes of each world, and computes sizes and bounds of their geoms."""
+        """Selects the meshes of each world, and computes the sizes and bounds of their geoms."""
         placed, np = self._placed, self._np
         self._worlds_meshes: dict[int, Any] = {}
         for name in meshes_that_differ(placed.family._file):
@@ -234,7 +244,8 @@ class _Writer:
                 self._write(field, placed.ids("light")[mine], turned + (pos if field == "light_pos" else 0))
 
     def _write_coordinates(self, field: str) -> None:
-        """Writes positions of joints; those of free bodies are poses in the world of the scene."""
+        """Writes positions of joints; positions of free bodies are poses in the world of the scene.
+        """
         if f"{field}.names" not in self._members:
             return
         mine, there = self._placed.coordinates(field)
@@ -248,7 +259,7 @@ class _Writer:
                 self._placed.place_free(joint, full, out)
 
     def _sized(self) -> Any:
-        """Ids in the scene of primitive geoms whose sizes differ."""
+        """Returns the ids in the scene of primitive geoms whose sizes differ between variants."""
         if "geom_size.names" not in self._members:
             return self._np.zeros(0, int)
         mine = self._placed.elements("geom_size")

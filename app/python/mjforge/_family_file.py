@@ -1,4 +1,5 @@
-"""Reads the file of a family: arrays of NumPy in a zip archive, compared with what it says about itself."""
+"""Reads the file of a family, NumPy arrays in a zip archive, and checks that the file is complete.
+"""
 
 from __future__ import annotations
 
@@ -13,13 +14,13 @@ from typing import Any, NoReturn, Union
 from . import _command
 from ._options import path as path_of
 
-_FORMAT = 1  # of the file; a later one has another number
-_END = 22  # bytes of the end record of a zip archive
+_FORMAT = 1  # version of the file's format
+_END = 22  # size of the end record of a zip archive, bytes
 _PER_VARIANT = ("index", "mass", "bounds", "top_offset", "bottom_offset", "horizontal_radius")
 
 
 def numpy_module() -> Any:
-    """NumPy. Raises ImportError that says how to get it."""
+    """Returns the module numpy. Raises ImportError with the command that installs NumPy."""
     try:
         return importlib.import_module("numpy")
     except ImportError as error:
@@ -27,7 +28,7 @@ def numpy_module() -> Any:
 
 
 class FamilyFile:
-    """The members of a file, read into memory and checked."""
+    """Arrays of a family's file, read into memory and checked."""
 
     def __init__(self, path: "Union[str, os.PathLike[str]]") -> None:
         self.path = pathlib.Path(path_of(path, "path"))
@@ -40,28 +41,29 @@ class FamilyFile:
         self._check_members()
 
     def text(self, name: str) -> str:
-        """A member that is a text."""
+        """Returns a member of the file that is a text."""
         return bytes(self.members[name].tobytes()).decode()
 
     def assets(self) -> dict[str, bytes]:
-        """The files that the base refers to, by their names there."""
+        """Returns the files to which the base refers, by their names in the base."""
         return {name: array.tobytes() for name, array in self.members.items() if name.startswith("assets/")}
 
     def fields(self) -> list[str]:
-        """The arrays of numbers of named elements."""
+        """Returns the names of the arrays that have numbers of named elements."""
         return [name for name in self.members if f"{name}.names" in self.members]
 
     def arrays(self) -> dict[str, Any]:
-        """The arrays with a row for each variant, without the parameters."""
+        """Returns the arrays with one row for each variant, without the index and the parameters.
+        """
         return {name: array for name, array in self.members.items()
                 if name != "index" and not name.startswith("params/") and self._has_rows(name)}
 
     def columns(self, folder: str) -> dict[str, Any]:
-        """The members of a folder, by their names in it."""
+        """Returns the members of a folder, by their names in the folder."""
         return {name[len(folder):]: array for name, array in self.members.items() if name.startswith(folder)}
 
     def only(self, row: int) -> FamilyFile:
-        """The same file with a single variant."""
+        """Returns the file reduced to one variant."""
         one = copy.copy(self)
         one.members = {name: array[row:row + 1] if self._has_rows(name) else array
                        for name, array in self.members.items()}
@@ -97,7 +99,9 @@ class FamilyFile:
         raise ValueError(f"'{self.path}' was changed: {message}")
 
     def _check_members(self) -> None:
-        """Compares the shapes of all arrays with the number of variants and of names."""
+        """Raises ValueError if the shape of an array does not match the number of variants or of
+        names.
+        """
         for name, array in self.members.items():
             base, _, kind = name.rpartition(".")
             if kind in ("names", "components") and base in self.members:
@@ -131,8 +135,9 @@ def _expect_file(path: pathlib.Path) -> None:
 
 
 def _expect_whole(path: pathlib.Path) -> None:
-    """Compares checksums, which NumPy does not if a shape was changed, and the number of members, which the
-    archive's end states.
+    """Raises an error if a checksum or the number of members is wrong. NumPy does not compare
+    checksums if a shape was changed, and does not read the number of members in the archive's end
+    record.
     """
     with open(path, "rb") as file, zipfile.ZipFile(file) as archive:
         if broken := archive.testzip():
@@ -145,13 +150,15 @@ def _expect_whole(path: pathlib.Path) -> None:
 
 
 def _expect_unchanged(path: pathlib.Path) -> None:
-    """Compares the file with its hash in the seal, if there is one beside it."""
+    """Raises ValueError if the hash of the file differs from the hash in the seal, if there is a
+    seal beside the file.
+    """
     if not any(path.parent.glob("*.manifest.seal.json")):
         return
     try:
         findings = _command.run(["verify", "--", str(path)], b"")
     except (OSError, ValueError):
-        return  # the seal belongs to another file, or it cannot be read
+        return  # the seal belongs to another file, or cannot be read
     for finding in findings:
         if finding.code == "batch/changed":
             raise ValueError(f"'{path}' is not the file that was written: {finding.message}")

@@ -1,4 +1,4 @@
-"""The arguments of a family's methods: prefixes of its objects, and the variant of each world."""
+"""Arguments of a family's methods: prefixes of objects, and the variant of each world."""
 
 from __future__ import annotations
 
@@ -11,7 +11,9 @@ if TYPE_CHECKING:
 
 
 def placements(family: Family, prefix: Any, rows: Any) -> "list[tuple[str, Any]]":
-    """The prefix of each object and its variant in each world. Raises TypeError or ValueError."""
+    """Returns the prefix of each object and the object's variant in each world. Raises TypeError or
+    ValueError.
+    """
     prefixes = [prefix] if isinstance(prefix, str) else _list(prefix)
     for each in prefixes:
         c_text(each, "prefix")
@@ -34,7 +36,7 @@ def _list(prefix: Any) -> "list[Any]":
 
 
 def rows_of(family: Family, rows: Any, objects: int = 1) -> Any:
-    """The variant of each object in each world, an array [worlds, objects]."""
+    """Returns the variant of each object in each world, an array [worlds, objects]."""
     import numpy as np
 
     if rows is None:
@@ -58,7 +60,9 @@ def rows_of(family: Family, rows: Any, objects: int = 1) -> Any:
 
 
 def worlds_of(worlds: Any, count: int) -> Any:
-    """The worlds that rows are for, an array of whole numbers. `count`: the number of rows."""
+    """Returns the worlds to which `rows` apply, an array of whole numbers. `count` is the number of
+    rows.
+    """
     import numpy as np
 
     array = np.asarray(worlds)

@@ -1,4 +1,4 @@
-"""An object of a family in a scene: which elements of the model are the object's, and where it stands."""
+"""An object of a family in a scene: ids of its elements in the scene's model, and its pose."""
 
 from __future__ import annotations
 
@@ -14,19 +14,21 @@ if TYPE_CHECKING:
 
     from ._family import Family
 
-# Kinds of elements by the first word of a field: the name in mjtObj, and the count in mjModel.
+# Kind of element by the first word of a field's name: the name in mjtObj, and the count in mjModel.
 _KINDS = {"body": ("BODY", "nbody"), "geom": ("GEOM", "ngeom"), "jnt": ("JOINT", "njnt"),
           "dof": ("JOINT", "njnt"), "qpos0": ("JOINT", "njnt"), "qpos": ("JOINT", "njnt"),
           "site": ("SITE", "nsite"), "cam": ("CAMERA", "ncam"), "light": ("LIGHT", "nlight"),
           "mat": ("MATERIAL", "nmat"), "mesh": ("MESH", "nmesh"), "pair": ("PAIR", "npair"),
           "eq": ("EQUALITY", "neq"), "tendon": ("TENDON", "ntendon"), "actuator": ("ACTUATOR", "nu")}
-# Elements that the object must have in the scene, and what must be equal there.
+# Kinds of elements that the object must have in the scene, and the field that must be equal there.
 _CHECKED = (("body", None), ("jnt", "jnt_type"), ("geom", "geom_type"), ("site", "site_type"), ("mat", None),
             ("tendon", None), ("actuator", "actuator_trntype"))
 
 
 class Placed:
-    """An object in a scene. Ids are those of the base; `ids` has those of the scene."""
+    """An object of a family in a scene. Elements are given by their ids in the base; `ids` has
+    their ids in the scene.
+    """
 
     def __init__(self, family: Family, model: MjModel, prefix: str) -> None:
         import numpy as np
@@ -44,18 +46,20 @@ class Placed:
         self._expect_object()
 
     def id_of(self, model: MjModel, kind: str, name: str) -> int:
-        """The id of an element by its name; -1 if there is none."""
+        """Returns the id of an element by its name; -1 if the model has no such element."""
         return int(self._mujoco.mj_name2id(model, getattr(self._mujoco.mjtObj, f"mjOBJ_{_KINDS[kind][0]}"), name))
 
     def _name_of(self, model: MjModel, kind: str, number: int) -> str:
         return self._mujoco.mj_id2name(model, getattr(self._mujoco.mjtObj, f"mjOBJ_{_KINDS[kind][0]}"), number) or ""
 
     def names(self, kind: str) -> list[str]:
-        """Names of all elements of the base, empty for those without one."""
+        """Returns the names of all elements of the base, empty for elements without a name."""
         return [self._name_of(self.base, kind, i) for i in range(getattr(self.base, _KINDS[kind][1]))]
 
     def ids(self, kind: str) -> Any:
-        """Ids in the scene, for each element of the base; -1: it is not there."""
+        """Returns the id in the scene of each element of the base; -1 if the element is not in the
+        scene.
+        """
         if kind not in self._known:
             found = [self.id_of(self.model, kind, self.prefix + name) if name else -1 for name in self.names(kind)]
             if kind == "body":
@@ -66,12 +70,14 @@ class Placed:
         return self._known[kind]
 
     def _parent_of_roots(self, bodies: list[int]) -> int:
-        """The body of the scene that stands for the world of the base."""
+        """Returns the body of the scene to which the roots of the base are attached."""
         roots = [i for i in range(1, self.base.nbody) if self.base.body_parentid[i] == 0 and bodies[i] > 0]
         return int(self.model.body_parentid[bodies[roots[0]]]) if roots else 0
 
     def _find_unnamed(self, kind: str) -> None:
-        """Finds pairs and equalities without names by what they connect, in their order."""
+        """Finds pairs and equalities without names by the elements that they connect, in their
+        order.
+        """
         ours, theirs = self._ends(kind, self.base), self._ends(kind, self.model)
         taken = set(self._known[kind].tolist())
         for number, ends in enumerate(ours):
@@ -95,7 +101,9 @@ class Placed:
         return (ends[0], *(int(self.ids(what)[i]) if i >= 0 else i for i in ends[1:]))
 
     def _expect_object(self) -> None:
-        """Raises ValueError if the elements of the base are not in the scene."""
+        """Raises ValueError if elements of the base are missing in the scene, or have another type
+        there.
+        """
         for kind, field in _CHECKED:
             there = self.ids(kind)
             for number, name in enumerate(self.names(kind)):
@@ -125,7 +133,7 @@ class Placed:
         return f"{message}: attach the base of the family to the scene"
 
     def elements(self, field: str) -> Any:
-        """Ids in the base of the elements of an array of the file."""
+        """Returns the ids in the base of the elements in an array of the family's file."""
         members = self.family._file.members
         kind = field.partition("_")[0]
         all_names = self.names(kind)
@@ -140,7 +148,9 @@ class Placed:
         return self._np.array([numbers[name] if name else next(unnamed) for name in names], dtype=int)
 
     def coordinates(self, field: str) -> "tuple[Any, Any]":
-        """Positions in the base and in the scene of numbers of joints: degrees of freedom or coordinates."""
+        """Returns the positions, in the arrays of the base and of the scene, of the numbers of
+        joints in a field: degrees of freedom or coordinates.
+        """
         address = "jnt_dofadr" if field.startswith("dof") else "jnt_qposadr"
         joints = self.elements(field)
         component = self.family._file.members[f"{field}.components"]
@@ -148,8 +158,9 @@ class Placed:
                 getattr(self.model, address)[self.ids("jnt")[joints]] + component)
 
     def frames(self, kind: str, elements: Any) -> Poses:
-        """Where the world of the base is in the frame of the parent in the scene, for elements of the base: the
-        identity for those of a body of the object.
+        """Returns, for each of these elements of the base, the pose of the base's world in the
+        frame of the element's parent in the scene. The pose is the identity if the parent is a body
+        of the object.
         """
         np = self._np
         parents = getattr(self.base, "body_parentid" if kind == "body" else f"{kind}_bodyid")[elements]
@@ -165,7 +176,7 @@ class Placed:
         return pos, quat
 
     def frame_of_roots(self) -> Poses:
-        """Where the world of the base is in the frame of the parent in the scene."""
+        """Returns the pose of the base's world in the frame of the object's parent in the scene."""
         roots = self._np.flatnonzero(self.base.body_parentid == 0)[1:2]
         if not len(roots):
             return self._np.zeros(3), self._np.array([1.0, 0, 0, 0])
@@ -173,7 +184,9 @@ class Placed:
         return pos[0], quat[0]
 
     def place_free(self, joint: int, qpos: Any, out: Any) -> None:
-        """Copies the pose of a free body [worlds, nq] from the world of the base to that of the scene."""
+        """Converts the pose of a free body from the world of the base (`qpos`) to the world of the
+        scene (`out`), with one row for each world.
+        """
         np = self._np
         body = self.base.jnt_bodyid[joint]
         first, there = self.base.jnt_qposadr[joint], self.model.jnt_qposadr[self.ids("jnt")[joint]]

@@ -47,7 +47,7 @@ def _defaults(model: MjModel, worlds: int) -> dict[str, Any]:
 
 
 def _place(placed: Placed, rows: Any, state: dict[str, Any]) -> None:
-    """Sets the joints and actuators of one object, and its mocap bodies."""
+    """Writes the start positions of one object's joints, actuators and mocap bodies to `state`."""
     import numpy as np
 
     base, model = placed.base, placed.model
@@ -76,7 +76,9 @@ def _place(placed: Placed, rows: Any, state: dict[str, Any]) -> None:
 
 
 def _own_start(placed: Placed, rows: Any) -> dict[str, Any]:
-    """The start in the base: that of its keyframe or MuJoCo's default, with the numbers of the variants."""
+    """Returns the start state of the base, from its keyframe or MuJoCo's default, with the numbers
+    of each variant.
+    """
     import numpy as np
 
     base, members = placed.base, placed.family._file.members

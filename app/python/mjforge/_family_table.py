@@ -1,4 +1,4 @@
-"""A table of a family's variants, with the columns that a table of their records has."""
+"""A table of a family's variants, with the columns of a table of their records."""
 
 from __future__ import annotations
 

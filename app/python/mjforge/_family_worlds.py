@@ -1,4 +1,4 @@
-"""Arrays with a row for each world, of the fields of a model that differ between worlds."""
+"""Arrays with one row for each world, for the fields of a model that differ between worlds."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from ._attach import _module_of
 if TYPE_CHECKING:
     from mujoco import MjModel  # type: ignore[import-not-found, import-untyped, unused-ignore]
 
-# What mj_setConst computes; `_others` finds what else it computes in a release.
+# Fields that mj_setConst computes; `_others` finds further fields that a release computes.
 _DERIVED = ("body_subtreemass", "body_invweight0", "dof_invweight0", "dof_M0", "tendon_length0", "tendon_invweight0",
             "actuator_acc0", "actuator_length0", "cam_pos0", "cam_poscom0", "cam_mat0", "light_pos0",
             "light_poscom0", "light_dir0", "eq_data")
 
 
 class Worlds:
-    """The arrays, by field. A field is there as soon as one world has a number of its own."""
+    """Arrays of the fields in which at least one world differs from the model, by field."""
 
     def __init__(self, model: MjModel, count: int, over: Optional[Mapping[str, Any]]) -> None:
         import numpy as np
@@ -37,19 +37,19 @@ class Worlds:
             self.arrays[name][...] = array
 
     def array(self, field: str) -> Any:
-        """The array of a field, in which all worlds have the model's numbers at first."""
+        """Returns the array of a field; a new array has the model's numbers in all worlds."""
         if field not in self.arrays:
             part, _, member = field.rpartition(".")
             shared = getattr(getattr(self._model, part) if part else self._model, member, None)
             if shared is None:
                 raise ValueError(f"mujoco {self._mujoco.__version__} has no {field}")
-            if field == "bvh_aabb":  # boxes of bodies, before those of meshes
+            if field == "bvh_aabb":  # boxes of bodies, which precede those of meshes
                 shared = shared[:_boxes_of_bodies(self._model)]
             self.arrays[field] = self._np.repeat(self._np.asarray(shared)[None], self._count, axis=0)
         return self.arrays[field]
 
     def set_mesh(self, geom: int, meshes: Any) -> None:
-        """Gives a geom the mesh of each world, with its bounds."""
+        """Gives a geom the mesh of each world, with the bounds of the mesh."""
         np, model = self._np, self._model
         self.array("geom_dataid")[:, geom] = meshes
         low, high = np.empty((self._count, 3)), np.empty((self._count, 3))
@@ -86,10 +86,11 @@ class Worlds:
             self.array("geom_aabb")[:, geom] = np.stack([zero, zero, zero, *half], axis=1)
 
     def derive(self) -> None:
-        """Lets MuJoCo compute, in each world, what it derives from the numbers."""
+        """Computes, in each world, the numbers that MuJoCo derives from others."""
         work = copy.copy(self._model)
         data = self._mujoco.MjData(work)
-        # Equalities have numbers of both kinds, so those that are given must be kept apart.
+        # Copies the numbers of equalities, because mj_setConst reads some of them and computes
+        # others.
         given = [(name, array.copy() if name == "eq_data" else array) for name, array in self.arrays.items()
                  if name not in _DERIVED[:-1] and not name.startswith("stat.")]
         writers = [(writer(work, name), array) for name, array in given]
@@ -109,13 +110,17 @@ class Worlds:
         self._derive_mean_inertia()
 
     def _derive_mean_inertia(self) -> None:
-        """Computes the mean inertia, by which solvers scale their tolerance, unless the scene states another one."""
+        """Computes the mean inertia, by which solvers scale their tolerance, unless the scene sets
+        another value.
+        """
         mean = self._model.dof_M0.mean() if self._model.nv else None
         if mean is not None and self._np.isclose(mean, self._model.stat.meaninertia, rtol=1e-9, atol=0):
             self.array("stat.meaninertia")[...] = self.arrays["dof_M0"].mean(axis=1)
 
     def _others(self, work: MjModel, compute: Callable[[int], None], known: Sequence[str]) -> list[str]:
-        """Other arrays that mj_setConst changes in the first, the middle or the last world."""
+        """Returns the names of further arrays that mj_setConst changes in the first, the middle or
+        the last world.
+        """
         found: set[str] = set()
         given = self.arrays.keys() - self._over.keys()
         candidates = [name for name in dir(work) if not name.startswith("_") and name not in known
@@ -136,7 +141,7 @@ def _is_real(value: Any) -> bool:
 
 
 def writer(model: MjModel, field: str) -> Callable[[Any], None]:
-    """A function that sets a field of the model."""
+    """Returns a function that sets a field of the model."""
     part, _, member = field.rpartition(".")
     if part:
         return functools.partial(setattr, getattr(model, part), member)

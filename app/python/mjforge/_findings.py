@@ -1,23 +1,23 @@
-"""What was found, and what is raised for it."""
+"""Findings (errors and warnings), and the exceptions that contain them."""
 
 from __future__ import annotations
 
 from typing import Any, Optional, Sequence
 
 
-TEXT_NAME = "<spec>"  # of a spec without a file, in findings
+TEXT_NAME = "<spec>"  # name of a spec without a file, in findings
 
 
 def printable(text: str) -> str:
-    """The text with escapes in place of control characters, which names in files of others may
-    have.
+    """Returns the text with escapes in place of control characters, because names in other people's
+    files may contain control characters.
     """
     return "".join(c if c.isprintable() or c == "\n" else c.encode("unicode_escape").decode()
                    for c in text)
 
 
 class Finding:
-    """An error or a warning. What it does not have is None."""
+    """An error or a warning. Attributes that do not apply are None."""
 
     __slots__ = ("severity", "code", "message", "hint", "file", "line", "column", "seed", "index",
                  "notes", "key", "text")
@@ -27,13 +27,13 @@ class Finding:
     message: str
     hint: Optional[str]
     file: Optional[str]
-    line: Optional[int]  # from 1
-    column: Optional[int]  # from 1
-    seed: Optional[int]  # of the variant
-    index: Optional[int]  # of the variant
-    notes: list[dict[str, Any]]  # message, and file, line and column
-    key: Optional[str]  # of a spec given as a mapping: "parts[0].type"
-    text: str  # as the command prints it
+    line: Optional[int]  # counted from 1
+    column: Optional[int]  # counted from 1
+    seed: Optional[int]  # seed of the variant
+    index: Optional[int]  # index of the variant
+    notes: list[dict[str, Any]]  # each with message, file, line and column
+    key: Optional[str]  # key in a spec that was given as a mapping: "parts[0].type"
+    text: str  # the finding as the command prints it
 
     def __init__(self, members: dict[str, Any], text: str = "") -> None:
         for name in self.__slots__[:-1]:
@@ -47,8 +47,9 @@ class Finding:
         return summary if self.hint is None else f"{summary}\n  hint: {self.hint}"
 
     def set_keys(self, key_paths: Sequence[str]) -> "Finding":
-        """Finds the key of its place in a spec that was a mapping, and those of its notes, by their
-        lines in the text of the spec, which has these key paths; none for other specs. Returns itself.
+        """Sets `key` in a finding about a spec that was given as a mapping, and in its notes.
+        `key_paths` has the key of each line of the spec's text; it is empty for other specs.
+        Returns the finding.
         """
         if not key_paths or self.file != TEXT_NAME:
             return self
@@ -70,7 +71,7 @@ class Finding:
         return self
 
     def members(self) -> dict[str, Any]:
-        """Its JSON object in the output of `--findings json`."""
+        """Returns the finding's JSON object in the output of `--findings json`."""
         values = {name: getattr(self, name) for name in self.__slots__[:-1]}
         return {name: value for name, value in values.items() if value is not None}
 
@@ -82,7 +83,7 @@ class Finding:
 
 
 class _FindingsError(ValueError):
-    """Its text is that of its findings."""
+    """An exception whose text consists of the texts of its findings."""
 
     findings: tuple[Finding, ...]
 
@@ -95,12 +96,14 @@ class _FindingsError(ValueError):
 
 
 class SpecError(_FindingsError):
-    """A spec has errors. `findings` has all of them, and its warnings."""
+    """Raised if a spec has errors. `findings` contains all errors and warnings."""
 
 
 class VariantError(_FindingsError):
-    """A variant could not be made or did not pass its checks; `findings` says why."""
+    """Raised if a variant could not be made or did not pass its checks; `findings` contains the
+    reasons.
+    """
 
 
 class MismatchError(ValueError):
-    """A compiled model is not what was meant."""
+    """Raised if a model, a spec or a file differs from the record of a variant."""

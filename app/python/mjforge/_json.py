@@ -7,23 +7,23 @@ from typing import Any, Sequence
 
 _decode = json.JSONDecoder().raw_decode
 
-# Members that the record of every made variant has. If such a key occurs once in a record, it is the
-# record's own, and not that of an inner object such as `params`.
+# Members of the record of every variant that was made. If such a key occurs only once in a record,
+# it belongs to the record itself and not to an inner object such as `params`.
 _ALWAYS = frozenset(("name", "index", "seed", "params", "mass", "com", "inertia", "aabb", "swept_aabb",
                      "top_offset", "bottom_offset", "horizontal_radius", "nbody", "njnt", "ngeom",
                      "target", "status", "sha256"))
 
 
 def loads(said: bytes) -> Any:
-    """Reads JSON. Bytes of paths that are not UTF-8 become the characters that os.fsdecode makes of
-    them, so that os.fsencode gives these bytes back.
+    """Parses JSON. Bytes of paths that are not UTF-8 are decoded as by os.fsdecode, so that
+    os.fsencode returns the same bytes.
     """
     return json.loads(said.decode(errors="surrogateescape"))
 
 
 def members_of_record(record: bytes, members: Sequence[str]) -> list[Any]:
-    """The values of members of a record, as the library writes it: without blanks. Raises KeyError
-    for a member that it does not have.
+    """Returns the values of members of a record, which must be as the library writes it: without
+    blanks. Raises KeyError for a member that the record does not have.
     """
     values = []
     for member in members:

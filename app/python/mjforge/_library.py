@@ -1,4 +1,6 @@
-"""The shared library: app/python/interface.h has the same structs and says what they mean."""
+"""The shared library, loaded by ctypes. Structs must match app/python/interface.h, which documents
+them.
+"""
 
 from __future__ import annotations
 
@@ -99,8 +101,9 @@ def bytes_of(text: Text) -> bytes:
 
 
 def c_text(text: Any, what: str) -> bytes:
-    """An argument for C, which takes a number for an address and a zero character for the end.
-    `what` is the name of the argument in the TypeError or ValueError.
+    """Returns a text as an argument for C. Rejects other types, because C would take a number for
+    an address, and zero characters, because they would end the text. `what` is the name of the
+    argument in the TypeError or ValueError.
     """
     if not isinstance(text, str):
         raise TypeError(f"{what}={text!r} is not a text but of type {type(text).__name__}")
@@ -113,7 +116,7 @@ def c_text(text: Any, what: str) -> bytes:
 
 
 def c_texts(texts: Iterable[Any], what: str) -> Any:
-    """An array of arguments for C."""
+    """Returns texts as an array for C."""
     encoded = [c_text(text, what) for text in texts]
     return (c_char_p * len(encoded))(*encoded)
 
@@ -122,7 +125,9 @@ MAX_NUMBER = 2**64 - 1
 
 
 def c_number(number: Any, what: str, least: int = 0, most: int = MAX_NUMBER) -> int:
-    """An argument for C, an integer of any type within a range. Raises TypeError or ValueError."""
+    """Returns an integer of any type as an argument for C. Raises TypeError, or ValueError if the
+    integer is outside of the range.
+    """
     index = integer(number, what)
     if not least <= index <= most:
         end = f"2^{most.bit_length()} - 1" if most & (most + 1) == 0 else most
@@ -131,7 +136,7 @@ def c_number(number: Any, what: str, least: int = 0, most: int = MAX_NUMBER) -> 
 
 
 def integer(number: Any, what: str) -> int:
-    """An integer of any type. Raises TypeError, which names it."""
+    """Returns an integer of any type as int. Raises a TypeError with the name `what`."""
     try:
         if not isinstance(number, bool):
             return operator.index(number)
@@ -141,7 +146,8 @@ def integer(number: Any, what: str) -> int:
 
 
 def members(archive: str) -> Iterator[tuple[str, bytes]]:
-    """Names and contents in an archive, `.tar` or `.tar.zst`. Raises OSError."""
+    """Yields names and contents of the members of an archive, `.tar` or `.tar.zst`. Raises OSError.
+    """
     handle = library.MjforgeOpenArchive(c_text(archive, "archive"))
     if not handle:
         raise MemoryError
@@ -156,8 +162,9 @@ def members(archive: str) -> Iterator[tuple[str, bytes]]:
 
 
 def lines(manifest: str) -> Iterator[bytes]:
-    """The lines of a manifest, `.jsonl` or `.jsonl.zst`, without their ends. Raises OSError, also at
-    the end of a manifest that was cut off, unless it is still being written (`.part`)."""
+    """Yields the lines of a manifest, `.jsonl` or `.jsonl.zst`, without line ends. Raises OSError
+    if reading fails, or if the manifest was cut off and is no longer being written (`.part`).
+    """
     handle = library.MjforgeOpenLines(c_text(manifest, "manifest"))
     if not handle:
         raise MemoryError

@@ -18,7 +18,8 @@ if TYPE_CHECKING:
 
 
 class Snapshot:
-    """A spec with the texts of all files that its loads have read; threads may share it."""
+    """A spec with the texts of all files that were read to load it. Threads may share a snapshot.
+    """
 
     __slots__ = ("handle",)
 
@@ -29,21 +30,21 @@ class Snapshot:
 
     @classmethod
     def of(cls, reference: Optional[str], text: Optional[str]) -> "Snapshot":
-        """Of a file or a name in the search path, or of a text."""
+        """Makes a snapshot of a file, of a name in the search path, or of a text."""
         return cls(library.MjforgeNewSnapshot(
             None if reference is None else c_text(reference, "spec"),
             None if text is None else c_text(text, "spec"), os.fsencode(CATALOGUE)))
 
     @classmethod
     def read(cls, saved: bytes) -> "Snapshot":
-        """Of a text of `saved`. Raises ValueError if it is damaged."""
+        """Makes a snapshot from the result of `saved`. Raises ValueError if that is damaged."""
         handle = library.MjforgeReadSnapshot(saved, len(saved))
         if not handle:
             raise ValueError(f"a pickled Spec is damaged: {saved[:40]!r} does not begin a snapshot")
         return cls(handle)
 
     def saved(self) -> bytes:
-        """JSON for `read`, and for the command as the text of a spec."""
+        """Returns the snapshot as JSON, for `read`, and as a spec for the command."""
         return bytes_of(library.MjforgeSnapshotText(self.handle))
 
     def __del__(self) -> None:
@@ -52,19 +53,21 @@ class Snapshot:
 
 
 def found(said: bytes, key_paths: Sequence[str] = ()) -> tuple[Finding, ...]:
-    """The findings of MjforgeFindings. `key_paths`: of the lines of a spec that was a mapping."""
+    """Returns the findings in the JSON of MjforgeFindings. `key_paths` has the key of each line of
+    a spec that was given as a mapping.
+    """
     return tuple(Finding(members, text).set_keys(key_paths) for members, text in loads(said or b"[]"))
 
 
 def compare(path: str, sha256: str, first: str) -> None:
-    """Raises OSError if the hash of a file is not that of its first use."""
+    """Raises OSError if the hash of a file differs from `first`, the hash at its first use."""
     if sha256 != first:
         raise OSError(f"'{path}' has changed since this Spec first used it: its SHA-256 is {sha256}, "
                       f"and was {first}; make a new Spec")
 
 
 class Maker:
-    """An open spec in the library; for one thread at a time."""
+    """A spec opened in the library to make its variants, for one thread at a time."""
 
     __slots__ = ("handle", "texts", "pointer", "_key_paths", "_inputs", "_changed", "_view")
 
@@ -100,7 +103,9 @@ class Maker:
             library.MjforgeClose(self.handle)
 
     def check(self) -> tuple[Finding, ...]:
-        """Warnings of the loading; raises what hinders."""
+        """Returns the warnings of loading the spec. Raises SpecError if the spec has errors,
+        ValueError if the request is wrong.
+        """
         findings = found(bytes_of(library.MjforgeFindings(self.handle)), self._key_paths)
         if any(finding.severity == "error" for finding in findings):
             raise SpecError(findings)
@@ -136,7 +141,9 @@ class Maker:
                        files, contents, findings, {**self._view, "pose": dict(self._view["pose"])})
 
     def add_rows(self, indices: range, table: "Table") -> int:
-        """Adds the records of these variants up to the first that fails; returns how many."""
+        """Adds the records of these variants to a table, up to the first variant that fails.
+        Returns the number of records added.
+        """
         if self._changed:
             raise OSError(self._changed)
         inputs = Text()
@@ -146,7 +153,7 @@ class Maker:
         return count
 
     def _compare(self, inputs: list[list[str]]) -> None:
-        """Compares the hashes of files that variants refer to with those at their first use."""
+        """Raises OSError if a file to which variants refer has changed since its first use."""
         for path, sha256 in inputs:
             try:
                 compare(path, sha256, self._inputs.setdefault(path, sha256))

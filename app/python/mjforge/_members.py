@@ -8,7 +8,8 @@ from typing import Any, Optional, Union
 from ._json import loads
 from ._library import bytes_of, library
 
-# Position of a joint: rad or m; a quaternion of a ball joint; pos and quat of a free joint.
+# Position of a joint: rad or m for a hinge or slide, a quaternion for a ball joint, pos and quat
+# for a free joint.
 Position = Union[float, tuple[float, ...]]
 # An element of an MJCF file: tag, attributes, children.
 Element = list[Any]
@@ -17,8 +18,8 @@ _START = "_start"  # suffix of the name of the keyframe with the start state
 
 
 def elements(xml: bytes) -> Element:
-    """The root element of an MJCF file. Attributes that consist of numbers are a number or a list.
-    Raises ValueError if the text is not XML.
+    """Returns the root element of an MJCF file. Attributes that consist of numbers become a number
+    or a list. Raises ValueError if the text is not XML.
     """
     said = bytes_of(library.MjforgeElements(xml, len(xml)))
     if not said:
@@ -28,7 +29,9 @@ def elements(xml: bytes) -> Element:
 
 
 def section(root: Element, tag: str) -> list[Element]:
-    """The elements in a section of a file ("worldbody"); empty without that section."""
+    """Returns the elements in a section of a file ("worldbody"); empty if the file has no such
+    section.
+    """
     return next((children for name, _, children in root[2] if name == tag), [])
 
 
@@ -39,7 +42,7 @@ class Joint:
     name: str
     type: str  # "free", "ball", "slide" or "hinge"
     body: str
-    range: Optional[tuple[float, float]]  # None without limits
+    range: Optional[tuple[float, float]]  # None if unlimited
     start: Position
 
 
@@ -55,18 +58,20 @@ class Site:
 
 @dataclasses.dataclass
 class Members:
-    """Joints in the order of MuJoCo's qpos, and sites in the order of the file."""
+    """Joints, sites and actuators of an object. Joints are in the order of MuJoCo's qpos, sites in
+    the order of the file.
+    """
 
     root: str = ""  # name of the first body
-    root_pose: tuple[float, ...] = ()  # pos and quat of the first body in the object's frame, start
-    root_joint: Optional[str] = None  # free joint of the first body
+    root_pose: tuple[float, ...] = ()  # start pos and quat of the first body in the object's frame
+    root_joint: Optional[str] = None  # name of the free joint of the first body
     joints: dict[str, Joint] = dataclasses.field(default_factory=dict)
     sites: dict[str, Site] = dataclasses.field(default_factory=dict)
     actuators: list[str] = dataclasses.field(default_factory=list)
-    key: dict[str, list[float]] = dataclasses.field(default_factory=dict)  # qvel, act, ctrl
+    key: dict[str, list[float]] = dataclasses.field(default_factory=dict)  # start qvel, act, ctrl
 
 
-_WIDTHS = {"free": 7, "ball": 4}  # numbers of a joint in qpos; 1 of a hinge or slide
+_WIDTHS = {"free": 7, "ball": 4}  # numbers of a joint in qpos; a hinge or slide has one
 
 
 def _list(value: Any) -> list[float]:
@@ -78,7 +83,7 @@ def _pose(attributes: dict[str, Any]) -> tuple[float, ...]:
 
 
 def members_of(root: Element) -> Members:
-    """Reads the members from the elements of a file that mjforge wrote."""
+    """Returns the members of an object, given the elements of a file that mjforge wrote."""
     found = Members()
     for tag, attributes, children in section(root, "worldbody"):
         if tag == "body":
@@ -121,7 +126,7 @@ def _joint(kind: str, attributes: dict[str, Any], body: dict[str, Any], body_nam
 
 
 def _read_start(key: dict[str, list[float]], found: Members) -> None:
-    """Replaces the start positions by those of the keyframe."""
+    """Sets the start positions of joints to those of the keyframe."""
     found.key = {name: key[name] for name in ("qvel", "act", "ctrl") if name in key}
     qpos = key.get("qpos")
     if qpos is None:

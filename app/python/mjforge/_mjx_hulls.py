@@ -14,7 +14,7 @@ _FLATNESS = 1e-5
 
 
 def moved_hull(model: MjModel, hull: Any, mesh: int, meshes: Any) -> Any:
-    """Returns the hull (ConvexMesh) of a mesh with the vertices of the mesh of each world.
+    """Returns the convex hull (ConvexMesh) of a mesh, with the vertices of each world's mesh.
 
     Raises ValueError if the convex hull of one of these meshes has other faces.
     """
@@ -40,7 +40,7 @@ def moved_hull(model: MjModel, hull: Any, mesh: int, meshes: Any) -> Any:
         other = model.mesh(used[has_faces.argmin()]).name
         raise ValueError(f"the convex hulls of the meshes '{model.mesh(mesh).name}' and '{other}' have other "
                          "faces, and MJX has the faces of a geom's hull once for all worlds")
-    # An edge has the normals of the two faces that meet in it.
+    # Finds the normals of the two faces that meet at each edge.
     ends = corner[np.asarray(hull.edge)]
     meets = (face[None, :, :, None] == ends[:, None, None]).any(axis=2).all(axis=-1)
     likeness = np.asarray(hull.edge_face_normal) @ np.asarray(hull.face_normal).T
@@ -57,7 +57,9 @@ def _vertices(model: MjModel, mesh: int) -> Any:
 
 
 def _moved_vertices(model: MjModel, mesh: int, meshes: Any) -> Any:
-    """Vertices of the mesh of each world. Raises ValueError if their number differs."""
+    """Returns the vertices of each of these meshes. Raises ValueError if their number differs from
+    that of `mesh`.
+    """
     import numpy as np
 
     number = model.mesh_vertnum[mesh]

@@ -1,4 +1,4 @@
-"""Options of functions: their words, and the check of every argument before it reaches C."""
+"""Options of functions: their words, and checks of arguments before they are passed to C."""
 
 from __future__ import annotations
 
@@ -22,18 +22,19 @@ Profile = Literal["none", "simready"]
 
 MAX_JOBS = 1024  # must be kMaxJobs of app/options.cc
 
-# The words that the library knows, by option. A test compares the types above with them.
+# Words that each option accepts, from the library. A test compares the types above with these
+# words.
 WORDS: dict[str, list[str]] = json.loads(bytes_of(library.MjforgeWords()))
 
 
 def text(value: Any, option: str) -> str:
-    """A text without zero characters."""
+    """Returns the value, which must be a text without zero characters."""
     c_text(value, option)
     return str(value)
 
 
 def word(value: Any, option: str) -> str:
-    """One of the words of the option."""
+    """Returns the value, which must be one of the words of the option."""
     words = WORDS[option] if option in WORDS else get_args(Profile)
     if not isinstance(value, str):
         raise TypeError(f"{option}={value!r} is not one of {', '.join(words)}, "
@@ -46,27 +47,27 @@ def word(value: Any, option: str) -> str:
 
 
 def number(value: Any, option: str) -> int:
-    """An integer from 0 on that fits into 64 bits."""
+    """Returns the value, which must be an integer from 0 to 2^64 - 1."""
     return c_number(value, option)
 
 
 def count(value: Any, option: str) -> int:
-    """An integer from 1 on that fits into 64 bits."""
+    """Returns the value, which must be an integer from 1 to 2^64 - 1."""
     return c_number(value, option, 1)
 
 
 def length(value: Any, option: str) -> int:
-    """A number of variants: an integer from 1 on that len() can return."""
+    """Returns a number of variants, which must be an integer from 1 on that len() can return."""
     return c_number(value, option, 1, sys.maxsize)
 
 
 def jobs(value: Any, option: str) -> int:
-    """A number of processes."""
+    """Returns a number of processes, which must be from 1 to MAX_JOBS."""
     return c_number(value, option, 1, MAX_JOBS)
 
 
 def real(value: Any, option: str) -> float:
-    """A number of any type."""
+    """Returns the value, which must be a number of any type, as float."""
     try:
         if not isinstance(value, (bool, str, bytes, complex)):
             return float(value)
@@ -78,34 +79,34 @@ def real(value: Any, option: str) -> float:
 
 
 def seconds(value: Any, option: str) -> float:
-    """A positive number."""
+    """Returns the value, which must be a positive number, as float."""
     if not 0 < real(value, option) < math.inf:
         raise ValueError(f"{option}={value!r} is not a positive number of seconds")
     return float(value)
 
 
 def flag(value: Any, option: str) -> bool:
-    """True or False."""
+    """Returns the value, which must be True or False."""
     if not isinstance(value, bool):
         raise TypeError(f"{option}={value!r} is not True or False but of type {type(value).__name__}")
     return value
 
 
 def path(value: Any, option: str) -> str:
-    """A file or a folder: a text or a path."""
+    """Returns the path of a file or a folder, which must be a text or an os.PathLike, as text."""
     if not isinstance(value, (str, os.PathLike)):
         raise TypeError(f"{option}={value!r} is not a path but of type {type(value).__name__}")
     return text(os.fspath(value), option)
 
 
 def function(value: Any, option: str) -> Any:
-    """A callable object."""
+    """Returns the value, which must be callable."""
     if not callable(value):
         raise TypeError(f"{option}={value!r} cannot be called: it is of type {type(value).__name__}")
     return value
 
 
-# The check of each option, which is the same in all functions that have the option.
+# Check of each option, which is the same in all functions that have the option.
 _CHECKS: dict[str, Callable[[Any, str], Any]] = {
     "seed": number, "place_seed": number, "batch": count, "count": length, "first": number,
     "jobs": jobs, "per_archive": count, "time_limit": seconds,
@@ -115,12 +116,14 @@ _CHECKS: dict[str, Callable[[Any, str], Any]] = {
     "resume": flag, "verify": flag, "force": flag, "if_changed": flag, "each": flag,
     "mocap": flag, "pad": flag, "physics": flag, "progress": function,
 }
-# Options that may be None, which stands for their default.
+# Options that may be None, which means their default.
 _OPTIONAL = {"place_seed", "batch", "jobs", "per_archive", "time_limit", "shard", "profile",
              "progress", "durability"}
 
 
 def checked(options: Mapping[str, Any]) -> dict[str, Any]:
-    """The options after their checks. Raises TypeError or ValueError, which names the option."""
+    """Returns the options after their checks. Raises TypeError or ValueError with the name of the
+    option.
+    """
     return {option: None if value is None and option in _OPTIONAL else _CHECKS[option](value, option)
             for option, value in options.items()}

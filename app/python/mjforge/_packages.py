@@ -1,4 +1,4 @@
-"""Packages that only some functions need."""
+"""Import of packages that only some functions need."""
 
 from __future__ import annotations
 
@@ -7,7 +7,9 @@ from typing import Any
 
 
 def needed(module: str, package: str) -> Any:
-    """The module of a package. Raises ImportError that says how to get it."""
+    """Returns the module of a package. Raises ImportError with the command that installs the
+    package.
+    """
     try:
         return importlib.import_module(module)
     except ImportError as error:

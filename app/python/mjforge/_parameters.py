@@ -14,19 +14,19 @@ Number = Union[float, "tuple[float, ...]"]
 
 @dataclasses.dataclass(frozen=True)
 class Parameter:
-    """A parameter of a spec: what a variant's `params` may have under this name."""
+    """A parameter of a spec, with the values that it can have in a variant's `params`."""
 
     name: str
-    unit: str  # "m", or "" if the spec does not say it
-    section: str  # heading of its control in `mjforge customize`, or ""
+    unit: str  # "m", or "" if the spec declares no unit
+    section: str  # heading of the parameter in `mjforge customize`, or ""
     doc: str
-    default: str  # the value as the spec has it: "20cm .. 30cm"
+    default: str  # the value as written in the spec: "20cm .. 30cm"
     type: str  # "number", "text" or "boolean"
     components: int  # 1, the size of a vector, or 0 for a list of any length
-    distribution: Optional[str]  # "uniform", "choice", ...; None if it is no draw by itself
+    distribution: Optional[str]  # "uniform", "choice", ...; None if the value is no single draw
     low: Optional[Number]  # bounds, each a tuple for a vector; None if they differ between variants
     high: Optional[Number]
-    choices: Optional[tuple[Any, ...]]  # of "choice" and "cycle"
+    choices: Optional[tuple[Any, ...]]  # options of "choice" and "cycle"
 
     @property
     def range(self) -> Optional[tuple[Number, Number]]:
@@ -41,7 +41,7 @@ def _frozen(value: Any) -> Any:
 
 
 def parameter_of(members: dict[str, Any]) -> Parameter:
-    """The parameter of an object of MjforgeDescription."""
+    """Makes a parameter from its object in the JSON of MjforgeDescription."""
     members["default"] = members.pop("spec")
     return Parameter(**{name: _frozen(value) for name, value in members.items()})
 
@@ -64,7 +64,9 @@ class CatalogueEntry(str):
 
     @property
     def description(self) -> str:
-        """What the spec says about itself; it is read for that. Raises SpecError."""
+        """Description in the spec. Reads the spec at the first access. Raises SpecError if the spec
+        has errors.
+        """
         if self._description is None:
             from ._spec import Spec
 
@@ -76,7 +78,7 @@ class CatalogueEntry(str):
 
 
 def catalogue() -> list[CatalogueEntry]:
-    """The specs in the folders of MJFORGE_PATH, and the bundled ones.
+    """Returns the names of the specs in the folders of MJFORGE_PATH, and of the bundled specs.
 
     >>> import mjforge
     >>> "tools/hammer" in mjforge.catalogue()

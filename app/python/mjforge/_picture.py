@@ -1,7 +1,7 @@
 """Pictures of variants, drawn by the command `mjforge preview`.
 
-The command draws in a process of its own, because a renderer in this process would share OpenGL, and
-its current context, with that of the user's MuJoCo.
+The command draws in a process of its own, because a renderer in this process would share OpenGL,
+and the current context of OpenGL, with the renderer of the user's MuJoCo.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ Size = Union[int, tuple[int, int]]  # width and height in pixels; one number for
 
 
 class Picture(bytes):
-    """The bytes of a PNG file, which a notebook shows."""
+    """The bytes of a PNG file, which a notebook shows as a picture."""
 
     def _repr_png_(self) -> bytes:
         return bytes(self)
@@ -72,8 +72,8 @@ def _joints_of(pose: Any) -> list[str]:
 
 
 def _takes(variant: Variant, name: str, value: float) -> bool:
-    """True if the variant has one joint of this name, whose first words may be missing, and the
-    joint reaches the position.
+    """Returns True if exactly one joint of the variant has this name, whose first words may be left
+    out, and is a hinge or slide whose range contains the position.
     """
     fitting = ([name] if name in variant.joints else
                [joint for joint in variant.joints if joint.endswith("_" + name)])
@@ -85,7 +85,9 @@ def _takes(variant: Variant, name: str, value: float) -> bool:
 
 
 def _view_of(variants: list[Variant]) -> list[str]:
-    """Words for the camera and the joints of the spec's `view:`."""
+    """Returns the options of the command for the camera and the joint positions of the spec's
+    `view:`.
+    """
     view = variants[0].view
     pose = {name: value for name, value in view["pose"].items()
             if any(_takes(variant, name, value) for variant in variants)}
@@ -96,7 +98,7 @@ def _view_of(variants: list[Variant]) -> list[str]:
 
 def draw(variants: Iterable[Variant], size: Optional[Size], layer: Layer,
          pose: Optional[Mapping[str, float]] = None) -> Picture:
-    """A picture of a variant, or a contact sheet of several."""
+    """Draws a variant, or a contact sheet of several variants."""
     words = ["--layer", _layer_of(layer)]
     explicit = _joints_of({} if pose is None else pose)
     if size is not None:
@@ -111,7 +113,7 @@ def draw(variants: Iterable[Variant], size: Optional[Size], layer: Layer,
             drawn.append(variant)
         if not 0 < len(files) <= 400:
             raise ValueError(f"a sheet has 1 to 400 variants, not {len(files)}")
-        words += [*_view_of(drawn), *explicit]  # of two positions of a joint, the last one counts
+        words += [*_view_of(drawn), *explicit]  # if a joint has two positions, the last one counts
         picture = pathlib.Path(folder, "picture.png")
         findings = _command.run(["preview", *words, "-o", str(picture), "--", *files], b"")
         if not picture.exists():

@@ -1,4 +1,4 @@
-"""Poses of many elements in many worlds, as arrays of NumPy: quaternions are w x y z."""
+"""Poses of many elements in many worlds, as NumPy arrays. Quaternions are w x y z."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ Poses = Tuple[Any, Any]  # positions [..., 3] and quaternions [..., 4]
 
 
 def rotate(quat: Any, vector: Any) -> Any:
-    """The vectors, turned by the quaternions."""
+    """Rotates vectors by quaternions."""
     import numpy as np
 
     axis, w = quat[..., 1:], quat[..., :1]
@@ -17,7 +17,7 @@ def rotate(quat: Any, vector: Any) -> Any:
 
 
 def product(a: Any, b: Any) -> Any:
-    """The rotation by b, then by a."""
+    """Returns the rotation by b, followed by the rotation by a."""
     import numpy as np
 
     va, vb, wa, wb = a[..., 1:], b[..., 1:], a[..., :1], b[..., :1]
@@ -26,16 +26,18 @@ def product(a: Any, b: Any) -> Any:
 
 
 def inverse(quat: Any) -> Any:
-    """The rotations back."""
+    """Returns the inverse rotations."""
     return quat * [1, -1, -1, -1]
 
 
 def compose(outer: Poses, inner: Poses) -> Poses:
-    """The poses `inner`, which are relative to `outer`, in the frame of `outer`."""
+    """Returns the poses `inner`, given in the frames `outer`, in the frame in which `outer` is
+    given.
+    """
     return outer[0] + rotate(outer[1], inner[0]), product(outer[1], inner[1])
 
 
 def without(whole: Poses, inner: Poses) -> Poses:
-    """The poses `outer` for which compose(outer, inner) is `whole`."""
+    """Returns the poses `outer` for which compose(outer, inner) is `whole`."""
     quat = product(whole[1], inverse(inner[1]))
     return whole[0] - rotate(quat, inner[0]), quat

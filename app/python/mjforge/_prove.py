@@ -18,17 +18,17 @@ from ._options import MAX_JOBS
 from ._workers import Crew
 
 _MAX_SHOWN = 50  # findings that the command prints
-_MAX_COLUMNS = 120  # of a quoted line
+_MAX_COLUMNS = 120  # longest part of a quoted line
 
 
 class Proof:
-    """The result: what was found, and the number of variants that are as recorded."""
+    """Result of a proof: findings, and the number of variants that match their records."""
 
     def __init__(self) -> None:
         self.findings: list[Finding] = []
         self.variants = 0  # variants with a file, according to the manifests
         self.proven = 0
-        self.version = ""  # MuJoCo that loaded the files
+        self.version = ""  # version of the MuJoCo that loaded the files
         self.recorded: set[str] = set()  # releases of MuJoCo that checked the variants
 
 
@@ -64,7 +64,9 @@ class _Progress:
 
 
 def run(batch: Union[str, "os.PathLike[str]"], jobs: Optional[int], progress: bool) -> Proof:
-    """Raises FileNotFoundError without a manifest, ImportError without a MuJoCo."""
+    """Loads the files of a batch and compares them with their records. Raises FileNotFoundError if
+    there is no manifest, ImportError if MuJoCo is not installed.
+    """
     proof = Proof()
     manifests = manifests_of(batch)
     crew = Crew(jobs or len(os.sched_getaffinity(0)))
@@ -147,7 +149,9 @@ def _show(proof: Proof, as_json: bool) -> None:
 
 
 def main(arguments: list[str]) -> int:
-    """The command; returns its exit status, which is that of mjforge's other commands."""
+    """Runs `mjforge prove`; returns its exit status, which has the values of mjforge's other
+    commands.
+    """
     parser = argparse.ArgumentParser("mjforge prove", description="Loads every file of a batch in the "
                                      "installed MuJoCo and compares it with its record.")
     parser.add_argument("batch", metavar="WHAT", help="a folder, an archive or a manifest")

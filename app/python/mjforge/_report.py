@@ -17,19 +17,20 @@ _CLEAN = b'"findings":[]'
 
 @dataclasses.dataclass(frozen=True)
 class Report:
-    """What became of the variants that were written or checked."""
+    """Results of writing or checking variants."""
 
-    count: int  # variants that were asked for; of a shard, those of the shard
+    count: int  # number of variants that were requested; for a shard, the variants of the shard
     made: int
-    # By index. If no variant at all could be made, equal findings are only at the first index.
+    # Findings of failed variants, by index. If no variant at all could be made, equal findings are
+    # only at the first index.
     failed: dict[int, tuple[Finding, ...]]
-    skipped: dict[int, tuple[Finding, ...]]  # by index, with on_invalid="skip"
+    skipped: dict[int, tuple[Finding, ...]]  # by index, if on_invalid="skip"
     findings: tuple[Finding, ...]  # errors and warnings of all variants, in index order
-    manifest: Optional[pathlib.Path]  # None if there is none: after a check, or for a single file
+    manifest: Optional[pathlib.Path]  # None without a manifest: after a check, for a single file
 
     @property
     def ok(self) -> bool:
-        """Whether no variant failed."""
+        """True if no variant failed."""
         return not self.failed
 
     def __str__(self) -> str:
@@ -40,7 +41,7 @@ class Report:
 
 
 def manifest_of(output: str, shard: Optional[str]) -> Optional[pathlib.Path]:
-    """The manifest that the command writes for this output; None for a single file."""
+    """Returns the manifest that the command writes for this output; None for a single file."""
     index, _, shards = (shard or "0/1").partition("/")
     path = bytes_of(library.MjforgeManifest(os.fsencode(output), int(index), int(shards)))
     return pathlib.Path(os.fsdecode(path)) if path else None
@@ -48,13 +49,13 @@ def manifest_of(output: str, shard: Optional[str]) -> Optional[pathlib.Path]:
 
 def report_of(manifest: Optional[pathlib.Path], first: int, count: int,
               found: list[Finding], key_paths: Sequence[str]) -> Report:
-    """The report of a command that has ended. `found`: its findings, a part of all. `key_paths`: of
-    the lines of a spec that was a mapping.
+    """Returns the report of a command that has ended. `found`: the findings that the command
+    printed, a part of all. `key_paths`: the key of each line of a spec that was given as a mapping.
     """
     for finding in found:
         finding.set_keys(key_paths)
     if manifest is None or not os.path.exists(manifest):
-        # The command writes no manifest for a single file, nor if it could make no variant.
+        # The command writes no manifest for a single file, or if it could make no variant.
         has_failed = any(finding.severity == "error" for finding in found)
         failed = {index: tuple(finding for finding in found if finding.index == index)
                   for index in range(first, first + count)} if has_failed else {}

@@ -1,4 +1,4 @@
-"""A spec: a family of objects, as its files were when it was read."""
+"""Specs of random objects, as their files were when they were read."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ Source = Union[str, "os.PathLike[str]", Mapping[str, Any]]
 
 
 class Spec:
-    """A family of objects, as its files were when it was made.
+    """A spec of random objects, as its files were when the Spec was made.
 
-    `spec`: a name in the catalogue, a path, YAML (a text with a line break) or the same as a
-    mapping. `set`: parameters, each as a number, a list, a pair (a range, of whole numbers for a
-    parameter that draws them) or any text a spec allows ("20cm .. 30cm"); "root.joints",
-    "root.start" and "checks.profile" are names, too.
-    `parameters`: YAML files of parameters. Raises SpecError with everything that is wrong.
+    `spec`: a name in the catalogue, a path, YAML (a text with a line break), or the content of the
+    YAML as a mapping. `set`: values of parameters, each a number, a list, a pair (a range; of whole
+    numbers for a parameter that draws whole numbers) or any text that a spec allows, such as
+    "20cm .. 30cm"; "root.joints", "root.start" and "checks.profile" are names, too. `parameters`:
+    YAML files with values of parameters. Raises SpecError with all errors of the spec.
 
     >>> import mjforge
     >>> hammer = mjforge.Spec("hammer", set={"handle_length": (0.2, 0.3)})
@@ -37,23 +37,23 @@ class Spec:
     >>> hammer.variants(seed=7)[41].params["handle_length"]
     0.2...
 
-    The text of the spec and the texts of all files that it imports are read once and held, and
-    pickles have them. Files that variants refer to (meshes, textures, MJCF) are read when they are
-    used: their hashes are held from the first use on, and a file that has changed since is an
-    OSError.
+    The text of the spec and the texts of all files that it imports are read once and kept; pickles
+    contain these texts. Files that variants refer to (meshes, textures, MJCF) are read when they
+    are used. Their hashes are kept from the first use on; if such a file has changed since, OSError
+    is raised.
     """
 
     name: str
     description: str
-    path: Optional[str]  # of the spec's file; None for a text or a mapping
-    sha256: str  # of the texts of the spec and of its imports
+    path: Optional[str]  # path of the spec's file; None for a text or a mapping
+    sha256: str  # hash of the texts of the spec and of its imports
     parameters: Mapping[str, Parameter]
-    findings: tuple[Finding, ...]  # warnings
+    findings: tuple[Finding, ...]  # warnings about the spec
 
     _snapshot: Snapshot
-    _view: Mapping[str, Any] = {"pose": {}}  # `view:`, once the spec is described
+    _view: Mapping[str, Any] = {"pose": {}}  # camera and joint positions in `view:` of the spec
     _settings: dict[str, str]
-    _key_paths: tuple[str, ...]  # of the lines of a mapping's text
+    _key_paths: tuple[str, ...]  # key of each line of the text, if the spec was a mapping
     _inputs: dict[str, str]  # hashes of the files that variants refer to, by path
     parameter_files: tuple[str, ...]
 
@@ -91,7 +91,7 @@ class Spec:
         self._open()
 
     def _open(self) -> None:
-        """Loads the spec and sets what is known about it."""
+        """Loads the spec and sets the attributes that describe it."""
         self._describe(Maker(self, {**DEFAULTS, "batch": 1}))
 
     def _describe(self, maker: Maker) -> None:
@@ -104,7 +104,9 @@ class Spec:
             setattr(self, member, value)
 
     def _texts_of(self, settings: Mapping[str, Any]) -> dict[str, str]:
-        """The values as YAML, which may depend on the parameters as the spec has them."""
+        """Returns the values of settings as YAML, which may depend on the parameters that the spec
+        declares.
+        """
         known = self.parameters
         if any(_yaml.needs_parameter(value) and (not known or name in self._settings)
                for name, value in settings.items()):
@@ -112,7 +114,9 @@ class Spec:
         return {name: _yaml.setting_text(value, known.get(name), known) for name, value in settings.items()}
 
     def _without_settings(self) -> Mapping[str, Parameter]:
-        """The parameters without settings, or those known already if there are errors then."""
+        """Returns the parameters of the spec without settings; the known parameters if the spec
+        then has errors.
+        """
         bare = Spec.__new__(Spec)
         bare.__dict__.update(self.__dict__, _settings={})
         with contextlib.suppress(SpecError):
@@ -120,7 +124,7 @@ class Spec:
         return bare.parameters
 
     def _with(self, settings: Optional[Mapping[str, Any]]) -> "Spec":
-        """The same spec with further settings, from the same texts."""
+        """Returns a Spec with further settings, made from the same texts."""
         settings = _yaml.checked_settings(settings)
         if not settings:
             return self
@@ -130,25 +134,25 @@ class Spec:
         return other
 
     def _compare_inputs(self) -> None:
-        """Compares the files that variants have used with those on the disk."""
+        """Raises OSError if a file that variants have used has changed on the disk."""
         for path, first in list(self._inputs.items()):
             with open(path, "rb") as file:
                 compare(path, hashlib.sha256(file.read()).hexdigest(), first)
 
     @property
     def settings(self) -> Mapping[str, str]:
-        """What was set, as texts of YAML."""
+        """Settings as texts of YAML, by name."""
         return types.MappingProxyType(self._settings)
 
     @property
     def text(self) -> str:
-        """The YAML of the spec."""
+        """YAML text of the spec."""
         return self.texts["-" if self.path is None else self.path]
 
     @property
     def texts(self) -> dict[str, str]:
-        """The texts that were read, by path: of the spec, of what it imports, and of tables and
-        parameter files; "-" is the path of a spec without a file.
+        """Texts that were read, by path: the spec, its imports, tables and parameter files. The
+        path of a spec without a file is "-".
         """
         saved = loads(self._snapshot.saved())
         return dict([*saved["texts"], *saved["parameter_texts"]])
@@ -167,15 +171,15 @@ class Spec:
         validate: Validate = "none",
         place_seed: Optional[int] = None,
     ) -> "Variants":
-        """Its variants: the same that `mjforge generate` makes with these options.
+        """Returns variants of the spec, the same that `mjforge generate` makes with these options.
 
-        `set`: further parameters, as for Spec, without reading the spec again.
-        `assets="files"`: meshes are OBJ and textures PNG, in `Variant.files`, not in the XML.
-        `name`: of the object; "${index}" allowed. `batch`: the number of variants over which the
-        samplers "latin" and "grid" and choices with `exact: true` spread their draws, which cannot
-        do without it. `on_invalid="skip"`: iteration leaves out what cannot be made. `validate`:
-        "none", "load" or "physics", in the MuJoCo that the package contains. `place_seed`: seed of
-        the places alone: the same objects elsewhere.
+        `set`: further settings, as for Spec, without reading the spec again. `assets="files"`:
+        meshes are OBJ files and textures PNG files in `Variant.files`, not in the XML. `name`: name
+        of the object; "${index}" is allowed. `batch`: the number of variants over which draws are
+        spread by the samplers "latin" and "grid" and by choices with `exact: true`, which require
+        it. `on_invalid="skip"`: iteration leaves out variants that cannot be made. `validate`:
+        "none", "load" or "physics", in the MuJoCo that the package contains. `place_seed`: seed for
+        the places of bodies alone; the objects stay the same.
 
         >>> import mjforge
         >>> hammer = mjforge.Spec("hammer")
@@ -205,10 +209,11 @@ class Spec:
         time_limit: Optional[float] = None,
     ) -> Report:
         """Makes the first `count` variants, loads each in the MuJoCo that the package contains, and
-        reports what fails. Writes nothing.
+        reports those that fail. Writes no files.
 
-        `physics`: each is simulated, too. `profile="simready"`: more tests. `jobs`: processes
-        (default: one per core). `time_limit`: s for each variant.
+        `physics`: also simulates each variant. `profile="simready"`: also runs the tests of the
+        SimReady benchmark. `jobs`: number of processes (default: one per core). `time_limit`: time
+        for each variant, s.
 
         >>> import mjforge
         >>> report = mjforge.Spec("mug").check(3)

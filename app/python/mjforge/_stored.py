@@ -1,4 +1,4 @@
-"""A batch that was written: its objects by number, its records, and checks of all of it."""
+"""A batch that was written: its objects by number, its records, and checks of all its files."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def _raise(finding: Finding) -> None:
 
 
 def _lines(manifest: pathlib.Path) -> Iterator[bytes]:
-    """The lines of a manifest. Raises VariantError if it cannot be read."""
+    """Yields the lines of a manifest. Raises VariantError if the manifest cannot be read."""
     try:
         yield from lines(str(manifest))
     except OSError as error:
@@ -37,8 +37,8 @@ def _lines(manifest: pathlib.Path) -> Iterator[bytes]:
 
 
 def _records(manifest: pathlib.Path) -> Iterator[tuple[bytes, bool]]:
-    """The lines of a manifest, each with whether its object has a file. Raises VariantError for a line
-    that is not a record.
+    """Yields each line of a manifest, and True if the object of the record has a file. Raises
+    VariantError for a line that is not a record.
     """
     for number, line in enumerate(_lines(manifest), start=1):
         try:
@@ -51,18 +51,20 @@ def _records(manifest: pathlib.Path) -> Iterator[tuple[bytes, bool]]:
 
 
 def _stored_lines(manifest: pathlib.Path) -> Iterator[bytes]:
-    """The records of objects that have a file."""
+    """Yields the records of objects that have a file, as lines."""
     return (line for line, is_stored in _records(manifest) if is_stored)
 
 
 class Batch:
-    """The objects of a batch that have a file, by number from 0, as variants.
+    """A batch that was written, as a sequence of variants: its objects that have a file, numbered
+    from 0.
 
-    `path`: a folder, an archive (.tar, .tar.zst), a series of archives ("x_%05d.tar") or a manifest.
-    Iteration needs constant memory. Archives are read from their start: iterate over them, or take
-    their objects in ascending order. An object that is missing or was changed raises VariantError, and
-    so does a manifest that is damaged or was changed since the batch was opened.
-    Can be pickled; for one thread at a time. Raises FileNotFoundError without a manifest.
+    `path`: a folder, an archive (.tar, .tar.zst), a series of archives ("x_%05d.tar") or a
+    manifest. Iteration needs constant memory. Archives are read from their start, so that objects
+    should be accessed by iteration or in ascending order. Raises FileNotFoundError if there is no
+    manifest, and VariantError for an object that is missing or was changed, and for a manifest that
+    is damaged or was changed since the batch was opened. A Batch can be pickled; only one thread at
+    a time may use it.
     """
 
     def __init__(self, path: Union[str, os.PathLike[str]]) -> None:
@@ -70,8 +72,8 @@ class Batch:
             raise TypeError(f"path={path!r} is not a path but of type {type(path).__name__}")
         self._manifests = [pathlib.Path(os.path.abspath(each)) for each in manifests_of(path)]
         self.path = pathlib.Path(os.path.abspath(path))
-        self._starts: Optional[list[array.array[int]]] = None  # bytes, of the records of each manifest
-        self._reader: Optional[tuple[int, Reader]] = None  # and the number of the object that it is at
+        self._starts: Optional[list[array.array[int]]] = None  # offsets of records in each manifest
+        self._reader: Optional[tuple[int, Reader]] = None  # last object read, and its reader
 
     def __iter__(self) -> Iterator[Variant]:
         for manifest in self._manifests:
@@ -79,7 +81,7 @@ class Batch:
                 yield _variant(stored)
 
     def records(self) -> Iterator[dict[str, Any]]:
-        """The records of all variants, also of those that failed and have no file."""
+        """Yields the records of all variants, including those that failed and have no file."""
         for manifest in self._manifests:
             for line, _ in _records(manifest):
                 yield loads(line)
@@ -102,7 +104,9 @@ class Batch:
         return starts
 
     def _record(self, number: int) -> tuple[pathlib.Path, bytes, dict[str, Any]]:
-        """The manifest, the line and the record of an object. Raises VariantError if it is not there."""
+        """Returns the manifest, the line and the record of an object. Raises VariantError if the
+        record is not there.
+        """
         manifest, line = self._line(number)
         record, problem = record_of(line)
         if problem or record["status"] != "ok":
@@ -133,32 +137,34 @@ class Batch:
         manifest, line, record = self._record(number)
         reader = None
         if self._reader is not None and self._reader[0] < number and self._reader[1].manifest == manifest:
-            reader = self._reader[1]  # goes on in an archive
+            reader = self._reader[1]  # continues in an archive
         reader = reader or Reader(manifest, _raise)
         self._reader = None
         if record.get("each"):
             raise ValueError(f"number={number} is a scene whose objects are files of their own (--each)")
         stored = reader.read(record, line)
-        assert stored is not None  # _raise has raised otherwise
+        assert stored is not None  # otherwise, _raise has raised an exception
         self._reader = number, reader
         return _variant(stored)
 
     def table(self, members: Sequence[str] = ("params", "mass", "bounds"), frame: Optional[bool] = None) -> Any:
-        """A table of the records of its objects; see Variants.table."""
+        """Returns a table of the records of the objects; see Variants.table."""
         table = Table(members, frame)
         for record in itertools.chain.from_iterable(map(_stored_lines, self._manifests)):
             table.add(record)
         return table.finish()
 
     def verify(self) -> list[Finding]:
-        """Compares all files with their hashes, as `mjforge verify` does; returns what is wrong."""
+        """Compares all files with their hashes, as `mjforge verify` does. Returns the findings."""
         found: list[Finding] = []
         for manifest in self._manifests:
             found += _command.run(["verify", "--", str(manifest)], b"")
         return found
 
     def prove(self, *, jobs: Optional[int] = None, progress: bool = True) -> list[Finding]:
-        """Loads all objects in the `mujoco` that is installed; see mjforge.prove."""
+        """Loads all objects in the installed `mujoco` and compares them with their records; see
+        mjforge.prove.
+        """
         from . import prove
 
         return prove(self.path, jobs=jobs, progress=progress)

@@ -1,4 +1,4 @@
-"""Tables of records: a column for each number or text of the members that are asked for."""
+"""Tables of records, with one column for each number or text in the requested members."""
 
 from __future__ import annotations
 
@@ -11,33 +11,34 @@ from typing import Any, Iterable, Iterator, Sequence
 from ._json import loads
 from ._library import bytes_of, c_texts, library
 
-# Members of a record under the names that a Variant has.
+# Members of a record that have another name in Variant.
 _RECORDED = {"bounds": "aabb", "swept_bounds": "swept_aabb"}
 _AXES: dict[str, list[str]] = {"com": ["x", "y", "z"], "inertia": ["xx", "yy", "zz", "xy", "xz", "yz"]}
 _KNOWN = ("index", "params", "mass", "com", "inertia", "bounds", "swept_bounds", "physics")
-# All members of records, which are columns of None where no record has them. A test compares these with the schema.
+# All members of records. A member that no record has becomes a column of None. A test compares
+# these names with the schema.
 _MEMBERS = frozenset("""
     file archive name index seed place_seed attempt spec spec_file spec_sha256 set assets_as sampler batch params
     mass com inertia aabb swept_aabb top_offset bottom_offset horizontal_radius declared_bounds nbody njnt ngeom
     places pile_mujoco left_out target each validate mujoco structure layout layout_first pad mocap physics
     on_invalid status findings sha256 assets
 """.split())
-# Kinds of values in app/python/interface.h.
+# Kinds of values, as in app/python/interface.h.
 _ABSENT, _WHOLE, _NATURAL, _NUMBER, _FLAG, _TEXT, _LIST, _OBJECT = " ", "i", "u", "f", "b", "t", "l", "o"
-CHUNK = 1000  # variants that are made together
+CHUNK = 1000  # number of variants that are made together
 
 
 @dataclasses.dataclass
 class _Column:
     key: str
-    kinds: frozenset[str]  # of the values that are there
+    kinds: frozenset[str]  # kinds of the values that are present
     inner: list["_Column"]
-    bits: Any = None  # 64 for each row, as integers
-    kind: Any = None  # of each row, as the number of its character
+    bits: Any = None  # value of each row, as an integer of 64 bits
+    kind: Any = None  # kind of each row, as the number of its character
 
 
 class Table:
-    """Columns that the library fills from records, and their arrays."""
+    """Columns that the library fills from records, and their conversion to arrays."""
 
     def __init__(self, members: Any, frame: Any) -> None:
         self._handle = None
@@ -58,11 +59,11 @@ class Table:
 
     @property
     def handle(self) -> Any:
-        """For library.MjforgeMakeRows."""
+        """Handle of the table for library.MjforgeMakeRows."""
         return self._handle
 
     def add(self, record: bytes) -> None:
-        """Adds a row."""
+        """Adds a row for a record."""
         status = library.MjforgeAddRecord(self._handle, record, len(record))
         if status == 1:
             raise ValueError(f"it is not the record of a variant: {record[:80]!r}")
@@ -70,8 +71,8 @@ class Table:
             raise MemoryError
 
     def finish(self, has_rows: bool = True) -> Any:
-        """A pandas.DataFrame, or a dict of NumPy arrays; see Variants.table. With `has_rows=False` its columns
-        have no rows.
+        """Returns a pandas.DataFrame, or a dict of NumPy arrays; see Variants.table. With
+        `has_rows=False`, the columns have no rows.
         """
         said = bytes_of(library.MjforgeLayout(self._handle))
         if not said:
@@ -99,7 +100,7 @@ class Table:
         return column
 
     def _flatten(self, name: str, column: _Column, arrays: dict[str, Any]) -> None:
-        """Adds the arrays of a member: "bounds.min.x"."""
+        """Adds the arrays of a member and of its inner members, such as "bounds.min.x"."""
         lengths = set(column.bits[column.kind == ord(_LIST)].tolist())
         if column.kinds == {_LIST} and len(lengths) == 1:
             for letter, item in zip(_letters(name, lengths.pop()), column.inner):
@@ -111,7 +112,9 @@ class Table:
             arrays[name] = self._array(column)
 
     def _array(self, column: _Column) -> Any:
-        """An array of numbers, in which None is NaN, of texts, or of objects if a column has both."""
+        """Returns an array of numbers, in which None becomes NaN, of texts, or of objects if a
+        column has both.
+        """
         numpy, bits = self._numpy, column.bits
         is_whole = bool((column.kind != ord(_ABSENT)).all())
         if is_whole and column.kinds == {_WHOLE}:
@@ -135,7 +138,7 @@ class Table:
         return objects
 
     def _value(self, column: _Column, row: int) -> Any:
-        """The value of one row, as JSON has it."""
+        """Returns the value of one row, as in the JSON of the record."""
         kind, bits = chr(column.kind[row]), column.bits[row]
         if kind == _LIST:
             return [self._value(item, row) for item in column.inner[:bits]]

@@ -1,4 +1,4 @@
-"""The numbers of a family's variants in the simulations of mujoco.batch."""
+"""Writes the numbers of a family's variants into the simulations of mujoco.batch."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A family in mjlab: an entity, and an event that gives environments its variants."""
+"""A family in mjlab: an entity, and an event that gives environments their variants."""
 
 from __future__ import annotations
 
@@ -12,7 +12,8 @@ from ._to_warp import changes_of
 if TYPE_CHECKING:
     from ._family import Family
 
-# Release of mujoco-warp in which worlds of scissors move like each variant alone; in 3.11 they touch the floor too early.
+# First release of mujoco-warp in which worlds of scissors move like each variant alone. In 3.11,
+# the scissors touch the floor too early.
 _EXACT = (3, 17)
 Choice = Callable[[Any, Any], Any]  # (environment, ids of worlds) -> rows of the family
 
@@ -39,16 +40,17 @@ def _at_random(family: Family) -> Choice:
 
 
 def _term_of(family: Family, prefix: str, choose: Choice) -> type:
-    """A class for EventTermCfg, of which mjlab makes an instance for each environment."""
+    """Returns a class for EventTermCfg; mjlab makes an instance of the class for each environment.
+    """
     torch = needed("torch", "mjlab")
 
     class Variants:
-        """Gives worlds their variants; `rows` has the variant of each world."""
+        """Event that gives worlds their variants; `rows` has the variant of each world."""
 
         def __init__(self, cfg: Any, env: Any) -> None:
             self.rows = torch.full((env.num_envs,), -1, dtype=torch.long, device=env.device)
             self._columns = dict(_columns_of(family, prefix, env))
-            self.model_fields = tuple(self._columns)  # which mjlab makes an array with a row for each world
+            self.model_fields = tuple(self._columns)  # mjlab gives them a row per world
 
         def __call__(self, env: Any, env_ids: Any) -> None:
             worlds = torch.arange(env.num_envs, device=env.device)[slice(None) if env_ids is None else env_ids]
@@ -64,8 +66,8 @@ def _term_of(family: Family, prefix: str, choose: Choice) -> type:
 
 
 def _columns_of(family: Family, prefix: str, env: Any) -> "list[tuple[str, tuple[Any, Any]]]":
-    """The fields that differ: ids of the elements that do, and their numbers in each variant. Other elements belong
-    to other objects.
+    """Returns the fields that differ between variants, with the ids of the elements that differ and
+    their numbers in each variant. Other elements belong to other objects.
     """
     import numpy as np
     torch = needed("torch", "mjlab")
@@ -76,7 +78,7 @@ def _columns_of(family: Family, prefix: str, env: Any) -> "list[tuple[str, tuple
         if holder is not m:
             if holder is m.opt:
                 raise ValueError(f"opt.{name} differs between the variants, and mjlab has it once for all worlds")
-            continue  # statistics, by which solvers scale their tolerance
+            continue  # skips statistics, by which solvers scale their tolerance
         differs = (values != getattr(m, name).numpy()[:1]).any(axis=tuple(i for i in range(values.ndim) if i != 1))
         elements = np.flatnonzero(differs)
         if name == "geom_dataid":
@@ -88,7 +90,9 @@ def _columns_of(family: Family, prefix: str, env: Any) -> "list[tuple[str, tuple
 
 
 def _expect_exact_meshes(model: Any, geoms: Any) -> None:
-    """Raises ValueError if geoms that collide have different meshes, and this release of Warp is wrong about them."""
+    """Raises ValueError if a geom that collides has different meshes and this release of
+    mujoco-warp computes wrong contacts for such geoms.
+    """
     version = importlib.metadata.version("mujoco-warp")
     collides = geoms[(model.geom_contype[geoms] | model.geom_conaffinity[geoms]) != 0]
     if len(collides) and tuple(map(int, version.split(".")[:2])) < _EXACT:

@@ -1,4 +1,4 @@
-"""A family in MJX: leaves of its model with an axis for worlds, and the axes for `jax.vmap`."""
+"""A family in MJX: fields of the model with one row for each world, and axes for `jax.vmap`."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from ._packages import needed
 if TYPE_CHECKING:
     from mujoco import MjModel  # type: ignore[import-not-found, import-untyped, unused-ignore]
 
-# Beginnings of the names of fields that MJX has once for all worlds, but never reads in a step.
+# Prefixes of fields that MJX shares between worlds, but does not read in a step.
 _UNREAD = ("body_margin", "cam_", "geom_dataid", "geom_fluid", "light_", "mat_", "mesh_", "site_size")
-# Fields that MJX has once for all worlds and that only a type of sensor reads.
+# Fields that MJX shares between worlds, and the only type of sensor that reads each of them.
 _SENSED = {"site_size": "TOUCH", "geom_dataid": "RANGEFINDER"}
 
 
@@ -42,7 +42,7 @@ def replacements(model: MjModel, fields: Mapping[str, Any]) -> tuple[dict[str, A
 
 
 def _leaf(base: Any, name: str) -> Any:
-    """The value of a field in MJX's model; None if it has no such field."""
+    """Returns the value of a field in MJX's model; None if MJX has no such field."""
     outer, _, inner = name.rpartition(".")
     place = getattr(base, outer) if outer else base
     return getattr(place, inner) if inner in {field.name for field in type(place).fields()} else None
@@ -57,7 +57,9 @@ def _check_sensors(model: MjModel, fields: Mapping[str, Any]) -> None:
 
 
 def _check_height_fields(model: MjModel, fields: Mapping[str, Any]) -> None:
-    """Raises ValueError if a geom may cover more cells of a height field than that of the base."""
+    """Raises ValueError if a geom is larger in a variant than in the base, and might cover more
+    cells of a height field.
+    """
     import numpy as np
 
     if not model.nhfield or "geom_rbound" not in fields:
@@ -89,7 +91,9 @@ def _check_wraps(model: MjModel, fields: Mapping[str, Any], base: Any) -> None:
 
 
 def _hulls(model: MjModel, base: Any, meshes: Any) -> tuple[Any, Any]:
-    """Convex hulls of the meshes that collide, and their axes. `meshes`: those of the geoms in each world."""
+    """Returns the convex hulls of colliding meshes, and their axes. `meshes` has the mesh of each
+    geom in each world.
+    """
     import numpy as np
 
     jax = needed("jax", "mujoco-mjx")
@@ -97,7 +101,7 @@ def _hulls(model: MjModel, base: Any, meshes: Any) -> tuple[Any, Any]:
     is_moved = [False] * len(hulls)
     for geom in np.flatnonzero((meshes != model.geom_dataid).any(axis=0)):
         mesh = model.geom_dataid[geom]
-        if hulls[mesh] is None or is_moved[mesh]:  # does not collide, or is done
+        if hulls[mesh] is None or is_moved[mesh]:  # the mesh does not collide, or its hull is done
             continue
         same = meshes[:, model.geom_dataid == mesh]
         if (same != same[:, :1]).any():

@@ -1,4 +1,4 @@
-"""A family in Newton, whose worlds need not have equal numbers: each world is imported from MJCF of its own."""
+"""A family in Newton, where each world is imported from MJCF of its own."""
 
 from __future__ import annotations
 
@@ -26,7 +26,9 @@ def add_worlds(family: Family, builder: Any, rows: Any, options: "dict[str, Any]
 
 
 def mjcf_of(family: Family, row: int) -> str:
-    """MJCF of the base with the numbers of one variant, to six digits as MuJoCo writes them."""
+    """Returns MJCF of the base with the numbers of one variant, to six digits as MuJoCo writes
+    them.
+    """
     alone = copy.copy(family)
     alone._file = family._file.only(row)
     spec = alone.base
@@ -40,7 +42,7 @@ def mjcf_of(family: Family, row: int) -> str:
     model = spec.compile()
     numbers = alone.to_model(model)
     is_mesh = model.geom_dataid >= 0
-    numbers.geom_size[is_mesh] = model.geom_size[is_mesh]  # which MuJoCo computes from the mesh, with other roundings
-    numbers.stat.meaninertia = model.stat.meaninertia  # which nothing reads
+    numbers.geom_size[is_mesh] = model.geom_size[is_mesh]  # sizes computed from the mesh
+    numbers.stat.meaninertia = model.stat.meaninertia  # not read by anything
     spec.copy_back(numbers)
     return str(spec.to_xml())

@@ -1,4 +1,4 @@
-"""The numbers of a family's variants in the worlds of MuJoCo Warp."""
+"""Writes the numbers of a family's variants into the worlds of MuJoCo Warp."""
 
 from __future__ import annotations
 
@@ -23,7 +23,9 @@ def to_warp(family: Family, m: Any, model: MjModel, prefix: Any, rows: Any,
 
 
 def write(m: Any, fields: Mapping[str, Any], model: MjModel, worlds: Any = None) -> None:
-    """Gives the worlds of a model of Warp the numbers of a scene's fields; see Family.fields."""
+    """Writes the numbers in the fields of a scene (Family.fields) into the worlds of a model of
+    MuJoCo Warp.
+    """
     changes = changes_of(m, fields, model)
     at = None if worlds is None else worlds_of(worlds, next(len(values) for values in fields.values()))
     for holder, name, values in changes:
@@ -31,8 +33,9 @@ def write(m: Any, fields: Mapping[str, Any], model: MjModel, worlds: Any = None)
 
 
 def changes_of(m: Any, fields: Mapping[str, Any], model: MjModel) -> "list[tuple[Any, str, Any]]":
-    """The arrays of a model of Warp that differ between worlds: the object that has it, its name there, and its
-    numbers in each world. Raises ValueError for differences that Warp cannot have.
+    """Returns the arrays of a model of Warp that differ between worlds: the object that has the
+    array, the array's name in that object, and its numbers in each world. Raises ValueError for
+    differences that Warp does not support.
     """
     if m.ngeom != model.ngeom or m.nbody != model.nbody or m.nv != model.nv:
         raise ValueError(f"m has {m.nbody} bodies, {m.ngeom} geoms and {m.nv} degrees of freedom, and the model "
@@ -43,7 +46,7 @@ def changes_of(m: Any, fields: Mapping[str, Any], model: MjModel) -> "list[tuple
         holder, name, values = _member(m, field, values)
         target = getattr(holder, name, None)
         if target is None or not hasattr(target, "dtype"):
-            continue  # Warp does not use it
+            continue  # Warp does not use the field
         if _is_batched(holder, name):
             changes.append((holder, name, _shaped(target, values)))
         elif _is_used(field, model) and _differs(values, model, field):
@@ -52,7 +55,9 @@ def changes_of(m: Any, fields: Mapping[str, Any], model: MjModel) -> "list[tuple
 
 
 def _member(m: Any, field: str, values: Any) -> "tuple[Any, str, Any]":
-    """The object that has a field, its name there, and the numbers as they are there."""
+    """Returns the object that has a field, the field's name in that object, and the numbers in
+    Warp's form.
+    """
     import numpy as np
 
     part, _, name = field.rpartition(".")
@@ -87,20 +92,22 @@ def _is_used(field: str, model: MjModel) -> bool:
 
 
 def _shaped(target: Any, values: Any) -> Any:
-    """The numbers in the shape and the type that the array of Warp has for each world."""
+    """Returns the numbers in the shape and the type that the array of Warp has for each world."""
     import numpy as np
 
     shape = (*target.shape[1:], *getattr(target.dtype, "_shape_", ()))
     flat = values.reshape(len(values), *target.shape[1:], -1) if values.size else values
     width = int(np.prod(shape)) // max(1, int(np.prod(target.shape[1:])))
-    if values.size and flat.shape[-1] < width:  # releases of MuJoCo have different numbers of eq_data
+    if values.size and flat.shape[-1] < width:  # the width of eq_data depends on the release
         flat = np.concatenate([flat, np.zeros((*flat.shape[:-1], width - flat.shape[-1]))], axis=-1)
     scalar = importlib.import_module("warp").dtype_to_numpy(getattr(target.dtype, "_wp_scalar_type_", target.dtype))
     return np.ascontiguousarray(flat.reshape(len(values), *shape), dtype=scalar)
 
 
 def _assign(holder: Any, name: str, values: Any, at: Any) -> None:
-    """Writes an array, in place if it has these worlds already, so that captured graphs remain valid."""
+    """Writes an array, in place if it already has these worlds, so that captured graphs remain
+    valid.
+    """
     warp = importlib.import_module("warp")
     target = getattr(holder, name)
     if at is not None:
@@ -113,13 +120,13 @@ def _assign(holder: Any, name: str, values: Any, at: Any) -> None:
         target.assign(values)
     else:
         array = warp.array(values, dtype=target.dtype, device=target.device)
-        array._is_batched = True  # as mujoco_warp marks its own
+        array._is_batched = True  # mark of mujoco_warp for such arrays
         setattr(holder, name, array)
 
 
 def _expect_no_static_geoms(fields: Mapping[str, Any], model: MjModel) -> None:
-    """Raises ValueError if poses differ that Warp computes once for all worlds: those of geoms on bodies that are
-    fixed to the world.
+    """Raises ValueError if poses of geoms on bodies that are fixed to the world differ, because
+    Warp computes these poses once for all worlds.
     """
     import numpy as np
 

@@ -1,4 +1,4 @@
-"""One variant of an object."""
+"""One variant of a spec: an MJCF file and its record."""
 # mypy: disable-error-code="no-any-return, type-arg"
 
 from __future__ import annotations
@@ -38,7 +38,9 @@ def _numpy() -> Any:
 
 
 def mujoco_of(given: Any) -> Any:
-    """The given module, or the `mujoco` that is installed. Raises ImportError."""
+    """Returns the given module, or the installed `mujoco`. Raises ImportError if there is none, or
+    if it is older than 2.2.
+    """
     module = given
     if module is None:
         try:
@@ -56,14 +58,16 @@ def mujoco_of(given: Any) -> Any:
 
 
 class Variant:
-    """An MJCF file and what is known about it. Frames: the object's own (m, kg, kg m^2)."""
+    """A variant of a spec: an MJCF file, and its record with values and measurements. Quantities
+    are in the object's own frame (m, kg, kg m^2).
+    """
 
     __slots__ = ("xml_bytes", "record_bytes", "_files_bytes", "_contents", "findings", "_record",
                  "_members", "view")
 
-    xml_bytes: bytes  # the file, as the command writes it
-    record_bytes: bytes  # its line of a manifest, JSON
-    findings: tuple[Finding, ...]  # warnings
+    xml_bytes: bytes  # the MJCF file, as the command writes it
+    record_bytes: bytes  # the record, a line of a manifest, JSON
+    findings: tuple[Finding, ...]  # warnings about the variant
     view: Mapping[str, Any]  # `view:` of the spec: azimuth and elevation (degrees), pose (rad, m)
 
     def __init__(self, xml: bytes, record: bytes, files: bytes, contents: bytes,
@@ -81,8 +85,8 @@ class Variant:
     def from_record(record: Mapping[str, Any], spec: "Union[Source, Spec, None]" = None) -> "Variant":
         """Makes a variant again from its record, a line of a manifest, and compares the hashes.
 
-        `spec`: the spec, if it has moved since, or if it was a text or a mapping. Raises MismatchError
-        if the spec has changed or the file is another one.
+        `spec`: the spec, if its file has moved since, or if it was a text or a mapping. Raises
+        MismatchError if the spec has changed or the file differs.
         """
         from ._again import make_again
 
@@ -90,50 +94,51 @@ class Variant:
 
     @property
     def xml(self) -> str:
-        """The MJCF file."""
+        """The MJCF file, as text."""
         return self.xml_bytes.decode()
 
     @property
     def record(self) -> dict[str, Any]:
-        """Its line of a manifest."""
+        """The record: the variant's line of a manifest."""
         if not self._record:
             self._record = loads(self.record_bytes)
         return self._record
 
     def some_of_record(self, *members: str) -> list[Any]:
-        """Members of the record, at a part of the time that reading all of it takes."""
+        """Returns members of the record, which is faster than reading the whole record."""
         if self._record:
             return [self._record[member] for member in members]
         return members_of_record(self.record_bytes, members)
 
     @property
     def members(self) -> Members:
-        """Its joints, sites, actuators and first body."""
+        """Joints, sites, actuators and first body of the object."""
         if self._members is None:
             self._members = members_of(elements(self.xml_bytes))
         return self._members
 
     @property
     def name(self) -> str:
-        """The object's name, with which the names in the file begin."""
+        """Name of the object, with which the names in the file begin."""
         return str(self.record["name"])
 
     @property
     def joints(self) -> dict[str, Joint]:
-        """Its joints by name, in the order of MuJoCo's `qpos`; each has name, type, body, range and
+        """Joints by name, in the order of MuJoCo's `qpos`; each has name, type, body, range and
         start.
         """
         return self.members.joints
 
     @property
     def sites(self) -> dict[str, Site]:
-        """Its sites by name; each has name, body, pos and quat."""
+        """Sites by name; each has name, body, pos and quat."""
         return self.members.sites
 
     @property
     def pose(self) -> dict[str, Position]:
-        """Start positions of its joints: rad or m; of a ball joint a quaternion, of a free joint pos
-        and quat. The free joint of its first body is left out, because the scene places that body.
+        """Start positions of the joints by name: rad or m for a hinge or slide, a quaternion for a
+        ball joint, pos and quat for a free joint. The free joint of the first body is left out,
+        because the scene places that body.
         """
         members = self.members
         return {name: joint.start for name, joint in members.joints.items() if name != members.root_joint}
@@ -148,12 +153,12 @@ class Variant:
 
     @property
     def params(self) -> dict[str, Any]:
-        """What was drawn or computed for each parameter."""
+        """Values of the parameters, drawn or computed."""
         return self.record["params"]
 
     @property
     def mass(self) -> float:
-        """kg"""
+        """Mass, kg."""
         return self.record["mass"]
 
     @property
@@ -163,26 +168,28 @@ class Variant:
 
     @property
     def inertia(self) -> "np.ndarray":
-        """About the center of mass, (3, 3), kg m^2."""
+        """Inertia about the center of mass, (3, 3), kg m^2."""
         xx, yy, zz, xy, xz, yz = self.record["inertia"]
         return _numpy().array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
 
     @property
     def bounds(self) -> "np.ndarray":
-        """Corners of the axis-aligned box around it at the start, (2, 3): min and max; m."""
+        """Corners of the axis-aligned bounding box at the start, (2, 3): min and max; m."""
         box = self.record["aabb"]
         return _numpy().array([box["min"], box["max"]])
 
     @property
     def swept_bounds(self) -> "np.ndarray":
-        """Corners of a box around it at all positions of its joints, (2, 3): min and max; m."""
+        """Corners of a box around the object at all positions of its joints, (2, 3): min and max;
+        m.
+        """
         box = self.record["swept_aabb"]
         return _numpy().array([box["min"], box["max"]])
 
     @property
     def places(self) -> list[dict[str, Any]]:
-        """Where `place:` has put each body: its name ("body"), its region or site ("at"), and its
-        "pos" (m) and "quat" in the object's frame at the start.
+        """Bodies that `place:` has put somewhere: name ("body"), region or site ("at"), and "pos"
+        (m) and "quat" in the object's frame at the start.
         """
         return self.record.get("places", [])
 
@@ -193,9 +200,10 @@ class Variant:
 
     @property
     def files(self) -> dict[str, bytes]:
-        """Meshes and textures by their names in the XML: those that the spec names, read now, and
-        with `assets="files"` all others as OBJ and PNG. Written under these names beside the XML,
-        they are what the command writes. Most objects have none with `assets="inline"`.
+        """Meshes and textures by their names in the XML: files that the spec names, which are read
+        now, and with `assets="files"` all others as OBJ and PNG. Written under these names beside
+        the XML, the files are those that the command writes. Most objects have none with
+        `assets="inline"`.
         """
         files: dict[str, bytes] = {}
         if not self._files_bytes:
@@ -213,7 +221,8 @@ class Variant:
         return files
 
     def load(self, mujoco: Any = None) -> "MjModel":
-        """A mujoco.MjModel of it, in the given module or the one that is installed."""
+        """Returns a mujoco.MjModel of the variant, loaded by the given module or the installed one.
+        """
         return mujoco_of(mujoco).MjModel.from_xml_string(self.xml, self.files)
 
     def attach(
@@ -225,25 +234,29 @@ class Variant:
         quat: Sequence[float] = (1.0, 0.0, 0.0, 0.0),
         stand: bool = True,
     ) -> "MjsBody":
-        """Adds it to a scene, a mujoco.MjSpec, and returns its first body there.
+        """Adds the object to a scene, a mujoco.MjSpec, and returns the object's first body in the
+        scene.
 
-        `prefix`: in front of its names. `pos`, `quat`: its place in the world. `stand`: its bottom is
-        at `pos`, otherwise its origin; the bottom is that of the box around it at the start. The
-        scene resets to its start, unless that is in a keyframe, as for objects without a free body
-        (Spec(set={"root.start": "zero"}) has none). Keyframes stay out of the scene: call `start`.
+        `prefix`: prefix of the object's names. `pos`, `quat`: place of the object in the world.
+        `stand`: if true, `pos` is the height of the object's bottom, otherwise of its origin; the
+        bottom is that of the bounding box at the start. A reset of the scene sets the object to its
+        start, unless that is in a keyframe, as for objects without a free body
+        (Spec(set={"root.start": "zero"}) has no keyframe). Keyframes are not added to the scene:
+        call `start`.
         """
         return _attach.attach(self, scene, prefix, pos, quat, stand)
 
     def start(self, model: "MjModel", data: "MjData", prefix: str = "") -> None:
-        """Sets its joints, velocities, activations and controls in a simulation to its start state.
-        Its first body stays where it is, and loose bodies are placed beside it. `prefix`: as it was
-        attached.
+        """Sets joints, velocities, activations and controls of the object in a simulation to its
+        start state. The first body stays at its pose, and other free bodies are placed relative to
+        it. `prefix`: the prefix with which the object was attached.
         """
         _attach.start(self, model, data, prefix)
 
     def save(self, path: Union[str, "os.PathLike[str]"]) -> pathlib.Path:
-        """Writes the file, and beside it the meshes and textures in `files`. `path`: the file, or an
-        existing folder, in which it has the name that the command gives it. Returns the file's path.
+        """Writes the MJCF file, and beside it the meshes and textures in `files`. `path`: the file,
+        or an existing folder, in which the file gets the name that the command gives it. Returns
+        the path of the file.
         """
         if not isinstance(path, (str, os.PathLike)):
             raise TypeError(f"path={path!r} is not a path but of type {type(path).__name__}")
@@ -259,37 +272,37 @@ class Variant:
 
     @contextlib.contextmanager
     def as_file(self) -> Iterator[pathlib.Path]:
-        """For hosts that read only files: `with variant.as_file() as path:` has it and its files in a
-        folder that is removed afterwards.
+        """Writes the files to a temporary folder and yields the path of the MJCF file, for hosts that
+        read only files. Removes the folder at the end of the `with` block.
         """
         with tempfile.TemporaryDirectory() as folder:
             yield self.save(folder)
 
     def png(self, size: "Size" = 640, layer: "Layer" = "visual",
             pose: Optional[Mapping[str, float]] = None) -> "Picture":
-        """A picture of it, as `mjforge preview` draws it: the bytes of a PNG file.
+        """Draws the object as `mjforge preview` does. Returns the bytes of a PNG file.
 
         `size`: pixels, a number or (width, height). `layer`: "visual", "collision", "bounds",
         "inertia", "joints" or "regions". `pose`: positions of hinges (rad) and slides (m) that are
         not at their start. Camera and other joints are those of the spec's `view:`; an object that
-        was read from a batch has none. Raises VariantError where nothing can be drawn.
+        was read from a batch has no `view:`. Raises VariantError if nothing can be drawn.
         """
         from ._picture import draw
 
         return draw([self], size, layer, pose)
 
     def _repr_png_(self) -> Optional[bytes]:
-        """Shows it in a notebook; nothing where no renderer works."""
+        """Returns a picture for a notebook; None if no renderer works."""
         try:
             return bytes(self.png(320))
         except (VariantError, OSError):
             return None
 
     def verify(self, mujoco: Any = None, tolerance: float = 1e-6) -> "MjModel":
-        """Loads it and compares what was compiled with what was meant: the numbers of bodies,
-        joints and geoms, names, mass, center of mass, inertia, bounds and start state. `tolerance`
-        is relative to the mass, the size and their products. Returns the model; raises
-        MismatchError.
+        """Loads the variant and compares the model with the record: numbers of bodies, joints and
+        geoms, names, mass, center of mass, inertia, bounds and start state. `tolerance` is relative
+        to the mass, to the size and to their products. Returns the model; raises MismatchError if
+        there is a difference.
         """
         from ._comparison import Comparison
 

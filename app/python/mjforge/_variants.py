@@ -26,14 +26,15 @@ DEFAULTS: dict[str, Any] = {
 
 
 def described(spec: "Spec") -> str:
-    """The name of a spec and its settings, as text: "hammer (handle_length=25cm)"."""
+    """Returns the name of a spec and its settings, as text: "hammer (handle_length=25cm)"."""
     settings = ", ".join(f"{name}={value}" for name, value in spec.settings.items())
     return f"{spec.name} ({settings})" if settings else spec.name
 
 
 class Variants(Sequence[Variant]):
-    """Variants of a spec, by index: without end, or those of a slice, which is a sequence. Made when
-    asked for, each time anew; threads may share it, and run in parallel while variants are made.
+    """Variants of a spec, by index: without end, or those of a slice, which is a sequence. Each
+    access makes the variant anew. Threads may share the object, and run in parallel while variants
+    are made.
 
     >>> import mjforge
     >>> mugs = mjforge.Spec("mug").variants(seed=7)
@@ -49,7 +50,7 @@ class Variants(Sequence[Variant]):
         if makers is None:
             makers = [Maker(spec, options)]
             makers[0].check()
-        self._makers = makers  # idle ones; a list's pop and append are atomic
+        self._makers = makers  # makers that are not in use; a list's pop and append are atomic
 
     def _idle_maker(self) -> Maker:
         try:
@@ -123,19 +124,20 @@ class Variants(Sequence[Variant]):
         pad: bool = False,
         layout: "Layout" = "any",
     ) -> Report:
-        """Writes the first `count`, or those of a slice, as `mjforge generate` does, which it runs:
-        files or archives and a manifest. They are the same as those made here.
+        """Writes the first `count` variants, or those of a slice, to files or archives, with a
+        manifest. Runs `mjforge generate`, which makes the same variants as this object.
 
-        `progress(done, total)` is called after each variant of this run, and at first with the number
-        of those that `resume` finds; `total` is None for a shard. `jobs`: processes (default: one per
-        core). `time_limit`: s for each variant. `validate`: default: that of `variants()`, but at
-        least "load". All other options are the command's: `first` is the first index, `shard="0/4"` a
-        part of the batch. For a family (output "NAME.npz"), `mocap=True` makes fixed bodies mocap
-        bodies, and `pad=True` geoms that a variant lacks null; `layout="split"` makes one of each
-        structure ("NAME_%s.npz").
+        `progress(done, total)` is called after each variant of this run, and first with the number
+        of variants that `resume` finds; `total` is None for a shard. `jobs`: number of processes
+        (default: one per core). `time_limit`: time for each variant, s. `validate`: as for
+        `variants()` by default, but at least "load". All other options are those of the command:
+        `first` is the first index, `shard="0/4"` a part of the batch. For a family (output
+        "NAME.npz"), `mocap=True` makes fixed bodies mocap bodies, and `pad=True` adds null geoms
+        for geoms that a variant lacks; `layout="split"` makes one family for each structure
+        ("NAME_%s.npz").
 
-        Returns a report, also if variants failed. Raises OSError where writing fails. After Ctrl-C
-        or an exception of `progress` every file is complete, and `resume=True` continues.
+        Returns a report, also if variants failed. Raises OSError if writing fails. After Ctrl-C or
+        an exception of `progress`, every file is complete, and `resume=True` continues.
 
         >>> import mjforge, tempfile
         >>> with tempfile.TemporaryDirectory() as folder:
@@ -169,7 +171,7 @@ class Variants(Sequence[Variant]):
                          self.spec._key_paths)
 
     def _span(self, count: Optional[int], first: Optional[int]) -> range:
-        """The indices to write."""
+        """Returns the indices of the variants to write."""
         if self._indices is None:
             start = 0 if first is None else _options.number(first, "first")
             return range(start, start + _options.length(count, "count"))
@@ -185,8 +187,8 @@ class Variants(Sequence[Variant]):
         return "load" if self._options["validate"] == "none" else str(self._options["validate"])
 
     def sheet(self, size: "Size" = 320, layer: "Layer" = "visual") -> "Picture":
-        """A contact sheet of a slice with at most 400 variants: the bytes of a PNG file. `size` is
-        that of each picture; see Variant.png.
+        """Draws a contact sheet of a slice with at most 400 variants. Returns the bytes of a PNG
+        file. `size` is the size of each picture; see Variant.png.
         """
         from ._picture import draw
 
@@ -195,11 +197,11 @@ class Variants(Sequence[Variant]):
 
     def table(self, members: Sequence[str] = ("params", "mass", "bounds"),
               frame: Optional[bool] = None) -> Any:
-        """A table of a slice: a column for each number or text in these members of the records,
-        such as "params.width" and "bounds.min.x", and the index.
+        """Returns a table of a slice: the index, and one column for each number or text in these
+        members of the records, such as "params.width" and "bounds.min.x".
 
-        Returns a pandas.DataFrame if pandas is installed (`frame=True`: otherwise ImportError), or
-        with `frame=False` a dict of NumPy arrays.
+        The table is a pandas.DataFrame if pandas is installed (`frame=True`: otherwise raises
+        ImportError), and a dict of NumPy arrays without pandas or with `frame=False`.
         """
         from ._table import CHUNK, Table
 
@@ -224,7 +226,9 @@ class Variants(Sequence[Variant]):
         return table.finish()
 
     def _empty(self, table: "Table") -> Any:
-        """A table without rows, with the columns that variant 0 has, or the index if it cannot be made."""
+        """Returns a table without rows, with the columns that variant 0 has, or only the index if
+        variant 0 cannot be made.
+        """
         try:
             table.add(self._make(0).record_bytes)
         except VariantError:
@@ -232,14 +236,14 @@ class Variants(Sequence[Variant]):
         return table.finish(has_rows=False)
 
     def _leave_out(self, index: int) -> None:
-        """Raises what a variant fails with, unless iteration leaves it out."""
+        """Raises the error of a variant that fails, unless iteration leaves such variants out."""
         try:
             self._make(index)
         except VariantError:
             if self._options["on_invalid"] != "skip":
                 raise
         else:
-            raise MemoryError  # there was no room for its row
+            raise MemoryError  # no memory for the row of the variant
 
     def __reduce__(self) -> Any:
         return Variants, (self.spec, self._options, self._indices)

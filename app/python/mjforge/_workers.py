@@ -1,4 +1,6 @@
-"""Processes that load objects in the user's MuJoCo. If MuJoCo crashes or hangs, it costs one object."""
+"""Processes that load objects in the user's MuJoCo, so that a crash or a hang of MuJoCo costs only
+one object.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +18,7 @@ from ._batch import Stored
 from ._comparison import Comparison, Difference, Element
 from ._variant import mujoco_of
 
-_TIME_LIMIT = 60.0  # s for one object
+_TIME_LIMIT = 60.0  # time limit for one object, s
 _TOLERANCE = 1e-6
 
 
@@ -34,7 +36,7 @@ def _examine(mujoco: Any, stored: Stored) -> list[Difference]:
 
 
 def main() -> None:
-    """Serves objects until the other end of the pipe is closed."""
+    """Examines objects in a worker process, until the other end of the pipe is closed."""
     pipe = Connection(int(sys.argv[1]))
     try:
         mujoco = mujoco_of(None)
@@ -51,7 +53,9 @@ def main() -> None:
 
 
 class Worker:
-    """A worker process. It is started for the first object, and again for the next one after it died."""
+    """A worker process, which is started for the first object, and again for the next object after
+    it died.
+    """
 
     def __init__(self, folder: str) -> None:
         self._folder = folder
@@ -59,11 +63,13 @@ class Worker:
         self._pipe: Connection
 
     def start(self) -> str:
-        """Starts the process and returns the version of its MuJoCo. Raises ImportError without one."""
+        """Starts the process and returns the version of its MuJoCo. Raises ImportError if the
+        process cannot import MuJoCo.
+        """
         self._pipe, other = Pipe()
         paths = [os.path.abspath(path) for path in sys.path]
-        # MuJoCo logs its warnings in the working folder. In a session of its own a Ctrl-C at the
-        # terminal does not reach the worker.
+        # Uses a working folder of its own, to which MuJoCo logs its warnings, and a session of its
+        # own, so that Ctrl-C at the terminal does not reach the worker.
         self._process = subprocess.Popen(
             [sys.executable, "-c", "from mjforge._workers import main; main()", str(other.fileno())],
             env={**os.environ, "PYTHONPATH": os.pathsep.join(paths)}, cwd=self._folder,
@@ -85,7 +91,7 @@ class Worker:
         return f"({signal.Signals(-status).name})" if status < 0 else f"(status {status})"
 
     def examine(self, stored: Stored) -> list[Difference]:
-        """The differences between an object and its record."""
+        """Returns the differences between an object and its record."""
         if self._process is None or self._process.poll() is not None:
             self.start()
         try:
@@ -119,8 +125,8 @@ class Crew:
 
     def examine(self, objects: Iterable[Stored], report: Callable[[Stored, list[Difference]], None],
                 tick: Callable[[], None]) -> None:
-        """Examines all objects. `report` gets the differences of each, in any order, one call at a
-        time; `tick` is called ten times a second.
+        """Examines all objects. `report` is called with each object and its differences, in any
+        order, one call at a time; `tick` is called ten times a second.
         """
         iterator = iter(objects)
         lock = threading.Lock()

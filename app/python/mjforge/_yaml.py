@@ -1,4 +1,4 @@
-"""Specs and settings given as objects of Python: their text, and the key path of each of its lines."""
+"""Specs and settings given as Python objects: their YAML text, and the key path of each line."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 
 
 def _plain(value: Any) -> Any:
-    """The same as JSON's types: of NumPy's scalars and arrays, and of paths."""
+    """Converts NumPy scalars and arrays, paths and mappings to types of JSON."""
     if hasattr(value, "tolist"):
         return value.tolist()
     if isinstance(value, os.PathLike):
@@ -27,7 +27,9 @@ def _plain(value: Any) -> Any:
 
 
 def flow_text(value: Any) -> str:
-    """A value on one line: JSON is YAML. Raises TypeError, and ValueError for infinities and NaN."""
+    """Returns a value as JSON on one line, which is also YAML. Raises TypeError, and ValueError for
+    infinities and NaN.
+    """
     return json.dumps(value, default=_plain, ensure_ascii=False, allow_nan=False)
 
 
@@ -38,7 +40,9 @@ def _key(path: str, key: str) -> str:
 
 
 class _Lines:
-    """A text under construction, with a value or a bracket on each line."""
+    """A text under construction, with one value or bracket on each line, and the key path of each
+    line.
+    """
 
     def __init__(self) -> None:
         self.texts: list[str] = []
@@ -75,7 +79,7 @@ class _Lines:
 
 
 def block_text(spec: Mapping[str, Any]) -> tuple[str, tuple[str, ...]]:
-    """The text of a mapping, and the key path of each line: `parts[0].type`."""
+    """Returns the text of a mapping, and the key path of each line: `parts[0].type`."""
     lines = _Lines()
     try:
         lines.add(spec, "")
@@ -85,7 +89,9 @@ def block_text(spec: Mapping[str, Any]) -> tuple[str, tuple[str, ...]]:
 
 
 def checked_settings(settings: Any) -> dict[str, Any]:
-    """A copy, whose names are texts and whose values a spec can have."""
+    """Returns a copy of the settings. Raises an error for names that are not texts and for values
+    that a spec cannot have.
+    """
     if settings is None:
         return {}
     if not isinstance(settings, Mapping):
@@ -105,11 +111,11 @@ def checked_settings(settings: Any) -> dict[str, Any]:
 
 
 class Verbatim(str):
-    """The text of a setting as the command has it."""
+    """The text of a setting in a record, which is used unchanged."""
 
 
 def needs_parameter(value: Any) -> bool:
-    """Whether the text of a setting depends on the parameter that it is for."""
+    """Returns True if the text of a setting depends on the parameter that it sets."""
     if isinstance(value, Verbatim):
         return False
     if isinstance(value, str):
@@ -118,10 +124,11 @@ def needs_parameter(value: Any) -> bool:
 
 
 def setting_text(value: Any, known: "Optional[Parameter]", names: Container[str]) -> str:
-    """The value of a setting as YAML. A pair of numbers for a parameter that is one number is a
-    range, of whole numbers for one that draws them, and so is a pair within the value of a vector.
-    One of the choices of a text is that text, also if it is among `names`, those of all parameters.
-    `known`: the parameter as the spec has it, if there is one.
+    """Returns the value of a setting as YAML. A pair of numbers becomes a range if the parameter is
+    one number (a range of whole numbers if the parameter draws whole numbers), or if the pair is a
+    component of a vector. A text that is an option of the parameter stays a text, even if it is one
+    of `names`, the names of all parameters. `known`: the parameter as the spec declares it, if
+    there is one.
     """
     if isinstance(value, Verbatim):
         return str(value)
@@ -140,7 +147,9 @@ def setting_text(value: Any, known: "Optional[Parameter]", names: Container[str]
 
 
 def _range_text(value: Any, is_whole: bool = False) -> str:
-    """The range of a pair of numbers, "0.2 .. 0.3" or "{integer: [2, 3]}"; empty for other values."""
+    """Returns the range of a pair of numbers, "0.2 .. 0.3" or "{integer: [2, 3]}"; empty for other
+    values.
+    """
     if hasattr(value, "tolist"):
         value = value.tolist()
     if not isinstance(value, (list, tuple)) or len(value) != 2:

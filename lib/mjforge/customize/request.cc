@@ -137,7 +137,7 @@ class Reader {
         if (!out.ends_with('[')) out += ", ";
         std::string expression;
         if (!Flow(item, item.IsObject() ? expression : out)) return false;
-        // Quotes an expression, because a comma would end it.
+        // Quotes an expression, because a comma would end an item of a YAML flow sequence.
         if (item.IsObject()) out += QuoteForYaml(expression);
       }
       out += ']';

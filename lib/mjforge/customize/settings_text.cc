@@ -42,8 +42,8 @@ std::string QuoteForYaml(std::string_view text) {
 }
 
 std::string LiteralForYaml(std::string_view text) {
-  // Texts in expressions have no escapes. A text with ' or } follows an empty expression, because a
-  // value with an expression is a text.
+  // A text in an expression cannot contain ' or }, because expressions have no escapes. Such a text
+  // is written after an empty expression, which makes the whole value a text.
   constexpr std::string_view kOpen = "${";
   std::string value = "${''}";
   if (text.find_first_of("'}") == text.npos) {

@@ -14,7 +14,7 @@ namespace mjforge::customize {
 /// Returns a text as YAML that is read as that text, with quotes only if they are needed.
 std::string QuoteForYaml(std::string_view text);
 
-/// Returns a text as an expression of the language whose value is the text, `${'a + b'}`, in YAML.
+/// Returns YAML of an expression whose value is the text: `${'a + b'}` for the text "a + b".
 std::string LiteralForYaml(std::string_view text);
 
 /// Returns the command that makes `count` variants with these settings, from `index` on. Several

@@ -221,7 +221,7 @@ std::optional<picture::Image> Studio::State::DrawPicture(const Request& request,
 }
 
 // Draws nine variants from `index` on, three in a row. `texts` becomes the reason for each variant
-// that has no picture, and an empty text for each of the others. Draws the variant of `index` last,
+// that has no picture, and an empty text for each other variant. Draws the variant of `index` last,
 // so that this variant stays in the cache.
 std::optional<picture::Image> Studio::State::DrawNine(const Request& request,
                                                       std::vector<std::string>& texts) {

@@ -66,7 +66,8 @@ void VariantCache::QuoteTexts(Request& request) {
     const auto words = expr::WordsOf(text);
     const bool is_read_as_text =
         !words.empty() && text.starts_with(words[0]) && std::ranges::all_of(words, is_plain);
-    // A chosen text must be spelled like the option in the spec.
+    // Writes an option of a choice as a plain text, because the value must be spelled like the
+    // option in the spec.
     text = is_read_as_text || choices_.contains(name) ? QuoteForYaml(text) : LiteralForYaml(text);
   }
 }

@@ -68,7 +68,7 @@ bool IsBinaryStl(std::string_view content) {
 }
 
 Check CheckStl(std::string_view content) {
-  constexpr std::size_t kCorners = 12;  // after the normal, which MuJoCo ignores
+  constexpr std::size_t kCorners = 12;  // offset after the normal, which MuJoCo ignores
   if (!IsBinaryStl(content)) return {};
   const std::size_t triangles = (content.size() - kStlHeader) / kStlTriangle;
   for (std::size_t i = 0; i < triangles; ++i) {
@@ -78,8 +78,8 @@ Check CheckStl(std::string_view content) {
 }
 
 Check CheckMsh(std::string_view content) {
-  // Counts of vertices, normals, texture coordinates and faces, then their numbers. Source: the
-  // format MSH in MuJoCo's XML reference, under `mesh`.
+  // An MSH file has the counts of vertices, normals, texture coordinates and faces, and then their
+  // data. Source: the format MSH in MuJoCo's XML reference, under `mesh`.
   Counts counts;
   std::string fault = ReadCounts(content, counts);
   if (content.size() < kHeader || !fault.empty()) return {std::move(fault), 0};
@@ -92,8 +92,8 @@ Check CheckMsh(std::string_view content) {
 }
 
 Check CheckSkn(std::string_view content) {
-  // Counts of vertices, texture coordinates, faces and bones, then their numbers; MuJoCo checks the
-  // bones. Source: the format SKN in MuJoCo's XML reference, under `skin`.
+  // An SKN file has the counts of vertices, texture coordinates, faces and bones, and then their
+  // data. MuJoCo checks the bones. Source: the format SKN in MuJoCo's XML reference, under `skin`.
   Counts counts;
   std::string fault = ReadCounts(content, counts);
   if (content.size() < kHeader || !fault.empty()) return {std::move(fault), 0};

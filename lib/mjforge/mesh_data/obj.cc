@@ -17,7 +17,7 @@ struct Kind {
   std::string_view name;
   std::size_t numbers;  // numbers that a line must have
 };
-// In the order of the indices in a corner of a face: `vertex/texcoord/normal`.
+// Kinds of data, in the order of their indices in a corner of a face: `vertex/texcoord/normal`.
 constexpr std::array<Kind, 3> kKinds = {
     {{"v", "vertex", 3}, {"vt", "texture coordinate", 1}, {"vn", "normal", 3}}};
 
@@ -36,12 +36,12 @@ class ObjCheck {
   }
 
  private:
-  // The lines of a kind, and the greatest index of the kind in faces.
+  // Number of lines of a kind of data, and the greatest index by which a face refers to that kind.
   struct Data {
     std::size_t count = 0;
     double greatest = 0;
-    std::string_view word;  // the text of `greatest`
-    std::size_t line = 0;   // the line of `greatest`
+    std::string_view word;  // word in the file that has the index `greatest`
+    std::size_t line = 0;   // line in the file that has the index `greatest`
   };
 
   void CheckLine(std::string_view text) {

@@ -37,7 +37,8 @@ bool Contradicts(const Part& part, const model::Attribute& group, const TargetRu
 void SetGroup(Part& part, const TargetRules& rules, AffectedParts& affected) {
   const auto group = std::ranges::find(part.attributes, "group", &model::Attribute::name);
   if (group != part.attributes.end()) {
-    // Skips attached files in the warning, because their groups were set for other viewers.
+    // Leaves parts of attached files out of the warning, because their groups were set for other
+    // viewers.
     if (!part.as_is && Contradicts(part, *group, rules)) affected.Add(part);
     part.attributes.erase(group);
   }

@@ -39,8 +39,8 @@ TriangleMesh MakePrism(const Eigen::Vector3d& size) {
   return solid::MakeConvexPrism(polygon, 2 * size.y()).value_or(TriangleMesh());
 }
 
-// Midpoints of edges, added to the vertices once per edge. The sum of an edge's two ends stands for
-// their midpoint, because UnitIcosphere normalizes all vertices.
+// Midpoints of edges, added to the vertices once per edge. Stores the sum of an edge's two ends in
+// place of their midpoint, because UnitIcosphere normalizes all vertices.
 class EdgeMidpoints {
  public:
   explicit EdgeMidpoints(std::vector<Eigen::Vector3d>& vertices) : vertices_(vertices) {}

@@ -14,9 +14,9 @@ namespace {
 
 using diag::Code;
 
-// Returns true if the zero configuration should be the start of the object, unless there are
-// obstacles. Reasons: a keyframe has poses of free bodies in the world frame, which are wrong if
-// the file is attached to another frame; placed bodies would overlap at any other zero
+// Returns true if the zero configuration should be the start of the object, unless elements depend
+// on qpos0 (obstacles). Reasons: a keyframe has poses of free bodies in the world frame, which are
+// wrong if the file is attached to another frame; placed bodies would overlap at any other zero
 // configuration; some hosts read no keyframes.
 bool WantsStartAtZero(const model::Object& object, const TargetRules& rules) {
   if (object.start_form) return *object.start_form == model::StartForm::kZero;
@@ -26,7 +26,8 @@ bool WantsStartAtZero(const model::Object& object, const TargetRules& rules) {
   return std::ranges::any_of(object.bodies, needs_zero) || !rules.supports_sections;
 }
 
-// Reports obstacles as errors if the spec asks for a start at zero; otherwise as warnings.
+// Reports elements that prevent a start at zero, as errors if the spec asks for such a start;
+// otherwise as warnings.
 void ReportObstacles(std::vector<start::Obstacle> obstacles, bool is_asked,
                      diag::Findings& findings) {
   for (start::Obstacle& obstacle : obstacles) {

@@ -10,7 +10,7 @@
 namespace mjforge::mjcf {
 namespace {
 
-// Attributes of a mesh that are left out if a file has the mesh.
+// Attributes with the data of a mesh, which are left out if the mesh is in a file.
 constexpr std::string_view kMeshData[] = {"vertex", "normal", "texcoord", "face"};
 
 using NumberFormat = ElementWriter::NumberFormat;
@@ -78,7 +78,7 @@ class AssetWriter {
     const model::MeshAsset& mesh = *object_.meshes[index];
     writer_.OpenElement("mesh", mesh.mark);
     writer_.WriteText("name", mesh.name);
-    // Inline vertices of an attached file's mesh are among the mesh's attributes.
+    // For a mesh of an attached file, inline vertices are among the attributes.
     const bool has_vertices = model::FindAttribute(mesh.attributes, "vertex") != nullptr;
     const bool is_generated = as_files_ && mesh.file.empty();
     if (!mesh.file.empty()) {

@@ -20,7 +20,8 @@ constexpr double kContactsThatFit = 100;
 // Contacts of a box that lies on a box, or of two convex geoms with the flag multiccd. Boxes can
 // have up to eight; in the bundled scenes, a pair has at most 4.2 on average.
 constexpr double kContactsOfFaces = 4;
-// Contacts of the flat geoms of a body, in addition to one for each of its geoms.
+// Limit of the contacts of flat geoms for each child of the world, in addition to one contact per
+// geom.
 constexpr double kFlatContacts = 24;
 // Contacts come and go while placed bodies settle: in the bundled scenes, there are at most 1.1
 // times as many contacts as at the start.

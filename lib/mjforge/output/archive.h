@@ -59,8 +59,8 @@ class ArchiveReader {
   /// Returns the bytes of the member that Next named; nullopt, and sets `why_not`, if reading
   /// fails. To be called at most once per member.
   std::optional<std::string> Content(std::string& why_not);
-  /// Returns the first `count` bytes of the text that Next named; fewer if the text is shorter or
-  /// the archive is damaged. To be called in place of Content.
+  /// Returns at most the first `count` bytes of the member that Next named, up to a zero byte;
+  /// fewer if the archive is damaged. To be called in place of Content.
   std::string Start(std::size_t count);
 
  private:

@@ -19,7 +19,7 @@ namespace mjforge::output {
 namespace {
 
 // Limit of temporary names to try. A name may be in use because a killed process with the same id
-// left a file behind, or because a process that removes such files has locked a new one.
+// left a file behind, or because a process that removes such files has locked a new file.
 constexpr int kTriedNames = 100;
 
 // Locks an open file without waiting. Returns false if another process has the lock or has removed

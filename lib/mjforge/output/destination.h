@@ -28,8 +28,8 @@ struct Destination {
   enum class Kind { kNowhere, kFolder, kFile, kStandardOutput, kArchive, kArchives, kFamily };
 
   Kind kind = Kind::kNowhere;
-  /// Path as given; kArchives: with %05d in place of the archive's number; kFamily: may have %s in
-  /// place of the structure's key.
+  /// Path as given on the command line. For kArchives, the path contains %05d for the archive's
+  /// number; for kFamily, it may contain %s for the key of the structure.
   std::filesystem::path path;
   ArchiveFormat format = ArchiveFormat::kTar;
   std::uint64_t per_archive = 0;  // kArchives: number of variants in each archive
@@ -42,16 +42,18 @@ struct Destination {
   /// Returns the path of archive `number`, counted from 0, of a series; for a single archive, its
   /// path.
   std::filesystem::path Archive(std::uint64_t number) const;
-  /// Returns true if the variants of each structure form a family of their own: NAME_%s.npz.
+  /// Returns true if the variants of each structure (structure.h) form a family of their own:
+  /// NAME_%s.npz.
   bool IsSplit() const;
-  /// Returns the path of the family of the structure with this key; for a single family, its path.
+  /// Returns the path of the family for the structure with this key; if there is a single family,
+  /// its path.
   std::filesystem::path Family(std::string_view key) const;
   /// Returns the path of the rows of a family, one row per variant: NAME-00003-of-00008.rows for a
   /// shard, which `merge` joins with the others, or NAME.rows while a whole family is made.
   std::filesystem::path Rows(const Shard& shard) const;
   /// Returns the path of the manifest: DIR/manifest.jsonl for a folder, STEM.manifest.jsonl beside
-  /// archives, STEM.manifest.jsonl.zst beside compressed ones; with "-00003-of-00008" before the
-  /// extension for a shard.
+  /// archives, STEM.manifest.jsonl.zst beside compressed archives; with "-00003-of-00008" before
+  /// the extension for a shard.
   std::filesystem::path Manifest(const Shard& shard) const;
   /// Returns the folder of the manifest.
   std::filesystem::path Folder() const;

@@ -1,4 +1,4 @@
-// Reading files, and permission to replace existing ones.
+// Reading files, and permission to replace existing files.
 
 #include <fmt/format.h>
 
@@ -34,8 +34,8 @@ bool MayReplace(const std::filesystem::path& file, bool force, std::size_t bytes
                 const std::function<bool(std::string_view)>& is_ours, diag::Findings& findings) {
   std::error_code ignored;
   if (!std::filesystem::exists(std::filesystem::symlink_status(file, ignored))) return true;
-  // Rejects pipes, because opening one blocks until somebody writes to it, and devices, which must
-  // not be replaced.
+  // Rejects pipes, because opening a pipe blocks until somebody writes to it, and devices, which
+  // must not be replaced.
   if (std::filesystem::is_other(file, ignored)) {
     findings.Add(diag::Code::kOutputCannotWrite, {},
                  fmt::format("'{}' is a pipe or a device, not a file", file.string()),

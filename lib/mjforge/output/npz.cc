@@ -166,7 +166,7 @@ Header& AddCommon(Header& header, bool is_large) {
       .Short(kFirstDay);
 }
 
-// Returns an extra field with 64-bit numbers; empty if there are no numbers.
+// Returns a zip extra field with 64-bit numbers; empty if there are no numbers.
 std::string LargeNumbers(const std::vector<std::uint64_t>& numbers) {
   if (numbers.empty()) return {};
   Header field;

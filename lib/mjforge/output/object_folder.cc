@@ -243,10 +243,10 @@ void RemoveFormerObjects(const std::filesystem::path& folder, const bytes::Asset
 
 }  // namespace
 
-// Returns true if an existing asset may be replaced by one with these bytes.
+// Returns true if an existing asset may be replaced by an asset with these bytes.
 bool ObjectFolder::IsOwn(const bytes::Asset& asset, std::string_view present,
                          std::string_view bytes, const std::string& sha256) const {
-  // The name of a generated asset has a hash of its content.
+  // Only a damaged copy may be replaced by a generated asset, whose name has a hash of its content.
   if (asset.made) return IsDamagedCopy(present, bytes);
   const auto kept = overwrite_.kept_assets.find(asset.name);
   if (kept != overwrite_.kept_assets.end()) return kept->second == sha256;

@@ -27,10 +27,11 @@ namespace mjforge::output {
 struct OverwritePolicy {
   bool force = false;       // replace files that mjforge did not make
   bool if_changed = false;  // leave a file with the same bytes untouched, including its time
-  // Durability of copied assets, which a resumed batch does not write again.
+  // Durability (safety from power cuts) of copied assets, which a resumed batch does not write
+  // again.
   Durability durability = Durability::kNone;
   // SHA-256 of assets that earlier runs of the same batch wrote. An existing file may be replaced
-  // if such a run wrote it, or if the content that replaces it is that of such a run.
+  // if its old or its new content has one of these hashes.
   std::set<std::string> assets = {};
   // Names and SHA-256 of assets that earlier objects refer to. An existing file with one of these
   // names may only be replaced by content with the hash given here.

@@ -202,9 +202,9 @@ bool PartFile::Commit(bool if_changed, Durability durability, diag::Findings& fi
     AddCannotWrite(file_, errno, findings);
     return false;
   }
-  // Closing releases the lock, so this must follow the renaming: otherwise another process could
-  // open the part by its old name. On a network disk or at a quota, only close() reports that
-  // writing failed.
+  // Closes the file after the renaming, because closing releases the lock, and another process
+  // could then open the part by its old name. On a network disk or at a quota, only close() reports
+  // that writing failed.
   if (::close(std::exchange(descriptor_, -1)) != 0) {
     AddCannotWrite(file_, errno, findings);
     return false;

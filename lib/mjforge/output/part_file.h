@@ -18,7 +18,7 @@ namespace mjforge::output {
 /// time can open it.
 class PartFile {
  public:
-  /// Opens the part that an earlier process left, or a new one. Returns null, after adding a
+  /// Opens the part that an earlier process left, or a new part. Returns null, after adding a
   /// finding, if that fails, if another process has opened the part, or if its name belongs to a
   /// link, a pipe or a device.
   static std::unique_ptr<PartFile> Open(const std::filesystem::path& file,

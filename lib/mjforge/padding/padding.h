@@ -28,8 +28,9 @@ class Superset {
   void Complete(model::Object& object) const;
 
  private:
-  // Elements of a kind, copied from the first variant that has the element, with the name in the
-  // superset. Elements with equal keys are one element in all worlds.
+  // Elements of a kind that any variant has, each copied from the first variant that has the
+  // element. Elements of two variants are one element in all worlds if their keys (name, type and
+  // shared attributes) are equal.
   template <typename Element>
   struct Slots {
     std::vector<Element> elements;
@@ -42,8 +43,8 @@ class Superset {
   struct PartSlot {
     model::Part part;
     std::string mesh;  // key of the part's mesh; empty: no mesh
-    /// Mesh of the part in variants where the part is null. In each variant, a part that is null in
-    /// some variant has a mesh of its own, with the name of this mesh.
+    /// Null mesh for variants that lack the part. If any variant lacks the part, the part has in
+    /// each variant a mesh that no other part uses, with the name of this mesh.
     std::shared_ptr<const model::MeshAsset> null_mesh;
     std::size_t count = 0;  // number of variants that have the part
   };

@@ -147,8 +147,8 @@ class Superset::Completion {
   }
 
  private:
-  // Puts the elements of an object into the order of the superset's slots. Elements without a slot
-  // come last. `make` returns an element for a slot that the object does not fill.
+  // Puts the elements of an object into the order of the superset's elements (slots). Elements
+  // without a slot come last. `make` returns an element for a slot that the object does not fill.
   template <typename Element, typename Item, typename Rename, typename Make>
   static void Arrange(const Slots<Element>& slots, const std::vector<std::string>& keys,
                       std::vector<Item>& items, const Rename& rename, const Make& make) {

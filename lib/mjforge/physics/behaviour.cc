@@ -57,7 +57,8 @@ class Behaviour {
             Reporter& reporter)
       : m_(m), workspace_(workspace), object_(object), mark_(mark), reporter_(reporter) {}
 
-  /// Records the drop and, if a nudge topples the object, the drop with that nudge.
+  /// Records the drop and, if a nudge (an initial tilt and speed) topples the object, the drop with
+  /// that nudge.
   void RecordDrop(FilmRecorder& recorder) {
     if (!CanStep()) return;
     recorder_ = &recorder;

@@ -18,7 +18,8 @@ namespace mjforge::physics {
 void CheckBehaviour(mjModel& m, Workspace& workspace, const model::Object& object,
                     diag::SourceMark mark, static_checks::Reporter& reporter, Result& result);
 
-/// Records the drop of the model and, if a nudge topples the object, also the drop with that nudge.
+/// Records the drop of the model. If a nudge (an initial tilt and speed) topples the object, also
+/// records the drop with that nudge.
 void RecordDrop(mjModel& m, Workspace& workspace, const model::Object& object,
                 diag::SourceMark mark, static_checks::Reporter& reporter, FilmRecorder& recorder);
 

@@ -48,7 +48,7 @@ bool HasStartPose(const mjModel& m) {
   return !std::ranges::equal(compiled::StartOf(m), std::span(m.qpos0, compiled::Index(m.nq)));
 }
 
-// Finds the spring, damper or actuator that exceeds the limit of explicit integration most.
+// Search for the spring, damper or actuator that exceeds the limit of explicit integration most.
 class Stiffest {
  public:
   explicit Stiffest(const mjModel& m) : m_(m), h_(m.opt.timestep) {
@@ -62,8 +62,9 @@ class Stiffest {
  private:
   std::string Step() const { return fmt::format("a timestep of {} ms", RoundedText(1000 * h_)); }
 
-  // Considers an element, which is stable if `excess` is at most 1. The excess grows with the
-  // square of the timestep for springs, and with the timestep for dampers.
+  // Keeps an element (spring, damper or actuator) if it exceeds the limit of integration more than
+  // all earlier elements. `excess` is relative to the limit: above 1, the simulation diverges. It
+  // grows with the square of the timestep for springs, and with the timestep for dampers.
   void Add(double excess, bool is_spring, const std::string& what, const std::string& remedy,
            std::string joint = {}, std::string actuator = {}) {
     // Implicit integrators use the velocity after the step for damping, so that only springs

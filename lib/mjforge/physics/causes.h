@@ -27,8 +27,8 @@ struct Divergence {
 /// which may own `d`.
 Divergence FindDivergence(const mjModel& m, const mjData& d, Workspace& workspace);
 
-/// Returns ", as joint 'lid' moves by 90 deg" for the hinge or slide that moved most since the
-/// start; an empty text if none moved by 5 deg or 5 mm.
+/// Returns the hinge or slide that moved most since the start, as ", as joint 'lid' moves by 90
+/// deg"; an empty text if no joint moved by 5 deg or 5 mm.
 std::string MovedJointText(const mjModel& m, const mjData& d);
 
 /// Returns the hint that lists the possible sources of energy of a settling object.
@@ -43,8 +43,8 @@ std::string HeldBackHint(const mjModel& m, int joint);
 /// way.
 bool MayStandElsewhere(const mjModel& m, int joint, const std::pair<int, int>& bodies);
 
-/// Returns the hint for a joint that exceeds its range by `beyond`, rad or m: `usual`, and the
-/// advice of an armature if the joint exceeds the range far.
+/// Returns the hint `usual` for a joint that exceeds its range by `beyond`, rad or m. If `beyond`
+/// is large, the hint also advises an armature.
 std::string LimitHint(const mjModel& m, int joint, double beyond, const std::string& usual);
 
 }  // namespace mjforge::physics

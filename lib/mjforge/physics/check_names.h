@@ -13,7 +13,7 @@
 
 namespace mjforge::physics {
 
-/// Check of a spec that names bodies or sites.
+/// Check in a spec that names bodies or sites, and its place for findings.
 struct NamingCheck {
   std::string_view key;  // key of the check in the spec: "fits"
   diag::SourceMark mark;

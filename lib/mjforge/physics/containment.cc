@@ -60,7 +60,7 @@ double RadiusOf(const model::HoldingCheck& holding, int ball) {
   return holding.ball.y() / 2 * std::pow(holding.ball.x() / holding.ball.y(), share);
 }
 
-/// Result of a containment test.
+/// Balls that a containment test found at the wrong place.
 struct ContainmentResult {
   bool has_diverged = false;
   std::vector<Ball> lost;    // balls that left while they had to stay inside

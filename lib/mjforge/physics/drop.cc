@@ -68,7 +68,7 @@ class DropSimulation {
   struct Root {
     int body = 0;
     Eigen::Vector3d start = Eigen::Vector3d::Zero();  // m, centre of mass of the tree
-    Eigen::Vector3d up_B = Eigen::Vector3d::UnitZ();  // up before the nudge, in the body's frame
+    Eigen::Vector3d up_B = Eigen::Vector3d::UnitZ();  // world's up direction before the nudge
   };
 
   bool IsNudged() const { return nudge_.tilt != 0 || nudge_.speed != 0; }
@@ -174,7 +174,7 @@ class DropSimulation {
   Result& result_;
   Eigen::Quaterniond lean_ = Eigen::Quaterniond::Identity();
   std::vector<Root> roots_;
-  std::vector<mjtNum> starts_;  // xipos at the start
+  std::vector<mjtNum> starts_;  // nbody x 3, xipos at the start
   int fastest_ = 0;             // fastest body at the end
   double start_energy_ = 0;
   double highest_energy_ = 0;

@@ -1,4 +1,4 @@
-// Lookup of parts, joints and other elements of an object by name, and of their places in the spec.
+// Lookup of an object's parts, joints and other elements by name, and of their places in the spec.
 #pragma once
 
 #include <string_view>

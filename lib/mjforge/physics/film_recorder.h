@@ -9,7 +9,7 @@
 
 namespace mjforge::physics {
 
-/// Records runs of a simulation. Only runs that are kept become part of the film.
+/// Records runs of a simulation as positions (qpos). Keep() makes a run a part of the film.
 class FilmRecorder {
  public:
   /// Begins a run, and discards the previous run unless it was kept.

@@ -60,7 +60,7 @@ bool LiftFreeBodies(const mjModel& m, mjData& d, double height) {
 
 void LevelFloor(mjModel& m, int geom) {
   for (const compiled::ArrayField& field : compiled::ArrayFields(mjOBJ_GEOM)) {
-    if (field.variable != nullptr) continue;  // user data has no default
+    if (field.variable != nullptr) continue;  // <geom user="..."> has no default
     std::visit(
         [&](auto array) {
           std::copy_n(field.usual->begin(), field.count, m.*array + field.count * geom);

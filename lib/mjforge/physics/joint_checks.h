@@ -24,19 +24,20 @@ class JointChecks {
   /// than hinges and slides. Returns false after a report; then no other function may be called.
   bool Verify(static_checks::Reporter& reporter) const;
 
-  /// Returns the joints that no entry names and that can be driven.
+  /// Returns the joints that can be driven and that no entry of checks.joints names.
   std::vector<int> Others() const;
 
-  /// Returns the joints of an entry that can be driven.
+  /// Returns the joints that an entry of checks.joints names and that can be driven.
   std::vector<int> JointsOf(const model::JointCheck& check) const;
 
-  /// Returns true if PathsOf() has a path for the joint from the model's start pose.
+  /// Returns true if the joint can be driven from the model's start pose: PathsOf() has a path for
+  /// it.
   bool CanBeDriven(int joint) const;
 
-  /// Returns true if an entry names a joint.
+  /// Returns true if an entry of checks.joints names a joint.
   bool Names(const model::JointCheck& check, int joint) const;
 
-  /// Returns the positions (nq) from which the joints of an entry are driven.
+  /// Returns the qpos from which the joints of an entry of checks.joints are driven.
   std::vector<mjtNum> StartOf(const model::JointCheck& check) const;
 
  private:

@@ -81,7 +81,7 @@ std::vector<DrivenJoint> JointController::Run(std::span<const int> joints) {
     all[i].measured.name = compiled::NameOf(m_, mjOBJ_JOINT, joints[i]);
     paths.push_back(PathsOf(m_, joints[i], start_));
     if (coupled_ == CoupledJoints::kFree)
-      for (JointPath& path : paths.back()) path.push = 0;  // limits are not tested
+      for (JointPath& path : paths.back()) path.push = 0;  // this drive does not test limits
     most = std::max(most, paths.back().size());
   }
   for (std::size_t k = 0; k < most; ++k) {

@@ -19,7 +19,7 @@ namespace mjforge::physics {
 
 /// Motion of joints that equalities and tendons couple to a driven joint.
 enum class CoupledJoints {
-  kDriven,  // driven with that joint if an equality determines the motion
+  kDriven,  // moved by the controller, too, if an equality determines their motion
   kFree,    // moved only by the equality or tendon
 };
 
@@ -40,8 +40,8 @@ class JointController {
   /// Records the following drives, unless `recorder` is null.
   void RecordTo(FilmRecorder* recorder) { stepper_.RecordTo(recorder); }
 
-  /// Drives the joints at the same time: all along their first paths, then all along their second
-  /// paths, and so on. Each drive begins at the start positions.
+  /// Drives the joints at the same time: all along their first paths, then ball joints along their
+  /// second paths, and so on. Each drive begins at the start positions.
   std::vector<DrivenJoint> Run(std::span<const int> joints);
 
  private:
@@ -57,7 +57,7 @@ class JointController {
     double to = 0;
     double nearest = 0;  // least distance from the end of the move so far
     double held = 0;     // s, time since the joint last came nearer to the end of the move
-    bool counts = true;  // true if positions count for `lowest` and `highest`
+    bool counts = true;  // true if positions extend `lowest` and `highest`
     double lowest = 0;
     double highest = 0;
 
@@ -78,8 +78,9 @@ class JointController {
   /// Moves each joint on its path from `from` to `to`.
   void Move(std::vector<JointDrive>& drives);
   double AddedInertiaOf(int dof);
-  /// Applies the forces of one step. `progress.position` is the share of the move that should be
-  /// complete, from 0 to 1, and `progress.speed` and `progress.acceleration` are its derivatives.
+  /// Applies the forces of one step of a move. `progress.position` is the share of the move that
+  /// should be complete, from 0 to 1, and `progress.speed` and `progress.acceleration` are its
+  /// derivatives.
   void SetForces(const std::vector<JointDrive>& drives, const Setpoint& progress);
   void ApplyForces();
   static Setpoint Target(const JointDrive& drive, const Setpoint& progress);

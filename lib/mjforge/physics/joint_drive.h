@@ -38,7 +38,7 @@ struct InitialPenetration {
   const model::JointCheck* check = nullptr;  // entry whose `at` sets the pose; null: start pose
 };
 
-/// Results of a drive test.
+/// Results of driving all joints, and bodies that overlap before any joint is driven.
 struct DriveResults {
   std::vector<DrivenJoint> joints;
   std::vector<InitialPenetration> initial_penetrations;

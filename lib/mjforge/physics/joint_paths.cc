@@ -71,7 +71,7 @@ std::vector<JointPath> PathsOf(const mjModel& m, int joint, std::span<const mjtN
 
 bool Moves(const mjModel& m, int joint, int body) {
   if (body >= m.nbody) return false;
-  // The id of a body is greater than that of its parent.
+  // Stops at the joint's body, because ids of bodies are greater than those of their parents.
   while (body > m.jnt_bodyid[joint]) body = m.body_parentid[body];
   return body == m.jnt_bodyid[joint];
 }
@@ -89,7 +89,7 @@ bool IsOnTendon(const mjModel& m, int joint, int tendon) {
 std::vector<bool> BodiesMovedBy(const mjModel& m, int joint) {
   std::vector<bool> moved(compiled::Index(m.nbody));
   moved[compiled::Index(m.jnt_bodyid[joint])] = true;
-  // The id of a body is greater than that of its parent.
+  // Visits parents first, because ids of bodies are greater than those of their parents.
   for (int body = m.jnt_bodyid[joint] + 1; body < m.nbody; ++body)
     moved[compiled::Index(body)] = moved[compiled::Index(m.body_parentid[body])];
   return moved;

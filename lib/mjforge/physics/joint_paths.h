@@ -35,7 +35,7 @@ bool Moves(const mjModel& m, int joint, int body);
 /// Returns true if a tendon (-1: none) runs over the joint, or over a site that the joint moves.
 bool IsOnTendon(const mjModel& m, int joint, int tendon);
 
-/// Returns nbody flags: true for each body that the joint moves.
+/// Returns a flag for each body of the model: true if the joint moves the body.
 std::vector<bool> BodiesMovedBy(const mjModel& m, int joint);
 
 /// Returns groups of joints that can be driven at the same time, because bodies moved by one joint

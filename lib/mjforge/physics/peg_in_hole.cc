@@ -277,8 +277,8 @@ class PegTests {
       return result;
     });
     if (insertion && insertion->is_held) return true;
-    // Applies only to added pegs, because a body of the object may be a ring that goes over a post
-    // on the axis.
+    // Requires an end of the hole only for added pegs, because a body of the object may be a ring
+    // that goes over a post on the axis.
     if (insertion && end && fitting.body.empty() && end->distance < kNoHole)
       ReportNoHole(fitting, *end);
     else

@@ -46,15 +46,16 @@ std::string FloorElement(std::string_view name) {
   return fmt::format(R"(<geom name="{}" type="plane" size="0 0 1"/>)", name);
 }
 
-/// Returns the document's text with the free joint that its host would add. Adds no line ends, like
-/// WithSurroundings(), so that line numbers stay the same.
+/// Returns the document's text with the free joint that the host (the program for which the file
+/// was written) would add. Adds no line ends, like WithSurroundings(), so that line numbers stay
+/// the same.
 std::string WithFreeRoot(const mjcf::MjcfDocument& document) {
   std::string text = document.text;
   if (document.world_position == std::string::npos || !document.host_adds_free_joint) return text;
   return text.insert(text.find('\n', document.world_position) + 1, kFree);
 }
 
-/// Returns the document's text with the free joint of its host and a floor.
+/// Returns the document's text with a floor, and with the free joint that the host would add.
 std::string WithSurroundings(const mjcf::MjcfDocument& document) {
   std::string text = WithFreeRoot(document);
   if (document.world_position == std::string::npos) return text;

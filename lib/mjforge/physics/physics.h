@@ -17,7 +17,7 @@
 
 namespace mjforge::physics {
 
-/// Measurements in SI units, rounded to four digits.
+/// Measurements of the simulated tests of one object, in SI units, rounded to four digits.
 struct Result {
   /// A joint driven to both ends of its range and back, with the root held and without gravity.
   struct Joint {
@@ -130,8 +130,9 @@ class Laboratory {
                                 diag::Findings& findings);
 
   /// Simulates the drop of an object or, unless `joint` is empty, the drive of that joint, as
-  /// Examine does, and returns at most `frames` positions. The document must be complete: its host
-  /// adds no joint. If the drop or drive is impossible, adds a finding and returns nullopt.
+  /// Examine does, and returns at most `frames` positions. The document must be complete: the
+  /// program that loads it adds no joint. If the drop or drive is impossible, adds a finding and
+  /// returns nullopt.
   std::optional<Film> Record(const mjcf::MjcfDocument& document, const model::Object& object,
                              const std::string& joint, std::size_t frames,
                              diag::Findings& findings);

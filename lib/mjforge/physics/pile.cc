@@ -41,7 +41,7 @@ class PileReport {
              static_checks::Reporter& reporter)
       : m_(m), d_(d), object_(object), pile_(pile), bodies_(bodies), reporter_(reporter) {}
 
-  /// Adds an error for each body that left the region; returns true if there is one.
+  /// Adds an error for each body that left the region; returns true if it adds an error.
   bool AddLeft(const model::Pose& X_WR) {
     bool has_left = false;
     for (const PiledBody& body : bodies_) {
@@ -126,7 +126,7 @@ struct PileSettler::Impl {
   engine::Engine engine;
   Workspace workspace;
 
-  /// Tries releases until one has no fault; adds the faults of the last release.
+  /// Tries releases until one has no fault; adds findings about the faults of the last release.
   void Settle(model::Object& object, const model::Pile& pile, diag::Findings& findings);
   /// Simulates one release, and makes the poses at the end of the simulation the start of the
   /// bodies. Returns false, and changes no start, if the simulation diverges.

@@ -40,15 +40,15 @@ constexpr std::string_view kUsualContact = R"(condim="3" friction="1 0.005 0.000
 std::string ProbeGeom(std::string_view shape, double mass,
                       std::string_view contact = kUsualContact);
 
-/// Sets the positions of the object's joints in `d` to `start`, and leaves those of the probe
-/// bodies unchanged: the `count` positions from that of the joint `first` on.
+/// Sets the positions of the object's joints in `d` to `start`. The `count` positions of the probe
+/// bodies, which begin with that of the joint `first`, stay unchanged.
 void PlaceObject(const mjModel& m, mjData& d, std::span<const mjtNum> start, int first, int count);
 
 /// Makes a degree of freedom so heavy that nothing moves it.
 void HoldDof(mjModel& m, int dof);
 
-/// Makes all degrees of freedom except `count` from `first` on so heavy that nothing moves them,
-/// and disables equalities, limits, springs, dampers and actuators.
+/// Makes degrees of freedom so heavy that nothing moves them, all except the `count` ones from
+/// number `first` on. Disables equalities, limits, springs, dampers and actuators.
 void HoldOthers(mjModel& m, int first, int count);
 
 }  // namespace mjforge::physics

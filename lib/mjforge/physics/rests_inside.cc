@@ -30,7 +30,7 @@ bool Match(const Bits& one, const Bits& two) {
 
 Bits BitsOf(const mjModel& m, int geom) { return {m.geom_contype[geom], m.geom_conaffinity[geom]}; }
 
-/// Returns true for a colliding geom of a bounded shape, unlike planes and height fields.
+/// Returns true for a colliding geom that is not a plane or a height field.
 bool IsSolid(const mjModel& m, int geom) {
   return compiled::Collides(m, geom) && compiled::GeomTypeOf(m.geom_type[geom]).has_value();
 }
@@ -44,7 +44,7 @@ class IgnoredPairs {
       paired_.insert(std::minmax({m.pair_geom1[i], m.pair_geom2[i]}));
   }
 
-  /// Returns true if no two geoms can be such a pair.
+  /// Returns true if the model has no ignored pairs.
   bool empty() const {
     std::set<Bits> all;
     for (int geom = 0; geom < m_.ngeom; ++geom)

@@ -25,7 +25,8 @@ struct Camera {
   Eigen::Vector3d center;   // W, m, center of a sphere around the shapes
   double radius = 0;        // radius of this sphere, m
 
-  /// Projects a point of the world into a picture of this size: pixels from the top left.
+  /// Returns the position of a point of the world in a picture of this size, in pixels from the top
+  /// left.
   Eigen::Vector2d Project(const Eigen::Vector3d& point, int width, int height) const;
 };
 

@@ -171,9 +171,9 @@ std::string EncodeGif(std::span<const Image> frames, int delay, const Texts& tex
   for (const Image& frame : frames) {
     const std::vector<GifPixelType> pixels = palette.IndicesOf(frame);
     std::vector<GifPixelType> changed = pixels;
-    // Leave unchanged pixels transparent, which makes the file smaller. Animations with transparent
-    // pixels draw all pixels of each frame, because viewers clear the screen after each of their
-    // frames.
+    // Leave unchanged pixels transparent, which makes the file smaller. If any pixel of the
+    // animation is transparent, draw all pixels of each frame, because viewers then clear the
+    // screen after each frame.
     for (std::size_t i = 0; !palette.has_holes && i < before.size(); ++i) {
       if (pixels[i] == before[i]) changed[i] = kTransparent;
     }

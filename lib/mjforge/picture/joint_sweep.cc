@@ -12,7 +12,8 @@ namespace {
 
 constexpr int kFramesPerWay = 12;  // frames of a motion between two positions
 
-// Appends a motion that is slower towards both ends. Omits `to`, with which the next motion starts.
+// Appends poses that move a joint from `from` to `to`, with a lower speed towards both ends. Omits
+// `to`, with which the next motion starts.
 void AppendWay(int joint, double from, double to, std::vector<JointPositions>& poses) {
   if (from == to) return;
   for (int i = 0; i < kFramesPerWay; ++i) {

@@ -86,7 +86,7 @@ struct JointMark {
   double End(int i) const { return m.jnt_range[2 * joint + i]; }
   double Thickness() const { return 0.012 * radius; }
 
-  // Puts a number at `place`, and explains the number in the legend below the picture.
+  // Puts the joint's number at `place`, and explains the number in the legend below the picture.
   void Label(const Vector3d& place, std::string_view range) const {
     const std::size_t number = scene.legend().size() + 1;
     scene.AddLabel(place, fmt::format("{}", number));
@@ -103,7 +103,7 @@ struct JointMark {
     scene.AddToFrame({.p_WS = to + head * along});
   }
 
-  // Draws the axis, and the arc through which the body's centre of mass moves over the range.
+  // Draws the axis of a hinge, and the arc on which its body's centre of mass moves over the range.
   void DrawHinge() const {
     const Color color = MarkColor(joint);
     const Vector3d axis = Axis();

@@ -1,4 +1,4 @@
-// Marks that layers draw in addition to the faded object.
+// Marks (boxes, axes, labels) that the layers of a picture draw in addition to the faded object.
 
 #pragma once
 

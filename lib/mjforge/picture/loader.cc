@@ -9,8 +9,8 @@
 namespace mjforge::picture {
 namespace {
 
-// Size of MuJoCo's stack, in mjtNum. The Jacobian of a tendon takes three for each degree of
-// freedom.
+// Size of MuJoCo's stack, in mjtNum. The Jacobian of a tendon takes three numbers for each degree
+// of freedom.
 constexpr double kStackSize = 1e6;
 
 std::unique_ptr<Subject> Make(engine::Loaded loaded, std::string& why_not) {
@@ -49,7 +49,8 @@ std::unique_ptr<Subject> Loader::LoadText(const std::string& mjcf, const bytes::
     why_not = problem->message;
     return nullptr;
   }
-  // The text may be from an archive of others.
+  // Rejects pipes, devices and damaged meshes, because the text may come from an archive of
+  // somebody else.
   if (const auto fault = engine::FindFileFault(mjcf, {})) {
     why_not = fault->message;
     return nullptr;

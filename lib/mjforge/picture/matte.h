@@ -29,7 +29,7 @@ struct RenderedBand {
   int light = 255;      // brightness of the floor outside of shadows, 0..255
 };
 
-/// Accumulates renderings, and computes the picture from them.
+/// Computes a picture with alpha from renderings of its rows.
 class Matte {
  public:
   /// Makes a picture of this size, in pixels, with `samples` samples along each side of a pixel.

@@ -39,7 +39,7 @@ class ModelContext {
 
  private:
   mjrContext own_;
-  mjrContext context_;  // own_ with the shared buffers
+  mjrContext context_;  // copy of own_ that draws into the shared buffers
 };
 
 }  // namespace mjforge::picture

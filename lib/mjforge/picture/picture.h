@@ -71,7 +71,7 @@ struct Options {
   Background background = {};
   View view = {};
   /// Draws faster, without shadows and with one sample per pixel: for pictures that are soon
-  /// replaced by better ones.
+  /// replaced by better pictures.
   bool quick = false;
 };
 
@@ -105,8 +105,8 @@ class Subject {
   /// if only one joint fits. Returns nullopt, and adds a finding, if no joint or several joints
   /// fit.
   std::optional<int> FindJoint(std::string_view name, diag::Findings& findings) const;
-  /// Moves a hinge (rad) or slide (m). Returns false, and adds a finding, if the joint is neither
-  /// of these, or if the value is outside its range.
+  /// Moves a hinge (rad) or slide (m). Returns false, and adds a finding, if the joint is neither a
+  /// hinge nor a slide, or if the value is outside its range.
   bool SetJoint(int joint, double value, diag::Findings& findings);
 
   /// Returns poses that move each hinge and slide in turn, or only `joint`, from its value to both
@@ -143,7 +143,7 @@ class Loader {
 /// library, because MuJoCo looks up OpenGL's functions only once.
 class Renderer {
  public:
-  /// Returns null, and adds a finding, if neither library works.
+  /// Makes the renderer. Returns null, and adds a finding, if neither library works.
   static std::unique_ptr<Renderer> Open(diag::Findings& findings);
   ~Renderer();
   Renderer(const Renderer&) = delete;

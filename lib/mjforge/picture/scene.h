@@ -59,8 +59,8 @@ class Scene {
   /// Returns true if MuJoCo draws no geom translucent for the camera given to Light(). A plane is
   /// translucent if the camera sees its back.
   bool IsOpaque() const { return translucent_.empty(); }
-  /// Returns the same scene with only the translucent geoms, on black, without shadows, which
-  /// MuJoCo does not draw on these geoms. The result is valid until the scene changes.
+  /// Returns a scene of the translucent geoms only, on black, without shadows, which MuJoCo does
+  /// not draw on these geoms. The result is valid until the scene changes.
   mjvScene TranslucentGeoms();
   /// Returns the brightness of the floor, or else the backdrop, outside of shadows, 0..255.
   int Brightness() const;
@@ -107,7 +107,7 @@ class Scene {
   std::vector<Label> labels_;
   std::vector<Line> legend_;
   bool has_ground_ = false;  // the model has a plane, a height field or a geom of the world
-  std::vector<mjvGeom> translucent_;  // copies, and a black floor if the floor hides marks
+  std::vector<mjvGeom> translucent_;  // translucent geoms; and a black floor if it hides marks
   double floor_height_ = 0;
   std::optional<double> level_above_floor_;  // nullopt: there is no floor
 };

@@ -57,7 +57,8 @@ double PlacedShapes::Support(const Eigen::Vector3d& direction) const {
   return most;
 }
 
-// Adds the displacement of each point's shadow: its height above the plane times the slope.
+// Adds the displacement of each point's shadow: the point's height above the plane times the slope
+// of the light.
 double PlacedShapes::ShadowSupport(const Eigen::Vector3d& direction, const Eigen::Vector3d& light,
                                    double level) const {
   const double slope = direction.dot(light) / -light.z();

@@ -44,7 +44,8 @@ std::optional<Disc> Around(const Disc& a, const Disc& b, const Disc& c) {
   edges.row(1) = c.center - a.center;
   const double area = edges.determinant();
   if (std::abs(area) <= kRelativeRounding * edges.squaredNorm()) return std::nullopt;
-  // Substitutes S = R - r_a and y = x - c_a: |y| = S and edges y = constant + slope S.
+  // Substitutes S = R - r_a and y = x - c_a, which gives |y| = S and the linear equations edges y =
+  // constant + slope S.
   const Vector2d grow(b.radius - a.radius, c.radius - a.radius);
   Vector2d constant;
   constant << edges.row(0).squaredNorm() - grow.x() * grow.x(),

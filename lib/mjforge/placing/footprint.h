@@ -1,4 +1,4 @@
-// Footprint of an object: the convex hull, seen from above, of its points near the lowest one.
+// Footprint of an object: the convex hull, seen from above, of its points near the lowest point.
 
 #pragma once
 

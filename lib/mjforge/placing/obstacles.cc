@@ -36,11 +36,11 @@ bool IsBelow(const PlacedShape& placed, const Support& support) {
   return support.up_W.dot(top - support.p_W) <= kLengthRounding;
 }
 
-// Returns the distance by which a shape can be moved against `up_W` until it touches another shape,
-// at most `most`, m.
+// Returns the distance by which a shape can be moved in the direction -up_W until it touches
+// another shape, at most `most`, m.
 //
 // Conservative advancement along a line: the plane through the nearest point of the fixed shape,
-// perpendicular to the shortest connection, separates both shapes until the moving one reaches it
+// perpendicular to the shortest connection, separates both shapes until the moving shape reaches it
 // (van den Bergen, "Ray casting against general convex objects with application to continuous
 // collision detection", 2004).
 double DropOf(PlacedShape moving, const PlacedShape& fixed, const Vector3d& up_W, double most) {

@@ -62,8 +62,8 @@ class Obstacles {
   double FreeRadius(const model::Pose& X_WCylinder, double half_height, double most,
                     const Support& support) const;
 
-  /// Returns the distance by which the shapes can be moved against `up_W` until they touch an
-  /// obstacle, at most `most`, m; 0 if they overlap an obstacle.
+  /// Returns the distance by which the shapes can be moved in the direction -up_W until they touch
+  /// an obstacle, at most `most`, m; 0 if they overlap an obstacle.
   double Drop(PlacedShapes shapes, const Eigen::Vector3d& up_W, double most) const;
 
   /// Returns the contacts of shapes that overlap no obstacle: pairs at most `within` apart, m.

@@ -27,7 +27,8 @@ using model::PlaceVerdict;
 using model::Pose;
 
 constexpr double kSameAngle = 1e-12;  // rad
-// Obstacles up to this distance carry a body that was lowered until it touched the first one, m.
+// Obstacles up to this distance carry a body that was lowered until it touched the first obstacle,
+// m.
 constexpr double kCarrying = 2 * kContactGap;
 constexpr int kMostTurns = 20;
 
@@ -241,7 +242,8 @@ class RegionTry {
     result.X_SupportBody = region_.X_BR * X_RB;
     const Pose X_WB = X_WR_ * X_RB;
     const PlacedShapes shapes = ShapesAt(of_.shapes, X_WB);
-    // A body that was lowered onto the edge of a wall would fall from there.
+    // A body that touches an obstacle above the region's plane, such as the edge of a wall, may tip
+    // over.
     if (rise > kContactGap) {
       const std::vector<Contact> contacts = obstacles.FindContacts(shapes, kCarrying);
       if (!IsBalanced(shapes, contacts, X_WB * of_.p_BCm)) {
@@ -258,8 +260,8 @@ class RegionTry {
     result.distance = blocker->distance;
   }
 
-  // Returns the height above the region's plane at which the body, lowered from above an interior,
-  // touches an obstacle; 0 if it touches none. The start is below the interior's ceiling or,
+  // Returns the height above the region's plane at which the body, lowered from above, touches an
+  // obstacle; 0 if the body touches none. The descent begins below the ceiling of the region or,
   // without a ceiling, above the body that has the region.
   double Rise(const Pose& X_RB, const Support& support, const Obstacles& obstacles) const {
     const auto [lowest, highest] = obstacles.HeightsOf(where_.support, support);
@@ -276,7 +278,7 @@ class RegionTry {
   const model::Object& object_;
   const Orientation& of_;
   const PlaceTry& where_;
-  model::Region region_;  // region of the try, with a margin to its walls
+  model::Region region_;  // region of the attempt, with a margin to its walls
   Pose X_WR_;
 };
 
@@ -337,7 +339,7 @@ class ExactPlacer : public model::Placer {
     return result;
   }
 
-  // Clears the cached orientations if `body` is not the body of the last try.
+  // Clears the cached orientations if `body` is not the body of the last attempt.
   void TryBody(int body) {
     if (body == body_) return;
     body_ = body;
@@ -346,7 +348,7 @@ class ExactPlacer : public model::Placer {
 
   const model::Object* object_ = nullptr;
   Obstacles obstacles_;
-  // The body of the last tries, and its orientations so far.
+  // The body of the last attempts, and its orientations so far.
   int body_ = -1;
   std::vector<Orientation> orientations_;
 };

@@ -23,7 +23,7 @@ using solid::Polytope;
 
 constexpr int kAround = 64;         // points of a round shape per circle around its axis
 constexpr int kAlong = 8;           // circles of points from the equator to the pole
-constexpr double kCoplanar = 1e-4;  // rad; faces at smaller angles count as one
+constexpr double kCoplanar = 1e-4;  // rad; faces at smaller angles count as one face
 constexpr double kRolling = 0.55;   // rad; angle between faces of a round side (12 or more faces)
 constexpr double kUpright = 1e-6;   // rad; smaller rotations from the modelled pose are ignored
 constexpr double kLeastMargin = 1e-3;  // rad; poses that tip more easily are omitted

@@ -40,7 +40,8 @@ Eigen::AlignedBox2d BoxOf(const model::Region& region) {
   return box;
 }
 
-// The place in which discs are searched for.
+// Arguments of the search for discs: the region with its pose, the body's height, and the
+// obstacles.
 struct Place {
   const model::Region& region;
   const model::Pose& X_WR;

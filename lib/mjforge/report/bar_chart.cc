@@ -29,7 +29,7 @@ std::uint64_t Total(const std::vector<std::pair<std::string, Counts>>& values) {
 }
 
 // Returns a row for each value: first the expected values, then other drawn values. If there are
-// too many values, the last row sums up the least frequent ones.
+// too many values, the last row sums up the least frequent values.
 std::vector<Row> RowsOf(const BarChart& chart) {
   std::vector<Row> rows;
   std::map<std::string, std::size_t> places;

@@ -38,8 +38,8 @@ struct HistogramChart {
   const NumberTally* expected = nullptr;  // null: the distribution is not known
   bool whole = false;                     // whole numbers, with the edges of bins between them
 };
-/// Adds bars for the drawn values, in which the bad variants are marked, and a line for the
-/// expected values, scaled to the same total.
+/// Adds bars for the drawn values, in which failed variants are marked, and a line for the expected
+/// values, scaled to the same total.
 void AddHistogram(Dictionary& parent, const HistogramChart& chart);
 
 struct BarChart {

@@ -21,7 +21,7 @@ std::optional<std::string> HexColor(const sample::ParameterValue& value);
 
 /// Returns drawn values of the colour parameters (ColorsOf) as HexColor, by the parameter's name.
 /// The values are those of some of the variants that the page shows. Returns an empty map if the
-/// batch has no recipe.
+/// spec of the batch was not loaded.
 std::map<std::string, std::vector<std::string>> DrawnColors(const Batch& batch);
 
 }  // namespace mjforge::report

@@ -63,15 +63,16 @@ struct GalleryCard {
   bool has_page = false;
   std::optional<Thumbnail> picture;
 };
-/// Makes the index. Cards of one kind must be adjacent; the kind is the folder in the name.
+/// Makes the HTML of the index. Cards of one kind must be adjacent; the kind is the folder in the
+/// name.
 std::string MakeGalleryIndex(std::span<const GalleryCard> cards);
 
 /// Returns the file of the page of a spec, relative to the folder of the index:
 /// "specs/tools/hammer.html".
 std::string GalleryPageFile(const std::string& name);
 
-/// Returns true if the spec `a` is listed before `b` in galleries: kinds in alphabetical order,
-/// then the kinds of reference objects, of shapes and, last, of primitives.
+/// Returns true if the spec `a` is listed before `b` in galleries. Kinds (folders of specs) are in
+/// alphabetical order; reference objects, shapes and primitives are last.
 bool IsBeforeInGallery(const std::string& a, const std::string& b);
 
 }  // namespace mjforge::report

@@ -143,7 +143,7 @@ std::vector<ShownVariant> ManifestSummary::Choose() const {
         chosen.push_back({reason, record});
     }
   };
-  // Failed variants get half of the places, or more if there are too few good ones.
+  // Failed variants get half of the places, or more if there are too few good variants.
   const auto good = static_cast<std::size_t>(std::min<std::uint64_t>(good_.seen(), shown_));
   add(ShownVariant::Reason::kFailed, failed_.Take(std::max(shown_ / 2, shown_ - good)));
   std::vector<Record> slow = slow_;
@@ -151,7 +151,7 @@ std::vector<ShownVariant> ManifestSummary::Choose() const {
   slow.resize(std::min<std::size_t>(slow.size(), std::min<std::uint64_t>(shown_, variants) / 4));
   add(ShownVariant::Reason::kSlow, slow);
   const std::size_t room = shown_ - chosen.size();
-  // Take more than needed, because some of the sample are among the slow variants.
+  // Take more than needed, because some items of the sample are among the slow variants.
   std::vector<Record> others = good_.Take(room + slow.size());
   std::erase_if(others, [&](const Record& record) { return taken.contains(record.index); });
   std::vector<Record> spread;

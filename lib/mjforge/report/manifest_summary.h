@@ -1,4 +1,5 @@
-// Summary of a manifest, made in one pass, on all cores and in bounded memory.
+// Summary of a manifest (a JSON record for each variant of a batch), made in one pass, on all cores
+// and in bounded memory.
 
 #pragma once
 
@@ -29,7 +30,7 @@ struct Point {
   bool is_bad = false;
 };
 
-/// A finding that was read from a record.
+/// A finding that was read from a record of the manifest.
 struct RecordedFinding {
   std::string severity;
   std::string code;
@@ -54,14 +55,14 @@ struct ShownVariant {
   manifest::Record record;
 };
 
-/// Summary of the records that were added.
+/// Summary of the records of a manifest.
 class ManifestSummary {
  public:
   /// `shown`: maximum number of variants that Choose returns.
   explicit ManifestSummary(std::size_t shown);
 
   void Add(const manifest::Record& record);
-  /// Adds the summary of the records that follow in the manifest.
+  /// Adds the summary of the next section of the manifest.
   void Append(const ManifestSummary& next);
 
   const NumberTally& Of(MeasureId id) const { return measures[static_cast<std::size_t>(id)]; }

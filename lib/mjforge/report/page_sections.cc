@@ -75,7 +75,7 @@ class ParameterPanels {
                           [&](const auto& setting) { return setting.first == drawn.name; });
   }
 
-  /// `colors`: some of the drawn values if the parameter is a colour; otherwise empty.
+  /// Adds the panels. `colors` has some of the drawn values if the parameter is a colour.
   void operator()(const std::vector<std::string>& colors) {
     const auto values = drawn_.Values();
     if (!values.empty()) {
@@ -202,7 +202,7 @@ void AddFindings(Dictionary& body, const ManifestSummary& summary) {
   Dictionary& list = Section(body, "HAS_FINDINGS");
   std::vector<std::pair<std::string, const CodeTally*>> codes;
   for (const auto& [name, tally] : summary.codes) codes.emplace_back(name, &tally);
-  // Sort errors before warnings, and each of the two by frequency.
+  // Sort errors before warnings, and codes of equal severity by frequency.
   std::stable_sort(codes.begin(), codes.end(), [](const auto& a, const auto& b) {
     const bool a_warns = a.second->example.severity == "warning";
     const bool b_warns = b.second->example.severity == "warning";

@@ -50,7 +50,7 @@ void AddParameterPanels(Dictionary& parent, const Batch& batch,
 void AddMassAndSize(Dictionary& body, const ManifestSummary& summary);
 void AddPhysics(Dictionary& body, const ManifestSummary& summary);
 
-/// Returns the spec's parameter of that name; null without a recipe.
+/// Returns the spec's parameter of that name; null if the spec was not loaded.
 const spec::Parameter* ParameterOf(const Batch& batch, const std::string& name);
 /// Returns a parameter's unit as a page shows it; empty for the unit 1 and for null.
 std::string UnitText(const spec::Parameter* parameter);

@@ -95,8 +95,8 @@ void AddParameterSections(Dictionary& body, const Batch& batch) {
                      [&](const ParameterTally& tally) { return !is_drawn(tally); });
 }
 
-// Returns a batch of the page's variants. The values of parameters come from many more draws, so
-// that the charts are smooth.
+// Returns the data of a batch with the page's variants, for the sections of a report. Parameters
+// are drawn many more times, so that their charts are smooth.
 Batch MakeBatch(SpecPage& page) {
   ManifestSummary summary(kMaxColors);
   for (const manifest::Record& record : page.variants) summary.Add(record);

@@ -34,8 +34,8 @@ void AddNumber(double number, ParameterExtent& extent) {
 }
 
 // Finds or adds the extent of a parameter, and sets `position` to the position after this extent.
-// The search starts at `position`, because all records of a batch have the same parameters in the
-// same order; lengths of lists differ.
+// The search starts at `position`, because all records of a batch have their parameters in one
+// order; only lists may differ in length.
 ParameterExtent& At(std::size_t& position, const std::string& name,
                     std::vector<ParameterExtent>& extents) {
   auto found = extents.begin() + static_cast<std::ptrdiff_t>(std::min(position, extents.size()));

@@ -73,8 +73,9 @@ struct Separator {
   Separation separation = Separation::kNone;
 };
 /// Returns the parameters that separate the groups, where `groups[i]` is the group of
-/// `structures[i]`; a negative group excludes its structure. A range separates few variants by
-/// chance, so ranges are returned only if no parameter separates by its values.
+/// `structures[i]`; a negative group excludes its structure. Parameters that separate by ranges are
+/// returned only if none separates by values, because a few variants are separated by ranges by
+/// chance.
 std::vector<Separator> SeparatorsOf(const std::vector<StructureTally>& structures,
                                     const std::vector<int>& groups);
 

@@ -69,7 +69,8 @@ class Joiner {
   Joiner(const Path& file, std::size_t shown, diag::Sources& sources, diag::Findings& findings)
       : file_(file), batch_(shown), sources_(sources), findings_(findings) {}
 
-  // Returns false if the section could not be read, or the file has too many bad lines.
+  // Joins the next section. Returns false if it could not be read, or the file has too many bad
+  // lines.
   bool Append(const SectionSummary& section) {
     const std::uint64_t all = section.is_unreadable ? section.findings.size() : section.bad_lines;
     const std::uint64_t room = manifest::RecordReader::kMaxBadLines - findings_count_;

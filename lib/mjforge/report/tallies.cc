@@ -110,7 +110,7 @@ void ParameterTallies::Append(const ParameterTallies& other) {
     At(i, other.list_[i].name).Append(other.list_[i]);
 }
 
-// Returns the tally of that name, which is usually at this position, or adds one.
+// Returns the tally of that name, which is usually at `position`; adds the tally if it is missing.
 ParameterTally& ParameterTallies::At(std::size_t position, const std::string& name) {
   auto known = list_.begin() + static_cast<std::ptrdiff_t>(std::min(position, list_.size()));
   if (known == list_.end() || known->name != name)

@@ -1,4 +1,4 @@
-// Counts of drawn values, for good variants and for failed ones.
+// Counts of drawn values, for good and for failed variants.
 
 #pragma once
 
@@ -39,8 +39,8 @@ struct Counts {
 
 /// The values of one parameter.
 struct ParameterTally {
-  /// Maximum number of different texts after Append. Tallies that are appended count all of their
-  /// texts, so that the counts in the sum are complete.
+  /// Maximum number of different texts in a sum of tallies. A tally that is not a sum counts all of
+  /// its texts, so that the counts in the sum are complete.
   static constexpr std::size_t kMaxTexts = 1000;
   /// Maximum number of different whole numbers that are counted one by one, and of bars in a chart.
   static constexpr std::size_t kMaxWhole = 24;
@@ -55,7 +55,7 @@ struct ParameterTally {
   std::string NameOf(std::size_t i) const;
 
   std::string name;
-  std::vector<NumberTally> numbers;  // a single one, or one per component of a vector
+  std::vector<NumberTally> numbers;  // one tally, or one per component of a vector
   bool more_texts = false;           // there were more texts than kMaxTexts
 
  private:
@@ -73,7 +73,7 @@ class ParameterTallies {
   void Add(const std::vector<std::pair<std::string, sample::ParameterValue>>& params, bool is_bad);
   void Append(const ParameterTallies& other);
   const std::vector<ParameterTally>& list() const { return list_; }
-  /// Returns null if there is no parameter of that name.
+  /// Returns the tally of the parameter with this name; null if there is no such parameter.
   const ParameterTally* Find(const std::string& name) const;
 
  private:

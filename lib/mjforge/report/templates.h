@@ -28,7 +28,7 @@ std::string Expand(TemplateName name, const Dictionary& dictionary);
 /// Returns the dictionary of a chart that the parent's template includes at `{{>MARKER}}`.
 Dictionary& Include(Dictionary& parent, const char* marker, TemplateName name);
 
-/// Shows a section once more, and returns its dictionary.
+/// Adds one copy of a template's section to the page, and returns the dictionary of the copy.
 inline Dictionary& Section(Dictionary& parent, const char* name) {
   return *parent.AddSectionDictionary(name);
 }

@@ -72,7 +72,7 @@ class CutMesher {
   TriangleMesh Run() {
     AddCaps();
     for (const std::size_t axis : {2, 0, 1}) {
-      // Loop 0 of the sections along x and y is the rectangle around the prism.
+      // Skips loop 0 of the sections along x and y, which is the rectangle around the prism.
       for (std::size_t loop = axis == 2 ? 0 : 1; loop < sections_[axis].ends.size(); ++loop) {
         for (const Strip& strip : StripsOf(sections_[axis], loop, prism_.crease))
           AddStrip(axis, strip);

@@ -29,7 +29,8 @@ struct BasePolygon {
   std::vector<RoundedCorner> CornersOf(std::size_t loop, double inset) const;
 };
 
-/// Returns nullopt and sets `fault` if outline, holes, rounding and bevel do not make a prism.
+/// Makes the base polygon of a prism. Returns nullopt and sets `fault` if outline, holes, rounding
+/// and bevel do not make a prism.
 std::optional<BasePolygon> BasePolygonOf(const Prism& prism, Fault& fault);
 
 }  // namespace mjforge::solid

@@ -110,7 +110,8 @@ class LatheMesher {
 
   Point2 NormalOf(std::size_t edge) const { return OutwardOf(At(edge), At(outline_.Next(edge))); }
 
-  /// Returns the texture coordinate of a corner as an end of this edge.
+  /// Returns the texture coordinate of a corner, which differs between its two edges at the seam of
+  /// a closed profile.
   double Along(std::size_t corner, std::size_t edge) const {
     if (along_.empty()) return 0;
     const std::vector<std::size_t>& sources = outline_.sources;

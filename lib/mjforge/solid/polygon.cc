@@ -35,7 +35,6 @@ std::vector<Point2> Clipped(std::span<const Point2> corners, const Point2& norma
   return rest;
 }
 
-// Source: Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979.
 double DistanceToSegment(const Point2& p, const Point2& from, const Point2& to) {
   const Point2 side = to - from;
   const double length = side.squaredNorm();
@@ -50,6 +49,7 @@ bool ConvexContains(std::span<const Point2> corners, const Point2& p) {
   return corners.size() > 2;
 }
 
+// Source: Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979.
 std::vector<Point2> ConvexPolygonOf(std::vector<Point2> points, double straight) {
   std::ranges::sort(points, {}, [](const Point2& p) { return std::pair(p.x(), p.y()); });
   points.erase(std::unique(points.begin(), points.end()), points.end());

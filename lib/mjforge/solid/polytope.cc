@@ -40,7 +40,8 @@ class Qhull {
   Qhull(const Qhull&) = delete;
   Qhull& operator=(const Qhull&) = delete;
 
-  /// Returns false if the points are almost coplanar. `coordinates` must outlive this object.
+  /// Computes the convex hull. Returns false if the points are almost coplanar. `coordinates` must
+  /// outlive this object.
   bool Run(std::vector<double>& coordinates) {
     char command[] = "qhull";
     return qh_new_qhull(&state_, 3, static_cast<int>(coordinates.size() / 3), coordinates.data(),

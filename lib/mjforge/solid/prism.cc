@@ -82,7 +82,7 @@ Extent PrismExtent(const BasePolygon& base, const Prism& prism) {
   return extent;
 }
 
-/// Adds a piece between -z and z for each convex polygon of an area.
+/// Partitions an area into convex polygons, and adds a piece between -z and z for each polygon.
 void AddPieces(const Area& area, double z, std::vector<ConvexPiece>& pieces) {
   for (const std::vector<int>& polygon : PartitionOf(area).convex) {
     std::vector<Point2> corners;

@@ -95,7 +95,7 @@ struct Lathe {
 
   bool operator==(const Lathe&) const = default;
 };
-/// Returns nullopt and sets `fault` if the shape is not a solid, as all functions Make do.
+/// Makes a solid. All functions Make return nullopt and set `fault` if the shape is not a solid.
 std::optional<Solid> Make(const Lathe& input, Fault& fault);
 
 /// An outline in x, y with holes, extruded along z, centred on z = 0. A prism with holes along x or
@@ -183,7 +183,7 @@ using SolidShape = std::variant<Lathe, Prism, Tube, ConvexHull, RoundedBox, Roun
 /// Least recently used cache of solids, because many parts and many variants have equal shapes.
 class Cache {
  public:
-  /// Returns null and sets `fault` if the shape is not a solid.
+  /// Returns the cached or new solid; null, and sets `fault`, if the shape is not a solid.
   std::shared_ptr<const Solid> Make(const SolidShape& shape, Fault& fault);
 
  private:

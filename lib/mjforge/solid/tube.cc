@@ -47,7 +47,7 @@ void AddSegment(const PathSegment& segment, double less, double sign, Moments& s
 
 /// Adds the moments of the volume between the disc at a segment's end p and the plane that cuts the
 /// tube at the corner; `cut` is the plane's normal. For a segment's start, `sign` is -1. The plane
-/// is at the distance g u from a point u of the disc. The volume is 0 by symmetry.
+/// is at the distance dot(g, u) from a point u of the disc. The volume is 0 by symmetry.
 void AddCut(const Vector3d& p, const Vector3d& tangent, const Vector3d& cut, double r, double sign,
             Moments& sum) {
   const Vector3d g = -(cut - cut.dot(tangent) * tangent) / cut.dot(tangent);

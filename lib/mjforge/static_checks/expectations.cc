@@ -109,9 +109,9 @@ class ExpectationChecker {
     return placed;
   }
 
-  // Returns the first body that the expectation names among body `i` and the ancestors to which
-  // body `i` is fixed. If the expectation names none of these, returns the highest ancestor to
-  // which body `i` is fixed.
+  // Returns the body that the expectation names and to which body `i` is fixed, which may be `i`
+  // itself. If the expectation names none of these bodies, returns the highest ancestor to which
+  // body `i` is fixed.
   std::size_t Holder(std::size_t i) const {
     const auto is_named = [&](std::size_t at) {
       return object_.bodies[at].name == expectation_->first ||

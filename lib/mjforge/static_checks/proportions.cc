@@ -1,5 +1,5 @@
 // Comparison of an object's numbers with those of real things: density, inertia, thickness,
-// overlap, loose parts, and visual parts against colliding ones.
+// overlap, loose parts, and visual parts against colliding parts.
 #include "mjforge/static_checks/static_checks.h"
 
 #include <fmt/format.h>

@@ -58,8 +58,8 @@ struct Difference {
   /// Differing elements with their values in the second structure, as text. Two structures differ
   /// from a third one in the same way if these texts are equal.
   std::string contents;
-  /// True if the field depends on numbers being exactly zero or equal. A base model without the
-  /// flag is valid for every variant.
+  /// True if the field is a flag that depends on numbers being exactly zero or equal. A base model
+  /// in which the flag is off is valid for every variant.
   bool is_coincidence = false;
 };
 /// Returns the differences. If the number or the names of the elements of a kind differ, only
