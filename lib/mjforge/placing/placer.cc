@@ -254,10 +254,16 @@ class RegionTry {
     }
     const auto blocker =
         obstacles.FindBlocker(shapes, std::max(where_.clear, region_.clear), support);
-    if (!blocker) return;
-    result.verdict = PlaceVerdict::kBlocked;
-    result.blocker = blocker->body;
-    result.distance = blocker->distance;
+    if (blocker) {
+      result.verdict = PlaceVerdict::kBlocked;
+      result.blocker = blocker->body;
+      result.distance = blocker->distance;
+      return;
+    }
+    // Lowers the body into contact.
+    const double drop = obstacles.Drop(shapes, support.up_W, kCarrying);
+    if (drop < kCarrying) X_RB.p.z() -= drop + kContactDepth;
+    result.X_SupportBody = region_.X_BR * X_RB;
   }
 
   // Returns the height above the region's plane at which the body, lowered from above, touches an

@@ -66,8 +66,7 @@ void CheckStands(const Table& table, int body, double clear, std::mt19937& rando
   const std::vector<BodyShape> shapes = ShapesBelow(table.scene.object, body);
   const distance::PlacedShape own = ShapesAt(shapes, PoseInWorld(table.scene.object, body))[0];
   const double bottom = own.box_W.min().z();
-  CHECK(bottom > 0);
-  CHECK(bottom < 1e-4);
+  CHECK(std::abs(bottom + kContactDepth) < 1e-7);
   const std::vector<Vector3d> points = PointsOf(own, random);
   for (const Vector3d& p : points) {
     if (p.z() > bottom + 1e-3) continue;
