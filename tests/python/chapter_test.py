@@ -6,12 +6,12 @@ import io
 import os
 import pathlib
 import re
-import sys
 import tempfile
 import unittest
 
 PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs/python.md"
-ALL = "--all" in sys.argv  # also the examples whose modules are not installed, which then fail
+# `all`: also the examples whose modules are not installed, which then fail.
+ALL = os.environ.get("CHAPTER_EXAMPLES") == "all"
 # Modules that a test without a virtual environment may do without.
 OPTIONAL = ("gymnasium", "mujoco", "numpy")
 
@@ -51,4 +51,4 @@ class Chapter(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=[word for word in sys.argv if word != "--all"])
+    unittest.main()
