@@ -21,7 +21,7 @@ Pose = tuple[Any, Any]  # position and quaternion, arrays
 def vector_of(value: Any, size: int, what: str) -> list[float]:
     """A vector given as an argument. `what` is its name in the TypeError or ValueError."""
     try:
-        numbers = [float(number) for number in value]
+        numbers = list(map(float, value))
     except (TypeError, ValueError):
         raise TypeError(f"{what}={value!r} is not a list of {size} numbers") from None
     if isinstance(value, (str, bytes)) or len(numbers) != size or not all(map(math.isfinite, numbers)):
@@ -60,13 +60,20 @@ def _bottom(variant: Variant, quat: Quaternion) -> float:
 
 def _name_of_root(parent: MjsBody) -> str:
     """Name of the first body in a body that has one; empty if none has."""
-    return next((name for body in parent.bodies if (name := str(body.name) or _name_of_root(body))), "")
+    body = parent.first_body()
+    while body is not None:
+        name = str(body.name) or _name_of_root(body)
+        if name:
+            return name
+        body = parent.next_body(body)
+    return ""
 
 
-def _without_keyframe(xml: str) -> str:
+def _without_keyframe(xml: bytes) -> str:
     """Returns the text of a file without its keyframe, which is the last section of what mjforge writes."""
-    start = xml.rfind("\n  <keyframe>")
-    return xml if start < 0 else xml[:start] + "\n</mujoco>\n"
+    if xml.endswith(b"\n  </keyframe>\n</mujoco>\n"):
+        xml = xml[:xml.rindex(b"\n  <keyframe>")] + b"\n</mujoco>\n"
+    return xml.decode()
 
 
 def attach(variant: Variant, scene: MjSpec, prefix: str, pos: Sequence[float], quat: Quaternion,
@@ -84,7 +91,7 @@ def attach(variant: Variant, scene: MjSpec, prefix: str, pos: Sequence[float], q
         place[2] -= _bottom(variant, turn)
     # Calls of MjSpec for each element are slower than parsing, because they convert each number. A
     # keyframe removed from the text costs a hundredth of one that is removed from the parsed spec.
-    child = type(scene).from_string(_without_keyframe(variant.xml), assets=variant.files)
+    child = type(scene).from_string(_without_keyframe(variant.xml_bytes), assets=variant.files)
     child.njmax = child.nconmax = -1  # sizes for the object alone
     name = _name_of_root(child.worldbody)
     scene.attach(child, prefix=prefix, frame=scene.worldbody.add_frame(pos=place, quat=turn))
