@@ -187,8 +187,14 @@ class Iteration(unittest.TestCase):
     def test_makes_none_ahead_that_takes_long(self):
         variants = mjforge.Spec(BALL).variants()
         make = variants._makers[0].make
-        slow = types.SimpleNamespace(make=lambda index: time.sleep(0.02) or make(index))
-        variants._makers[:] = [slow]
+
+        def slow(index):
+            end = time.thread_time() + 0.01
+            while time.thread_time() < end:
+                pass
+            return make(index)
+
+        variants._makers[:] = [types.SimpleNamespace(make=slow)]
         self.assertEqual(self.made_after(variants, 20), 20)
 
     def test_gives_all_before_one_that_fails(self):
