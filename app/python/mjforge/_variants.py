@@ -25,9 +25,9 @@ DEFAULTS: dict[str, Any] = {
     "name": "", "target": "mujoco", "assets": "inline", "sampler": "random", "on_invalid": "fail",
     "validate": "none", "seed": 0, "batch": None, "place_seed": None}
 
-# Iteration makes variants ahead: at most this many at a time, and no further one after this time. A
-# variant that is made between other work, such as a simulation, takes 50 to 300 us longer, because
-# code and data have to return to the caches of the processor.
+# Iteration makes at most this many variants at a time, and no further one after this time. A variant
+# that is made alone between simulations takes 50 to 300 us longer, because its code and data have left
+# the caches of the processor.
 _AHEAD = 32
 _TIME_AHEAD = 0.005  # s of this thread
 
@@ -40,7 +40,8 @@ def described(spec: "Spec") -> str:
 
 class Variants(Sequence[Variant]):
     """Variants of a spec, by index: without end, or those of a slice, which is a sequence. Made when
-    asked for, each time anew; threads may share it, and run in parallel while variants are made.
+    asked for, each time anew; iteration makes some ahead. Threads may share it, and run in parallel
+    while variants are made.
 
     >>> import mjforge
     >>> mugs = mjforge.Spec("mug").variants(seed=7)
