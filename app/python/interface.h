@@ -47,6 +47,7 @@ struct MjforgeVariant {
   MjforgeText contents;  // concatenated contents, with these sizes, of the files without a path
   MjforgeText inputs;    // JSON: [[path, SHA-256], ...] of the files that this maker has not used
                          // before; empty: none
+  double box[6];         // `aabb` of the record: min x, y, z, max x, y, z
 };
 
 /// Makes a snapshot without reading a file. The spec is `reference`, a file or a name in the search

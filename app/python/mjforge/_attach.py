@@ -49,13 +49,11 @@ def _module_of(thing: Any) -> Any:
 
 def _bottom(variant: Variant, quat: Quaternion) -> float:
     """Lowest point of the box around the object at its start, turned by `quat`, in m."""
-    box, target = variant.some_of_record("aabb", "target")
-    if target == "scene":
-        return 0.0  # the file has the object on the floor
+    box = variant.standing_box
     w, x, y, z = quat
     row = (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y))  # z of the turned axes
     return float(sum(min(factor * low, factor * high)
-                     for factor, low, high in zip(row, box["min"], box["max"])))
+                     for factor, low, high in zip(row, box[:3], box[3:])))
 
 
 def _name_of_root(parent: MjsBody) -> str:
