@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <exception>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <new>
 #include <optional>
@@ -206,6 +207,9 @@ int Make(MjforgeMaker& maker, std::uint64_t index, MjforgeVariant& made) {
   AddInputs(maker, inputs);
   made.inputs = InputsJson(inputs, maker);
   made.xml = View(variant.document.text);
+  const model::Box3& box = variant.record.bounds.aabb;
+  std::ranges::copy(box.min, std::begin(made.box));
+  std::ranges::copy(box.max, std::begin(made.box) + 3);
   if (!variant.document.assets.empty()) {
     SetFiles(variant.document, maker);
     made.files = View(maker.files_json);

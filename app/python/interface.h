@@ -45,7 +45,8 @@ struct MjforgeVariant {
   MjforgeText findings;  // JSON, see MjforgeFindings; empty: none
   MjforgeText files;     // JSON: [[name in the XML, path, size], ...]; empty: none
   MjforgeText contents;  // concatenated contents, with these sizes, of the files without a path
-  MjforgeText inputs;    // JSON: [[path, SHA-256], ...] of files that are new to this maker
+  MjforgeText inputs;    // JSON: [[path, SHA-256], ...] of files that are new to this maker; empty: none
+  double box[6];         // `aabb` of the record: min x, y, z, max x, y, z
 };
 
 /// Makes a snapshot without reading a file. The spec is `reference`, a file or a name in the search

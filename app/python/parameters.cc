@@ -39,6 +39,18 @@ void WriteBounds(diag::Json& json, const Value& value) {
   }
 }
 
+// Writes the key of the distribution that a value is drawn from; null if it is no draw by itself.
+void WriteDistribution(diag::Json& json, const Value& value) {
+  const auto* draw = std::get_if<spec::Draw>(&value.form);
+  if (draw == nullptr) {
+    json.Value(nullptr);
+    return;
+  }
+  json.Value(
+      std::ranges::find(spec::Distributions(), draw->distribution, &spec::DistributionInfo::id)
+          ->key);
+}
+
 std::string_view TypeName(const Value& value) {
   return value.type == expr::Type::kNumber ? "number"
          : value.type == expr::Type::kText ? "text"
@@ -58,15 +70,15 @@ void WriteParameters(diag::Json& json, const spec::ObjectSpec& spec) {
     json.Member("spec", parameter.source);
     json.Member("type", TypeName(parameter.value));
     json.Member("components", parameter.value.is_list ? 0 : parameter.value.components);
-    const auto* draw = std::get_if<spec::Draw>(&parameter.value.form);
     json.Key("distribution");
-    if (draw == nullptr) {
-      json.Value(nullptr);
-    } else {
-      json.Value(
-          std::ranges::find(spec::Distributions(), draw->distribution, &spec::DistributionInfo::id)
-              ->key);
+    WriteDistribution(json, parameter.value);
+    json.Key("distributions");
+    json.StartArray();
+    if (const auto* list = std::get_if<spec::List>(&parameter.value.form);
+        list != nullptr && !parameter.value.is_list) {
+      for (const Value& item : list->items) WriteDistribution(json, item);
     }
+    json.EndArray();
     WriteBounds(json, parameter.value);
     json.Key("choices");
     json.Raw(spec::ConstantChoices(parameter.value).value_or("null"));

@@ -57,6 +57,17 @@ class Members(unittest.TestCase):
 
 
 class Records(unittest.TestCase):
+    def test_have_the_box_of_a_variant(self):
+        for name in ("hammer", "laptop", "robosuite/hinged_box"):
+            for target in ("mujoco", "robosuite", "scene"):
+                for variant in mjforge.Spec(name).variants(seed=4, target=target)[:5]:
+                    read = mjforge.Variant(variant.xml_bytes, variant.record_bytes, b"", b"", ())
+                    self.assertEqual(list(read.standing_box), list(variant.standing_box))
+                    self.assertEqual(list(pickle.loads(pickle.dumps(variant)).standing_box), list(variant.standing_box))
+                    box = variant.record["aabb"]
+                    wanted = 6 * [0] if target == "scene" else box["min"] + box["max"]
+                    self.assertEqual(list(variant.standing_box), wanted)
+
     def test_some_members_are_those_of_all(self):
         variants = mjforge.Spec("hammer").variants(seed=5)[:5]
         for variant in variants:

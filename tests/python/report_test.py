@@ -1,6 +1,7 @@
 """Writing and checking return reports; parameters, settings and findings say what they are about."""
 
 import doctest
+import importlib.util
 import json
 import math
 import os
@@ -158,6 +159,24 @@ class Parameters(unittest.TestCase):
             self.assertEqual({variant.params["count"] for variant in variants[:8]}, {2, 3})
         blender = mjforge.Spec("appliances/blender")
         self.assertTrue(blender.variants(set={"keys": blender.parameters["keys"].range})[1])
+
+    def test_of_vectors_take_pairs_for_their_components(self):
+        pair = {"integer": [1, 9]}
+        spec = mjforge.Spec({**KINDS, "params": {**KINDS["params"], "grid": [pair, "1 .. 9", {"poisson": 3}, 4]}})
+        self.assertEqual(spec.parameters["grid"].distributions, ("integer", "uniform", "poisson", None))
+        self.assertEqual(spec.parameters["count"].distributions, ())
+        settings = [[(2, 3), (2, 3), (2, 3), (2, 3)]]
+        if importlib.util.find_spec("numpy"):
+            import numpy
+
+            ends = numpy.array([2, 3])
+            settings += [4 * [tuple(ends)], 4 * [ends], numpy.array(4 * [ends]),
+                         (ends, list(ends), ends.astype(float), ends)]
+        for setting in settings:
+            drawn = [v.params["grid"] for v in spec.variants(set={"grid": setting})[:20]]
+            whole, real, counts, fixed = (set(numbers) for numbers in zip(*drawn))
+            self.assertEqual((whole, counts), ({2, 3}, {2, 3}))
+            self.assertTrue(len(real) == len(fixed) == 20 and all(2 <= n <= 3 for n in real | fixed))
 
     def test_of_text_take_choices_that_are_names_of_parameters(self):
         spec = mjforge.Spec({**KINDS, "params": {**KINDS["params"], "t": {"choice": ["rate", "shape"]}},

@@ -75,6 +75,22 @@ class Batches(unittest.TestCase):
                 self.assertEqual(batch.replay(3).xml_bytes, batch[3].xml_bytes)
                 self.assertEqual(batch.verify(), [])
 
+    def test_have_slices(self):
+        variants = mjforge.Spec("spoon").variants(seed=7)
+        for output in FORMS:
+            with written(output, variants, 8) as path:
+                batch = mjforge.Batch(path)
+                some = batch[2:7]
+                self.assertEqual(([v.index for v in some], len(some)), ([2, 3, 4, 5, 6], 5))
+                self.assertEqual((some[1].xml, some[-1].index), (variants[3].xml, 6))
+                self.assertEqual([v.index for v in some[::-2]], [6, 4, 2])
+                self.assertEqual([v.index for v in batch[-2:]], [6, 7])
+                self.assertEqual((list(batch[5:5]), len(batch[6:100])), ([], 2))
+                self.assertEqual([v.index for v in pickle.loads(pickle.dumps(some))], [2, 3, 4, 5, 6])
+                self.assertRaisesRegex(IndexError, "number=5 is not within the 5 objects", some.__getitem__, 5)
+                self.assertRaisesRegex(TypeError, "number=", some.__getitem__, "1")
+                self.assertIn("range(2, 7)", repr(some))
+
     def test_of_texts_are_made_again(self):
         spec = mjforge.Spec(UNLUCKY.replace('expect: ["r < 15mm"]\n', ""))
         for output in FORMS:

@@ -23,7 +23,7 @@ def vector_of(value: Any, size: int, what: str) -> list[float]:
     TypeError or ValueError.
     """
     try:
-        numbers = [float(number) for number in value]
+        numbers = list(map(float, value))
     except (TypeError, ValueError):
         raise TypeError(f"{what}={value!r} is not a list of {size} numbers") from None
     if isinstance(value, (str, bytes)) or len(numbers) != size or not all(map(math.isfinite, numbers)):
@@ -53,25 +53,29 @@ def _bottom(variant: Variant, quat: Quaternion) -> float:
     """Returns the z, m, of the lowest point of the variant's bounding box at the start, turned by
     `quat`.
     """
-    box, target = variant.some_of_record("aabb", "target")
-    if target == "scene":
-        return 0.0  # the file has the object on the floor
+    box = variant.standing_box
     w, x, y, z = quat
     row = (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y))  # z of the turned axes
     return float(sum(min(factor * low, factor * high)
-                     for factor, low, high in zip(row, box["min"], box["max"])))
+                     for factor, low, high in zip(row, box[:3], box[3:])))
 
 
 def _name_of_root(parent: MjsBody) -> str:
-    """Returns the name of the first body with a name below `parent`; empty if no body has a name.
-    """
-    return next((name for body in parent.bodies if (name := str(body.name) or _name_of_root(body))), "")
+    """Returns the name of the first body with a name below `parent`; empty if no body has a name."""
+    body = parent.first_body()
+    while body is not None:
+        name = str(body.name) or _name_of_root(body)
+        if name:
+            return name
+        body = parent.next_body(body)
+    return ""
 
 
-def _without_keyframe(xml: str) -> str:
+def _without_keyframe(xml: bytes) -> str:
     """Returns an MJCF text without its keyframe, which mjforge writes as the last section."""
-    start = xml.rfind("\n  <keyframe>")
-    return xml if start < 0 else xml[:start] + "\n</mujoco>\n"
+    if xml.endswith(b"\n  </keyframe>\n</mujoco>\n"):
+        xml = xml[:xml.rindex(b"\n  <keyframe>")] + b"\n</mujoco>\n"
+    return xml.decode()
 
 
 def attach(variant: Variant, scene: MjSpec, prefix: str, pos: Sequence[float], quat: Quaternion,
@@ -90,7 +94,7 @@ def attach(variant: Variant, scene: MjSpec, prefix: str, pos: Sequence[float], q
     # Removes the keyframe from the text, because removing it from the parsed spec takes a hundred
     # times as long. Elements are parsed, because calls of MjSpec for each element convert each
     # number and are slower.
-    child = type(scene).from_string(_without_keyframe(variant.xml), assets=variant.files)
+    child = type(scene).from_string(_without_keyframe(variant.xml_bytes), assets=variant.files)
     child.njmax = child.nconmax = -1  # drops buffer sizes, which are for the object alone
     name = _name_of_root(child.worldbody)
     scene.attach(child, prefix=prefix, frame=scene.worldbody.add_frame(pos=place, quat=turn))

@@ -7,7 +7,7 @@ from __future__ import annotations
 import ctypes
 import operator
 import os
-from ctypes import POINTER, Structure, c_char_p, c_int, c_size_t, c_uint64, c_void_p
+from ctypes import POINTER, Structure, c_char_p, c_double, c_int, c_size_t, c_uint64, c_void_p
 from typing import Any, Iterable, Iterator
 
 _FOLDER = os.path.dirname(os.path.abspath(__file__))
@@ -52,6 +52,7 @@ class VariantTexts(Structure):
         ("contents_size", c_size_t),
         ("inputs", c_void_p),
         ("inputs_size", c_size_t),
+        ("box", c_double * 6),
     ]
 
 

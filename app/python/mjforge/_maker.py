@@ -10,7 +10,7 @@ from ._findings import Finding, SpecError, VariantError
 from ._json import loads
 from ._library import (CATALOGUE, Request, Text, VariantTexts, bytes_of, c_number, c_text,
                        c_texts, library)
-from ._variant import Variant
+from ._variant import ON_FLOOR, Variant
 
 if TYPE_CHECKING:
     from ._spec import Spec
@@ -69,7 +69,7 @@ def compare(path: str, sha256: str, first: str) -> None:
 class Maker:
     """A spec opened in the library to make its variants, for one thread at a time."""
 
-    __slots__ = ("handle", "texts", "pointer", "_key_paths", "_inputs", "_changed", "_view")
+    __slots__ = ("handle", "texts", "pointer", "_key_paths", "_inputs", "_changed", "_view", "_is_scene")
 
     def __init__(self, spec: "Spec", options: Mapping[str, Any]) -> None:
         self.handle = None
@@ -77,6 +77,7 @@ class Maker:
         self._inputs = spec._inputs
         self._changed = ""
         self._view = spec._view
+        self._is_scene = options["target"] == "scene"
         place_seed = options["place_seed"]
         settings = [word for pair in spec.settings.items() for word in pair]
         request = Request(
@@ -138,7 +139,8 @@ class Maker:
         size = texts.contents_size
         contents = read(texts.contents, size) if size else b""
         return Variant(read(texts.xml, texts.xml_size), read(texts.record, texts.record_size),
-                       files, contents, findings, {**self._view, "pose": dict(self._view["pose"])})
+                       files, contents, findings, {**self._view, "pose": dict(self._view["pose"])},
+                       ON_FLOOR if self._is_scene else texts.box[:])
 
     def add_rows(self, indices: range, table: "Table") -> int:
         """Adds the records of these variants to a table, up to the first variant that fails.

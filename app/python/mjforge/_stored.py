@@ -7,7 +7,7 @@ import itertools
 import json
 import os
 import pathlib
-from typing import Any, Iterator, Optional, Sequence, Union
+from typing import Any, Iterator, Optional, Sequence, Union, overload
 
 from . import _command
 from ._batch import Reader, Stored, bad_manifest, manifests_of, record_of
@@ -132,7 +132,13 @@ class Batch:
             raise IndexError(f"number={number} is not within the {count} objects of '{self.path}'")
         return at % count
 
-    def __getitem__(self, number: int) -> Variant:
+    @overload
+    def __getitem__(self, number: int) -> Variant: ...
+    @overload
+    def __getitem__(self, number: slice) -> Sequence[Variant]: ...
+    def __getitem__(self, number: Any) -> Any:
+        if isinstance(number, slice):
+            return _Slice(self, range(len(self))[number])
         number = self._number(number)
         manifest, line, record = self._record(number)
         reader = None
@@ -181,3 +187,29 @@ class Batch:
 
     def __repr__(self) -> str:
         return f"<mjforge.Batch {str(self.path)!r}>"
+
+
+class _Slice(Sequence[Variant]):
+    """Some objects of a batch, which are read when asked for."""
+
+    def __init__(self, batch: Batch, numbers: range) -> None:
+        self._batch = batch
+        self._numbers = numbers
+
+    def __len__(self) -> int:
+        return len(self._numbers)
+
+    @overload
+    def __getitem__(self, key: int) -> Variant: ...
+    @overload
+    def __getitem__(self, key: slice) -> Sequence[Variant]: ...
+    def __getitem__(self, key: Any) -> Any:
+        if isinstance(key, slice):
+            return _Slice(self._batch, self._numbers[key])
+        number = integer(key, "number")
+        if not -len(self) <= number < len(self):
+            raise IndexError(f"number={number} is not within the {len(self)} objects of {self!r}")
+        return self._batch[self._numbers[number]]
+
+    def __repr__(self) -> str:
+        return f"<objects {self._numbers} of {self._batch!r}>"

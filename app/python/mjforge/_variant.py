@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from ._picture import Layer, Picture, Size
     from ._spec import Source, Spec
 
+ON_FLOOR = (0.0,) * 6  # Variant.standing_box for the target scene
 _PIP = "python -m pip install 'mujoco>=2.2.2'"
 
 
@@ -63,7 +64,7 @@ class Variant:
     """
 
     __slots__ = ("xml_bytes", "record_bytes", "_files_bytes", "_contents", "findings", "_record",
-                 "_members", "view")
+                 "_members", "_standing_box", "view")
 
     xml_bytes: bytes  # the MJCF file, as the command writes it
     record_bytes: bytes  # the record, a line of a manifest, JSON
@@ -71,7 +72,8 @@ class Variant:
     view: Mapping[str, Any]  # `view:` of the spec: azimuth and elevation (degrees), pose (rad, m)
 
     def __init__(self, xml: bytes, record: bytes, files: bytes, contents: bytes,
-                 findings: tuple[Finding, ...], view: Optional[Mapping[str, Any]] = None):
+                 findings: tuple[Finding, ...], view: Optional[Mapping[str, Any]] = None,
+                 standing_box: Optional[Sequence[float]] = None):
         self.xml_bytes = xml
         self.record_bytes = record
         self._files_bytes = files
@@ -80,6 +82,7 @@ class Variant:
         self.view = view or {"pose": {}}
         self._record: dict[str, Any] = {}
         self._members: Optional[Members] = None
+        self._standing_box = standing_box
 
     @staticmethod
     def from_record(record: Mapping[str, Any], spec: "Union[Source, Spec, None]" = None) -> "Variant":
@@ -104,11 +107,15 @@ class Variant:
             self._record = loads(self.record_bytes)
         return self._record
 
-    def some_of_record(self, *members: str) -> list[Any]:
-        """Returns members of the record, which is faster than reading the whole record."""
-        if self._record:
-            return [self._record[member] for member in members]
-        return members_of_record(self.record_bytes, members)
+    @property
+    def standing_box(self) -> Sequence[float]:
+        """The bounding box, min and max, whose bottom `attach` puts at `pos`: that of `bounds`. Zeros for
+        the target scene, whose files have the object on the floor.
+        """
+        if self._standing_box is None:
+            box, target = members_of_record(self.record_bytes, ("aabb", "target"))
+            self._standing_box = ON_FLOOR if target == "scene" else (*box["min"], *box["max"])
+        return self._standing_box
 
     @property
     def members(self) -> Members:

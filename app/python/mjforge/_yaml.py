@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import os
 import re
@@ -140,15 +141,15 @@ def setting_text(value: Any, known: "Optional[Parameter]", names: Container[str]
     if known is None or known.type != "number" or not isinstance(value, (list, tuple)):
         return flow_text(value)
     if known.components == 1:
-        is_whole = known.distribution in ("integer", "poisson")
-        return _range_text(value, is_whole) or flow_text(value)
-    items = [_range_text(item) or flow_text(item) for item in value]
+        return _range_text(value, known.distribution) or flow_text(value)
+    drawn = itertools.chain(known.distributions, itertools.repeat(None))
+    items = [_range_text(item, each) or flow_text(item) for item, each in zip(value, drawn)]
     return f"[{', '.join(items)}]"
 
 
-def _range_text(value: Any, is_whole: bool = False) -> str:
-    """Returns the range of a pair of numbers, "0.2 .. 0.3" or "{integer: [2, 3]}"; empty for other
-    values.
+def _range_text(value: Any, distribution: Optional[str]) -> str:
+    """Returns the range of a pair of numbers, "0.2 .. 0.3", or "{integer: [2, 3]}" if `distribution`
+    draws whole numbers; empty for other values.
     """
     if hasattr(value, "tolist"):
         value = value.tolist()
@@ -158,4 +159,5 @@ def _range_text(value: Any, is_whole: bool = False) -> str:
     if not all(isinstance(end, (int, float)) and not isinstance(end, bool) for end in ends):
         return ""
     low, high = map(flow_text, ends)
+    is_whole = distribution in ("integer", "poisson")
     return f"{{integer: [{low}, {high}]}}" if is_whole else f"{low} .. {high}"
