@@ -172,7 +172,7 @@ void Journal::ReadJournal() {
       bytes::LineReader::Open(journal_file_->temporary(), why_not);
   std::string line;
   std::uint64_t read = 0;
-  while (lines && lines->Next(line, why_not) && !lines->torn()) {
+  while (lines && lines->Next(line, why_not) && !lines->is_truncated()) {
     const std::optional<std::string_view> words = VerifiedWords(line);
     read += line.size() + 1;
     if (!words || !ReadLine(*words, read)) break;

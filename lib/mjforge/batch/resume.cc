@@ -33,7 +33,7 @@ std::optional<ResumedVariants> ReadResumable(
   std::string line;
   most = std::min(most, options.range.count);
   while (lines && resumed.done() < most && lines->Next(line, why_not)) {
-    if (lines->torn()) break;
+    if (lines->is_truncated()) break;
     const std::optional<manifest::Record> record = manifest::ReadRecord(line, why_not);
     if (!record) break;  // a crash of the machine may leave arbitrary bytes
     std::string difference = manifest::DifferenceOfBatch(*record, options.batch);

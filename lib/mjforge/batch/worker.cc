@@ -122,7 +122,7 @@ class ChunkMaker {
     if (record_line_.empty()) {
       manifest::AppendRecord(record_lines_, record);
     } else {
-      manifest::AppendWithPlaces(record_lines_, record_line_, archive_, record.spec_file);
+      manifest::AppendWithPaths(record_lines_, record_line_, archive_, record.spec_file);
     }
     return true;
   }

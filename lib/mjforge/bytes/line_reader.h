@@ -43,7 +43,7 @@ class LineReader {
   bool Next(std::string& line, std::string& why_not);
   /// Returns true if writing the file was interrupted: the last line has no line end, or the last
   /// Zstandard frame is incomplete.
-  bool torn() const { return torn_; }
+  bool is_truncated() const { return is_truncated_; }
 
  private:
   LineReader(std::unique_ptr<TextStream> stream, bool skips_first);
@@ -57,7 +57,7 @@ class LineReader {
   std::size_t begin_ = 0;  // the unread bytes of the buffer are [begin_, end_)
   std::size_t end_ = 0;
   bool at_end_ = false;
-  bool torn_ = false;
+  bool is_truncated_ = false;
 };
 
 }  // namespace mjforge::bytes

@@ -154,7 +154,7 @@ Generator::Outcome Generator::Attempt(std::uint64_t index, std::uint64_t attempt
     // fail, too.
     const bool rejected =
         std::ranges::count(variant.findings, diag::Code::kSampleRejected, &diag::Finding::code) > 0;
-    return rejected ? Outcome::kHopeless : Outcome::kFailed;
+    return rejected ? Outcome::kRejected : Outcome::kFailed;
   }
   record.attempt = values->key().attempt;
   record.params.reserve(spec.parameters.size());

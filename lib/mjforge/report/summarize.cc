@@ -40,7 +40,7 @@ SectionSummary SummarizeSection(const Path& manifest, const bytes::Section& sect
   for (Outcome outcome = Outcome::kRecord; reader && outcome != Outcome::kEnd;) {
     outcome = reader->Next(record);
     if (outcome == Outcome::kRecord) summary.records.Add(record);
-    const bool is_cut_off = is_part && reader->torn();
+    const bool is_cut_off = is_part && reader->is_truncated();
     if (outcome == Outcome::kBadLine && !is_cut_off) ++summary.bad_lines;
     if (outcome != Outcome::kUnreadable) continue;
     summary.is_unreadable = !is_cut_off;
