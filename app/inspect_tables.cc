@@ -143,7 +143,7 @@ std::string RegionsText(const model::Object& object) {
                  NumbersText(region.half_size.head(is_disc ? 1 : 2)),
                  std::isinf(region.height) ? "" : Number(region.height),
                  region.margin > 0 ? Number(region.margin) : "",
-                 region.clear > 0 ? Number(region.clear) : "", region.walls ? "yes" : ""});
+                 region.clear > 0 ? Number(region.clear) : "", region.has_walls ? "yes" : ""});
     }
   }
   return table.empty() ? "" : table.Render() + "\n";

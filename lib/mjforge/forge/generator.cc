@@ -28,9 +28,9 @@ void RecordPlaces(const model::Object& object, manifest::Record& record) {
   const std::vector<model::Pose> X_WB = model::BodyPoses(object);
   for (std::size_t i = 0; i < object.bodies.size(); ++i) {
     const model::Body& body = object.bodies[i];
-    if (body.stands_at.empty()) continue;
+    if (body.place_name.empty()) continue;
     const Eigen::Vector4d quat = model::Wxyz(X_WB[i].q);
-    record.places.push_back({body.name, body.stands_at, X_WB[i].p, {quat.begin(), quat.end()}});
+    record.places.push_back({body.name, body.place_name, X_WB[i].p, {quat.begin(), quat.end()}});
   }
 }
 
