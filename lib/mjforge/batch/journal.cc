@@ -82,7 +82,7 @@ bool Journal::Open(diag::Findings& findings) {
   output::RemoveAbandoned({manifest::SealPathOf(file_)});
   is_unfinished_ = manifest_file_->size() > 0 || journal_file_->size() > 0;
   ReadJournal();
-  std::vector<bytes::Prefix> prefixes;
+  std::vector<bytes::Fingerprint> prefixes;
   prefixes.reserve(checkpoints_.size());
   for (const Checkpoint& checkpoint : checkpoints_) prefixes.push_back(checkpoint.manifest);
   checkpoints_.resize(bytes::CountSound(manifest_file_->temporary(), prefixes));

@@ -18,9 +18,9 @@ namespace mjforge::batch {
 /// State of manifest and archives after a chunk (consecutive variants made by one worker).
 struct Checkpoint {
   std::uint64_t next = 0;           // index of the first variant that is not written
-  bytes::Prefix manifest;           // size and checksum of the manifest
+  bytes::Fingerprint manifest;      // size and checksum of the manifest
   std::uint64_t archive = 0;        // number of the archive under construction
-  bytes::Prefix part;               // size and checksum of the archive under construction
+  bytes::Fingerprint part;          // size and checksum of the archive under construction
   std::uint64_t journal_bytes = 0;  // size of the journal after the line of this checkpoint
 };
 

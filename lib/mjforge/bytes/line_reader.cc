@@ -46,7 +46,7 @@ LineReader::LineReader(LineReader&&) noexcept = default;
 LineReader::~LineReader() = default;
 
 std::optional<LineReader> LineReader::Open(const std::filesystem::path& file, std::string& why_not,
-                                           const Section& section) {
+                                           const FileSection& section) {
   std::optional<File> opened = File::Open(file, why_not);
   const std::optional<bool> is_compressed = opened ? IsCompressed(*opened, why_not) : std::nullopt;
   if (!is_compressed) return std::nullopt;

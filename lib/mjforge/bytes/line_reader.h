@@ -16,7 +16,7 @@ namespace mjforge::bytes {
 /// Section of a text file, between two offsets of CutsOf. Contains the lines that start after
 /// `begin` and not after `end`, and the first line of the file if `begin` is 0, so that consecutive
 /// sections contain each line once.
-struct Section {
+struct FileSection {
   std::uint64_t begin = 0;
   std::uint64_t end = std::numeric_limits<std::uint64_t>::max();
 };
@@ -34,7 +34,7 @@ class TextStream;
 class LineReader {
  public:
   static std::optional<LineReader> Open(const std::filesystem::path& file, std::string& why_not,
-                                        const Section& section = {});
+                                        const FileSection& section = {});
   LineReader(LineReader&&) noexcept;
   ~LineReader();
 

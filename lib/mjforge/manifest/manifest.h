@@ -122,7 +122,7 @@ class RecordReader {
   /// section.
   static std::optional<RecordReader> Open(const std::filesystem::path& file, diag::Sources& sources,
                                           diag::Findings& findings,
-                                          const bytes::Section& section = {});
+                                          const bytes::FileSection& section = {});
 
   enum class Outcome { kRecord, kBadLine, kEnd, kUnreadable };
   /// Replaces `record` with the record on the next line. After a line that is not a record, the
