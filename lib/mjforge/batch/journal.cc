@@ -76,7 +76,7 @@ bool Journal::Open(diag::Findings& findings) {
   if (!manifest_file_) return false;
   journal_file_ = output::PartFile::Open(file_.string() + ".journal", findings);
   if (!journal_file_) {
-    DropEmpty();
+    RemoveEmptyFiles();
     return false;
   }
   output::RemoveAbandoned({manifest::SealPathOf(file_)});
@@ -89,12 +89,12 @@ bool Journal::Open(diag::Findings& findings) {
   const bool is_ours =
       journal_seal_ || MayReplaceManifest(part(), options_.request.force, findings);
   if (is_ours && (!options_.request.resume || IsOfThisBatch(findings))) return true;
-  DropEmpty();
+  RemoveEmptyFiles();
   return false;
 }
 
 // Removes those files of Open() that are empty.
-void Journal::DropEmpty() {
+void Journal::RemoveEmptyFiles() {
   for (const auto& file : {&manifest_file_, &journal_file_}) {
     if (*file && (*file)->size() == 0) (*file)->Drop();
   }
@@ -165,7 +165,7 @@ bool Journal::HasMadeArchive(const std::string& archive) const {
 void Journal::ReadJournal() {
   checkpoints_.clear();
   assets_.clear();
-  closed_.clear();
+  closed_archives_.clear();
   seal_.assets.clear();
   std::string why_not;
   std::optional<bytes::LineReader> lines =
@@ -209,7 +209,7 @@ bool Journal::ReadLine(std::string_view line, std::uint64_t end) {
     file.file = RestOfLine(line, words);
     if (file.file.empty()) return false;
     made_archives_.insert(file.file);
-    closed_.push_back(std::move(file));
+    closed_archives_.push_back(std::move(file));
     assets_.clear();
     return true;
   }
@@ -302,7 +302,7 @@ bool Journal::AddClosedArchive(SealedFile archive, const Checkpoint& next,
   const std::string line =
       fmt::format("closed {} {} {}", archive.content.size, archive.content.checksum, archive.file);
   made_archives_.insert(archive.file);
-  closed_.push_back(std::move(archive));
+  closed_archives_.push_back(std::move(archive));
   assets_.clear();
   return AppendLine(line, findings) && AddCheckpoint(next, findings) &&
          (!is_durable || (manifest_file_->Sync(findings) && journal_file_->Sync(findings)));
@@ -315,7 +315,7 @@ bool Journal::Finish(diag::Findings& findings) {
     return false;
   }
   seal_.manifest.content = {manifest_file_->size(), manifest_file_->checksum()};
-  seal_.archives = closed_;
+  seal_.archives = closed_archives_;
   const bool if_changed = request.if_changed || request.resume;
   // The manifest gets its final name last, because a manifest with this name means that all other
   // files exist.

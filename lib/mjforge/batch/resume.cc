@@ -8,7 +8,7 @@
 
 namespace mjforge::batch {
 
-bool FailedByChance(const manifest::Record& record) {
+bool HasWorkerDied(const manifest::Record& record) {
   const std::string died =
       fmt::format("\"code\":\"{}\"", diag::CodeName(diag::Code::kBatchWorkerDied));
   return std::ranges::any_of(record.findings, [&](const std::string& finding) {
@@ -44,7 +44,7 @@ std::optional<ResumedVariants> ReadResumable(
       ReportOtherBatch(manifest, difference, findings);
       return std::nullopt;
     }
-    if (FailedByChance(*record) || (is_good && !is_good(*record))) break;
+    if (HasWorkerDied(*record) || (is_good && !is_good(*record))) break;
     resumed.Add(record->status);
     resumed.bytes += line.size() + 1;
   }

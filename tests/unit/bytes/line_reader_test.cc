@@ -16,7 +16,7 @@ struct AllLines {
   bool is_truncated = false;
 };
 
-AllLines LinesOf(const std::filesystem::path& file, const Section& section = {}) {
+AllLines LinesOf(const std::filesystem::path& file, const FileSection& section = {}) {
   AllLines all;
   std::optional<LineReader> lines = LineReader::Open(file, all.why_not, section);
   REQUIRE(lines);
@@ -112,7 +112,7 @@ TEST_CASE("consecutive sections have each line once, wherever a file is divided"
     for (const std::size_t step : {1, 2, 7}) {
       std::vector<std::string> lines;
       for (std::size_t i = 0; i < cuts.size(); i += step) {
-        Section section{.begin = cuts[i]};
+        FileSection section{.begin = cuts[i]};
         if (i + step < cuts.size()) section.end = cuts[i + step];
         const AllLines all = LinesOf(file, section);
         CHECK(all.why_not.empty());
