@@ -85,7 +85,7 @@ void Placements::PileUp(const Request& request, sample::StreamId places) {
                           "a pile needs a region: give the body one with `regions:`");
     return;
   }
-  if (!CheckLevel(request, trial, mark)) return;
+  if (!CheckRegionIsLevel(request, trial, mark)) return;
   model::Pile& pile = PileAt(request, trial, places);
   sample::Numbers q;
   scope_.values.AppendRotation(sample::Child(places, "turn"), q);

@@ -74,9 +74,10 @@ std::optional<Placements::Trial> Placements::Draw(const Request& request, sample
     trial.where.clear = *distance;
   }
   const bool by_sites = trial.target.region == nullptr || place.Find(Key::kBy) != nullptr;
-  const bool good = by_sites ? ReadSites(request, reader, trial)
-                             : CheckLevel(request, trial, place.Find(Key::kAt)->value.mark) &&
-                                   ReadArea(request, reader, path, trial);
+  const bool good = by_sites
+                        ? ReadSites(request, reader, trial)
+                        : CheckRegionIsLevel(request, trial, place.Find(Key::kAt)->value.mark) &&
+                              ReadArea(request, reader, path, trial);
   return good ? std::optional(std::move(trial)) : std::nullopt;
 }
 
@@ -301,7 +302,8 @@ bool Placements::CheckPlaced(const Request& request, int body, const spec::Field
   return false;
 }
 
-bool Placements::CheckLevel(const Request& request, const Trial& trial, diag::SourceMark mark) {
+bool Placements::CheckRegionIsLevel(const Request& request, const Trial& trial,
+                                    diag::SourceMark mark) {
   const double tilt = model::TiltOf(X_WB(trial.target.body) * trial.target.region->X_BR);
   if (tilt <= kLevelAngle) return true;
   context_.findings

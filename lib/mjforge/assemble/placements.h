@@ -97,7 +97,7 @@ class Placements {
   /// Returns true if the body, which `field` names, already has its place. Otherwise adds a
   /// finding, unless it was already reported that no place was found for the body.
   bool CheckPlaced(const Request& request, int body, const spec::Field& field);
-  bool CheckLevel(const Request& request, const Trial& trial, diag::SourceMark mark);
+  bool CheckRegionIsLevel(const Request& request, const Trial& trial, diag::SourceMark mark);
   /// Returns "a -> b -> a" if bodies are placed on each other in a circle; otherwise an empty text.
   std::string CircleOf(std::string_view name) const;
 
