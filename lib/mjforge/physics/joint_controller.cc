@@ -80,7 +80,7 @@ std::vector<DrivenJoint> JointController::Run(std::span<const int> joints) {
     all[i].joint = joints[i];
     all[i].measured.name = compiled::NameOf(m_, mjOBJ_JOINT, joints[i]);
     paths.push_back(PathsOf(m_, joints[i], start_));
-    if (coupled_ == CoupledJoints::kFree)
+    if (coupled_ == CoupledJoints::kPassive)
       for (JointPath& path : paths.back()) path.push = 0;  // this drive does not test limits
     most = std::max(most, paths.back().size());
   }
@@ -259,7 +259,7 @@ std::optional<Setpoint> JointController::SetpointOfOther(const std::vector<Joint
                                                          int joint,
                                                          const Setpoint& progress) const {
   if (!couplings_.IsCoupled(joint)) return Setpoint{StartOf(joint), 0, 0};
-  if (coupled_ == CoupledJoints::kFree) return std::nullopt;
+  if (coupled_ == CoupledJoints::kPassive) return std::nullopt;
   for (const JointDrive& drive : drives) {
     const auto setpoint = couplings_.SetpointOf(joint, drive.path.joint, Target(drive, progress));
     if (setpoint) return setpoint;
