@@ -138,7 +138,7 @@ void WriteSweep(JsonOutput& json, const std::optional<validate::Sweep>& sweep) {
       json.Member("geom2", contact.geom2);
       json.Member("depth", contact.depth);
     });
-    json.Member("held", sweep->held);
+    json.Member("held", sweep->unlimited_slides);
     WriteBox(json, sweep->aabb);
   });
 }

@@ -207,7 +207,7 @@ std::string SweepText(const std::optional<validate::Sweep>& sweep) {
   }
   std::string text =
       "\n" + (table.empty() ? "no contacts between bodies\n" : table.Render()) + "\n";
-  for (const std::string& joint : sweep->held) {
+  for (const std::string& joint : sweep->unlimited_slides) {
     text += fmt::format("held     {}, a slide without a range\n", OneLine(joint));
   }
   const model::Box3& box = sweep->aabb;

@@ -1,5 +1,5 @@
 // Compares masses and shapes of two compiled models of the same file.
-#include "mjforge/validate/older_release.h"
+#include "mjforge/validate/release_differences.h"
 
 #include <cmath>
 #include <string>
