@@ -29,7 +29,7 @@ void TestTallies::Add(const physics::Result& result) {
 
 void TestTallies::Append(const TestTallies& other) {
   for (const TestTally& more : other.list_) {
-    TestTally* test = Find(more.kind, more.name);
+    TestTally* test = FindOrAdd(more.kind, more.name);
     if (test == nullptr) continue;
     test->passed += more.passed;
     test->failed += more.failed;
@@ -45,7 +45,7 @@ void TestTallies::AddGrasps(const std::vector<physics::Result::Grasp>& grasps) {
     auto site = std::ranges::find(sites, grasp.site, &std::pair<std::string, bool>::first);
     if (site == sites.end()) site = sites.insert(sites.end(), {grasp.site, false});
     site->second = site->second || grasp.held;
-    TestTally* test = Find(TestTally::Kind::kGrasps, grasp.site);
+    TestTally* test = FindOrAdd(TestTally::Kind::kGrasps, grasp.site);
     if (test == nullptr) continue;
     ++test->ways;
     if (grasp.held) ++test->held;
@@ -54,11 +54,11 @@ void TestTallies::AddGrasps(const std::vector<physics::Result::Grasp>& grasps) {
 }
 
 void TestTallies::Count(TestTally::Kind kind, const std::string& name, bool passed) {
-  TestTally* test = Find(kind, name);
+  TestTally* test = FindOrAdd(kind, name);
   if (test != nullptr) ++(passed ? test->passed : test->failed);
 }
 
-TestTally* TestTallies::Find(TestTally::Kind kind, const std::string& name) {
+TestTally* TestTallies::FindOrAdd(TestTally::Kind kind, const std::string& name) {
   const auto is_it = [&](const TestTally& test) { return test.kind == kind && test.name == name; };
   auto found = std::ranges::find_if(list_, is_it);
   if (found != list_.end()) return &*found;

@@ -36,7 +36,7 @@ class TestTallies {
  private:
   void Count(TestTally::Kind kind, const std::string& name, bool passed);
   /// Finds or adds a test; returns null if there are kMost tests already.
-  TestTally* Find(TestTally::Kind kind, const std::string& name);
+  TestTally* FindOrAdd(TestTally::Kind kind, const std::string& name);
   void AddGrasps(const std::vector<physics::Result::Grasp>& grasps);
 
   std::vector<TestTally> list_;
