@@ -25,7 +25,7 @@ constexpr double kThere = 0.01;
 constexpr double kNearest = 0.005;  // rad or m
 // Natural frequency of the controller, rad/s: slower than the 50 rad/s of MuJoCo's limits and
 // contacts, and faster than a move.
-constexpr double kStiffness = 20;
+constexpr double kNaturalFrequency = 20;
 // Largest position errors that the controller corrects; larger errors are clamped, to limit the
 // force on a blocked joint. The limit of a driven joint is a share of its range.
 constexpr double kMostError = 0.1;
@@ -309,7 +309,8 @@ double JointController::StartOf(int joint) const {
 double JointController::Acceleration(int dof, double error, double speed,
                                      double acceleration) const {
   // Critically damped feedback of the position error and the speed error.
-  return acceleration + 2 * kStiffness * (speed - d_.qvel[dof]) + kStiffness * kStiffness * error;
+  return acceleration + 2 * kNaturalFrequency * (speed - d_.qvel[dof]) +
+         kNaturalFrequency * kNaturalFrequency * error;
 }
 
 /// Returns the position of the joint along the path, relative to the model's reference pose.
