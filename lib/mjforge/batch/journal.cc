@@ -43,7 +43,8 @@ Seal SealOfRequest(const SinkOptions& options, const std::filesystem::path& mani
   const Request& request = options.request;
   Seal seal;
   seal.name = request.variant.name;
-  if (request.destination.IsArchive()) seal.output = request.destination.path.filename().string();
+  if (request.destination.PacksVariants())
+    seal.output = request.destination.path.filename().string();
   seal.per_archive = request.destination.per_archive;
   seal.spec = options.batch.spec;
   seal.first = options.all.first;

@@ -126,9 +126,9 @@ void Generator::Finish(Outcome outcome, Variant& variant) {
     const bool skips = options_.on_invalid == OnInvalid::kSkip;
     record.status = skips ? manifest::Status::kSkipped : manifest::Status::kFailed;
   } else {
-    record.file = record.Folder() + output::PlaceInFolder(record.name, record.index,
-                                                          record.each ? output::kPlacementEnding
-                                                                      : output::kObjectEnding);
+    record.file = record.Folder() + output::PathInFolder(record.name, record.index,
+                                                         record.each ? output::kPlacementEnding
+                                                                     : output::kObjectEnding);
     record.sha256 = bytes::Sha256Of(variant.output().text);
   }
   variant.findings.SetVariant(options_.seed, record.index);
