@@ -33,8 +33,8 @@ struct RowView {
   /// Materials of the variant; their `numbers` are those of the first variant, see
   /// `material_numbers`.
   std::vector<const Material*> materials;
-  std::vector<std::array<double, 10>>
-      material_numbers;  // Material::numbers of `materials` in this variant
+  /// Material::numbers of `materials` in this variant.
+  std::vector<std::array<double, 10>> material_numbers;
   std::vector<sample::ParameterValue> parameters;
 };
 
