@@ -181,7 +181,7 @@ struct Object {
   std::vector<Expectation> expectations;
   std::vector<Pile> piles;
   std::vector<std::string> left_out;  // full names of bodies for which no place was found
-  std::vector<diag::Finding> unmet_expectations;  // one per violated condition of `expect:`
+  std::vector<diag::Finding> unmet_expectations;  // a finding per violated condition of `expect:`
 };
 
 /// Returns the pose X_WB of every body at the start state. W is the object's frame, in which X_PB
