@@ -56,15 +56,15 @@ void LimitTime(Seconds time) {
 
 // Runs the remaining steps in the child process. The child ends when its parent ends.
 [[noreturn]] void RunSteps(std::size_t count, Seconds time_limit,
-                           const std::function<ExitStatus(std::size_t)>& take, Progress& progress,
-                           ::pid_t parent) {
+                           const std::function<ExitStatus(std::size_t)>& run_step,
+                           Progress& progress, ::pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) std::_Exit(0);  // the parent ended before prctl
   LimitMemory();
   try {
     for (; progress.step < count; ++progress.step) {
       LimitTime(time_limit);
-      progress.status = Worse(progress.status, take(progress.step));
+      progress.status = Worse(progress.status, run_step(progress.step));
     }
   } catch (const std::bad_alloc&) {
     static_assert(batch::kNoMemoryStatus == static_cast<int>(ExitStatus::kInputOutput));
@@ -137,7 +137,7 @@ void LimitMemory() {
 }
 
 ExitStatus RunInChild(std::size_t count, Seconds time_limit,
-                      const std::function<ExitStatus(std::size_t)>& take,
+                      const std::function<ExitStatus(std::size_t)>& run_step,
                       const std::function<ExitStatus(std::size_t, const std::string&)>& crashed) {
   const std::shared_ptr<Progress> progress = ShareProgress();
   while (progress->step < count && !progress->done) {
@@ -148,7 +148,7 @@ ExitStatus RunInChild(std::size_t count, Seconds time_limit,
     const ::pid_t parent = ::getpid();
     const ::pid_t child = ::fork();
     if (child < 0) throw std::system_error(errno, std::generic_category(), "cannot fork");
-    if (child == 0) RunSteps(count, time_limit, take, *progress, parent);
+    if (child == 0) RunSteps(count, time_limit, run_step, *progress, parent);
     ::close(ends[1]);
     const std::string reason = WaitFor(child, ends[0], time_limit, *progress);
     ::close(ends[0]);
@@ -171,9 +171,9 @@ void AddCrashFinding(const std::string& what, const std::string& reason, diag::F
 }
 
 ExitStatus RunInChild(const std::string& what, Seconds time_limit, Console& console,
-                      const std::function<ExitStatus()>& take) {
+                      const std::function<ExitStatus()>& run) {
   return RunInChild(
-      1, time_limit, [&](std::size_t) { return take(); },
+      1, time_limit, [&](std::size_t) { return run(); },
       [&](std::size_t, const std::string& reason) {
         AddCrashFinding(what, reason, console.findings);
         return console.Report();

@@ -9,14 +9,15 @@
 
 namespace mjforge::app {
 
-/// Runs `take` for the steps 0 to count - 1 in a child process, because some files make MuJoCo 2.2
-/// crash or hang, and files from others may be made for that purpose. The limits of a step are
-/// `time_limit` of CPU time (rounded up to whole seconds), batch::WallLimit of wall time, and 8 GiB
-/// of memory. If a step crashes or exceeds a limit, `crashed` is called with the step and the
-/// reason ("made MuJoCo crash (SIGSEGV)"), and a new child continues with the next step. Returns
-/// the worst status of all steps, which is kInputOutput for a step that needs too much memory.
+/// Runs `run_step` for the steps 0 to count - 1 in a child process, because some files make
+/// MuJoCo 2.2 crash or hang, and files from others may be made for that purpose. The limits of a
+/// step are `time_limit` of CPU time (rounded up to whole seconds), batch::WallLimit of wall time,
+/// and 8 GiB of memory. If a step crashes or exceeds a limit, `crashed` is called with the step and
+/// the reason ("made MuJoCo crash (SIGSEGV)"), and a new child continues with the next step.
+/// Returns the worst status of all steps, which is kInputOutput for a step that needs too much
+/// memory.
 ExitStatus RunInChild(std::size_t count, Seconds time_limit,
-                      const std::function<ExitStatus(std::size_t)>& take,
+                      const std::function<ExitStatus(std::size_t)>& run_step,
                       const std::function<ExitStatus(std::size_t, const std::string&)>& crashed);
 
 /// Limits the memory of this process to 8 GiB, more than any object needs.
@@ -31,6 +32,6 @@ void AddCrashFinding(const std::string& what, const std::string& reason, diag::F
 
 /// Runs one step in a child process; a crash becomes a finding about the file or spec `what`.
 ExitStatus RunInChild(const std::string& what, Seconds time_limit, Console& console,
-                      const std::function<ExitStatus()>& take);
+                      const std::function<ExitStatus()>& run);
 
 }  // namespace mjforge::app

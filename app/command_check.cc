@@ -6,8 +6,8 @@
 
 #include "commands.h"
 #include "confidence.h"
+#include "load_time_limit.h"
 #include "options.h"
-#include "spec_time_limit.h"
 
 namespace mjforge::app {
 namespace {

@@ -13,10 +13,10 @@
 #include "commands.h"
 #include "completion.h"
 #include "family_conflicts.h"
+#include "load_time_limit.h"
 #include "make_options.h"
 #include "options.h"
 #include "progress_bar.h"
-#include "spec_time_limit.h"
 #include "structures.h"
 #include "usage.h"
 

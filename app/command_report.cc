@@ -66,7 +66,7 @@ std::optional<Path> FindBatch(const std::string& what, diag::Findings& findings)
   if (IsManifest(what)) return what;
   std::string why_not;
   const auto destination = output::ParseDestination(what, 1, why_not);
-  if (destination && destination->IsArchive()) return destination->Manifest({});
+  if (destination && destination->PacksVariants()) return destination->Manifest({});
   if (!std::filesystem::exists(what, ignored)) {
     findings.Add(diag::Code::kYamlCannotRead, {},
                  fmt::format("cannot read '{}': No such file or directory", what));

@@ -79,7 +79,7 @@ class Gallery {
                              result.card.problem = found[0].message;
                              return result.Pack();
                            },
-                       .take =
+                       .receive =
                            [&](std::size_t step, const std::string& bytes) {
                              Take(steps_[step], GalleryResult::Unpack(bytes));
                            }},

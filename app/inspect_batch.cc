@@ -180,7 +180,7 @@ std::optional<std::filesystem::path> FindManifest(const std::string& what) {
   std::error_code ignored;
   std::string why_not;
   const auto archive = output::ParseDestination(what, 1, why_not);
-  if (archive && archive->IsArchive()) {  // the manifest is in the archive's folder
+  if (archive && archive->PacksVariants()) {  // the manifest is in the archive's folder
     const std::filesystem::path manifest = archive->Manifest({});
     if (std::filesystem::exists(manifest, ignored)) return manifest;
   }

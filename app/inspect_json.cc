@@ -74,7 +74,7 @@ void WriteRegions(JsonOutput& json, const model::Body& body) {
     }
     json.Member("margin", region.margin);
     json.Member("clear", region.clear);
-    json.Member("walls", region.walls);
+    json.Member("walls", region.has_walls);
   });
 }
 
@@ -114,7 +114,7 @@ void WriteBodyHead(JsonOutput& json, const model::Object& object, const model::B
   json.Member("parent", body.parent < 0
                             ? std::string_view("world")
                             : object.bodies[static_cast<std::size_t>(body.parent)].name);
-  if (!body.stands_at.empty()) json.Member("stands_at", body.stands_at);
+  if (!body.place_name.empty()) json.Member("stands_at", body.place_name);
   WritePose(json, body.X_PB);
   WriteMass(json, body.mass_properties);
 }
@@ -138,7 +138,7 @@ void WriteSweep(JsonOutput& json, const std::optional<validate::Sweep>& sweep) {
       json.Member("geom2", contact.geom2);
       json.Member("depth", contact.depth);
     });
-    json.Member("held", sweep->held);
+    json.Member("held", sweep->unlimited_slides);
     WriteBox(json, sweep->aabb);
   });
 }

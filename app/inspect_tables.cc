@@ -143,7 +143,7 @@ std::string RegionsText(const model::Object& object) {
                  NumbersText(region.half_size.head(is_disc ? 1 : 2)),
                  std::isinf(region.height) ? "" : Number(region.height),
                  region.margin > 0 ? Number(region.margin) : "",
-                 region.clear > 0 ? Number(region.clear) : "", region.walls ? "yes" : ""});
+                 region.clear > 0 ? Number(region.clear) : "", region.has_walls ? "yes" : ""});
     }
   }
   return table.empty() ? "" : table.Render() + "\n";
@@ -207,7 +207,7 @@ std::string SweepText(const std::optional<validate::Sweep>& sweep) {
   }
   std::string text =
       "\n" + (table.empty() ? "no contacts between bodies\n" : table.Render()) + "\n";
-  for (const std::string& joint : sweep->held) {
+  for (const std::string& joint : sweep->unlimited_slides) {
     text += fmt::format("held     {}, a slide without a range\n", OneLine(joint));
   }
   const model::Box3& box = sweep->aabb;

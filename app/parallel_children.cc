@@ -80,8 +80,8 @@ void TakeResults(const ParallelSteps& steps, int socket) {
     if (size < static_cast<::ssize_t>(sizeof(std::size_t))) return;
     std::size_t step = 0;
     std::memcpy(&step, message.data(), sizeof step);
-    steps.take(step, std::string(message.data() + sizeof step,
-                                 static_cast<std::size_t>(size) - sizeof step));
+    steps.receive(step, std::string(message.data() + sizeof step,
+                                    static_cast<std::size_t>(size) - sizeof step));
   }
 }
 

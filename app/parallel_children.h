@@ -19,7 +19,7 @@ struct ParallelSteps {
   /// Returns the result of a step that crashed or exceeded a limit, for this reason.
   std::function<std::string(std::size_t, const std::string&)> explain;
   /// Receives a result in the parent process, in the order in which the steps end.
-  std::function<void(std::size_t, std::string)> take;
+  std::function<void(std::size_t, std::string)> receive;
 };
 
 /// Runs the steps in `jobs` child processes (0: one per core); results have at most 150 kB. Returns

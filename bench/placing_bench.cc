@@ -39,7 +39,7 @@ model::Object Boxes(int count) {
 bool PlaceAll(model::Object& object, model::Placer& placer, std::mt19937& random, int& tries) {
   std::uniform_real_distribution<double> uniform(-1, 1);
   placer.Begin(object);
-  placer.Stand(0);
+  placer.AddObstacle(0);
   for (int body = 1; body < static_cast<int>(object.bodies.size()); ++body) {
     model::PlaceTry where;
     where.support = 0;
@@ -55,7 +55,7 @@ bool PlaceAll(model::Object& object, model::Placer& placer, std::mt19937& random
     }
     if (result.verdict != model::PlaceVerdict::kStands) return false;
     object.bodies[static_cast<std::size_t>(body)].X_PB = result.X_SupportBody;
-    placer.Stand(body);
+    placer.AddObstacle(body);
   }
   return true;
 }

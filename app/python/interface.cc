@@ -345,7 +345,7 @@ int MjforgeNextLine(MjforgeLines* lines, MjforgeText* line) {
       return 0;
     }
     *line = View(lines->why_not);
-    if (lines->reader && lines->reader->torn()) return 3;
+    if (lines->reader && lines->reader->is_truncated()) return 3;
     return lines->why_not.empty() ? 1 : 2;
   } catch (const std::exception&) {
     *line = View("not enough memory");

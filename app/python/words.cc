@@ -61,7 +61,8 @@ MjforgeText MjforgeManifest(const char* output, std::uint64_t shard, std::uint64
   thread_local std::string path;
   std::string why_not;
   const auto destination = output::ParseDestination(output, 1, why_not);
-  if (!destination || (destination->kind != Kind::kFolder && !destination->IsArchive())) return {};
+  if (!destination || (destination->kind != Kind::kFolder && !destination->PacksVariants()))
+    return {};
   path = destination->Manifest({shard, shards}).string();
   return View(path);
 }

@@ -113,7 +113,7 @@ batch::Request ReadRequest(Input& input) {
 void PutFiles(const Sections& sections, const batch::Request& request) {
   const std::filesystem::path manifest = request.destination.Manifest(request.shard);
   const std::filesystem::path archive =
-      request.destination.IsArchive() ? request.destination.Archive(0) : Folder() / "out/x.tar";
+      request.destination.PacksVariants() ? request.destination.Archive(0) : Folder() / "out/x.tar";
   const std::map<std::string_view, std::filesystem::path> files = {
       {"manifest", manifest},
       {"part", output::PartFile::TemporaryNameOf(manifest)},

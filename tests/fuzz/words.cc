@@ -30,7 +30,7 @@ void AddElement(const spec::ElementInfo& element, Dictionary& words) {
 }
 
 void AddExpressions(Dictionary& words) {
-  for (const expr::Function& function : expr::Functions()) words.emplace(function.name);
+  for (const expr::BuiltinInfo& function : expr::Builtins()) words.emplace(function.name);
   for (const expr::Unit& unit : expr::Units()) words.emplace("1" + std::string(unit.name));
   AddWords("== != <= >= < > + - * / % ** ^ ( ) [ ] , ? : ' \" and or not if else true false 1e308",
            words);

@@ -15,7 +15,7 @@ import unittest.mock
 
 import mjforge
 from mjforge import _prove
-from mjforge._batch import Reader, manifests_of
+from mjforge._batch_files import Reader, manifests_of
 
 PACKAGE = pathlib.Path(mjforge.__file__).parents[1]
 # Modules in place of MuJoCo, whose loader does this.

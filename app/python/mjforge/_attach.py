@@ -39,7 +39,7 @@ def _unit(quat: Any) -> list[float]:
     return [number / norm for number in numbers]
 
 
-def _is(thing: Any, name: str, what: str) -> None:
+def _require_type(thing: Any, name: str, what: str) -> None:
     if type(thing).__name__ != name or not type(thing).__module__.startswith("mujoco"):
         raise TypeError(f"{what}={thing!r} is not a mujoco.{name} but of type {type(thing).__name__}")
 
@@ -81,7 +81,7 @@ def _without_keyframe(xml: bytes) -> str:
 def attach(variant: Variant, scene: MjSpec, prefix: str, pos: Sequence[float], quat: Quaternion,
            stand: bool) -> MjsBody:
     """Returns the object's first body in the scene; see Variant.attach."""
-    _is(scene, "MjSpec", "scene")
+    _require_type(scene, "MjSpec", "scene")
     c_text(prefix, "prefix")
     place, turn = vector_of(pos, 3, "pos"), _unit(quat)
     if not isinstance(stand, bool):
@@ -189,7 +189,7 @@ class _Start:
 
 def start(variant: Variant, model: MjModel, data: MjData, prefix: str) -> None:
     """See Variant.start."""
-    _is(model, "MjModel", "model")
-    _is(data, "MjData", "data")
+    _require_type(model, "MjModel", "model")
+    _require_type(data, "MjData", "data")
     c_text(prefix, "prefix")
     _Start(variant.members, model, data, prefix).run()

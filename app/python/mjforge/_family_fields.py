@@ -7,7 +7,7 @@ from __future__ import annotations
 import copy
 from typing import TYPE_CHECKING, Any, Iterable, Mapping, Optional
 
-from ._attach import _is, _module_of
+from ._attach import _module_of, _require_type
 from ._family_base import mesh_of_row, meshes_that_differ
 from ._family_rows import placements
 from ._family_scene import Placed
@@ -28,7 +28,7 @@ _FREE = ("qpos0", "qpos_spring")
 def fields_of(family: Family, model: MjModel, prefix: Any, rows: Any,
               over: Optional[Mapping[str, Any]]) -> dict[str, Any]:
     """See Family.fields."""
-    _is(model, "MjModel", "model")
+    _require_type(model, "MjModel", "model")
     placed = placements(family, prefix, rows)
     worlds = Worlds(model, len(placed[0][1]), over)
     for each, variants in placed:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Mapping, Optional
 
-from ._attach import _is
+from ._attach import _require_type
 from ._family_fields import write
 from ._family_rows import placements
 from ._family_scene import Placed
@@ -23,7 +23,7 @@ def start_of(family: Family, model: MjModel, prefix: Any, rows: Any,
     """See Family.start."""
     import numpy as np
 
-    _is(model, "MjModel", "model")
+    _require_type(model, "MjModel", "model")
     placed = placements(family, prefix, rows)
     worlds = len(placed[0][1])
     state = _defaults(model, worlds)

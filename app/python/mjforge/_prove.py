@@ -11,7 +11,7 @@ import sys
 import time
 from typing import Any, Optional, Union
 
-from ._batch import Reader, Stored, manifests_of, missing_shards
+from ._batch_files import Reader, Stored, manifests_of, missing_shards
 from ._comparison import Difference
 from ._findings import Finding, printable
 from ._options import MAX_JOBS

@@ -230,15 +230,15 @@ class Spec:
         return Report(report.count, report.made, report.failed, report.skipped, report.findings, None)
 
     def __reduce__(self) -> Any:
-        return _again, (self._snapshot.saved(), self._settings, self.parameter_files,
-                        self._key_paths, self._inputs)
+        return _unpickle, (self._snapshot.saved(), self._settings, self.parameter_files,
+                           self._key_paths, self._inputs)
 
     def __repr__(self) -> str:
         return f"<mjforge.Spec {described(self)}>"
 
 
-def _again(snapshot: bytes, settings: dict[str, str], parameter_files: tuple[str, ...],
-           key_paths: tuple[str, ...], inputs: dict[str, str]) -> Spec:
+def _unpickle(snapshot: bytes, settings: dict[str, str], parameter_files: tuple[str, ...],
+              key_paths: tuple[str, ...], inputs: dict[str, str]) -> Spec:
     spec = Spec.__new__(Spec)
     spec._snapshot = Snapshot.read(snapshot)
     spec._settings = settings

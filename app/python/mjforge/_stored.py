@@ -10,7 +10,7 @@ import pathlib
 from typing import Any, Iterator, Optional, Sequence, Union, overload
 
 from . import _command
-from ._batch import Reader, Stored, bad_manifest, manifests_of, record_of
+from ._batch_files import Reader, Stored, bad_manifest, manifests_of, record_of
 from ._findings import Finding, VariantError
 from ._json import loads, members_of_record
 from ._library import integer, lines
@@ -177,10 +177,10 @@ class Batch:
 
     def replay(self, number: int) -> Variant:
         """Makes an object again from its record, and returns it; see Variant.from_record."""
-        from ._again import make_again
+        from ._replay import replay
 
         manifest, _, record = self._record(self._number(number))
-        return make_again(record, None, manifest.parent)
+        return replay(record, None, manifest.parent)
 
     def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "_reader": None}

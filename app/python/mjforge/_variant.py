@@ -91,9 +91,9 @@ class Variant:
         `spec`: the spec, if its file has moved since, or if it was a text or a mapping. Raises
         MismatchError if the spec has changed or the file differs.
         """
-        from ._again import make_again
+        from ._replay import replay
 
-        return make_again(record, spec)
+        return replay(record, spec)
 
     @property
     def xml(self) -> str:

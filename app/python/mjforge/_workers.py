@@ -14,7 +14,7 @@ import threading
 from multiprocessing.connection import Connection, Pipe
 from typing import Any, Callable, Iterable, Optional
 
-from ._batch import Stored
+from ._batch_files import Stored
 from ._comparison import Comparison, Difference, Element
 from ._variant import mujoco_of
 

@@ -111,13 +111,13 @@ def checked_settings(settings: Any) -> dict[str, Any]:
     return dict(settings)
 
 
-class Verbatim(str):
+class RecordedText(str):
     """The text of a setting in a record, which is used unchanged."""
 
 
 def needs_parameter(value: Any) -> bool:
     """Returns True if the text of a setting depends on the parameter that it sets."""
-    if isinstance(value, Verbatim):
+    if isinstance(value, RecordedText):
         return False
     if isinstance(value, str):
         return _NAME.fullmatch(value) is not None
@@ -131,7 +131,7 @@ def setting_text(value: Any, known: "Optional[Parameter]", names: Container[str]
     of `names`, the names of all parameters. `known`: the parameter as the spec declares it, if
     there is one.
     """
-    if isinstance(value, Verbatim):
+    if isinstance(value, RecordedText):
         return str(value)
     if isinstance(value, str):
         is_choice = known is not None and known.type == "text" and value in (known.choices or ())

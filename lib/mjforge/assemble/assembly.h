@@ -84,10 +84,10 @@ class Assembly {
                             const std::string& name, const Link& link);
   void AddOwnJoints(const spec::BodyEntry& entry, const Link& link);
   /// Adds the parts, nested spec or MJCF body of the entry to the current body, which is the last.
-  void Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
-            const std::string& name, const Link& link);
-  void PlaceBody(Scope& scope, FieldReader& reader, const spec::Entry& entry,
-                 const model::Bounds& bounds, model::Body& body);
+  void FillBody(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
+                const std::string& name, const Link& link);
+  void SetBodyPose(Scope& scope, FieldReader& reader, const spec::Entry& entry,
+                   const model::Bounds& bounds, model::Body& body);
   int ParentOf(Scope& scope, FieldReader& reader, const spec::Entry& entry);
   /// Returns the angle of a spec's `front:`, in rad, counter-clockwise about z from -y.
   double FrontOf(Scope& scope);

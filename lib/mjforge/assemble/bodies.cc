@@ -132,7 +132,7 @@ void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, const std::st
   if (is_inner_link)
     object_.bodies[index].X_PB.p = -link.chain->pitch * Eigen::Vector3d::UnitZ();
   else if (!entry.place)
-    PlaceBody(scope, reader, entry.head, bounds, object_.bodies[index]);
+    SetBodyPose(scope, reader, entry.head, bounds, object_.bodies[index]);
 }
 
 model::Bounds Assembly::AddContents(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
@@ -144,7 +144,7 @@ model::Bounds Assembly::AddContents(Scope& scope, const spec::BodyEntry& entry, 
   const std::size_t outer = std::exchange(current_body_, index);
   const model::Pose X_BS = std::exchange(scope.X_BS, model::Pose());
   const auto total_size = std::exchange(scope.total_size, std::nullopt);
-  Fill(scope, entry, reader, name, link);
+  FillBody(scope, entry, reader, name, link);
   model::Bounds bounds;
   if (by_corner || entry.first_property >= 0) bounds = model::SubtreeBounds(object_.bodies, index);
   SetProperties(scope, entry, bounds, index);
@@ -172,8 +172,8 @@ void Assembly::AddOwnJoints(const spec::BodyEntry& entry, const Link& link) {
     body().joints.emplace_back().name = body().name + "_joint0";
 }
 
-void Assembly::Fill(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
-                    const std::string& name, const Link& link) {
+void Assembly::FillBody(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
+                        const std::string& name, const Link& link) {
   const std::size_t index = current_body_;
   const sample::StreamId path = reader.path();
   if (entry.head.nested != nullptr) {
@@ -262,8 +262,8 @@ void Assembly::SetProperties(Scope& scope, const spec::BodyEntry& entry,
                                  mass);
 }
 
-void Assembly::PlaceBody(Scope& scope, FieldReader& reader, const spec::Entry& entry,
-                         const model::Bounds& bounds, model::Body& body) {
+void Assembly::SetBodyPose(Scope& scope, FieldReader& reader, const spec::Entry& entry,
+                           const model::Bounds& bounds, model::Body& body) {
   const std::optional<model::Pose> X_PB = ReadPose(reader, entry);
   if (!X_PB) return;
   body.X_PB = *X_PB;

@@ -22,15 +22,16 @@ void Assembly::AddExpectations(Scope& scope) {
     for (int i = 0; i < 3; ++i) scope.values.SetVariable(spec.bounds_slot + i, size[i]);
   }
   for (const spec::Expectation& entry : spec.expectations) {
-    const std::size_t unmet = object_.unmet.size();
-    repetition_.ForEach(
-        entry.entry, scope.values, sample::Child(scope.values.root(), "expect"), [&] {
-          if (!entry.condition) {
-            AddExpectation(scope, entry);
-          } else if (object_.unmet.size() == unmet) {  // report only the first unmet instance
-            CheckCondition(scope, entry);
-          }
-        });
+    // Only the first unmet instance of a condition is reported.
+    const std::size_t unmet = object_.unmet_expectations.size();
+    repetition_.ForEach(entry.entry, scope.values, sample::Child(scope.values.root(), "expect"),
+                        [&] {
+                          if (!entry.condition) {
+                            AddExpectation(scope, entry);
+                          } else if (object_.unmet_expectations.size() == unmet) {
+                            CheckCondition(scope, entry);
+                          }
+                        });
   }
 }
 
@@ -38,7 +39,7 @@ void Assembly::CheckCondition(Scope& scope, const spec::Expectation& entry) {
   const expr::Expression& condition = *entry.condition;
   if (scope.values.Condition(condition, entry.entry.mark).value_or(true)) return;
   const std::string numbers = scope.values.InputsText(condition);
-  diag::Finding& finding = object_.unmet.emplace_back();
+  diag::Finding& finding = object_.unmet_expectations.emplace_back();
   finding.code = Code::kModelExpectation;
   finding.mark = entry.entry.mark;
   finding.message =

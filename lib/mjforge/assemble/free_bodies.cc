@@ -30,7 +30,7 @@ bool MayBeFree(const std::vector<model::Body>& bodies, const model::Body& body,
   const model::Body* moving = MovingParent(bodies, body.parent);
   // A body with `place:` may be on a moving support, because it stands on the support only at the
   // start.
-  if (moving == nullptr || !body.stands_at.empty()) return true;
+  if (moving == nullptr || !body.place_name.empty()) return true;
   findings
       .Add(diag::Code::kModelBadValue, mark,
            fmt::format("body '{}' is free, but stands on body '{}', which moves", body.name,

@@ -85,7 +85,7 @@ void Placements::PileUp(const Request& request, sample::StreamId places) {
                           "a pile needs a region: give the body one with `regions:`");
     return;
   }
-  if (!MustBeLevel(request, trial, mark)) return;
+  if (!CheckRegionIsLevel(request, trial, mark)) return;
   model::Pile& pile = PileAt(request, trial, places);
   sample::Numbers q;
   scope_.values.AppendRotation(sample::Child(places, "turn"), q);
@@ -96,7 +96,7 @@ void Placements::PileUp(const Request& request, sample::StreamId places) {
   model::Body& body = context_.object.bodies[static_cast<std::size_t>(request.body)];
   body.parent = trial.where.support;
   body.X_PB = pile.region.X_BR;
-  body.stands_at = trial.at;
+  body.place_name = trial.at;
 }
 
 model::Pile& Placements::PileAt(const Request& request, const Trial& trial,

@@ -74,9 +74,10 @@ std::optional<Placements::Trial> Placements::Draw(const Request& request, sample
     trial.where.clear = *distance;
   }
   const bool by_sites = trial.target.region == nullptr || place.Find(Key::kBy) != nullptr;
-  const bool good = by_sites ? ReadSites(request, reader, trial)
-                             : MustBeLevel(request, trial, place.Find(Key::kAt)->value.mark) &&
-                                   ReadArea(request, reader, path, trial);
+  const bool good = by_sites
+                        ? ReadSites(request, reader, trial)
+                        : CheckRegionIsLevel(request, trial, place.Find(Key::kAt)->value.mark) &&
+                              ReadArea(request, reader, path, trial);
   return good ? std::optional(std::move(trial)) : std::nullopt;
 }
 
@@ -93,7 +94,7 @@ bool Placements::ReadTarget(const Request& request, FieldReader& reader, Trial& 
   trial.target = *target;
   trial.where.support = target->body;
   trial.where.front = BodyAt(request.body).front;
-  return MustStand(request, target->body, at);
+  return CheckPlaced(request, target->body, at);
 }
 
 bool Placements::ReadSites(const Request& request, FieldReader& reader, Trial& trial) {
@@ -263,10 +264,10 @@ std::optional<int> Placements::ReadBody(const Request& request, FieldReader& rea
   if (!name) return std::nullopt;
   const std::optional<int> body = names_.FindBody(*name);
   if (!body) names_.ReportBody(OwnerOf(request.name), *name, field.value.mark, context_.findings);
-  return body && MustStand(request, *body, field) ? body : std::nullopt;
+  return body && CheckPlaced(request, *body, field) ? body : std::nullopt;
 }
 
-bool Placements::MustStand(const Request& request, int body, const spec::Field& field) {
+bool Placements::CheckPlaced(const Request& request, int body, const spec::Field& field) {
   const diag::SourceMark mark = field.value.mark;
   if (IsPiled(request, body, mark)) return false;
   // `top` is `body` or its ancestor that is a child of the spec's root, or the root itself.
@@ -301,7 +302,8 @@ bool Placements::MustStand(const Request& request, int body, const spec::Field& 
   return false;
 }
 
-bool Placements::MustBeLevel(const Request& request, const Trial& trial, diag::SourceMark mark) {
+bool Placements::CheckRegionIsLevel(const Request& request, const Trial& trial,
+                                    diag::SourceMark mark) {
   const double tilt = model::TiltOf(X_WB(trial.target.body) * trial.target.region->X_BR);
   if (tilt <= kLevelAngle) return true;
   context_.findings

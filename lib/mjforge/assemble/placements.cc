@@ -65,7 +65,7 @@ void Placements::Run() {
   model::Body& root = context_.object.bodies[static_cast<std::size_t>(scope_.body)];
   const int parent = std::exchange(root.parent, -1);
   context_.placer.Begin(context_.object);
-  context_.placer.Stand(scope_.body);
+  context_.placer.AddObstacle(scope_.body);
   X_WB_ = model::BodyPoses(context_.object);
   sample::Evaluator& values = scope_.values;
   const sample::StreamId bodies = sample::Child(values.root(), "bodies");
@@ -129,8 +129,8 @@ void Placements::Settle(const Request& request, const Trial& trial,
   model::Body& body = context_.object.bodies[static_cast<std::size_t>(request.body)];
   body.parent = support;
   body.X_PB = result.X_SupportBody;
-  body.stands_at = trial.at;
-  context_.placer.Stand(request.body, trial.where.clear);
+  body.place_name = trial.at;
+  context_.placer.AddObstacle(request.body, trial.where.clear);
   X_WB_ = model::BodyPoses(context_.object);
 }
 

@@ -96,8 +96,8 @@ class Placements {
                               const spec::Field& field);
   /// Returns true if the body, which `field` names, already has its place. Otherwise adds a
   /// finding, unless it was already reported that no place was found for the body.
-  bool MustStand(const Request& request, int body, const spec::Field& field);
-  bool MustBeLevel(const Request& request, const Trial& trial, diag::SourceMark mark);
+  bool CheckPlaced(const Request& request, int body, const spec::Field& field);
+  bool CheckRegionIsLevel(const Request& request, const Trial& trial, diag::SourceMark mark);
   /// Returns "a -> b -> a" if bodies are placed on each other in a circle; otherwise an empty text.
   std::string CircleOf(std::string_view name) const;
 

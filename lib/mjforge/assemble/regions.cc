@@ -198,7 +198,7 @@ void Assembly::AddRegion(Scope& scope, const spec::Entry& entry, std::string_vie
   good &= ReadLength(reader, entry, Key::kHeight, region.height);
   if (const spec::Field* walls = entry.Find(Key::kWalls)) {
     const std::optional<bool> has_walls = reader.Boolean(*walls);
-    region.walls = has_walls == true;
+    region.has_walls = has_walls == true;
     good &= has_walls.has_value();
   }
   good &= ReadExtent(reader, entry, *type, region);

@@ -23,7 +23,7 @@ bool HasStrayKeys(FieldReader& reader, const spec::Entry& entry, std::string_vie
   const spec::ShapeInfo* shape = spec::FindShape(type);
   bool stray = false;
   for (const spec::Field& field : entry.fields) {
-    if (field.is_default || !spec::IsOfAShape(field.info->id) || shape->Takes(field.info->id))
+    if (field.is_default || !spec::AnyShapeTakes(field.info->id) || shape->Takes(field.info->id))
       continue;
     reader.Report(Code::kModelBadValue, field, fmt::format("has no meaning for a {}", type));
     stray = true;

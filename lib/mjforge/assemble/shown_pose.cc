@@ -18,7 +18,7 @@ namespace {
 using diag::Code;
 
 // Returns true if the shorter name equals the longer name, or its end after a "_".
-bool EndAlike(std::string_view a, std::string_view b) {
+bool EqualUpToPrefix(std::string_view a, std::string_view b) {
   if (a.size() < b.size()) std::swap(a, b);
   return a.ends_with(b) && (a.size() == b.size() || a[a.size() - b.size() - 1] == '_');
 }
@@ -26,7 +26,7 @@ bool EndAlike(std::string_view a, std::string_view b) {
 // Returns true if a name in the spec may evaluate to the name of the joint. An expression in the
 // name may give any text.
 bool MayBe(const spec::Value& name, std::string_view joint) {
-  if (const auto literal = spec::LiteralText(name)) return EndAlike(*literal, joint);
+  if (const auto literal = spec::LiteralText(name)) return EqualUpToPrefix(*literal, joint);
   const auto* text = std::get_if<spec::Text>(&name.form);
   return text != nullptr && joint.find(text->pieces.front().literal) != joint.npos &&
          joint.ends_with(text->pieces.back().literal);

@@ -132,7 +132,7 @@ class BodyReader {
                  fmt::format("{} of '{}' is not carried over: its target, {}, is not attached",
                              file_.Description(kind, id), file_.file().string(),
                              file_.Description(mjOBJ_BODY, target)));
-      scope_.MarkDropped(kind, id);
+      scope_.Drop(kind, id);
       return;
     }
     const spec::ElementInfo& info = *spec::FindBodyChild(KindName(kind));

@@ -66,7 +66,7 @@ void NameScope::Add(mjtObj kind, int id) {
   finding.notes.push_back({file_.MarkOf(kind, first->second), "and here"});
 }
 
-void NameScope::MarkDropped(mjtObj kind, int id) {
+void NameScope::Drop(mjtObj kind, int id) {
   names_.erase({kind, id});
   dropped_.insert({kind, id});
 }

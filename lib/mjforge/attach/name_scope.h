@@ -39,7 +39,7 @@ class NameScope {
   void Add(mjtObj kind, int id);
 
   /// Removes an element that refers to elements outside the attachment.
-  void MarkDropped(mjtObj kind, int id);
+  void Drop(mjtObj kind, int id);
   bool IsDropped(mjtObj kind, int id) const { return dropped_.contains({kind, id}); }
 
  private:

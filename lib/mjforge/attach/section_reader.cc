@@ -64,7 +64,7 @@ bool SectionReader::IsCarried(mjtObj kind, int id, const std::vector<Reference>&
 }
 
 void SectionReader::Warn(mjtObj kind, int id, Reference outside) {
-  scope_.MarkDropped(kind, id);
+  scope_.Drop(kind, id);
   const diag::SourceMark place = file_.MarkOf(kind, id);
   const bool is_one_of_many = file_.ElementOf(kind, id) == nullptr;
   if (is_one_of_many && !warned_.insert(place).second) return;

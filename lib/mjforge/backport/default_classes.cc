@@ -51,20 +51,20 @@ void DefaultClasses::Place(xml::XmlElement& parent, const std::string& child_cla
   for (xml::XmlElement& child : parent.children) {
     if (child.tag == "default") continue;
     const std::string* own = child.Find("class");
-    ClassedElement classed{&child, &parent, SectionOf(parent.tag, child.tag),
+    ClassedElement classed{&child, &parent, ElementKindOf(parent.tag, child.tag),
                            own == nullptr ? child_class : *own};
     if (classed.default_class == main_) classed.default_class.clear();
-    if (HasNoDefaults(parent.tag, child.tag)) classed.section = {};
+    if (HasNoDefaults(parent.tag, child.tag)) classed.kind = {};
     elements_.push_back(classed);
     const std::string* inner = child.Find("childclass");
     Place(child, inner == nullptr ? child_class : *inner);
   }
 }
 
-std::vector<ClassedElement*> DefaultClasses::In(std::string_view section) {
+std::vector<ClassedElement*> DefaultClasses::In(std::string_view kind) {
   std::vector<ClassedElement*> found;
   for (ClassedElement& classed : elements_) {
-    if (classed.section == section) found.push_back(&classed);
+    if (classed.kind == kind) found.push_back(&classed);
   }
   return found;
 }
@@ -72,7 +72,7 @@ std::vector<ClassedElement*> DefaultClasses::In(std::string_view section) {
 std::vector<const xml::XmlElement*> DefaultClasses::DefaultsOf(
     const ClassedElement& classed) const {
   std::vector<const xml::XmlElement*> found;
-  if (classed.section.empty()) return found;
+  if (classed.kind.empty()) return found;
   std::string name = classed.default_class;
   while (true) {
     const auto entry = classes_.find(name);
@@ -80,7 +80,7 @@ std::vector<const xml::XmlElement*> DefaultClasses::DefaultsOf(
     const std::vector<const xml::XmlElement*>& elements = entry->second.elements;
     std::copy_if(elements.rbegin(), elements.rend(), std::back_inserter(found),
                  [&](const xml::XmlElement* element) {
-                   return SectionOf("default", element->tag) == classed.section;
+                   return ElementKindOf("default", element->tag) == classed.kind;
                  });
     if (name.empty()) break;
     name = entry->second.parent;
@@ -108,7 +108,7 @@ std::string DefaultClasses::Get(const ClassedElement& classed, std::string_view 
 std::string DefaultClasses::Setting(std::string_view attribute, std::string_view otherwise) const {
   std::string value(otherwise);
   for (const ClassedElement& classed : elements_) {
-    if (classed.section != "compiler") continue;
+    if (classed.kind != "compiler") continue;
     if (const std::string* said = classed.element->Find(attribute)) value = *said;
   }
   return value;

@@ -10,11 +10,11 @@
 
 namespace mjforge::backport {
 
-/// An element outside of `<default>`, with its section and default class.
+/// An element outside of `<default>`, with its kind and default class.
 struct ClassedElement {
   xml::XmlElement* element = nullptr;
   const xml::XmlElement* parent = nullptr;
-  std::string_view section;   // from SectionOf(); empty if the element has no defaults
+  std::string_view kind;      // from ElementKindOf(); empty if the element has no defaults
   std::string default_class;  // empty for the main class
 };
 
@@ -28,9 +28,9 @@ class DefaultClasses {
   explicit DefaultClasses(xml::XmlElement& root);
 
   std::vector<ClassedElement>& all() { return elements_; }
-  /// Returns the elements with this SectionOf(): all actuators for "actuator", all joints for
-  /// "joint".
-  std::vector<ClassedElement*> In(std::string_view section);
+  /// Returns the elements of this kind (ElementKindOf): all actuators for "actuator", all joints
+  /// for "joint".
+  std::vector<ClassedElement*> In(std::string_view kind);
 
   /// Returns an attribute of the element, or else of its default class; null if neither has it.
   const std::string* Find(const ClassedElement& classed, std::string_view attribute) const;

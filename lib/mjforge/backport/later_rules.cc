@@ -7,9 +7,9 @@
 
 namespace mjforge::backport {
 
-LaterRules ApplyLaterRules(xml::XmlElement& root,
-                           const std::function<engine::Loaded(const std::string&)>& load) {
-  LaterRules rules;
+RuleDifferences ApplyLaterRules(xml::XmlElement& root,
+                                const std::function<engine::Loaded(const std::string&)>& load) {
+  RuleDifferences rules;
   rules.fitted = FitGeoms(root, load);
   rules.mass = AddMeshInertia(root, load);  // also the masses of fitted and of discarded geoms
   rules.visible = KeepReferencedGeoms(root);

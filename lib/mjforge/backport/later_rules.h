@@ -12,7 +12,7 @@ namespace mjforge::backport {
 
 /// Places of the first elements to which the MuJoCo of this build applies another rule than later
 /// releases; no place if there is none.
-struct LaterRules {
+struct RuleDifferences {
   diag::SourceMark fitted;   // geom with a shape that is fitted to a mesh
   diag::SourceMark mass;     // body whose mass comes from meshes or discarded geoms
   diag::SourceMark visible;  // visual geom that is kept because an element refers to it
@@ -23,7 +23,7 @@ struct LaterRules {
 /// Changes the tree so that this MuJoCo compiles it as later releases do: shapes fitted to meshes
 /// (FitGeoms), masses of meshes (AddMeshInertia), and geoms that `discardvisual` keeps
 /// (KeepReferencedGeoms). `load` loads an MJCF text as if it were the content of the file.
-LaterRules ApplyLaterRules(xml::XmlElement& root,
-                           const std::function<engine::Loaded(const std::string&)>& load);
+RuleDifferences ApplyLaterRules(xml::XmlElement& root,
+                                const std::function<engine::Loaded(const std::string&)>& load);
 
 }  // namespace mjforge::backport

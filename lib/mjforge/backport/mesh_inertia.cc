@@ -36,13 +36,13 @@ class MeshInertia {
   diag::SourceMark Run(const LoadText& load) {
     if (bodies_.empty()) return {};
     if (AddAll(load)) {
-      RemoveKinds(root_);
+      RemoveInertiaAttributes(root_);
       return first_;
     }
     // If MuJoCo rejects the file for another reason, remove `inertia`, which would hide the reason.
-    xml::XmlElement without_kinds = root_;
-    RemoveKinds(without_kinds);
-    if (!load(xml::Flatten(without_kinds).text).model) RemoveKinds(root_);
+    xml::XmlElement without_inertia = root_;
+    RemoveInertiaAttributes(without_inertia);
+    if (!load(xml::Flatten(without_inertia).text).model) RemoveInertiaAttributes(root_);
     return {};
   }
 
@@ -71,7 +71,7 @@ class MeshInertia {
   }
 
   /// Removes the attribute `inertia` from all meshes.
-  static void RemoveKinds(xml::XmlElement& root) {
+  static void RemoveInertiaAttributes(xml::XmlElement& root) {
     for (xml::XmlElement& section : root.children) {
       if (section.tag != "asset") continue;
       for (xml::XmlElement& asset : section.children) {

@@ -164,7 +164,7 @@ bool IsAt(std::string_view where, std::string_view parent, std::string_view tag)
     if (slash == std::string_view::npos) return place == tag;
     const std::string_view above = place.substr(0, slash);
     const std::string_view below = place.substr(slash + 1);
-    if (below == "*") return above == SectionOf(parent, tag);
+    if (below == "*") return above == ElementKindOf(parent, tag);
     const bool within_body =
         above == "body" && (parent == "worldbody" || parent == "frame" || parent == "replicate");
     return below == tag && (above == parent || within_body);
@@ -203,7 +203,7 @@ const MjcfList* FindList(std::string_view parent, std::string_view tag,
   return nullptr;
 }
 
-std::string_view SectionOf(std::string_view parent, std::string_view tag) {
+std::string_view ElementKindOf(std::string_view parent, std::string_view tag) {
   if (parent == "actuator" || parent == "sensor" || parent == "equality") return parent;
   if (parent == "tendon") return parent;
   if (parent != "default") return tag;

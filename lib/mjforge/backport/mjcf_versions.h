@@ -68,7 +68,7 @@ bool HasAttribute(std::string_view names, std::string_view attribute, std::strin
 
 /// Returns the kind of elements that share defaults with this element: "actuator" for a `<motor>`,
 /// "joint" for a `<joint>`.
-std::string_view SectionOf(std::string_view parent, std::string_view tag);
+std::string_view ElementKindOf(std::string_view parent, std::string_view tag);
 
 /// Returns the usual spelling of a release: "3.1.4" for 314, "3.10.0" for 3010000.
 std::string VersionText(int header);

@@ -21,7 +21,7 @@ std::filesystem::path FolderOf(const std::filesystem::path& file) {
 
 struct BackportedTree {
   xml::XmlElement root;
-  LaterRules differences;  // for ModelFile::differences
+  RuleDifferences differences;  // for ModelFile::differences
 };
 
 /// Returns the backported tree of a file; nullopt if the file needs no change, or after an error.
@@ -32,11 +32,11 @@ std::optional<BackportedTree> BackportFile(const std::filesystem::path& file,
   if (!root) return std::nullopt;
   const bool is_later = BackportMjcf(*root, mjVERSION_HEADER, Use::kWholeModel, sources, findings);
   if (findings.HasErrors()) return std::nullopt;
-  const LaterRules differences = ApplyLaterRules(*root, [&](const std::string& text) {
+  const RuleDifferences differences = ApplyLaterRules(*root, [&](const std::string& text) {
     return engine::Engine().LoadTextIn(FolderOf(file), text);
   });
   if (!is_later && !differences) return std::nullopt;
-  return BackportedTree{*std::move(root), is_later ? LaterRules{} : differences};
+  return BackportedTree{*std::move(root), is_later ? RuleDifferences{} : differences};
 }
 
 }  // namespace

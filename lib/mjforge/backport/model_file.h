@@ -20,7 +20,7 @@ struct ModelFile {
   std::optional<std::string> backported;
   /// Differences between the MuJoCo of this build and later releases; none if the file needs a
   /// later MuJoCo.
-  LaterRules differences;
+  RuleDifferences differences;
 };
 
 /// Reads a file or standard input into `sources`. Returns nullopt and adds a finding if the file is

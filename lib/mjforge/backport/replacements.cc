@@ -111,12 +111,12 @@ void Replacements::ReplaceMeshInertia(ClassedElement& mesh) {
   if (inertia == nullptr) return;
   const std::string name = MeshName(*mesh.element);
   if (!HasMass(name)) return MarkReplaced(mesh, "inertia", "no mass is computed from the mesh");
-  if (!KindNamed(*inertia) || !CanWeigh(name)) return;
+  if (!KindNamed(*inertia) || !CanComputeMasses(name)) return;
   mesh.element->Set("inertia", std::string(*inertia));
   MarkReplaced(mesh, "inertia");
 }
 
-bool Replacements::CanWeigh(const std::string& mesh) {
+bool Replacements::CanComputeMasses(const std::string& mesh) {
   if (!kComputesMeshInertia || elements_.Setting("inertiafromgeom", "auto") == "false" ||
       elements_.Setting("exactmeshinertia", "false") != "false" ||
       elements_.Setting("coordinate", "local") != "local")

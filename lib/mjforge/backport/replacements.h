@@ -54,7 +54,7 @@ class Replacements {
   /// Returns true if a geom's mass is computed from the mesh.
   bool HasMass(const std::string& mesh);
   /// Returns true if AddMeshInertia() can compute the masses of all geoms of the mesh.
-  bool CanWeigh(const std::string& mesh);
+  bool CanComputeMasses(const std::string& mesh);
 
   DefaultClasses& elements_;
   int version_;

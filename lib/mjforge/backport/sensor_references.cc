@@ -32,9 +32,9 @@ bool AddNames(const xml::XmlElement& parent, std::string_view kind, Names& names
   for (const xml::XmlElement& child : parent.children) {
     if (child.tag == "default") continue;
     if (std::ranges::find(kExpanded, child.tag) != std::end(kExpanded)) return false;
-    std::string_view section = SectionOf(parent.tag, child.tag);
-    if (section == "freejoint") section = "joint";
-    if (section == kind) names.insert(MeshName(child));
+    std::string_view element_kind = ElementKindOf(parent.tag, child.tag);
+    if (element_kind == "freejoint") element_kind = "joint";
+    if (element_kind == kind) names.insert(MeshName(child));
     if (!AddNames(child, kind, names)) return false;
   }
   return true;

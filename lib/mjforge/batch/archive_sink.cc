@@ -58,7 +58,7 @@ bool ArchiveSink::Finish(diag::Findings& findings) {
 void ArchiveSink::Drop() {
   if (archive_) archive_->Drop();
   std::error_code ignored;
-  for (const manifest::SealedFile& empty : journal_.closed())
+  for (const manifest::SealedFile& empty : journal_.closed_archives())
     std::filesystem::remove(destination_.Folder() / empty.file, ignored);
   journal_.Drop();
 }
@@ -114,7 +114,7 @@ std::optional<ResumedVariants> ArchiveSink::Continue(diag::Findings& findings) {
 }
 
 std::optional<Checkpoint> ArchiveSink::LastValidCheckpoint(std::uint64_t most) const {
-  const std::vector<manifest::SealedFile>& closed = journal_.closed();
+  const std::vector<manifest::SealedFile>& closed = journal_.closed_archives();
   // A partial file that still exists was never renamed, so the file with its final name comes from
   // an earlier batch.
   const auto lost = std::ranges::find_if(closed, [&](const manifest::SealedFile& file) {
@@ -131,14 +131,14 @@ std::optional<Checkpoint> ArchiveSink::LastValidCheckpoint(std::uint64_t most) c
     candidates.push_back(checkpoint);
   }
   if (candidates.empty()) return std::nullopt;
-  std::vector<bytes::Prefix> prefixes;
+  std::vector<bytes::Fingerprint> prefixes;
   prefixes.reserve(candidates.size());
   for (const Checkpoint& checkpoint : candidates) prefixes.push_back(checkpoint.part);
   // The first candidate needs no check, because it is the start of the archive.
   const std::filesystem::path part =
       output::PartFile::TemporaryNameOf(FileOf(candidates.front().archive));
   const std::size_t sound =
-      bytes::CountSound(part, std::span<const bytes::Prefix>(prefixes).subspan(1));
+      bytes::CountSound(part, std::span<const bytes::Fingerprint>(prefixes).subspan(1));
   return candidates[sound];
 }
 

@@ -23,7 +23,7 @@ class FamilyRows {
  private:
   struct Family {
     std::string file;
-    family::Rows rows;
+    family::ChunkEncoder rows;
     std::uint64_t first = 0;  // index of the first variant
     std::string base;
   };

@@ -71,7 +71,7 @@ class FolderSink : public Sink {
  private:
   std::optional<ResumedVariants> Continue(diag::Findings& findings) {
     // Verify every file by its hash; missing or changed files are made again.
-    ObjectChecker objects(folder_, true);
+    OutputChecker objects(folder_, true);
     const std::map<std::string, std::string> noted = journal_.is_unfinished() ? journal_.assets()
                                                      : journal_.previous_seal()
                                                          ? journal_.previous_seal()->assets

@@ -43,7 +43,8 @@ Seal SealOfRequest(const SinkOptions& options, const std::filesystem::path& mani
   const Request& request = options.request;
   Seal seal;
   seal.name = request.variant.name;
-  if (request.destination.IsArchive()) seal.output = request.destination.path.filename().string();
+  if (request.destination.PacksVariants())
+    seal.output = request.destination.path.filename().string();
   seal.per_archive = request.destination.per_archive;
   seal.spec = options.batch.spec;
   seal.first = options.all.first;
@@ -76,25 +77,25 @@ bool Journal::Open(diag::Findings& findings) {
   if (!manifest_file_) return false;
   journal_file_ = output::PartFile::Open(file_.string() + ".journal", findings);
   if (!journal_file_) {
-    DropEmpty();
+    RemoveEmptyFiles();
     return false;
   }
   output::RemoveAbandoned({manifest::SealPathOf(file_)});
   is_unfinished_ = manifest_file_->size() > 0 || journal_file_->size() > 0;
   ReadJournal();
-  std::vector<bytes::Prefix> prefixes;
+  std::vector<bytes::Fingerprint> prefixes;
   prefixes.reserve(checkpoints_.size());
   for (const Checkpoint& checkpoint : checkpoints_) prefixes.push_back(checkpoint.manifest);
   checkpoints_.resize(bytes::CountSound(manifest_file_->temporary(), prefixes));
   const bool is_ours =
       journal_seal_ || MayReplaceManifest(part(), options_.request.force, findings);
   if (is_ours && (!options_.request.resume || IsOfThisBatch(findings))) return true;
-  DropEmpty();
+  RemoveEmptyFiles();
   return false;
 }
 
 // Removes those files of Open() that are empty.
-void Journal::DropEmpty() {
+void Journal::RemoveEmptyFiles() {
   for (const auto& file : {&manifest_file_, &journal_file_}) {
     if (*file && (*file)->size() == 0) (*file)->Drop();
   }
@@ -165,14 +166,14 @@ bool Journal::HasMadeArchive(const std::string& archive) const {
 void Journal::ReadJournal() {
   checkpoints_.clear();
   assets_.clear();
-  closed_.clear();
+  closed_archives_.clear();
   seal_.assets.clear();
   std::string why_not;
   std::optional<bytes::LineReader> lines =
       bytes::LineReader::Open(journal_file_->temporary(), why_not);
   std::string line;
   std::uint64_t read = 0;
-  while (lines && lines->Next(line, why_not) && !lines->torn()) {
+  while (lines && lines->Next(line, why_not) && !lines->is_truncated()) {
     const std::optional<std::string_view> words = VerifiedWords(line);
     read += line.size() + 1;
     if (!words || !ReadLine(*words, read)) break;
@@ -209,7 +210,7 @@ bool Journal::ReadLine(std::string_view line, std::uint64_t end) {
     file.file = RestOfLine(line, words);
     if (file.file.empty()) return false;
     made_archives_.insert(file.file);
-    closed_.push_back(std::move(file));
+    closed_archives_.push_back(std::move(file));
     assets_.clear();
     return true;
   }
@@ -302,7 +303,7 @@ bool Journal::AddClosedArchive(SealedFile archive, const Checkpoint& next,
   const std::string line =
       fmt::format("closed {} {} {}", archive.content.size, archive.content.checksum, archive.file);
   made_archives_.insert(archive.file);
-  closed_.push_back(std::move(archive));
+  closed_archives_.push_back(std::move(archive));
   assets_.clear();
   return AppendLine(line, findings) && AddCheckpoint(next, findings) &&
          (!is_durable || (manifest_file_->Sync(findings) && journal_file_->Sync(findings)));
@@ -315,7 +316,7 @@ bool Journal::Finish(diag::Findings& findings) {
     return false;
   }
   seal_.manifest.content = {manifest_file_->size(), manifest_file_->checksum()};
-  seal_.archives = closed_;
+  seal_.archives = closed_archives_;
   const bool if_changed = request.if_changed || request.resume;
   // The manifest gets its final name last, because a manifest with this name means that all other
   // files exist.

@@ -18,9 +18,9 @@ namespace mjforge::batch {
 /// State of manifest and archives after a chunk (consecutive variants made by one worker).
 struct Checkpoint {
   std::uint64_t next = 0;           // index of the first variant that is not written
-  bytes::Prefix manifest;           // size and checksum of the manifest
+  bytes::Fingerprint manifest;      // size and checksum of the manifest
   std::uint64_t archive = 0;        // number of the archive under construction
-  bytes::Prefix part;               // size and checksum of the archive under construction
+  bytes::Fingerprint part;          // size and checksum of the archive under construction
   std::uint64_t journal_bytes = 0;  // size of the journal after the line of this checkpoint
 };
 
@@ -45,7 +45,7 @@ class Journal {
     return checkpoint.next - checkpoints_.front().next;
   }
   /// Complete archives, in the order of their completion.
-  const std::vector<manifest::SealedFile>& closed() const { return closed_; }
+  const std::vector<manifest::SealedFile>& closed_archives() const { return closed_archives_; }
   /// Seal (options, sizes and checksums of files) of the previous, finished batch; empty if there
   /// is none.
   const std::optional<manifest::Seal>& previous_seal() const { return previous_seal_; }
@@ -85,7 +85,7 @@ class Journal {
  private:
   bool MayReplaceOutputs(diag::Findings& findings) const;
   bool MayReplaceSnapshot(diag::Findings& findings) const;
-  void DropEmpty();
+  void RemoveEmptyFiles();
   bool IsOfThisBatch(diag::Findings& findings) const;
   void ReadPreviousSeal();
   void ReadJournal();
@@ -104,7 +104,7 @@ class Journal {
   bool is_unfinished_ = false;
   std::vector<Checkpoint> checkpoints_;
   std::vector<HashedAsset> assets_;  // assets of the folder or of the archive under construction
-  std::vector<manifest::SealedFile> closed_;
+  std::vector<manifest::SealedFile> closed_archives_;
   std::set<std::string> made_archives_;  // names of archives closed by any run
   std::set<std::string> made_assets_;
 };

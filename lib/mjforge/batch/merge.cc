@@ -252,7 +252,7 @@ class ShardMerger {
   diag::Sources& sources_;
   diag::Findings& findings_;
   std::filesystem::path file_;
-  ObjectChecker objects_;
+  OutputChecker objects_;
   manifest::Seal whole_;                                     // seal of the merged batch
   std::optional<manifest::Record> first_;                    // first record of shard 0
   std::vector<std::unique_ptr<output::PartFile>> families_;  // files that lack their final names

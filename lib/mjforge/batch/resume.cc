@@ -8,7 +8,7 @@
 
 namespace mjforge::batch {
 
-bool FailedByChance(const manifest::Record& record) {
+bool HasWorkerDied(const manifest::Record& record) {
   const std::string died =
       fmt::format("\"code\":\"{}\"", diag::CodeName(diag::Code::kBatchWorkerDied));
   return std::ranges::any_of(record.findings, [&](const std::string& finding) {
@@ -33,7 +33,7 @@ std::optional<ResumedVariants> ReadResumable(
   std::string line;
   most = std::min(most, options.range.count);
   while (lines && resumed.done() < most && lines->Next(line, why_not)) {
-    if (lines->torn()) break;
+    if (lines->is_truncated()) break;
     const std::optional<manifest::Record> record = manifest::ReadRecord(line, why_not);
     if (!record) break;  // a crash of the machine may leave arbitrary bytes
     std::string difference = manifest::DifferenceOfBatch(*record, options.batch);
@@ -44,7 +44,7 @@ std::optional<ResumedVariants> ReadResumable(
       ReportOtherBatch(manifest, difference, findings);
       return std::nullopt;
     }
-    if (FailedByChance(*record) || (is_good && !is_good(*record))) break;
+    if (HasWorkerDied(*record) || (is_good && !is_good(*record))) break;
     resumed.Add(record->status);
     resumed.bytes += line.size() + 1;
   }

@@ -212,7 +212,7 @@ class BatchRun {
   // replaying finds it. Journal::Open has checked that an existing file there may be replaced.
   bool WriteSnapshot(diag::Findings& findings) const {
     const bool has_manifest = request_.destination.kind == output::Destination::Kind::kFolder ||
-                              request_.destination.IsArchive();
+                              request_.destination.PacksVariants();
     return recipe_.snapshot.empty() || !has_manifest ||
            output::WriteSingleFile(SnapshotPath(request_.destination), recipe_.snapshot, findings);
   }

@@ -21,7 +21,7 @@ Schedule::Schedule(const IndexRange& all, const IndexRange& todo,
       end_(todo.first + todo.count),
       per_archive_(destination.per_archive),
       size_(kSegmentVariants) {
-  if (!destination.IsArchive()) {
+  if (!destination.PacksVariants()) {
     constexpr std::uint64_t kChunksPerJob = 8;  // small chunks keep all jobs busy until the end
     size_ = std::clamp<std::uint64_t>(todo.count / (kChunksPerJob * jobs), 1, kSegmentVariants);
   }

@@ -93,12 +93,12 @@ bool CheckSealed(const std::filesystem::path& folder, const manifest::SealedFile
   return false;
 }
 
-bool ObjectChecker::Check(const manifest::Record& record, diag::Findings& findings) {
+bool OutputChecker::Check(const manifest::Record& record, diag::Findings& findings) {
   return CheckHash(folder_ / record.file, verify_, bytes::kMaxMjcf, record.sha256, findings) &&
          CheckAssets(record, findings);
 }
 
-bool ObjectChecker::CheckAssets(const manifest::Record& record, diag::Findings& findings) {
+bool OutputChecker::CheckAssets(const manifest::Record& record, diag::Findings& findings) {
   const std::filesystem::path folder = (folder_ / record.file).parent_path();
   // Limit the memory for check results, because each record may have generated assets of its own.
   if (assets_.size() > kMaxRememberedAssets) assets_.clear();

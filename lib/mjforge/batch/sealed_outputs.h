@@ -30,9 +30,9 @@ void ReportMissingShard(const output::Shard& shard, const std::filesystem::path&
 
 /// Compares the files of a folder with the hashes in records. Reads an asset that several objects
 /// use only once.
-class ObjectChecker {
+class OutputChecker {
  public:
-  ObjectChecker(std::filesystem::path folder, bool verify)
+  OutputChecker(std::filesystem::path folder, bool verify)
       : folder_(std::move(folder)), verify_(verify) {}
 
   /// Returns true if the file of the record and its assets exist and are not empty or, with

@@ -20,7 +20,7 @@ struct ResumedVariants : manifest::StatusCounts {
 };
 
 /// Returns true if the variant of a record failed because its worker died.
-bool FailedByChance(const manifest::Record& record);
+bool HasWorkerDied(const manifest::Record& record);
 
 /// Destination of a batch, as used by its leading process; takes the results in index order. This
 /// base class discards everything.

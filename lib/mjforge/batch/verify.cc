@@ -146,7 +146,7 @@ class Verification {
   void CheckObjects(const std::filesystem::path& manifest) {
     using Outcome = manifest::RecordReader::Outcome;
     auto reader = manifest::RecordReader::Open(manifest, sources_, findings_);
-    ObjectChecker objects(manifest.parent_path(), true);
+    OutputChecker objects(manifest.parent_path(), true);
     manifest::Record record;
     while (reader && reader->Next(record) == Outcome::kRecord) {
       if (record.status != Status::kOk) continue;
@@ -225,8 +225,8 @@ class Verification {
   diag::Sources& sources_;
   diag::Findings& findings_;
   VerifyResult result_;
-  // Indices of the shards that were checked, by the manifest into which `merge` would join them, and
-  // by the number of shards.
+  // Indices of the shards that were checked, by the manifest into which `merge` would join them,
+  // and by the number of shards.
   std::map<std::filesystem::path, std::map<std::uint64_t, std::set<std::uint64_t>>> shards_;
 };
 

@@ -88,7 +88,7 @@ class ChunkMaker {
     finding.code = quarantined.too_slow ? diag::Code::kBatchTooSlow : diag::Code::kBatchWorkerDied;
     finding.message = fmt::format("variant {}: its worker {}", quarantined.index, quarantined.how);
     const bool resumes =
-        request_.destination.kind == Kind::kFolder || request_.destination.IsArchive();
+        request_.destination.kind == Kind::kFolder || request_.destination.PacksVariants();
     finding.hint = quarantined.too_slow
                        ? "raise --time-limit, or look at the variant with inspect --index"
                    : resumes ? "no other variant is affected; --resume tries this one again"
@@ -122,7 +122,7 @@ class ChunkMaker {
     if (record_line_.empty()) {
       manifest::AppendRecord(record_lines_, record);
     } else {
-      manifest::AppendWithPlaces(record_lines_, record_line_, archive_, record.spec_file);
+      manifest::AppendWithPaths(record_lines_, record_line_, archive_, record.spec_file);
     }
     return true;
   }
@@ -140,7 +140,7 @@ class ChunkMaker {
       AddAssets(result);
       return family_.Add(variant_, record.archive, findings);
     }
-    if (destination.IsArchive()) {
+    if (destination.PacksVariants()) {
       record.file =
           StemOf(record).append(record.each ? output::kPlacementEnding : output::kObjectEnding);
     }
@@ -150,7 +150,7 @@ class ChunkMaker {
     }
     AddAssets(result);
     if (destination.kind == Kind::kFolder) return true;
-    if (destination.IsArchive()) return AddMembers(findings);
+    if (destination.PacksVariants()) return AddMembers(findings);
     result.text = variant_.output().text;
     return true;
   }
@@ -158,7 +158,7 @@ class ChunkMaker {
   // Returns the path of an asset in the archive, beside the variant's file. For a folder, returns
   // the name that the MJCF contains.
   std::string NameOf(const std::string& asset) const {
-    if (!request_.destination.IsArchive()) return asset;
+    if (!request_.destination.PacksVariants()) return asset;
     return (std::filesystem::path(variant_.record.file).parent_path() / asset).generic_string();
   }
 
@@ -252,7 +252,7 @@ std::filesystem::path SnapshotPath(const output::Destination& destination) {
 
 forge::Options OptionsOf(const Request& request) {
   forge::Options options = request.variant;
-  if (request.destination.kind == Kind::kFolder || request.destination.IsArchive())
+  if (request.destination.kind == Kind::kFolder || request.destination.PacksVariants())
     options.folder = request.destination.Folder();
   options.layout_first = request.first;
   if (options.pad > 0) options.pad = request.count;

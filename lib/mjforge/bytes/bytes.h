@@ -142,20 +142,21 @@ class Checksum {
 std::string ChecksumOf(std::string_view bytes);
 
 /// Length and checksum of the first bytes of a file, or of a whole file.
-struct Prefix {
+struct Fingerprint {
   std::uint64_t size = 0;
   std::string checksum;
 };
 /// Compares the beginnings of the file with `prefixes`, in ascending order of size. Returns the
 /// number of prefixes before the first prefix that does not match; 0 if the file cannot be read.
-std::size_t CountSound(const std::filesystem::path& file, std::span<const Prefix> prefixes);
+std::size_t CountSound(const std::filesystem::path& file, std::span<const Fingerprint> prefixes);
 
 enum class Soundness { kSound, kChanged, kUnreadable };
 /// Compares a file with its expected size and checksum. Unless both match, sets `why_not` ("it has
 /// 12 bytes, not 40", "Too many open files").
-Soundness Compare(const std::filesystem::path& file, const Prefix& whole, std::string& why_not);
+Soundness Compare(const std::filesystem::path& file, const Fingerprint& whole,
+                  std::string& why_not);
 /// Returns true if a file has the expected size and checksum; sets `why_not` otherwise.
-bool IsSound(const std::filesystem::path& file, const Prefix& whole, std::string& why_not);
+bool IsSound(const std::filesystem::path& file, const Fingerprint& whole, std::string& why_not);
 
 /// Returns the SHA-256 hash of `bytes`, in hexadecimal.
 std::string Sha256Of(std::string_view bytes);

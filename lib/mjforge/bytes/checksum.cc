@@ -15,7 +15,7 @@ constexpr std::uint64_t kReadBufferBytes = 256 * 1024;
 
 // Returns the number of prefixes before the first prefix that does not match; sets `why_not` if the
 // file cannot be read.
-std::size_t CountMatching(const std::filesystem::path& file, std::span<const Prefix> prefixes,
+std::size_t CountMatching(const std::filesystem::path& file, std::span<const Fingerprint> prefixes,
                           std::string& why_not) {
   std::optional<File> opened = File::Open(file, why_not);
   if (!opened) return 0;
@@ -68,12 +68,13 @@ std::string ChecksumOf(std::string_view bytes) {
   return checksum.Text();
 }
 
-std::size_t CountSound(const std::filesystem::path& file, std::span<const Prefix> prefixes) {
+std::size_t CountSound(const std::filesystem::path& file, std::span<const Fingerprint> prefixes) {
   std::string ignored;
   return CountMatching(file, prefixes, ignored);
 }
 
-Soundness Compare(const std::filesystem::path& file, const Prefix& whole, std::string& why_not) {
+Soundness Compare(const std::filesystem::path& file, const Fingerprint& whole,
+                  std::string& why_not) {
   if (!HasSize(file, whole.size, why_not)) return Soundness::kChanged;
   why_not.clear();
   if (CountMatching(file, {&whole, 1}, why_not) == 1) return Soundness::kSound;
@@ -82,7 +83,7 @@ Soundness Compare(const std::filesystem::path& file, const Prefix& whole, std::s
   return Soundness::kChanged;
 }
 
-bool IsSound(const std::filesystem::path& file, const Prefix& whole, std::string& why_not) {
+bool IsSound(const std::filesystem::path& file, const Fingerprint& whole, std::string& why_not) {
   return Compare(file, whole, why_not) == Soundness::kSound;
 }
 

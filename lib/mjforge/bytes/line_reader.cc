@@ -46,7 +46,7 @@ LineReader::LineReader(LineReader&&) noexcept = default;
 LineReader::~LineReader() = default;
 
 std::optional<LineReader> LineReader::Open(const std::filesystem::path& file, std::string& why_not,
-                                           const Section& section) {
+                                           const FileSection& section) {
   std::optional<File> opened = File::Open(file, why_not);
   const std::optional<bool> is_compressed = opened ? IsCompressed(*opened, why_not) : std::nullopt;
   if (!is_compressed) return std::nullopt;
@@ -73,7 +73,7 @@ bool LineReader::Fill(std::string& why_not) {
     begin_ = 0;
     end_ = count.value_or(0);
     at_end_ = end_ == 0;
-    torn_ = stream_->ends_in_frame();
+    is_truncated_ = stream_->ends_in_frame();
   }
   return !at_end_;
 }
@@ -82,7 +82,7 @@ bool LineReader::ReadLine(std::string& line, std::string& why_not) {
   line.clear();
   while (true) {
     if (!Fill(why_not)) {
-      torn_ = torn_ || !line.empty();
+      is_truncated_ = is_truncated_ || !line.empty();
       return !line.empty() && why_not.empty();
     }
     const char* start = buffer_.data() + begin_;

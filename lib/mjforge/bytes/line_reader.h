@@ -16,7 +16,7 @@ namespace mjforge::bytes {
 /// Section of a text file, between two offsets of CutsOf. Contains the lines that start after
 /// `begin` and not after `end`, and the first line of the file if `begin` is 0, so that consecutive
 /// sections contain each line once.
-struct Section {
+struct FileSection {
   std::uint64_t begin = 0;
   std::uint64_t end = std::numeric_limits<std::uint64_t>::max();
 };
@@ -34,7 +34,7 @@ class TextStream;
 class LineReader {
  public:
   static std::optional<LineReader> Open(const std::filesystem::path& file, std::string& why_not,
-                                        const Section& section = {});
+                                        const FileSection& section = {});
   LineReader(LineReader&&) noexcept;
   ~LineReader();
 
@@ -43,7 +43,7 @@ class LineReader {
   bool Next(std::string& line, std::string& why_not);
   /// Returns true if writing the file was interrupted: the last line has no line end, or the last
   /// Zstandard frame is incomplete.
-  bool torn() const { return torn_; }
+  bool is_truncated() const { return is_truncated_; }
 
  private:
   LineReader(std::unique_ptr<TextStream> stream, bool skips_first);
@@ -57,7 +57,7 @@ class LineReader {
   std::size_t begin_ = 0;  // the unread bytes of the buffer are [begin_, end_)
   std::size_t end_ = 0;
   bool at_end_ = false;
-  bool torn_ = false;
+  bool is_truncated_ = false;
 };
 
 }  // namespace mjforge::bytes

@@ -10,7 +10,7 @@
 
 namespace mjforge::bytes {
 
-TextStream::TextStream(File file, bool is_compressed, const Section& section)
+TextStream::TextStream(File file, bool is_compressed, const FileSection& section)
     : file_(std::move(file)),
       position_(section.begin),
       end_(section.end),

@@ -19,7 +19,7 @@ namespace mjforge::bytes {
 /// file.
 class TextStream {
  public:
-  TextStream(File file, bool is_compressed, const Section& section);
+  TextStream(File file, bool is_compressed, const FileSection& section);
 
   /// Reads at least one byte, unless the text ends, and never across the end of the section.
   /// Returns the number of bytes read; nullopt, and sets `why_not`, if reading fails.

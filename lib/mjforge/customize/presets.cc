@@ -19,7 +19,7 @@ constexpr std::size_t kLongestName = 60;
 
 }  // namespace
 
-bool Presets::IsName(std::string_view name) {
+bool Presets::IsValidName(std::string_view name) {
   constexpr std::string_view kCharacters =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
   return !name.empty() && name.size() <= kLongestName &&
@@ -36,7 +36,7 @@ std::vector<std::string> Presets::List() const {
     const std::size_t first = stem_.size() + 1;
     if (file.size() <= first + kEnding.size()) continue;
     std::string name = file.substr(first, file.size() - first - kEnding.size());
-    if (IsName(name)) names.push_back(std::move(name));
+    if (IsValidName(name)) names.push_back(std::move(name));
   }
   std::ranges::sort(names);
   return names;

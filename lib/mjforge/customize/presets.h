@@ -21,7 +21,7 @@ class Presets {
       : folder_(std::move(folder)), stem_(std::move(stem)) {}
 
   /// Returns true if a preset can have this name: letters, digits, _ and -.
-  static bool IsName(std::string_view name);
+  static bool IsValidName(std::string_view name);
   /// Returns the names of the presets that exist, sorted.
   std::vector<std::string> List() const;
   std::filesystem::path FileOf(std::string_view name) const;

@@ -176,7 +176,7 @@ Presets Studio::State::PresetsOf(const ShownVariant& shown) const {
 
 Reply Studio::State::SavePreset(const Request& request) {
   const ShownVariant& shown = cache.LoadSpec(request);
-  if (!Presets::IsName(request.name))
+  if (!Presets::IsValidName(request.name))
     return Failure("'" + request.name + "' is no name for a file: use letters, digits, _ and -");
   if (!shown.recipe) return Failure("the spec has errors");
   diag::Findings findings;
@@ -194,7 +194,8 @@ Reply Studio::State::LoadPreset(const Request& request) {
   Request bare = request;
   bare.settings.clear();
   const ShownVariant& shown = cache.LoadSpec(bare);
-  if (!shown.recipe || !Presets::IsName(request.name)) return Failure("there is no such preset");
+  if (!shown.recipe || !Presets::IsValidName(request.name))
+    return Failure("there is no such preset");
   spec::LoadOptions load;
   load.search_path = start.load.search_path;
   load.parameter_files = {PresetsOf(shown).FileOf(request.name)};

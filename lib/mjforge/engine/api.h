@@ -99,7 +99,7 @@ inline constexpr int kDisablePassive = mjDSBL_PASSIVE;
 /// Call this function after moving a geom or adding bits to its contype or conaffinity. Releases
 /// from 2.3.3 on store a bounding volume hierarchy for each body, which is disabled here; releases
 /// from 3.0 on also store these bits for each body, which are updated here.
-inline void UpdateBodyOf([[maybe_unused]] mjModel& m, [[maybe_unused]] int geom) {
+inline void UpdateCollisionData([[maybe_unused]] mjModel& m, [[maybe_unused]] int geom) {
 #if mjVERSION_HEADER >= 233
   m.opt.disableflags |= mjDSBL_MIDPHASE;
 #endif

@@ -14,33 +14,33 @@ namespace mjforge::expr {
 namespace {
 
 constexpr std::array kFunctions = {
-    Function{"abs", "abs(x)", "the value without its sign"},
-    Function{"acos", "acos(x)", "arc cosine, in rad"},
-    Function{"asin", "asin(x)", "arc sine, in rad"},
-    Function{"atan", "atan(x)", "arc tangent, in rad"},
-    Function{"atan2", "atan2(y, x)", "angle of the point (x, y), in rad"},
-    Function{"ceil", "ceil(x)", "x rounded up to a whole number"},
-    Function{"clamp", "clamp(x, lo, hi)", "x, but at least lo and at most hi"},
-    Function{"cos", "cos(x)", "cosine of an angle in rad"},
-    Function{"distance", "distance(a, b)", "distance between two sites, or two points, in m"},
-    Function{"exp", "exp(x)", "e to the power of x"},
-    Function{"false", "false", "the boolean false"},
-    Function{"floor", "floor(x)", "x rounded down to a whole number"},
-    Function{"len", "len(list)", "how many values a list has"},
-    Function{"lerp", "lerp(a, b, t)", "from a at t = 0 to b at t = 1"},
-    Function{"log", "log(x)", "natural logarithm"},
-    Function{"max", "max(x, ...)", "the largest of its arguments, or of a list"},
-    Function{"min", "min(x, ...)", "the smallest of its arguments, or of a list"},
-    Function{"pi", "pi", "3.14159..., half a turn in rad"},
-    Function{"round", "round(x)", "the nearest whole number, halves away from 0"},
-    Function{"sign", "sign(x)", "-1, 0 or 1"},
-    Function{"sin", "sin(x)", "sine of an angle in rad"},
-    Function{"sqrt", "sqrt(x)", "square root"},
-    Function{"sum", "sum(list, n)", "the sum of a list, or of its first n values"},
-    Function{"tan", "tan(x)", "tangent of an angle in rad"},
-    Function{"torque", "torque(joint)",
-             "the torque that holds what hangs from a hinge or ball joint, in Nm"},
-    Function{"true", "true", "the boolean true"},
+    BuiltinInfo{"abs", "abs(x)", "the value without its sign"},
+    BuiltinInfo{"acos", "acos(x)", "arc cosine, in rad"},
+    BuiltinInfo{"asin", "asin(x)", "arc sine, in rad"},
+    BuiltinInfo{"atan", "atan(x)", "arc tangent, in rad"},
+    BuiltinInfo{"atan2", "atan2(y, x)", "angle of the point (x, y), in rad"},
+    BuiltinInfo{"ceil", "ceil(x)", "x rounded up to a whole number"},
+    BuiltinInfo{"clamp", "clamp(x, lo, hi)", "x, but at least lo and at most hi"},
+    BuiltinInfo{"cos", "cos(x)", "cosine of an angle in rad"},
+    BuiltinInfo{"distance", "distance(a, b)", "distance between two sites, or two points, in m"},
+    BuiltinInfo{"exp", "exp(x)", "e to the power of x"},
+    BuiltinInfo{"false", "false", "the boolean false"},
+    BuiltinInfo{"floor", "floor(x)", "x rounded down to a whole number"},
+    BuiltinInfo{"len", "len(list)", "how many values a list has"},
+    BuiltinInfo{"lerp", "lerp(a, b, t)", "from a at t = 0 to b at t = 1"},
+    BuiltinInfo{"log", "log(x)", "natural logarithm"},
+    BuiltinInfo{"max", "max(x, ...)", "the largest of its arguments, or of a list"},
+    BuiltinInfo{"min", "min(x, ...)", "the smallest of its arguments, or of a list"},
+    BuiltinInfo{"pi", "pi", "3.14159..., half a turn in rad"},
+    BuiltinInfo{"round", "round(x)", "the nearest whole number, halves away from 0"},
+    BuiltinInfo{"sign", "sign(x)", "-1, 0 or 1"},
+    BuiltinInfo{"sin", "sin(x)", "sine of an angle in rad"},
+    BuiltinInfo{"sqrt", "sqrt(x)", "square root"},
+    BuiltinInfo{"sum", "sum(list, n)", "the sum of a list, or of its first n values"},
+    BuiltinInfo{"tan", "tan(x)", "tangent of an angle in rad"},
+    BuiltinInfo{"torque", "torque(joint)",
+                "the torque that holds what hangs from a hinge or ball joint, in Nm"},
+    BuiltinInfo{"true", "true", "the boolean true"},
 };
 
 constexpr std::array kConstants = {
@@ -144,7 +144,7 @@ auto FindIn(const Table& table, std::string_view name) -> decltype(table.data())
 
 }  // namespace
 
-std::span<const Function> Functions() { return kFunctions; }
+std::span<const BuiltinInfo> Builtins() { return kFunctions; }
 
 const Builtin* FindBuiltin(std::string_view name) { return FindIn(kBuiltins, name); }
 
@@ -162,7 +162,7 @@ double Builtin::Call(const std::array<double, 3>& values) const {
 }
 
 std::string_view UsageOf(std::string_view function) {
-  const Function* found = FindIn(kFunctions, function);
+  const BuiltinInfo* found = FindIn(kFunctions, function);
   return found ? found->usage : std::string_view();
 }
 

@@ -34,8 +34,8 @@ std::string OperatorHint(const Token& before, const Token& token, const SymbolTa
 std::string ClosestName(std::string_view token, const SymbolTable& names) {
   std::vector<std::string_view> candidates;
   for (const auto* variable : names.variables()) candidates.push_back(variable->name);
-  for (const Function& function : Functions()) candidates.push_back(function.name);
-  for (const auto& [name, formula] : names.formulas()) candidates.push_back(name);
+  for (const BuiltinInfo& function : Builtins()) candidates.push_back(function.name);
+  for (const auto& [name, function] : names.functions()) candidates.push_back(name);
   return diag::DidYouMean(token, candidates);
 }
 
@@ -116,9 +116,9 @@ Error UnknownName(const Token& token, const SymbolTable& names, bool beside_text
     return Syntax(token, fmt::format("'{}' is a function", token.text),
                   fmt::format("write {}", UsageOf(token.text)));
   }
-  if (const Formula* formula = names.FindFormula(token.text)) {
+  if (const SpecFunction* function = names.FindFunction(token.text)) {
     return Syntax(token, fmt::format("'{}' is a function", token.text),
-                  fmt::format("write {}", formula->Usage()));
+                  fmt::format("write {}", function->Usage()));
   }
   std::string hint = ClosestName(token.text, names);
   if (beside_text && hint.empty()) hint = fmt::format("put text in quotes: '{}'", token.text);
@@ -138,10 +138,10 @@ Error NotAFunction(const Token& token, const SymbolTable& names) {
     return Syntax(token, fmt::format("'{}' is not a function", token.text));
   }
   std::vector<std::string_view> candidates;
-  for (const Function& function : Functions()) {
+  for (const BuiltinInfo& function : Builtins()) {
     if (FindBuiltin(function.name) != nullptr) candidates.push_back(function.name);
   }
-  for (const auto& [name, formula] : names.formulas()) candidates.push_back(name);
+  for (const auto& [name, function] : names.functions()) candidates.push_back(name);
   return {Code::kExprUnknownName, token.offset, fmt::format("unknown function '{}'", token.text),
           diag::DidYouMean(token.text, candidates)};
 }

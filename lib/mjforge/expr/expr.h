@@ -71,7 +71,7 @@ struct Error {
   std::size_t offset = 0;  // offset in bytes from the start of the expression's text
   std::string message;
   std::string hint;
-  std::string formula = {};  // function whose body contains `offset`; empty: the text itself
+  std::string function = {};  // function whose body contains `offset`; empty: the text itself
 };
 
 class Program;  // private to lib/mjforge/expr
@@ -97,7 +97,7 @@ class Expression {
   const std::vector<std::string>& texts() const { return texts_; }
   /// The names of the spec's functions that the expression calls, directly or through other
   /// functions.
-  const std::set<std::string>& formulas() const { return formulas_; }
+  const std::set<std::string>& functions() const { return functions_; }
   /// Value of an expression without inputs; nullopt for other expressions.
   std::optional<double> constant() const { return constant_; }
 
@@ -128,7 +128,7 @@ class Expression {
   Dimension dimension_;
   std::vector<Input> inputs_;
   std::vector<std::string> texts_;
-  std::set<std::string> formulas_;
+  std::set<std::string> functions_;
   std::optional<double> constant_;
   std::shared_ptr<const Program> program_;
 };
@@ -143,13 +143,13 @@ std::vector<std::string> NamesUsedIn(std::string_view text);
 bool IsReserved(std::string_view name);
 
 /// Documentation of a built-in function or constant for messages and the manual.
-struct Function {
+struct BuiltinInfo {
   std::string_view name;
   std::string_view usage;  // "clamp(x, lo, hi)"
   std::string_view doc;
 };
 /// Returns all built-in functions and constants, sorted by name.
-std::span<const Function> Functions();
+std::span<const BuiltinInfo> Builtins();
 
 /// A unit that can follow a number ("mm", "deg"). The number times numerator / denominator is the
 /// value in SI units. Two factors are needed, because 15 / 1000 is the double nearest to 0.015, but

@@ -43,7 +43,7 @@ std::optional<Expression> Expression::Compile(std::string_view text, const Symbo
   expression.dimension_ = parsed.dimension;
   expression.inputs_ = std::move(parsed.inputs);
   expression.texts_ = std::move(parsed.texts);
-  expression.formulas_ = std::move(parsed.formulas);
+  expression.functions_ = std::move(parsed.functions);
   expression.constant_ = parsed.program.constant();
   expression.program_ = std::make_shared<const Program>(std::move(parsed.program));
   return expression;

@@ -240,7 +240,7 @@ class Parser : ProgramBuilder {
     const Token& token = Now();
     if (tokens_[at_ + 1].IsSign("(")) {
       if (const Builtin* builtin = FindBuiltin(token.text)) return Call(*builtin);
-      if (const Formula* formula = names_.FindFormula(token.text)) return Call(*formula);
+      if (const SpecFunction* function = names_.FindFunction(token.text)) return Call(*function);
       if (token.text == "torque") return NameCall(1);
       if (token.text == "distance") return NameCall(2);
       const ListBuiltin* list_builtin = FindListBuiltin(token.text);
@@ -335,21 +335,21 @@ class Parser : ProgramBuilder {
     return AddCall(builtin, Type::kNumber, arguments, name.offset);
   }
 
-  OptionalOperand Call(const Formula& formula) {
+  OptionalOperand Call(const SpecFunction& function) {
     const Token& name = Now();
     std::vector<Argument> operands;
     if (!ReadArguments(nullptr, operands)) return std::nullopt;
-    const auto arity = static_cast<int>(formula.arguments.size());
+    const auto arity = static_cast<int>(function.arguments.size());
     if (const auto count = static_cast<int>(operands.size()); count != arity)
-      return Fail(WrongCount(name, arity, count, formula.Usage()));
-    parsed_.formulas.insert(formula.name);
-    ParseState::Call call = {&formula, {}};
+      return Fail(WrongCount(name, arity, count, function.Usage()));
+    parsed_.functions.insert(function.name);
+    ParseState::Call call = {&function, {}};
     Arguments arguments;
     for (std::size_t i = 0; i < operands.size(); ++i) {
       const auto& [operand, type, token, dimension] = operands[i].operand;
       call.second.emplace_back(operand.step, std::bit_cast<std::uint64_t>(operand.constant), type,
                                dimension);
-      arguments.emplace(formula.arguments[i], operands[i].operand);
+      arguments.emplace(function.arguments[i], operands[i].operand);
     }
     const auto known = state_.results.find(call);
     if (known != state_.results.end()) return known->second;
@@ -357,7 +357,7 @@ class Parser : ProgramBuilder {
     if (guard.is_too_deep()) return Fail(TooDeep(name, kMaxDepth));
     ++state_.calls;
     const OptionalOperand result =
-        state_.calls > kMaxCalls ? std::nullopt : Inline(formula, std::move(arguments));
+        state_.calls > kMaxCalls ? std::nullopt : Inline(function, std::move(arguments));
     // Each caller replaces the error of a nested call, so that the final error is about the call in
     // the expression's own text.
     if (state_.calls > kMaxCalls) return Fail(TooManyCalls(name, kMaxCalls));
@@ -365,12 +365,12 @@ class Parser : ProgramBuilder {
     return result;
   }
 
-  OptionalOperand Inline(const Formula& formula, Arguments arguments) {
+  OptionalOperand Inline(const SpecFunction& function, Arguments arguments) {
     std::vector<Token> tokens;
     OptionalOperand result;
-    if (Tokenize(formula.body, tokens, error_))
-      result = Parser(formula.body, std::move(tokens), state_, std::move(arguments)).Run();
-    if (!result && error_.formula.empty()) error_.formula = formula.name;
+    if (Tokenize(function.body, tokens, error_))
+      result = Parser(function.body, std::move(tokens), state_, std::move(arguments)).Run();
+    if (!result && error_.function.empty()) error_.function = function.name;
     return result;
   }
 

@@ -22,7 +22,7 @@ struct ParsedExpression {
   Dimension dimension = {};
   std::vector<Expression::Input> inputs;  // in order of first use
   std::vector<std::string> texts;         // quoted texts
-  std::set<std::string> formulas;         // names of called functions
+  std::set<std::string> functions;        // names of called functions
 };
 
 /// Operand with its type and dimension: the result of a parsed part of an expression.
@@ -48,7 +48,7 @@ struct ParseState {
   /// Key of a call: the function and, for each argument, the index of its step in the program, the
   /// bits of its constant, its type and its dimension.
   using Call =
-      std::pair<const Formula*, std::vector<std::tuple<int, std::uint64_t, Type, Dimension>>>;
+      std::pair<const SpecFunction*, std::vector<std::tuple<int, std::uint64_t, Type, Dimension>>>;
 
   const SymbolTable& names;
   ParsedExpression& parsed;

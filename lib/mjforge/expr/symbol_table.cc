@@ -89,17 +89,17 @@ const SymbolTable::Variable* SymbolTable::Find(std::string_view name) const {
   return dot != name.npos && unknown_.contains(name.substr(0, dot)) ? &member_ : nullptr;
 }
 
-std::string Formula::Usage() const {
+std::string SpecFunction::Usage() const {
   return fmt::format("{}({})", name, fmt::join(arguments, ", "));
 }
 
-void SymbolTable::Define(const Formula& formula) {
-  formulas_.insert_or_assign(formula.name, formula);
+void SymbolTable::Define(const SpecFunction& function) {
+  functions_.insert_or_assign(function.name, function);
 }
 
-const Formula* SymbolTable::FindFormula(std::string_view name) const {
-  const auto found = formulas_.find(name);
-  return found == formulas_.end() ? nullptr : &found->second;
+const SpecFunction* SymbolTable::FindFunction(std::string_view name) const {
+  const auto found = functions_.find(name);
+  return found == functions_.end() ? nullptr : &found->second;
 }
 
 std::vector<const SymbolTable::Variable*> SymbolTable::variables() const {

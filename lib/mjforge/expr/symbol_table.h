@@ -30,7 +30,7 @@ std::string PositionVariable(std::string_view site);
 /// A function that a spec defines: an expression that uses the function's arguments (numbers) and
 /// the names in scope. The function must not call itself, neither directly nor through other
 /// functions.
-struct Formula {
+struct SpecFunction {
   std::string name;
   std::vector<std::string> arguments;
   std::string body;
@@ -71,9 +71,9 @@ class SymbolTable {
   void Restore(const Variable& variable) { variables_.insert_or_assign(variable.name, variable); }
   const Variable* Find(std::string_view name) const;
   /// Adds a function. Replaces a function of the same name.
-  void Define(const Formula& formula);
-  const Formula* FindFormula(std::string_view name) const;
-  const std::map<std::string, Formula, std::less<>>& formulas() const { return formulas_; }
+  void Define(const SpecFunction& function);
+  const SpecFunction* FindFunction(std::string_view name) const;
+  const std::map<std::string, SpecFunction, std::less<>>& functions() const { return functions_; }
   /// The variables in scope, sorted by name.
   std::vector<const Variable*> variables() const;
   int slot_count() const { return slot_count_; }
@@ -81,7 +81,7 @@ class SymbolTable {
 
  private:
   std::map<std::string, Variable, std::less<>> variables_;
-  std::map<std::string, Formula, std::less<>> formulas_;
+  std::map<std::string, SpecFunction, std::less<>> functions_;
   std::set<std::string, std::less<>> unknown_;
   Variable member_;  // returned for every member of an unknown name
   int slot_count_ = 0;

@@ -147,9 +147,9 @@ std::string BaseOf(const mjcf::MjcfDocument& document, const Numbers& numbers, b
   return BaseWriter(numbers, mocap)(document.text);
 }
 
-std::string WithPlaces(std::string_view base, std::span<const NewPlace> places) {
-  std::map<std::pair<std::string_view, std::size_t>, const NewPlace*> by_number;
-  for (const NewPlace& place : places) by_number[{place.tag, place.number}] = &place;
+std::string WithPoses(std::string_view base, std::span<const NewPose> poses) {
+  std::map<std::pair<std::string_view, std::size_t>, const NewPose*> by_number;
+  for (const NewPose& pose : poses) by_number[{pose.tag, pose.number}] = &pose;
   std::map<std::string_view, std::size_t> numbers;  // counts of elements so far, by tag
   std::string out;
   bool is_in_world = false;
@@ -159,10 +159,10 @@ std::string WithPlaces(std::string_view base, std::span<const NewPlace> places) 
     if (tag == "/worldbody") is_in_world = false;
     std::string changed(line);
     if (is_in_world && !tag.empty()) {
-      const auto place = by_number.find({tag, numbers[tag]++});
-      if (place != by_number.end()) {
-        SetAttribute(changed, "pos", place->second->pos);
-        if (place->second->quat) SetAttribute(changed, "quat", *place->second->quat);
+      const auto pose = by_number.find({tag, numbers[tag]++});
+      if (pose != by_number.end()) {
+        SetAttribute(changed, "pos", pose->second->pos);
+        if (pose->second->quat) SetAttribute(changed, "quat", *pose->second->quat);
       }
     }
     out += changed;

@@ -18,15 +18,15 @@
 namespace mjforge::family {
 
 /// A new pose of an element in its body, which replaces the pose in the text.
-struct NewPlace {
+struct NewPose {
   std::string_view tag;    // geom, site, joint or inertial
   std::size_t number = 0;  // index among the elements with this tag, in file order
   Eigen::Vector3d pos;
   std::optional<Eigen::Vector4d> quat;
 };
 
-/// Returns the base MJCF with the poses of `places` in place of the elements' own poses.
-std::string WithPlaces(std::string_view base, std::span<const NewPlace> places);
+/// Returns the base MJCF with the poses of `poses` in place of the elements' own poses.
+std::string WithPoses(std::string_view base, std::span<const NewPose> poses);
 
 /// Returns the base MJCF with another `frictionloss` of the joints in `joints`: pairs of a joint's
 /// name and the value.

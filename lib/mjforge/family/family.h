@@ -99,7 +99,7 @@ std::string BaseOf(const mjcf::MjcfDocument& document, const Numbers& numbers, b
 
 /// Encodes a chunk, a group of variants of one family, which is then appended to a file of rows
 /// (rows.h).
-class Rows {
+class ChunkEncoder {
  public:
   /// Adds a variant and returns an empty text. If the variant cannot be in one family with the
   /// first variant, returns the difference instead: "geom_type of 'handle' is box, not cylinder".

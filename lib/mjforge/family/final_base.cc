@@ -86,8 +86,8 @@ class BaseCompletion {
     std::optional<Numbers> flags = FlagsOf(base_.text);
     if (!flags) return std::nullopt;
     for (const Flagged& array : kFlagged) Move(array, *flags);
-    if (places_.empty()) return std::move(base_);
-    base_.text = WithPlaces(base_.text, places_);
+    if (poses_.empty()) return std::move(base_);
+    base_.text = WithPoses(base_.text, poses_);
     flags = FlagsOf(base_.text);
     if (!flags) return std::nullopt;
     for (const Flagged& array : kFlagged) Check(array, *flags);
@@ -134,19 +134,19 @@ class BaseCompletion {
   void Move(const Flagged& array, const Numbers& flags) {
     ForEachWrong(array, flags, true, [&](std::size_t i, unsigned variants) {
       const double offset = array.flags == kBodyFlags ? kBodyOffset : kOffset;
-      NewPlace place{.tag = array.tag, .number = i, .pos = {}, .quat = {}};
+      NewPose pose{.tag = array.tag, .number = i, .pos = {}, .quat = {}};
       const double* pos = First(array.pos, i);
-      place.pos = Eigen::Vector3d(pos[0] + offset, pos[1] + offset, pos[2] + offset);
+      pose.pos = Eigen::Vector3d(pos[0] + offset, pos[1] + offset, pos[2] + offset);
       base_.moved[std::string(array.pos)].insert(i);
       if (!array.quat.empty() && !HasOneRotation(variants)) {
         const double* q = First(array.quat, i);
         const Eigen::Quaterniond turned =
             Eigen::Quaterniond(q[0], q[1], q[2], q[3]) *
             Eigen::Quaterniond(1, offset, offset, offset).normalized();
-        place.quat = model::Wxyz(turned);
+        pose.quat = model::Wxyz(turned);
         base_.moved[std::string(array.quat)].insert(i);
       }
-      places_.push_back(std::move(place));
+      poses_.push_back(std::move(pose));
     });
   }
 
@@ -184,7 +184,7 @@ class BaseCompletion {
   diag::Findings& findings_;
   std::optional<engine::Engine> engine_;
   std::map<std::string, std::pair<const ArrayShape*, std::size_t>> starts_;
-  std::vector<NewPlace> places_;
+  std::vector<NewPose> poses_;
   FinalBase base_;
 };
 

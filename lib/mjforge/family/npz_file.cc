@@ -204,7 +204,7 @@ class FamilyFile {
     std::vector<std::size_t> stored;
     std::vector<std::string> names;
     for (std::size_t i = 0; i < survey_.materials.size(); ++i) {
-      const auto begin = survey_.look_varies[i].begin() + static_cast<std::ptrdiff_t>(at);
+      const auto begin = survey_.material_varies[i].begin() + static_cast<std::ptrdiff_t>(at);
       if (std::find(begin, begin + std::ptrdiff_t(width), true) == begin + std::ptrdiff_t(width))
         continue;
       stored.push_back(i);
@@ -223,7 +223,7 @@ class FamilyFile {
           const auto& numbers =
               has == row.materials.end()
                   ? material.numbers
-                  : row.looks[static_cast<std::size_t>(has - row.materials.begin())];
+                  : row.material_numbers[static_cast<std::size_t>(has - row.materials.begin())];
           npz_->Write(std::span(numbers).subspan(at, width));
         }
       });

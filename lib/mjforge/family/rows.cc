@@ -148,7 +148,7 @@ Header DecodeHeader(std::string_view bytes) {
   return header;
 }
 
-std::string Rows::Add(const Numbers& numbers, const Parameters& parameters) {
+std::string ChunkEncoder::Add(const Numbers& numbers, const Parameters& parameters) {
   if (count_ == 0) {
     structure_ = numbers.structure;
     shapes_ = numbers.shapes;
@@ -174,12 +174,12 @@ std::string Rows::Add(const Numbers& numbers, const Parameters& parameters) {
   return {};
 }
 
-std::string Rows::Header(std::string_view base) const {
+std::string ChunkEncoder::Header(std::string_view base) const {
   if (empty()) return {};
   return WithStart(Block::kHeader, EncodeHeader(structure_, shapes_, parameters_, base));
 }
 
-std::string Rows::Bytes() const {
+std::string ChunkEncoder::Bytes() const {
   if (empty()) return {};
   BlobWriter out;
   out.Number(count_);
@@ -310,7 +310,7 @@ void RowsFile::ForEach(const std::function<void(const RowView&)>& visit) {
         const auto material = in.Number<std::uint64_t>();
         if (material >= materials.size()) throw std::runtime_error("it is damaged");
         row.materials.push_back(&materials[material]);
-        row.looks.push_back(in.Number<std::array<double, 10>>());
+        row.material_numbers.push_back(in.Number<std::array<double, 10>>());
       }
       for (std::size_t j = 0; j < header.parameters.size(); ++j)
         row.parameters.push_back(GetValue(in));

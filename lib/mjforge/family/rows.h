@@ -30,9 +30,11 @@ std::string DifferenceOf(const Header& header, const Header& other);
 /// A variant in a file of rows.
 struct RowView {
   std::span<const double> values;
-  /// Materials of the variant; their `numbers` are those of the first variant, see `looks`.
+  /// Materials of the variant; their `numbers` are those of the first variant, see
+  /// `material_numbers`.
   std::vector<const Material*> materials;
-  std::vector<std::array<double, 10>> looks;  // Material::numbers of `materials` in this variant
+  /// Material::numbers of `materials` in this variant.
+  std::vector<std::array<double, 10>> material_numbers;
   std::vector<sample::ParameterValue> parameters;
 };
 

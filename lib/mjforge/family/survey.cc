@@ -58,15 +58,15 @@ class Surveyor {
       auto known = std::ranges::find(survey_.materials, material.name, &Material::name);
       if (known == survey_.materials.end()) {
         known = survey_.materials.insert(known, material);
-        known->numbers = row.looks[i];
-        survey_.look_varies.emplace_back();
+        known->numbers = row.material_numbers[i];
+        survey_.material_varies.emplace_back();
       } else if (TextureOf(*known) != TextureOf(material)) {
         survey_.other_textures.insert(material.name);
       }
       auto& varies =
-          survey_.look_varies[static_cast<std::size_t>(known - survey_.materials.begin())];
+          survey_.material_varies[static_cast<std::size_t>(known - survey_.materials.begin())];
       for (std::size_t j = 0; j < varies.size(); ++j)
-        varies[j] = varies[j] || row.looks[i][j] != known->numbers[j];
+        varies[j] = varies[j] || row.material_numbers[i][j] != known->numbers[j];
     }
   }
 

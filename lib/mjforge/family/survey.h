@@ -23,7 +23,7 @@ struct Survey {
 
   /// All materials in the order of their first variants, with the numbers of these variants.
   std::vector<Material> materials;
-  std::vector<std::array<bool, 10>> look_varies;  // for each material: numbers that vary
+  std::vector<std::array<bool, 10>> material_varies;  // for each material: numbers that vary
   std::set<std::string> other_textures;  // materials whose texture differs between variants
 
   struct Parameter {

@@ -114,7 +114,7 @@ class Generator {
   void Fail(std::uint64_t index, diag::Finding finding, Variant& variant);
 
  private:
-  enum class Outcome { kOk, kFailed, kHopeless };  // hopeless: further attempts would fail, too
+  enum class Outcome { kOk, kFailed, kRejected };  // rejected: further attempts would fail, too
   void Reset(std::uint64_t index, std::uint64_t attempt, Variant& variant);
   Outcome Attempt(std::uint64_t index, std::uint64_t attempt, Variant& variant);
   /// Assembles the object from drawn values; returns nullopt after an error.

@@ -28,9 +28,9 @@ void RecordPlaces(const model::Object& object, manifest::Record& record) {
   const std::vector<model::Pose> X_WB = model::BodyPoses(object);
   for (std::size_t i = 0; i < object.bodies.size(); ++i) {
     const model::Body& body = object.bodies[i];
-    if (body.stands_at.empty()) continue;
+    if (body.place_name.empty()) continue;
     const Eigen::Vector4d quat = model::Wxyz(X_WB[i].q);
-    record.places.push_back({body.name, body.stands_at, X_WB[i].p, {quat.begin(), quat.end()}});
+    record.places.push_back({body.name, body.place_name, X_WB[i].p, {quat.begin(), quat.end()}});
   }
 }
 
@@ -126,9 +126,9 @@ void Generator::Finish(Outcome outcome, Variant& variant) {
     const bool skips = options_.on_invalid == OnInvalid::kSkip;
     record.status = skips ? manifest::Status::kSkipped : manifest::Status::kFailed;
   } else {
-    record.file = record.Folder() + output::PlaceInFolder(record.name, record.index,
-                                                          record.each ? output::kPlacementEnding
-                                                                      : output::kObjectEnding);
+    record.file = record.Folder() + output::PathInFolder(record.name, record.index,
+                                                         record.each ? output::kPlacementEnding
+                                                                     : output::kObjectEnding);
     record.sha256 = bytes::Sha256Of(variant.output().text);
   }
   variant.findings.SetVariant(options_.seed, record.index);
@@ -154,7 +154,7 @@ Generator::Outcome Generator::Attempt(std::uint64_t index, std::uint64_t attempt
     // fail, too.
     const bool rejected =
         std::ranges::count(variant.findings, diag::Code::kSampleRejected, &diag::Finding::code) > 0;
-    return rejected ? Outcome::kHopeless : Outcome::kFailed;
+    return rejected ? Outcome::kRejected : Outcome::kFailed;
   }
   record.attempt = values->key().attempt;
   record.params.reserve(spec.parameters.size());

@@ -26,21 +26,22 @@ std::optional<std::uint64_t> IndexAfter(const Path& file, std::uint64_t cut) {
 }
 
 // Returns, by bisection, the section that contains the record if the manifest is in index order.
-bytes::Section SectionOf(const Path& file, std::uint64_t index,
-                         const std::vector<std::uint64_t>& cuts) {
+bytes::FileSection SectionOf(const Path& file, std::uint64_t index,
+                             const std::vector<std::uint64_t>& cuts) {
   const auto is_before = [&](std::uint64_t cut) {
     const std::optional<std::uint64_t> first = IndexAfter(file, cut);
     return first && *first <= index;
   };
   const auto end = std::partition_point(cuts.begin() + 1, cuts.end(), is_before);
-  return end == cuts.end() ? bytes::Section{.begin = *(end - 1)}
-                           : bytes::Section{.begin = *(end - 1), .end = *end};
+  return end == cuts.end() ? bytes::FileSection{.begin = *(end - 1)}
+                           : bytes::FileSection{.begin = *(end - 1), .end = *end};
 }
 
 // Returns the record with this index from a section of the manifest; nullopt if the section does
 // not contain the record. Sets `is_read` if all lines were read.
-std::optional<Record> FindIn(const bytes::Section& section, const Path& file, std::uint64_t index,
-                             diag::Sources& sources, diag::Findings& findings, bool& is_read) {
+std::optional<Record> FindIn(const bytes::FileSection& section, const Path& file,
+                             std::uint64_t index, diag::Sources& sources, diag::Findings& findings,
+                             bool& is_read) {
   auto reader = RecordReader::Open(file, sources, findings, section);
   Record record;
   Outcome outcome = Outcome::kBadLine;

@@ -57,13 +57,13 @@ struct Record : mjcf::Provenance {
   int ngeom = 0;
   /// A body that `place:` placed: its name in the file, the region or site as in the spec, and its
   /// pose in the world at the start.
-  struct Place {
+  struct PlacedBody {
     std::string body;
     std::string at;
     Eigen::Vector3d pos = Eigen::Vector3d::Zero();  // m
     std::vector<double> quat;                       // w x y z
   };
-  std::vector<Place> places;
+  std::vector<PlacedBody> places;
   std::string pile_mujoco;            // release of MuJoCo that settled the piles; empty: no piles
   std::vector<std::string> left_out;  // bodies without room, left out by `fewer: true`
   Validation validate = Validation::kLoad;
@@ -98,8 +98,8 @@ void AppendRecord(std::string& out, const Record& record);
 
 /// Appends `line`, which AppendRecord wrote without `archive` and `spec_file`, with these two
 /// members inserted unless they are empty.
-void AppendWithPlaces(std::string& out, std::string_view line, const std::string& archive,
-                      const std::string& spec_file);
+void AppendWithPaths(std::string& out, std::string_view line, const std::string& archive,
+                     const std::string& spec_file);
 
 /// Returns a physics result as a JSON object, the value of the record's member `physics`.
 std::string PhysicsJson(const physics::Result& result);
@@ -122,7 +122,7 @@ class RecordReader {
   /// section.
   static std::optional<RecordReader> Open(const std::filesystem::path& file, diag::Sources& sources,
                                           diag::Findings& findings,
-                                          const bytes::Section& section = {});
+                                          const bytes::FileSection& section = {});
 
   enum class Outcome { kRecord, kBadLine, kEnd, kUnreadable };
   /// Replaces `record` with the record on the next line. After a line that is not a record, the
@@ -138,7 +138,7 @@ class RecordReader {
   std::uint32_t number() const { return number_; }
   /// Returns true if the last line read has no line end or, in a compressed file, the last frame is
   /// incomplete, because it was still being written.
-  bool torn() const { return lines_.torn(); }
+  bool is_truncated() const { return lines_.is_truncated(); }
   /// Returns the place of the last line read, for further findings about that line.
   diag::SourceMark Mark() const;
 

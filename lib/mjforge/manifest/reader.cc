@@ -32,7 +32,7 @@ std::optional<std::vector<std::uint64_t>> CutsOf(const std::filesystem::path& fi
 
 std::optional<RecordReader> RecordReader::Open(const std::filesystem::path& file,
                                                diag::Sources& sources, diag::Findings& findings,
-                                               const bytes::Section& section) {
+                                               const bytes::FileSection& section) {
   std::string why_not;
   std::optional<bytes::LineReader> lines = bytes::LineReader::Open(file, why_not, section);
   if (!lines) {

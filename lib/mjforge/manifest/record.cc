@@ -44,8 +44,8 @@ void AppendRecord(std::string& out, const Record& record) {
   out += '\n';
 }
 
-void AppendWithPlaces(std::string& out, std::string_view line, const std::string& archive,
-                      const std::string& spec_file) {
+void AppendWithPaths(std::string& out, std::string_view line, const std::string& archive,
+                     const std::string& spec_file) {
   // Quotes within values are escaped, so `next` is found only where it is a key.
   const auto insert = [&](std::string_view key, const std::string& value, std::string_view next) {
     const std::size_t at = line.find(next);

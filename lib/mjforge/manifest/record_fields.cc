@@ -22,10 +22,10 @@ using model::Bounds;
 using model::MassProperties;
 using Value = rapidjson::Value;
 
-constexpr JsonMember<Record::Place> kPlace[] = {{"body", &Record::Place::body},
-                                                {"at", &Record::Place::at},
-                                                {"pos", &Record::Place::pos},
-                                                {"quat", &Record::Place::quat}};
+constexpr JsonMember<Record::PlacedBody> kPlace[] = {{"body", &Record::PlacedBody::body},
+                                                     {"at", &Record::PlacedBody::at},
+                                                     {"pos", &Record::PlacedBody::pos},
+                                                     {"quat", &Record::PlacedBody::quat}};
 
 // A field of scope kBatch has the same value in all records of a batch.
 enum class FieldScope { kVariant, kBatch };
@@ -118,7 +118,7 @@ RecordField PlacesField() {
       "the world at the start; left out if there are none.",
       [](Json& json, const Record& record) {
         json.StartArray();
-        for (const Record::Place& place : record.places) {
+        for (const Record::PlacedBody& place : record.places) {
           json.StartObject();
           PutAll(json, place, kPlace);
           json.EndObject();

@@ -17,7 +17,7 @@ namespace mjforge::manifest {
 /// Size and checksum that a file had when its batch was finished.
 struct SealedFile {
   std::string file;  // name in the folder of the seal
-  bytes::Prefix content;
+  bytes::Fingerprint content;
 };
 
 /// Certificate of a finished batch, or of one shard: the range of its variants, and size and

@@ -21,7 +21,7 @@ using diag::Code;
 bool WantsStartAtZero(const model::Object& object, const TargetRules& rules) {
   if (object.start_form) return *object.start_form == model::StartForm::kZero;
   const auto needs_zero = [](const model::Body& body) {
-    return !body.stands_at.empty() || model::FreeJointOf(body) != nullptr;
+    return !body.place_name.empty() || model::FreeJointOf(body) != nullptr;
   };
   return std::ranges::any_of(object.bodies, needs_zero) || !rules.supports_sections;
 }

@@ -57,7 +57,7 @@ std::vector<std::size_t> CountLyingGeoms(const model::Object& object, bool scene
   const std::vector<std::size_t> trees = TreesOf(object);
   std::vector<std::size_t> geoms(trees.size());
   for (std::size_t i = 0; i < trees.size(); ++i) {
-    const bool is_placed = !object.bodies[trees[i]].stands_at.empty();
+    const bool is_placed = !object.bodies[trees[i]].place_name.empty();
     if (is_placed || (trees[i] == 0 && !scene)) continue;
     for (const model::Part& part : object.bodies[i].parts)
       geoms[trees[i]] += part.role != model::Role::kVisual;
@@ -204,7 +204,7 @@ double MostRows(double dofs) {
 /// Returns the number of contacts that bodies placed on others need, which touch at the start.
 double ContactsOfPlacedBodies(const model::Object& object) {
   const bool any = std::ranges::any_of(
-      object.bodies, [](const model::Body& body) { return !body.stands_at.empty(); });
+      object.bodies, [](const model::Body& body) { return !body.place_name.empty(); });
   if (!any) return 0;
   return std::ceil(kSpareShare * CountContactsAtStart(object)) + kSpareContacts;
 }

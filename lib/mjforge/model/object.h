@@ -143,7 +143,7 @@ struct Body {
   double front = 0;  // angle of the body's front about z, counter-clockwise from -y, rad
   /// Region or site at which the body was placed, named as in the spec ("table.surface"); empty if
   /// the body was not placed.
-  std::string stands_at;
+  std::string place_name;
   std::vector<Element> elements;      // cameras and lights
   std::vector<Attribute> attributes;  // attributes of <body>
   MassProperties mass_properties;     // in B
@@ -181,7 +181,7 @@ struct Object {
   std::vector<Expectation> expectations;
   std::vector<Pile> piles;
   std::vector<std::string> left_out;  // full names of bodies for which no place was found
-  std::vector<diag::Finding> unmet;   // findings, one for each violated condition of `expect:`
+  std::vector<diag::Finding> unmet_expectations;  // a finding per violated condition of `expect:`
 };
 
 /// Returns the pose X_WB of every body at the start state. W is the object's frame, in which X_PB

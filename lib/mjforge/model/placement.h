@@ -98,7 +98,7 @@ class Placer {
 
   /// Makes the body, with all bodies below it, an obstacle at its present pose. Bodies that are
   /// placed later must have at least the distance `clear`, m, to this obstacle.
-  virtual void Stand(int body, double clear = 0) = 0;
+  virtual void AddObstacle(int body, double clear = 0) = 0;
 
   /// Tries a place for a body, with all bodies below it. The body must not be an obstacle.
   virtual PlaceResult Try(int body, const PlaceTry& where) = 0;

@@ -38,7 +38,7 @@ struct Region {
   double margin = 0;  // least distance of footprints from the edge, m
   double clear = 0;   // least distance between bodies in the region, m
   // True for the interior of a container, into which bodies are lowered; the floor may be uneven.
-  bool walls = false;
+  bool has_walls = false;
   diag::SourceMark mark;
 };
 

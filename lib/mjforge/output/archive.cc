@@ -187,7 +187,7 @@ std::optional<std::string> ArchiveReader::Content(std::string& why_not) {
   return std::nullopt;
 }
 
-std::string ArchiveReader::Start(std::size_t count) {
+std::string ArchiveReader::ReadStart(std::size_t count) {
   std::string bytes(count, '\0');
   // Ignores the error of an archive that ends within the member, because the bytes before are read.
   archive_read_data(tar_->reader.get(), bytes.data(), bytes.size());
@@ -209,7 +209,7 @@ bool IsObjectArchive(const std::filesystem::path& file) {
   std::optional<std::string> member = reader.Next(why_not);
   if (!member) return why_not.empty();
   while (member && IsAsset(*member)) member = reader.Next(why_not);
-  return member && mjcf::ReadProvenance(reader.Start(kCommentBytes)).has_value();
+  return member && mjcf::ReadProvenance(reader.ReadStart(kCommentBytes)).has_value();
 }
 
 std::optional<std::string> ReadMember(const std::filesystem::path& file, const std::string& name,

@@ -61,7 +61,7 @@ class ArchiveReader {
   std::optional<std::string> Content(std::string& why_not);
   /// Returns at most the first `count` bytes of the member that Next named, up to a zero byte;
   /// fewer if the archive is damaged. To be called in place of Content.
-  std::string Start(std::size_t count);
+  std::string ReadStart(std::size_t count);
 
  private:
   struct TarReader;

@@ -145,7 +145,7 @@ std::optional<std::uint64_t> ReadIndex(std::string_view digits) {
   return index;
 }
 
-std::string PlaceInFolder(std::string_view name, std::uint64_t index, std::string_view ending) {
+std::string PathInFolder(std::string_view name, std::uint64_t index, std::string_view ending) {
   const std::uint64_t folder = index / kFilesPerFolder * kFilesPerFolder;
   if (folder == 0) return VariantStem(name, index).append(ending);
   return fmt::format("{:07}/{}{}", folder, VariantStem(name, index), ending);

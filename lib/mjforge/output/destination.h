@@ -36,7 +36,7 @@ struct Destination {
 
   /// Returns true if each output file contains many variants: an archive, a series of archives, or
   /// families.
-  bool IsArchive() const {
+  bool PacksVariants() const {
     return kind == Kind::kArchive || kind == Kind::kArchives || kind == Kind::kFamily;
   }
   /// Returns the path of archive `number`, counted from 0, of a series; for a single archive, its
@@ -84,7 +84,7 @@ inline constexpr std::string_view kObjectEnding = ".xml";
 inline constexpr std::string_view kPlacementEnding = "/placement.json";
 /// Returns the path of a variant's file within the folder: "hammer_000042.xml",
 /// "0020000/hammer_023456.xml".
-std::string PlaceInFolder(std::string_view name, std::uint64_t index,
-                          std::string_view ending = kObjectEnding);
+std::string PathInFolder(std::string_view name, std::uint64_t index,
+                         std::string_view ending = kObjectEnding);
 
 }  // namespace mjforge::output

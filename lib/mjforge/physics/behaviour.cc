@@ -348,7 +348,7 @@ class Behaviour {
       return std::max(mj_name2id(&m_, mjOBJ_BODY, name.c_str()), 0);
     };
     const bool has_pose = driven.check != nullptr && !driven.check->positions.empty();
-    if (has_pose || !MayStandElsewhere(m_, driven.joint, {id(bodies.first), id(bodies.second)}))
+    if (has_pose || !CanOtherJointSeparate(m_, driven.joint, {id(bodies.first), id(bodies.second)}))
       return kInTheWay;
     return std::string(kInTheWay) +
            "; `at` in `checks: joints:` says where other joints stand meanwhile";

@@ -49,9 +49,9 @@ bool HasStartPose(const mjModel& m) {
 }
 
 // Search for the spring, damper or actuator that exceeds the limit of explicit integration most.
-class Stiffest {
+class UnstableElementSearch {
  public:
-  explicit Stiffest(const mjModel& m) : m_(m), h_(m.opt.timestep) {
+  explicit UnstableElementSearch(const mjModel& m) : m_(m), h_(m.opt.timestep) {
     for (int joint = 0; joint < m.njnt; ++joint) AddJoint(joint);
     for (int actuator = 0; actuator < m.nu; ++actuator) AddActuator(actuator);
     for (int tendon = 0; tendon < m.ntendon; ++tendon) AddTendon(tendon);
@@ -189,7 +189,7 @@ std::vector<std::string> CouplingsOf(const mjModel& m, int joint) {
 
 Divergence FindDivergence(const mjModel& m, const mjData& d, Workspace& workspace) {
   const std::optional<int> joint = WarnedJoint(m, d);
-  if (const Stiffest stiffest(m); stiffest.found()) return *stiffest.found();
+  if (const UnstableElementSearch search(m); search.found()) return *search.found();
   if (const auto deep = DeepStart(m, workspace)) return *deep;
   const std::string usual =
       "use a smaller timestep, softer contacts, or larger masses and inertias for its forces";
@@ -239,7 +239,7 @@ std::string HeldBackHint(const mjModel& m, int joint) {
   return hint;
 }
 
-bool MayStandElsewhere(const mjModel& m, int joint, const std::pair<int, int>& bodies) {
+bool CanOtherJointSeparate(const mjModel& m, int joint, const std::pair<int, int>& bodies) {
   const JointCouplings couplings(m);
   for (int other = 0; other < m.njnt; ++other) {
     if (other == joint || !compiled::HasOneNumber(m, other)) continue;

@@ -41,7 +41,7 @@ std::string HeldBackHint(const mjModel& m, int joint);
 /// Returns true if a hinge or slide that is independent of `joint` moves one of the two bodies
 /// relative to the other, so that `at` in an entry of checks.joints can move that body out of the
 /// way.
-bool MayStandElsewhere(const mjModel& m, int joint, const std::pair<int, int>& bodies);
+bool CanOtherJointSeparate(const mjModel& m, int joint, const std::pair<int, int>& bodies);
 
 /// Returns the hint `usual` for a joint that exceeds its range by `beyond`, rad or m. If `beyond`
 /// is large, the hint also advises an armature.

@@ -69,12 +69,12 @@ struct ContainmentResult {
 };
 
 /// Simulation of balls in an object that is held in place as if fixed to the world.
-class Container {
+class ContainmentSimulation {
  public:
   /// Disables the collisions of the body `removed` and of all its descendants; 0: all bodies
   /// collide.
-  Container(mjModel& m, mjData& d, std::span<const mjtNum> start,
-            const model::HoldingCheck& holding, int removed)
+  ContainmentSimulation(mjModel& m, mjData& d, std::span<const mjtNum> start,
+                        const model::HoldingCheck& holding, int removed)
       : m_(m), d_(d), first_(mj_name2id(&m, mjOBJ_BODY, BallName(0).c_str())) {
     if (first_ < 0) throw std::runtime_error("the balls are not in its world");
     const int qpos = m.jnt_qposadr[m.body_jntadr[first_]];
@@ -267,7 +267,7 @@ void CheckContainment(const ProbeTest& test) {
   if (!removed) return;
   const model::HoldingCheck& holding = *test.reporter.checks().holds;
   const auto result = Simulate(test.m, test.workspace, [&](mjData& d) {
-    return Container(test.m, d, test.start, holding, *removed).Run(holding.empties);
+    return ContainmentSimulation(test.m, d, test.start, holding, *removed).Run(holding.empties);
   });
   ContainmentReport(test).Add(result);
   if (result.has_diverged) return;

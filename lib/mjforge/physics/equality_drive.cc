@@ -146,7 +146,7 @@ DrivenJoint Drive(mjModel& m, mjData& d, int joint) {
   double* const own[] = {m.dof_damping + dof, m.dof_frictionloss + dof, m.jnt_stiffness + joint};
   double saved[std::size(own)];
   for (std::size_t i = 0; i < std::size(own); ++i) saved[i] = std::exchange(*own[i], 0.0);
-  JointController controller(m, d, CoupledJoints::kFree);
+  JointController controller(m, d, CoupledJoints::kPassive);
   controller.Begin(compiled::StartOf(m));
   DrivenJoint driven = controller.Run(std::span(&joint, 1)).front();
   for (std::size_t i = 0; i < std::size(own); ++i) *own[i] = saved[i];

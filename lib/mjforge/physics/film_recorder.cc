@@ -15,7 +15,7 @@ void FilmRecorder::Begin() {
   time_ = 0;
 }
 
-void FilmRecorder::Note(const mjModel& m, const mjData& d) {
+void FilmRecorder::Record(const mjModel& m, const mjData& d) {
   if (time_ >= kInterval * static_cast<double>(run_.size()))
     run_.emplace_back(d.qpos, d.qpos + m.nq);
   time_ += m.opt.timestep;

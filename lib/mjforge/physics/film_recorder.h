@@ -16,7 +16,7 @@ class FilmRecorder {
   void Begin();
   /// Records the positions if 5 ms of simulated time have passed since the run's last record. Must
   /// be called before each step.
-  void Note(const mjModel& m, const mjData& d);
+  void Record(const mjModel& m, const mjData& d);
   /// Adds the current run to the film.
   void Keep();
 

@@ -71,7 +71,7 @@ void LevelFloor(mjModel& m, int geom) {
   mju_unit4(m.geom_quat + 4 * geom);
   const mjtNum pos[] = {0, 0, LowestPoint(m) - DropHeight(m)};
   mju_copy3(m.geom_pos + 3 * geom, pos);
-  engine::UpdateBodyOf(m, geom);
+  engine::UpdateCollisionData(m, geom);
 }
 
 }  // namespace mjforge::physics

@@ -25,7 +25,7 @@ constexpr double kThere = 0.01;
 constexpr double kNearest = 0.005;  // rad or m
 // Natural frequency of the controller, rad/s: slower than the 50 rad/s of MuJoCo's limits and
 // contacts, and faster than a move.
-constexpr double kStiffness = 20;
+constexpr double kNaturalFrequency = 20;
 // Largest position errors that the controller corrects; larger errors are clamped, to limit the
 // force on a blocked joint. The limit of a driven joint is a share of its range.
 constexpr double kMostError = 0.1;
@@ -80,7 +80,7 @@ std::vector<DrivenJoint> JointController::Run(std::span<const int> joints) {
     all[i].joint = joints[i];
     all[i].measured.name = compiled::NameOf(m_, mjOBJ_JOINT, joints[i]);
     paths.push_back(PathsOf(m_, joints[i], start_));
-    if (coupled_ == CoupledJoints::kFree)
+    if (coupled_ == CoupledJoints::kPassive)
       for (JointPath& path : paths.back()) path.push = 0;  // this drive does not test limits
     most = std::max(most, paths.back().size());
   }
@@ -259,7 +259,7 @@ std::optional<Setpoint> JointController::SetpointOfOther(const std::vector<Joint
                                                          int joint,
                                                          const Setpoint& progress) const {
   if (!couplings_.IsCoupled(joint)) return Setpoint{StartOf(joint), 0, 0};
-  if (coupled_ == CoupledJoints::kFree) return std::nullopt;
+  if (coupled_ == CoupledJoints::kPassive) return std::nullopt;
   for (const JointDrive& drive : drives) {
     const auto setpoint = couplings_.SetpointOf(joint, drive.path.joint, Target(drive, progress));
     if (setpoint) return setpoint;
@@ -309,7 +309,8 @@ double JointController::StartOf(int joint) const {
 double JointController::Acceleration(int dof, double error, double speed,
                                      double acceleration) const {
   // Critically damped feedback of the position error and the speed error.
-  return acceleration + 2 * kStiffness * (speed - d_.qvel[dof]) + kStiffness * kStiffness * error;
+  return acceleration + 2 * kNaturalFrequency * (speed - d_.qvel[dof]) +
+         kNaturalFrequency * kNaturalFrequency * error;
 }
 
 /// Returns the position of the joint along the path, relative to the model's reference pose.

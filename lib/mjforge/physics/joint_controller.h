@@ -19,8 +19,8 @@ namespace mjforge::physics {
 
 /// Motion of joints that equalities and tendons couple to a driven joint.
 enum class CoupledJoints {
-  kDriven,  // moved by the controller, too, if an equality determines their motion
-  kFree,    // moved only by the equality or tendon
+  kDriven,   // moved by the controller, too, if an equality determines their motion
+  kPassive,  // moved only by the equality or tendon
 };
 
 /// Drives joints of a model whose free bodies are held in place (HeldModel). `m` and its data `d`

@@ -53,7 +53,7 @@ int Stepper::FrameOf() const {
 }
 
 void Stepper::Step() {
-  if (recorder_ != nullptr) recorder_->Note(m_, d_);
+  if (recorder_ != nullptr) recorder_->Record(m_, d_);
   // Lets MuJoCo find all pairs in a Runge-Kutta step, which detects collisions at several poses.
   if (!broad_phase_.works() || m_.opt.integrator == mjINT_RK4) {
     mj_step(&m_, &d_);

@@ -28,7 +28,7 @@ std::optional<Background> ParseBackground(std::string_view text) {
   return Plain(color);
 }
 
-void PutOn(const Background& background, Image& image) {
+void PutBehind(const Background& background, Image& image) {
   if (background.transparent) return;
   std::size_t at = 0;
   for (int y = 0; y < image.height; ++y) {

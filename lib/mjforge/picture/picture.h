@@ -49,7 +49,7 @@ struct Background {
 /// Reads "studio" (the default), "transparent", "white", "black", "gray" or "#rrggbb".
 std::optional<Background> ParseBackground(std::string_view text);
 /// Puts the background behind the image.
-void PutOn(const Background& background, Image& image);
+void PutBehind(const Background& background, Image& image);
 
 /// Limits of the width and the height of a picture, in pixels.
 inline constexpr int kMinSize = 16;

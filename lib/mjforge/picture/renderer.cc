@@ -248,7 +248,7 @@ std::optional<std::vector<Image>> Renderer::State::DrawPoses(Subject& subject,
   Options above = options;
   if (!legend.empty()) above.height -= legend.back().y + legend.back().text.height;
   const Camera camera = scene.Frame(all, lowest, above);
-  samples = SamplesOf(above, scene.HasOpaqueGeoms());
+  samples = SamplesOf(above, scene.HasOnlyOpaqueGeoms());
   ModelContext context(model, BuffersFor(above));
   std::vector<Image> images;
   for (const Positions& pose : poses) {
@@ -262,7 +262,7 @@ std::optional<std::vector<Image>> Renderer::State::DrawPoses(Subject& subject,
     image.height = options.height;
     image.rgba.resize(4 * static_cast<std::size_t>(image.width) *
                       static_cast<std::size_t>(image.height));
-    PutOn(options.background, image);
+    PutBehind(options.background, image);
     DrawLabels(scene, camera, above.height, image);
     for (const PlacedText& line : legend) PutOver(line.text, line.x, above.height + line.y, image);
   }

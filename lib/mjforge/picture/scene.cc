@@ -268,7 +268,7 @@ Camera Scene::Frame(const PlacedShapes& shapes, double floor_height, const Optio
   return FrameShapes(shapes, options.width, options.height, options.view, shadow);
 }
 
-bool Scene::HasOpaqueGeoms() const {
+bool Scene::HasOnlyOpaqueGeoms() const {
   return std::all_of(scene_.geoms, scene_.geoms + scene_.ngeom,
                      [](const mjvGeom& geom) { return geom.rgba[3] >= kOpaque; });
 }

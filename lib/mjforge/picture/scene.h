@@ -55,7 +55,7 @@ class Scene {
   /// ground or the camera is below the floor. A scene with translucent geoms also gets a backdrop.
   void Light(const Camera& camera, double floor_height, bool has_shadows);
   /// Returns true if no geom is translucent.
-  bool HasOpaqueGeoms() const;
+  bool HasOnlyOpaqueGeoms() const;
   /// Returns true if MuJoCo draws no geom translucent for the camera given to Light(). A plane is
   /// translucent if the camera sees its back.
   bool IsOpaque() const { return translucent_.empty(); }

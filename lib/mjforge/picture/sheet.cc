@@ -137,7 +137,7 @@ Image ContactSheet(Renderer& renderer, std::span<const Tile> tiles, const Backgr
     if (row.lines > 0) height += kBelowCaption;
   }
   Image sheet = MakeImage(static_cast<int>(columns) * (width + kGap) + kGap, height);
-  PutOn(background, sheet);
+  PutBehind(background, sheet);
   for (std::size_t i = 0; i < tiles.size(); ++i) {
     const SheetRow& row = rows[i / columns];
     const int left = kGap + static_cast<int>(i % columns) * (width + kGap);

@@ -130,7 +130,7 @@ class RegionTry {
         where_(where),
         region_(*where.region),
         X_WR_(PoseInWorld(object, where.support) * region_.X_BR) {
-    if (region_.walls) region_.margin += kContactGap;
+    if (region_.has_walls) region_.margin += kContactGap;
   }
 
   PlaceResult Run(const Obstacles& obstacles) const {
@@ -160,7 +160,7 @@ class RegionTry {
     const auto at = [&](int body) -> const model::Body& {
       return object_.bodies[static_cast<std::size_t>(body)];
     };
-    for (int body = where_.support; body >= 0 && !at(body).stands_at.empty();
+    for (int body = where_.support; body >= 0 && !at(body).place_name.empty();
          body = at(body).parent)
       support.below.push_back(body);
     return support;
@@ -237,7 +237,7 @@ class RegionTry {
     const Support support = SupportPlane();
     Pose X_RB{{stance.at->x(), stance.at->y(), kContactGap - of_.bottom},
               AboutZ(stance.yaw) * of_.q_LB};
-    const double rise = region_.walls ? Rise(X_RB, support, obstacles) : 0;
+    const double rise = region_.has_walls ? Rise(X_RB, support, obstacles) : 0;
     X_RB.p.z() += rise;
     result.X_SupportBody = region_.X_BR * X_RB;
     const Pose X_WB = X_WR_ * X_RB;
@@ -296,7 +296,7 @@ class ExactPlacer : public model::Placer {
     TryBody(-1);
   }
 
-  void Stand(int body, double clear) override {
+  void AddObstacle(int body, double clear) override {
     obstacles_.Add(*object_, body, clear);
     TryBody(-1);
   }

@@ -65,7 +65,7 @@ struct Totals {
   double most = 1e-9;
 
   double Width(std::uint64_t part, std::uint64_t whole) const {
-    return Share(part, whole) / most * (kBarFrame.right - kBarFrame.left);
+    return Share(part, whole) / most * (kBarArea.right - kBarArea.left);
   }
 };
 
@@ -101,9 +101,9 @@ void AddRow(Dictionary& dictionary, const Row& row, const Totals& totals, double
   }
   if (totals.expected > 0) {
     Set(Section(shown, "EXPECTED"), "PATH",
-        fmt::format("M{} {:.1f}H{:.1f}v{}H{}", kBarFrame.left, top - 1.5,
-                    kBarFrame.left + totals.Width(row.expected, totals.expected), kBar + 3,
-                    kBarFrame.left));
+        fmt::format("M{} {:.1f}H{:.1f}v{}H{}", kBarArea.left, top - 1.5,
+                    kBarArea.left + totals.Width(row.expected, totals.expected), kBar + 3,
+                    kBarArea.left));
   }
 }
 
@@ -114,7 +114,7 @@ void AddBars(Dictionary& parent, const BarChart& chart) {
   const Totals totals = TotalsOf(chart, rows);
   Dictionary& dictionary = Include(parent, "CHART", TemplateName::kBars);
   std::string description;
-  double top = kBarFrame.top;
+  double top = kBarArea.top;
   for (const Row& row : rows) {
     AddRow(dictionary, row, totals, top);
     description += (description.empty() ? "" : "; ") + TextOf(row, totals);

@@ -16,15 +16,15 @@
 namespace mjforge::report {
 
 /// Edges of a chart's plot area, in units of the SVG; must match the chart's template.
-struct Frame {
+struct PlotArea {
   double left = 46;
   double right = 350;
   double top = 18;
   double bottom = 160;
 };
-inline constexpr Frame kHistogramFrame;
-inline constexpr Frame kScatterFrame = {.bottom = 220};
-inline constexpr Frame kBarFrame = {.left = 120, .right = 300, .top = 4};
+inline constexpr PlotArea kHistogramArea;
+inline constexpr PlotArea kScatterArea = {.bottom = 220};
+inline constexpr PlotArea kBarArea = {.left = 120, .right = 300, .top = 4};
 
 /// Fills in an axis: AXIS_TICK sections with AT and LABEL, and AXIS_LABEL, where `axis` is X or Y.
 void AddAxis(Dictionary& chart, const std::string& axis, const std::vector<Axis::Tick>& ticks,

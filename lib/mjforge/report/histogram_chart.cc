@@ -10,7 +10,7 @@
 namespace mjforge::report {
 namespace {
 
-constexpr Frame kFrame = kHistogramFrame;
+constexpr PlotArea kArea = kHistogramArea;
 
 struct Binning {
   bool logarithmic = false;
@@ -26,7 +26,7 @@ struct Binning {
   }
   // Horizontal position of the start of a bin.
   double Edge(std::size_t bin) const {
-    return kFrame.left + Share(bin) * (kFrame.right - kFrame.left);
+    return kArea.left + Share(bin) * (kArea.right - kArea.left);
   }
   // Number at a position between lo and hi.
   double Value(double place) const { return logarithmic ? std::pow(10, place) : place; }
@@ -89,10 +89,10 @@ std::vector<double> ExpectedCounts(const Binning& binning) {
 }
 
 std::string Outline(const Binning& binning, const Axis& y, const std::vector<double>& curve) {
-  std::string path = fmt::format("M{:.1f} {:.1f}", kFrame.left, kFrame.bottom);
+  std::string path = fmt::format("M{:.1f} {:.1f}", kArea.left, kArea.bottom);
   for (std::size_t i = 0; i < curve.size(); ++i)
     path += fmt::format("V{:.1f}H{:.1f}", y.At(curve[i]), binning.Edge(i + 1));
-  return path + fmt::format("V{:.1f}", kFrame.bottom);
+  return path + fmt::format("V{:.1f}", kArea.bottom);
 }
 
 void AddColumns(Dictionary& dictionary, const Binning& binning, const Axis& y,
@@ -104,7 +104,7 @@ void AddColumns(Dictionary& dictionary, const Binning& binning, const Axis& y,
     Set(bar, "X", left);
     Set(bar, "Y", top);
     Set(bar, "WIDTH", std::max(binning.Edge(bin + 1) - 0.5 - left, 1.0));
-    Set(bar, "HEIGHT", kFrame.bottom - top);
+    Set(bar, "HEIGHT", kArea.bottom - top);
   };
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     if (drawn[i] == 0) continue;
@@ -160,8 +160,8 @@ void AddHistogram(Dictionary& parent, const HistogramChart& chart) {
   double most = static_cast<double>(*std::max_element(drawn.begin(), drawn.end()));
   for (const double count : curve) most = std::max(most, count);
   const Axis x(binning.logarithmic ? Scale::kLogarithmic : Scale::kLinear,
-               binning.Value(binning.lo), binning.Value(binning.hi), kFrame.left, kFrame.right);
-  Axis y(Scale::kLinear, 0, std::max(most, 1.0), kFrame.bottom, kFrame.top);
+               binning.Value(binning.lo), binning.Value(binning.hi), kArea.left, kArea.right);
+  Axis y(Scale::kLinear, 0, std::max(most, 1.0), kArea.bottom, kArea.top);
   y.Round(4);
   Dictionary& dictionary = Include(parent, "CHART", TemplateName::kHistogram);
   Set(dictionary, "ID", chart.id);

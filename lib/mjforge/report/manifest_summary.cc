@@ -78,7 +78,7 @@ void ManifestSummary::Add(const Record& record) {
     if (const std::optional<double> value = Measures()[i].of(record))
       measures[i].Add(*value, is_bad);
   }
-  if (record.physics) trials.Add(*record.physics);
+  if (record.physics) tests.Add(*record.physics);
   if (const std::optional<double> size = SizeOf(record))
     points.Add(record.index, {*size, record.mass_properties.mass, is_bad});
   AddFindings(record);
@@ -104,7 +104,7 @@ void ManifestSummary::Append(const ManifestSummary& next) {
   params.Append(next.params);
   structures.Append(next.structures);
   for (std::size_t i = 0; i < measures.size(); ++i) measures[i].Append(next.measures[i]);
-  trials.Append(next.trials);
+  tests.Append(next.tests);
   points.Append(next.points);
   failed_.Append(next.failed_);
   good_.Append(next.good_);

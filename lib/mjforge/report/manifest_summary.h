@@ -16,7 +16,7 @@
 #include "mjforge/report/random_sample.h"
 #include "mjforge/report/structure_tallies.h"
 #include "mjforge/report/tallies.h"
-#include "mjforge/report/trials.h"
+#include "mjforge/report/test_tallies.h"
 
 namespace mjforge::report {
 
@@ -81,7 +81,7 @@ class ManifestSummary {
   ParameterTallies params;
   StructureTallies structures;
   std::vector<NumberTally> measures;  // in the order of Measures()
-  Trials trials;
+  TestTallies tests;
   RandomSample<Point> points;
   std::string
       other_batch;  // difference of the first record of another batch; empty if there is none

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "mjforge/output/output.h"
-#include "mjforge/report/cards.h"
 #include "mjforge/report/page_sections.h"
 #include "mjforge/report/report.h"
+#include "mjforge/report/variant_rows.h"
 
 namespace mjforge::report {
 
@@ -66,27 +66,27 @@ void AddNotices(const Request& request, std::uint64_t bad_lines, Batch& batch,
     batch.notices.emplace_back("The manifest has no records: there is nothing to show.");
 }
 
-std::string ShownText(const Cards& cards, const ManifestSummary& summary) {
+std::string ShownText(const VariantRows& rows, const ManifestSummary& summary) {
   std::string text =
-      fmt::format("{} of {} {} shown", CountText(cards.shown()),
+      fmt::format("{} of {} {} shown", CountText(rows.shown()),
                   CountText(summary.variants, "variant"), summary.variants == 1 ? "is" : "are");
   std::vector<std::string> groups;
   const std::uint64_t bad = summary.variants - summary.statuses.ok;
   if (bad > 0) {
-    groups.push_back(fmt::format("{} of the {} that failed or were skipped",
-                                 CountText(cards.failed), CountText(bad)));
+    groups.push_back(fmt::format("{} of the {} that failed or were skipped", CountText(rows.failed),
+                                 CountText(bad)));
   }
-  if (cards.slow > 0)
-    groups.push_back(fmt::format("the {} slowest to come to rest", CountText(cards.slow)));
-  if (!groups.empty() || cards.shown() < summary.variants)
-    groups.push_back(fmt::format("{} spread over the {}", CountText(cards.sampled),
+  if (rows.slow > 0)
+    groups.push_back(fmt::format("the {} slowest to come to rest", CountText(rows.slow)));
+  if (!groups.empty() || rows.shown() < summary.variants)
+    groups.push_back(fmt::format("{} spread over the {}", CountText(rows.sampled),
                                  groups.empty() ? "batch" : "others"));
   for (std::size_t i = 0; i < groups.size(); ++i)
     text += (i == 0 ? ": " : i + 1 == groups.size() ? ", then " : ", ") + groups[i];
   text += ".";
-  if (cards.left_out > 0) {
+  if (rows.left_out > 0) {
     text += fmt::format(" The page is full: {} more did not fit into {} MB.",
-                        CountText(cards.left_out), kMaxBytes / 1'000'000);
+                        CountText(rows.left_out), kMaxBytes / 1'000'000);
   }
   return text;
 }
@@ -98,8 +98,8 @@ void AddOptions(Dictionary& body, const ManifestSummary& summary) {
   for (const auto& [code, tally] : summary.codes) ShowText(body, "CODE_OPTION", Clean(code, 120));
 }
 
-// Renders the page with these cards. The size of the page without the cards is nearly constant.
-std::string Render(const Request& request, const Batch& batch, const Cards& cards) {
+// Renders the page with these rows. The size of the page without the rows is nearly constant.
+std::string Render(const Request& request, const Batch& batch, const VariantRows& rows) {
   ctemplate::TemplateDictionary page("page");
   Set(page, "CSS", kPageCss);
   Set(page, "JS", kPageJs);
@@ -112,18 +112,18 @@ std::string Render(const Request& request, const Batch& batch, const Cards& card
     AddPhysics(body, batch.summary);
     AddOptions(body, batch.summary);
     if (batch.summary.HasPhysics()) Section(body, "REST_COLUMN");
-    Set(body, "SHOWN", ShownText(cards, batch.summary));
-    Set(body, "CARDS", cards.html);
+    Set(body, "SHOWN", ShownText(rows, batch.summary));
+    Set(body, "ROWS", rows.html);
   }
   return Expand(TemplateName::kPage, page);
 }
 
-void AddMissingPictures(const Cards& cards, Batch& batch, diag::Findings& findings) {
-  if (cards.without_picture == 0) return;
+void AddMissingPictures(const VariantRows& rows, Batch& batch, diag::Findings& findings) {
+  if (rows.without_picture == 0) return;
   const std::string message =
       fmt::format("{} of {} shown {} no picture: the files are gone or cannot be drawn",
-                  CountText(cards.without_picture), CountText(cards.shown(), "variant"),
-                  cards.without_picture == 1 ? "has" : "have");
+                  CountText(rows.without_picture), CountText(rows.shown(), "variant"),
+                  rows.without_picture == 1 ? "has" : "have");
   findings.Warn(diag::Code::kReportNoPicture, {}, message,
                 "repeat the command that made the batch, with --resume");
   batch.notices.push_back(message + ".");
@@ -144,10 +144,11 @@ std::optional<Page> MakePage(const Request& request, const Thumbnailer& thumbnai
   if (batch.summary.first) LoadSpec(request, batch, sources, findings);
   const std::size_t bytes = Render(request, batch, {}).size() + kSpareBytes;
   const std::size_t room = bytes < kMaxBytes ? kMaxBytes - bytes : 0;
-  const Cards cards = MakeCards(batch.summary.Choose(), batch, request, thumbnailer, room);
-  AddMissingPictures(cards, batch, findings);
-  return Page{Render(request, batch, cards), batch.summary.variants, cards.shown(),
-              cards.without_picture};
+  const VariantRows rows =
+      MakeVariantRows(batch.summary.Choose(), batch, request, thumbnailer, room);
+  AddMissingPictures(rows, batch, findings);
+  return Page{Render(request, batch, rows), batch.summary.variants, rows.shown(),
+              rows.without_picture};
 }
 
 bool MayReplace(const std::filesystem::path& file, bool force, diag::Findings& findings) {

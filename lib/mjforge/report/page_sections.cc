@@ -142,35 +142,35 @@ class ParameterPanels {
   bool is_set_ = false;
 };
 
-std::string WordsOf(const Trial& trial) {
-  switch (trial.kind) {
-    case Trial::Kind::kSimReady:
+std::string WordsOf(const TestTally& test) {
+  switch (test.kind) {
+    case TestTally::Kind::kSimReady:
       return "SimReady benchmark";
-    case Trial::Kind::kHolds:
+    case TestTally::Kind::kHolds:
       return "The balls that are dropped into it stay inside.";
-    case Trial::Kind::kSettled:
+    case TestTally::Kind::kSettled:
       return "All free bodies stay where they start.";
-    case Trial::Kind::kFits:
+    case TestTally::Kind::kFits:
       return "All that has to fit into holes goes in.";
-    case Trial::Kind::kGrasps:
-      return fmt::format("Jaws lift and hold it; {} of {} do.", CountText(trial.held),
-                         CountText(trial.ways, "way"));
+    case TestTally::Kind::kGrasps:
+      return fmt::format("Jaws lift and hold it; {} of {} do.", CountText(test.held),
+                         CountText(test.ways, "way"));
   }
   return {};
 }
 
-void AddTrials(Dictionary& section, const Trials& trials) {
-  if (trials.list().empty()) return;
+void AddTests(Dictionary& section, const TestTallies& tests) {
+  if (tests.list().empty()) return;
   Dictionary& table = Section(section, "TRIALS");
-  for (const Trial& trial : trials.list()) {
+  for (const TestTally& test : tests.list()) {
     Dictionary& row = Section(table, "TRIAL");
-    const std::uint64_t all = trial.passed + trial.failed;
-    Set(row, "NAME", trial.name.empty() ? "grasp" : Clean(trial.name));
-    Set(row, "MEANING", WordsOf(trial));
-    Set(row, "PASSED", CountText(trial.passed));
-    Set(row, "FAILED", CountText(trial.failed));
-    Set(row, "SHARE", ShareText(trial.passed, all));
-    Set(row, "PERCENT", 100 * static_cast<double>(trial.passed) / static_cast<double>(all));
+    const std::uint64_t all = test.passed + test.failed;
+    Set(row, "NAME", test.name.empty() ? "grasp" : Clean(test.name));
+    Set(row, "MEANING", WordsOf(test));
+    Set(row, "PASSED", CountText(test.passed));
+    Set(row, "FAILED", CountText(test.failed));
+    Set(row, "SHARE", ShareText(test.passed, all));
+    Set(row, "PERCENT", 100 * static_cast<double>(test.passed) / static_cast<double>(all));
   }
 }
 
@@ -279,7 +279,7 @@ void AddPhysics(Dictionary& body, const ManifestSummary& summary) {
     Set(sizes, "NCON", fmt::format("{:.0f}", summary.Of(MeasureId::kContacts).all.max()));
     Set(sizes, "NEFC", fmt::format("{:.0f}", summary.Of(MeasureId::kConstraints).all.max()));
   }
-  AddTrials(section, summary.trials);
+  AddTests(section, summary.tests);
   AddMeasures(section, summary, true);
 }
 

@@ -34,8 +34,8 @@ void AddScatter(Dictionary& parent, std::span<const Point> points, std::uint64_t
     sizes.push_back(point.size);
     masses.push_back(point.mass);
   }
-  const Axis x = AxisOf(sizes, kScatterFrame.left, kScatterFrame.right);
-  const Axis y = AxisOf(masses, kScatterFrame.bottom, kScatterFrame.top);
+  const Axis x = AxisOf(sizes, kScatterArea.left, kScatterArea.right);
+  const Axis y = AxisOf(masses, kScatterArea.bottom, kScatterArea.top);
   std::string good;
   std::string bad;
   for (const Point& point : points) {

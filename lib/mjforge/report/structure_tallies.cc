@@ -36,8 +36,8 @@ void AddNumber(double number, ParameterExtent& extent) {
 // Finds or adds the extent of a parameter, and sets `position` to the position after this extent.
 // The search starts at `position`, because all records of a batch have their parameters in one
 // order; only lists may differ in length.
-ParameterExtent& At(std::size_t& position, const std::string& name,
-                    std::vector<ParameterExtent>& extents) {
+ParameterExtent& FindOrAdd(std::size_t& position, const std::string& name,
+                           std::vector<ParameterExtent>& extents) {
   auto found = extents.begin() + static_cast<std::ptrdiff_t>(std::min(position, extents.size()));
   if (found == extents.end() || found->name != name)
     found = std::ranges::find(extents, name, &ParameterExtent::name);
@@ -52,19 +52,19 @@ ParameterExtent& At(std::size_t& position, const std::string& name,
 void AddParameter(const std::string& name, const sample::ParameterValue& value,
                   std::size_t& position, std::vector<ParameterExtent>& extents) {
   if (const auto* text = std::get_if<std::string>(&value)) {
-    AddValue(*text, At(position, name, extents));
+    AddValue(*text, FindOrAdd(position, name, extents));
   } else if (const auto* flag = std::get_if<bool>(&value)) {
-    AddValue(*flag ? "true" : "false", At(position, name, extents));
+    AddValue(*flag ? "true" : "false", FindOrAdd(position, name, extents));
   } else if (const auto* texts = std::get_if<std::vector<std::string>>(&value)) {
-    AddValue(fmt::format("{}", fmt::join(*texts, ", ")), At(position, name, extents));
+    AddValue(fmt::format("{}", fmt::join(*texts, ", ")), FindOrAdd(position, name, extents));
   } else if (const auto* flags = std::get_if<std::vector<bool>>(&value)) {
-    AddValue(fmt::format("{}", fmt::join(*flags, ", ")), At(position, name, extents));
+    AddValue(fmt::format("{}", fmt::join(*flags, ", ")), FindOrAdd(position, name, extents));
   } else if (const auto* number = std::get_if<double>(&value)) {
-    AddNumber(*number, At(position, name, extents));
+    AddNumber(*number, FindOrAdd(position, name, extents));
   } else {
     const auto& numbers = std::get<std::vector<double>>(value);
     for (std::size_t i = 0; i < std::min(numbers.size(), kComparedComponents); ++i)
-      AddNumber(numbers[i], At(position, fmt::format("{}[{}]", name, i), extents));
+      AddNumber(numbers[i], FindOrAdd(position, fmt::format("{}[{}]", name, i), extents));
   }
 }
 
@@ -107,7 +107,7 @@ std::vector<const ParameterExtent*> ExtentsOf(
 
 void AppendAll(const std::vector<ParameterExtent>& from, std::vector<ParameterExtent>& to) {
   std::size_t position = 0;
-  for (const ParameterExtent& extent : from) At(position, extent.name, to).Append(extent);
+  for (const ParameterExtent& extent : from) FindOrAdd(position, extent.name, to).Append(extent);
 }
 
 }  // namespace
@@ -132,7 +132,7 @@ void StructureTally::Append(const StructureTally& next) {
 }
 
 // Finds or adds the tally of a structure; returns null if there are too many structures.
-StructureTally* StructureTallies::At(const std::string& key) {
+StructureTally* StructureTallies::FindOrAdd(const std::string& key) {
   const auto [known, is_new] = numbers_.try_emplace(key, list_.size());
   if (!is_new) return &list_[known->second];
   if (list_.size() == kMaxStructures) {
@@ -146,7 +146,7 @@ StructureTally* StructureTallies::At(const std::string& key) {
 
 void StructureTallies::Add(const manifest::Record& record) {
   if (record.structure.empty()) return;
-  if (StructureTally* tally = At(record.structure)) {
+  if (StructureTally* tally = FindOrAdd(record.structure)) {
     tally->Add(record);
   } else {
     ++more_;
@@ -156,7 +156,7 @@ void StructureTallies::Add(const manifest::Record& record) {
 void StructureTallies::Append(const StructureTallies& next) {
   more_ += next.more_;
   for (const StructureTally& tally : next.list_) {
-    if (StructureTally* known = At(tally.key)) {
+    if (StructureTally* known = FindOrAdd(tally.key)) {
       known->Append(tally);
     } else {
       more_ += tally.variants;

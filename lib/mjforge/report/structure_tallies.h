@@ -60,7 +60,7 @@ class StructureTallies {
   std::uint64_t more() const { return more_; }
 
  private:
-  StructureTally* At(const std::string& key);
+  StructureTally* FindOrAdd(const std::string& key);
 
   std::vector<StructureTally> list_;
   std::map<std::string, std::size_t> numbers_;  // positions in the list, by key

@@ -29,7 +29,7 @@ struct SectionSummary {
   diag::Findings findings;
 };
 
-SectionSummary SummarizeSection(const Path& manifest, const bytes::Section& section,
+SectionSummary SummarizeSection(const Path& manifest, const bytes::FileSection& section,
                                 std::size_t shown) {
   using Outcome = manifest::RecordReader::Outcome;
   SectionSummary summary{.records = ManifestSummary(shown), .sources = {}, .findings = {}};
@@ -40,7 +40,7 @@ SectionSummary SummarizeSection(const Path& manifest, const bytes::Section& sect
   for (Outcome outcome = Outcome::kRecord; reader && outcome != Outcome::kEnd;) {
     outcome = reader->Next(record);
     if (outcome == Outcome::kRecord) summary.records.Add(record);
-    const bool is_cut_off = is_part && reader->torn();
+    const bool is_cut_off = is_part && reader->is_truncated();
     if (outcome == Outcome::kBadLine && !is_cut_off) ++summary.bad_lines;
     if (outcome != Outcome::kUnreadable) continue;
     summary.is_unreadable = !is_cut_off;
@@ -50,11 +50,11 @@ SectionSummary SummarizeSection(const Path& manifest, const bytes::Section& sect
   return summary;
 }
 
-std::optional<std::vector<bytes::Section>> SectionsOf(const Path& manifest,
-                                                      diag::Findings& findings) {
+std::optional<std::vector<bytes::FileSection>> SectionsOf(const Path& manifest,
+                                                          diag::Findings& findings) {
   const std::optional<std::vector<std::uint64_t>> cuts = manifest::CutsOf(manifest, findings);
   if (!cuts) return std::nullopt;
-  std::vector<bytes::Section> sections(1);
+  std::vector<bytes::FileSection> sections(1);
   for (const std::uint64_t cut : *cuts) {
     if (cut - sections.back().begin < kSectionBytes) continue;
     sections.back().end = cut;
@@ -119,7 +119,7 @@ class Joiner {
 std::optional<ManifestSummary> Summarize(const Path& manifest, std::size_t shown,
                                          diag::Sources& sources, diag::Findings& findings,
                                          std::uint64_t& bad_lines) {
-  const std::optional<std::vector<bytes::Section>> sections = SectionsOf(manifest, findings);
+  const std::optional<std::vector<bytes::FileSection>> sections = SectionsOf(manifest, findings);
   if (!sections) return std::nullopt;
   // More sections than cores are read at a time, so that no core waits while summaries are joined.
   const std::size_t jobs = std::max(1U, std::thread::hardware_concurrency()) + 1;

@@ -102,16 +102,16 @@ std::vector<std::pair<std::string, Counts>> ParameterTally::Values() const {
 void ParameterTallies::Add(
     const std::vector<std::pair<std::string, sample::ParameterValue>>& params, bool is_bad) {
   for (std::size_t i = 0; i < params.size(); ++i)
-    At(i, params[i].first).Add(params[i].second, is_bad);
+    FindOrAdd(i, params[i].first).Add(params[i].second, is_bad);
 }
 
 void ParameterTallies::Append(const ParameterTallies& other) {
   for (std::size_t i = 0; i < other.list_.size(); ++i)
-    At(i, other.list_[i].name).Append(other.list_[i]);
+    FindOrAdd(i, other.list_[i].name).Append(other.list_[i]);
 }
 
 // Returns the tally of that name, which is usually at `position`; adds the tally if it is missing.
-ParameterTally& ParameterTallies::At(std::size_t position, const std::string& name) {
+ParameterTally& ParameterTallies::FindOrAdd(std::size_t position, const std::string& name) {
   auto known = list_.begin() + static_cast<std::ptrdiff_t>(std::min(position, list_.size()));
   if (known == list_.end() || known->name != name)
     known = std::ranges::find(list_, name, &ParameterTally::name);

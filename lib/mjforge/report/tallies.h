@@ -77,7 +77,7 @@ class ParameterTallies {
   const ParameterTally* Find(const std::string& name) const;
 
  private:
-  ParameterTally& At(std::size_t position, const std::string& name);
+  ParameterTally& FindOrAdd(std::size_t position, const std::string& name);
 
   std::vector<ParameterTally> list_;
 };

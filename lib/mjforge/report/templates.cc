@@ -15,7 +15,7 @@
 namespace mjforge::report {
 
 extern const std::string_view kPageHtml;
-extern const std::string_view kCardHtml;
+extern const std::string_view kRowHtml;
 extern const std::string_view kHistogramHtml;
 extern const std::string_view kBarsHtml;
 extern const std::string_view kScatterHtml;
@@ -25,7 +25,7 @@ extern const std::string_view kSpecHtml;
 
 namespace {
 
-constexpr std::array kNames = {"page",    "card",   "histogram", "bars",
+constexpr std::array kNames = {"page",    "row",    "histogram", "bars",
                                "scatter", "panels", "gallery",   "spec"};
 
 const char* NameOf(TemplateName name) { return kNames[static_cast<std::size_t>(name)]; }
@@ -36,7 +36,7 @@ ctemplate::TemplateString View(std::string_view text) {
 
 // Registers the templates. Call it once per process.
 bool LoadTemplates() {
-  const std::array texts = {kPageHtml,    kCardHtml,   kHistogramHtml, kBarsHtml,
+  const std::array texts = {kPageHtml,    kRowHtml,    kHistogramHtml, kBarsHtml,
                             kScatterHtml, kPanelsHtml, kGalleryHtml,   kSpecHtml};
   bool loaded = true;
   for (std::size_t i = 0; i < texts.size(); ++i) {

@@ -18,7 +18,7 @@ namespace mjforge::report {
 
 using Dictionary = ctemplate::TemplateDictionary;
 
-enum class TemplateName { kPage, kCard, kHistogram, kBars, kScatter, kPanels, kGallery, kSpec };
+enum class TemplateName { kPage, kRow, kHistogram, kBars, kScatter, kPanels, kGallery, kSpec };
 
 extern const std::string_view kPageCss;  // style of all pages
 

@@ -37,10 +37,10 @@ class StreamCollector {
     }
   }
 
-  std::vector<DrawnStream> Take() { return std::move(streams_); }
+  std::vector<ParameterStream> Take() { return std::move(streams_); }
 
  private:
-  void Add(const DrawnStream& stream) { streams_.push_back(stream); }
+  void Add(const ParameterStream& stream) { streams_.push_back(stream); }
 
   // Returns the length of a list if it is the same in all variants; otherwise 0.
   static std::size_t LengthOf(const spec::Value& count) {
@@ -86,8 +86,8 @@ class StreamCollector {
   }
 
   // Returns the stream of the draw itself, without the draws in its arguments.
-  static DrawnStream OwnStream(const spec::Draw& draw, StreamId path) {
-    DrawnStream stream = {.stream = path, .split = {}};
+  static ParameterStream OwnStream(const spec::Draw& draw, StreamId path) {
+    ParameterStream stream = {.stream = path, .split = {}};
     if (draw.distribution == Distribution::kChoice && draw.weights.empty()) {
       stream.levels = draw.arguments.size();
     } else if (draw.distribution == Distribution::kInteger) {
@@ -107,12 +107,12 @@ class StreamCollector {
     return stream;
   }
 
-  std::vector<DrawnStream> streams_;
+  std::vector<ParameterStream> streams_;
 };
 
 }  // namespace
 
-std::vector<DrawnStream> DrawnStreams(const spec::ObjectSpec& spec) {
+std::vector<ParameterStream> ParameterStreams(const spec::ObjectSpec& spec) {
   StreamCollector collector;
   const auto add = [&collector](const spec::ObjectSpec& of, StreamId root) {
     const StreamId parameters = Child(root, "params");

@@ -13,7 +13,7 @@ namespace mjforge::sample {
 
 /// A random stream from which a parameter's value is drawn, with its dimensions in a sampling
 /// method.
-struct DrawnStream {
+struct ParameterStream {
   StreamId stream = 0;
   int numbers = 1;           // count of uniform numbers drawn; each is a dimension
   std::uint64_t levels = 0;  // number of values of a discrete draw; 0 if continuous or unknown
@@ -37,6 +37,6 @@ inline StreamId SharedStream(const spec::ObjectSpec& shared) {
 /// order. A draw comes before the draws in its arguments, limits and options. The streams are those
 /// that Evaluator uses. A choice with `exact: true` is left out, because it draws no uniform
 /// number.
-std::vector<DrawnStream> DrawnStreams(const spec::ObjectSpec& spec);
+std::vector<ParameterStream> ParameterStreams(const spec::ObjectSpec& spec);
 
 }  // namespace mjforge::sample

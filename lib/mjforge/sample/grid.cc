@@ -32,8 +32,8 @@ double CentreOf(std::uint64_t level, std::uint64_t levels, std::optional<double>
 
 }  // namespace
 
-Grid::Grid(std::span<const DrawnStream> streams, std::uint64_t size) {
-  for (const DrawnStream& stream : streams) {
+Grid::Grid(std::span<const ParameterStream> streams, std::uint64_t size) {
+  for (const ParameterStream& stream : streams) {
     if (stream.is_order) continue;  // random sort keys on a grid do not give all orders
     const auto count = static_cast<std::size_t>(stream.numbers);
     axes_of_.emplace(stream.stream, Axes{axes_.size(), count});

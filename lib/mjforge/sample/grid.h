@@ -20,7 +20,7 @@ namespace mjforge::sample {
 /// the first of these dimensions get one level more, as many as the limit of `size` points allows.
 class Grid {
  public:
-  Grid(std::span<const DrawnStream> streams, std::uint64_t size);
+  Grid(std::span<const ParameterStream> streams, std::uint64_t size);
 
   /// Replaces the uniform numbers of a stream by the stream's coordinates of the grid point
   /// `position`, which are centres of cells of (0, 1). Positions beyond the last point start again
@@ -37,7 +37,7 @@ class Grid {
   struct Axis {
     std::uint64_t levels;         // at least 1
     std::uint64_t stride;         // difference of position between one level and the next
-    std::optional<double> split;  // DrawnStream::split
+    std::optional<double> split;  // ParameterStream::split
   };
   struct Axes {
     std::size_t first;

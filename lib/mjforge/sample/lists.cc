@@ -80,7 +80,7 @@ std::optional<Items> Evaluator::Repeat(const spec::Each& each, StreamId path) {
 
 // Draws a sort key for each item, so that adding an item at the end does not change the order of
 // the other items.
-std::vector<std::size_t> Evaluator::RandomOrder(std::size_t count, StreamId path) const {
+std::vector<std::size_t> Evaluator::RandomPermutation(std::size_t count, StreamId path) const {
   std::vector<double> keys(count);
   for (std::size_t i = 0; i < count; ++i) keys[i] = Uniforms(Child(path, i))[0];
   std::vector<std::size_t> order(count);
@@ -100,7 +100,7 @@ std::optional<Items> Evaluator::Arrange(const spec::Arrangement& arrangement, St
                      all->numbers.size()));
     return std::nullopt;
   }
-  const std::vector<std::size_t> order = RandomOrder(all->numbers.size(), path);
+  const std::vector<std::size_t> order = RandomPermutation(all->numbers.size(), path);
   Items items;
   for (std::size_t i = 0; i < *count; ++i) {
     items.numbers.push_back(all->numbers[order[i]]);

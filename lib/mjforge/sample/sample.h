@@ -130,7 +130,7 @@ class Evaluator {
   /// item fails.
   bool AppendItem(const spec::Value& item, expr::Type type, StreamId path, Items& out);
   /// Returns the numbers 0 to count - 1 in random order.
-  std::vector<std::size_t> RandomOrder(std::size_t count, StreamId path) const;
+  std::vector<std::size_t> RandomPermutation(std::size_t count, StreamId path) const;
 
   // Defined in draws.cc.
   double DrawNumber(const spec::Draw& draw, diag::SourceMark mark, StreamId path);

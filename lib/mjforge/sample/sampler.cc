@@ -39,8 +39,8 @@ Sampler::Sampler(const spec::ObjectSpec& spec, Method method, std::uint64_t seed
       batch_(std::min(batch, kMaxBatch)),
       is_random_(method == Method::kRandom || (method != Method::kSobol && batch == 0)),
       needs_batch_(NeedsBatch(spec, method)) {
-  if (method == Method::kSobol) sobol_ = std::make_shared<Sobol>(DrawnStreams(spec), seed);
-  if (method == Method::kGrid) grid_ = std::make_shared<Grid>(DrawnStreams(spec), batch_);
+  if (method == Method::kSobol) sobol_ = std::make_shared<Sobol>(ParameterStreams(spec), seed);
+  if (method == Method::kGrid) grid_ = std::make_shared<Grid>(ParameterStreams(spec), batch_);
 }
 
 std::array<double, 4> Sampler::Spread(const DrawKey& key, StreamId stream) const {

@@ -28,8 +28,8 @@ std::uint64_t Scrambled(std::uint64_t x, std::uint64_t key) {
 
 }  // namespace
 
-Sobol::Sobol(std::span<const DrawnStream> streams, std::uint64_t seed) {
-  for (const DrawnStream& stream : streams) {
+Sobol::Sobol(std::span<const ParameterStream> streams, std::uint64_t seed) {
+  for (const ParameterStream& stream : streams) {
     const auto count = static_cast<std::size_t>(stream.numbers);
     if (dimensions_.size() + count > kMostSobolDimensions) break;
     dimensions_of_.emplace(stream.stream, Dimensions{dimensions_.size(), count});

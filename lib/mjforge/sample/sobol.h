@@ -22,7 +22,7 @@ class Sobol {
  public:
   /// Assigns dimensions to the streams, in their order. Streams for which Boost.Random has no more
   /// direction numbers get no dimension.
-  Sobol(std::span<const DrawnStream> streams, std::uint64_t seed);
+  Sobol(std::span<const ParameterStream> streams, std::uint64_t seed);
 
   /// Replaces the uniform numbers of a stream by the stream's coordinates of point `index`, in (0,
   /// 1). Does not change the uniform numbers of a stream without a dimension.

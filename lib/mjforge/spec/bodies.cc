@@ -101,7 +101,7 @@ class BodyEntryReader {
     expr::SymbolTable& names = context_.spec.names;
     const std::string prefix = std::string(*name) + ".";
     if (names.Find(prefix + "top") != nullptr) return;  // declared for another body of this name
-    body.first_property = DeclareMeasures(prefix, names);
+    body.first_property = DeclareBodyProperties(prefix, names);
     if (body.head.nested == nullptr) return;
     for (const Parameter& parameter : body.head.nested->parameters) {
       const bool hidden =
@@ -154,7 +154,7 @@ class ParentChecker {
   explicit ParentChecker(Context& context) : context_(context), bodies_(context.spec.bodies) {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       const auto name = LiteralText(bodies_[i].head.name);
-      if (!name) composed_before_ = std::min(composed_before_, i);
+      if (!name) first_computed_name_ = std::min(first_computed_name_, i);
       if (name && !name->empty()) by_name_[*name].push_back(i);
     }
   }
@@ -215,7 +215,7 @@ class ParentChecker {
   // Returns true if a body named `parent` may result from a computed name or from the content of an
   // earlier entry.
   bool MayComeLater(std::string_view parent, std::size_t i) const {
-    if (composed_before_ < i) return true;
+    if (first_computed_name_ < i) return true;
     for (std::size_t k = 0; k < i; ++k) {
       const auto name = LiteralText(bodies_[k].head.name);
       if (name && parent.starts_with(*name) && parent.substr(name->size()).starts_with("_")) {
@@ -263,7 +263,7 @@ class ParentChecker {
   const std::vector<BodyEntry>& bodies_;
   std::map<std::string_view, std::vector<std::size_t>> by_name_;
   // Index of the first entry with a computed name.
-  std::size_t composed_before_ = static_cast<std::size_t>(-1);
+  std::size_t first_computed_name_ = static_cast<std::size_t>(-1);
 };
 
 }  // namespace
@@ -274,7 +274,7 @@ std::span<const std::string_view> BodyPropertyNames() {
   return kNames;
 }
 
-int DeclareMeasures(const std::string& prefix, expr::SymbolTable& names) {
+int DeclareBodyProperties(const std::string& prefix, expr::SymbolTable& names) {
   int first = -1;
   for (const std::string_view property : BodyPropertyNames()) {
     const Key key = property == "mass" ? Key::kMass : Key::kPos;

@@ -14,11 +14,11 @@ using diag::SourceMark;
 
 // Returns the mapping `checks:`, in which settings replace values of the spec. A setting with the
 // value null removes the key, so that the default applies.
-YamlNode WithSettings(const YamlNode* checks, std::span<const NamedNode> settings) {
+YamlNode WithSettings(const YamlNode* checks, std::span<const SettingNode> settings) {
   YamlNode map;
   if (checks != nullptr) map = *checks;
   map.kind = YamlNode::Kind::kMap;
-  for (const NamedNode& setting : settings) {
+  for (const SettingNode& setting : settings) {
     if (!setting.name.starts_with(kChecksPrefix)) continue;
     const std::string key = setting.name.substr(kChecksPrefix.size());
     std::erase_if(map.pairs, [&](const YamlNode::Pair& pair) { return pair.key == key; });
@@ -164,7 +164,7 @@ bool CanBeSilenced(diag::Code code) {
   return code == Code::kSpecUnused || diag::CodeName(code).starts_with("physics/");
 }
 
-void ReadChecks(const YamlNode* checks, std::span<const NamedNode> settings, Context& context) {
+void ReadChecks(const YamlNode* checks, std::span<const SettingNode> settings, Context& context) {
   if (checks != nullptr && !IsMap(*checks, "checks", context)) return;
   const YamlNode map = WithSettings(checks, settings);
   context.spec.checks.fields = ReadThresholds(kChecksElement, map, context);

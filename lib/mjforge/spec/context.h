@@ -99,13 +99,13 @@ std::vector<std::string> WithNamesInFunctions(std::vector<std::string> names,
 
 /// A setting, which replaces a value of the spec: the name of a parameter, `checks.KEY`,
 /// `root.joints` or `root.start`, and the new value.
-struct NamedNode {
+struct SettingNode {
   std::string name;
   YamlNode value;
 };
 /// Reads `params:` and `require:`, with settings in place of the parameters' own values.
 void ReadParameters(const YamlNode* params, const YamlNode* require,
-                    std::span<const NamedNode> settings, Context& context);
+                    std::span<const SettingNode> settings, Context& context);
 
 /// Read `materials:` and `defaults:` of the spec itself or of an imported file.
 void ReadMaterials(const YamlNode& materials, const std::filesystem::path& folder, bool imported,
@@ -142,7 +142,7 @@ void ReadExpectations(const YamlNode& list, Context& context);
 void ReadBodiesAndJoints(const YamlNode* bodies, const YamlNode* joints, Context& context);
 /// Declares a variable for each property of a body (PREFIXtop, PREFIXbottom, ...) and returns the
 /// slot (index) of the first variable.
-int DeclareMeasures(const std::string& prefix, expr::SymbolTable& names);
+int DeclareBodyProperties(const std::string& prefix, expr::SymbolTable& names);
 /// Declares variables for properties that are known only after all bodies are read:
 /// NAME.subtree_top and the other properties of subtrees, NAME.pos of sites, and torque(NAME) of
 /// the joints in `joint_lists`.
@@ -165,7 +165,7 @@ inline constexpr std::string_view kRootStart = "root.start";
 /// Prefix of the settings that replace values of `checks:`.
 inline constexpr std::string_view kChecksPrefix = "checks.";
 /// Reads `checks:`, in which settings replace values. `checks` may be null.
-void ReadChecks(const YamlNode* checks, std::span<const NamedNode> settings, Context& context);
+void ReadChecks(const YamlNode* checks, std::span<const SettingNode> settings, Context& context);
 
 /// Sets the slots of properties of bodies, joints and sites to -1 if no expression uses the
 /// property, so that the property is not computed.

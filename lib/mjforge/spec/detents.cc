@@ -10,7 +10,7 @@ namespace {
 using diag::Code;
 
 // Keys that exclude `detent:`, because they define another spring or determine the range (`screw`).
-constexpr std::string_view kNotBeside[] = {"stiffness", "springdamper", "screw"};
+constexpr std::string_view kExcludedByDetent[] = {"stiffness", "springdamper", "screw"};
 
 }  // namespace
 
@@ -18,7 +18,8 @@ void CheckDetent(const YamlNode& joint, const Entry& entry, Context& context) {
   const Field* detent = entry.Find(Key::kDetent);
   if (detent == nullptr) return;
   if (joint.Find("detent") != nullptr)
-    RejectBeside("detent", kNotBeside, joint, "a detent is a spring between two ends", context);
+    RejectBeside("detent", kExcludedByDetent, joint, "a detent is a spring between two ends",
+                 context);
   const Field* type = entry.Find(Key::kType);
   const std::string_view motion = type == nullptr ? "hinge" : LiteralText(type->value).value_or("");
   if (motion == "free" || motion == "ball") {

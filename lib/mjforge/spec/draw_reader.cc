@@ -156,7 +156,7 @@ Value ValueReader::ReadMapping(const ExpectedForm& expected, const YamlNode& nod
       findings_.Add(Code::kSpecConflict, pair.mark,
                     fmt::format("'{}' together with '{}': a value is drawn in only one way",
                                 pair.key, main->key));
-      return Harmless(node);
+      return SubstituteFor(node);
     }
     main = &pair;
   }
@@ -167,7 +167,7 @@ Value ValueReader::ReadMapping(const ExpectedForm& expected, const YamlNode& nod
       continue;
     }
     ReportUnknownKey(pair, KnownKeys(extra_keys, distribution), main == nullptr);
-    if (main == nullptr) return Harmless(node);
+    if (main == nullptr) return SubstituteFor(node);
   }
   if (main == nullptr)
     return Wrong(
@@ -181,7 +181,7 @@ Value ValueReader::ReadMapping(const ExpectedForm& expected, const YamlNode& nod
 Value ValueReader::ReadDraw(const DistributionInfo& info, const ExpectedForm& expected,
                             const YamlNode& map) {
   const YamlNode& node = *map.Find(info.key);
-  Value value = Harmless(map);
+  Value value = SubstituteFor(map);
   if (!Fits(info, expected.kind)) {
     findings_.Add(
         Code::kSpecWrongType, map.mark,
@@ -205,7 +205,7 @@ Value ValueReader::ReadDraw(const DistributionInfo& info, const ExpectedForm& ex
   if (const YamlNode* flag = info.flag.empty() ? nullptr : map.Find(info.flag)) {
     ReadExact(*flag, draw);
   }
-  if (value.type == Type::kNumber) value.dimensions = Measured(info, expected, draw);
+  if (value.type == Type::kNumber) value.dimensions = DimensionsOfDraw(info, expected, draw);
   value.form = std::move(draw);
   return value;
 }
@@ -272,7 +272,7 @@ void ValueReader::ReadOptions(const ExpectedForm& expected, const YamlNode& list
                               Value& value) {
   if (list.kind != YamlNode::Kind::kList || list.items.empty()) {
     Wrong(list, "a list of values to choose from");
-    draw.arguments.push_back(Harmless(list));
+    draw.arguments.push_back(SubstituteFor(list));
     return;
   }
   const auto is_list = [this](const YamlNode& item) {

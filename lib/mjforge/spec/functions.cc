@@ -13,56 +13,57 @@ namespace mjforge::spec {
 namespace {
 
 using diag::Code;
-using expr::Formula;
+using expr::SpecFunction;
 
 constexpr std::size_t kMaxArguments = 16;
 constexpr int kMaxChain = 64;
 
 // Splits "bulge(z)" into the function's name and its arguments. Returns nullopt for text of another
 // form.
-std::optional<Formula> ReadHead(std::string_view text) {
+std::optional<SpecFunction> ReadHead(std::string_view text) {
   const std::size_t open = text.find('(');
   if (open == text.npos || !text.ends_with(')')) return std::nullopt;
-  Formula formula{.name = std::string(Trim(text.substr(0, open))), .arguments = {}, .body = {}};
+  SpecFunction function{
+      .name = std::string(Trim(text.substr(0, open))), .arguments = {}, .body = {}};
   text = text.substr(open + 1, text.size() - open - 2);
   for (const std::string_view argument : Split(text, ","))
-    formula.arguments.emplace_back(Trim(argument));
+    function.arguments.emplace_back(Trim(argument));
   const bool has_names =
-      expr::IsName(formula.name) && std::ranges::all_of(formula.arguments, expr::IsName);
-  return has_names ? std::optional(std::move(formula)) : std::nullopt;
+      expr::IsName(function.name) && std::ranges::all_of(function.arguments, expr::IsName);
+  return has_names ? std::optional(std::move(function)) : std::nullopt;
 }
 
-bool CheckNames(const Formula& formula, diag::SourceMark mark, Context& context) {
+bool CheckNames(const SpecFunction& function, diag::SourceMark mark, Context& context) {
   const auto fail = [&](Code code, std::string message) {
     context.findings.Add(code, mark, std::move(message));
     return false;
   };
-  if (!CheckNotReserved("a function", formula.name, mark, context.findings)) return false;
-  if (context.spec.names.FindFormula(formula.name) != nullptr)
+  if (!CheckNotReserved("a function", function.name, mark, context.findings)) return false;
+  if (context.spec.names.FindFunction(function.name) != nullptr)
     return fail(Code::kSpecDuplicateName,
-                fmt::format("two functions are named '{}'", formula.name));
-  if (formula.arguments.size() > kMaxArguments) {
+                fmt::format("two functions are named '{}'", function.name));
+  if (function.arguments.size() > kMaxArguments) {
     return fail(Code::kSpecBadValue,
                 fmt::format("a function has at most {} arguments", kMaxArguments));
   }
   std::set<std::string_view> seen;
-  for (const std::string& argument : formula.arguments) {
+  for (const std::string& argument : function.arguments) {
     if (!CheckNotReserved("an argument", argument, mark, context.findings)) return false;
     if (!seen.insert(argument).second) {
       return fail(Code::kSpecDuplicateName,
-                  fmt::format("two arguments of '{}' are named '{}'", formula.name, argument));
+                  fmt::format("two arguments of '{}' are named '{}'", function.name, argument));
     }
   }
   return true;
 }
 
 // Returns the indices of the functions that each function calls.
-Dependencies UsesOf(const std::vector<const Formula*>& all) {
+Dependencies UsesOf(const std::vector<const SpecFunction*>& all) {
   Dependencies uses;
-  for (const Formula* formula : all) {
+  for (const SpecFunction* function : all) {
     std::vector<std::size_t>& used = uses.emplace_back();
-    for (const std::string& other : expr::NamesUsedIn(formula->body)) {
-      const auto found = std::ranges::find(all, other, &Formula::name);
+    for (const std::string& other : expr::NamesUsedIn(function->body)) {
+      const auto found = std::ranges::find(all, other, &SpecFunction::name);
       if (found != all.end()) used.push_back(static_cast<std::size_t>(found - all.begin()));
     }
   }
@@ -70,18 +71,18 @@ Dependencies UsesOf(const std::vector<const Formula*>& all) {
 }
 
 // Returns the position of a function's name in the spec's text.
-diag::SourceMark MarkOf(const Formula& formula, const Context& context) {
+diag::SourceMark MarkOf(const SpecFunction& function, const Context& context) {
   const auto& all = context.spec.functions;
-  return std::ranges::find(all, formula.name, [](const auto& one) { return one.first; })->second;
+  return std::ranges::find(all, function.name, [](const auto& one) { return one.first; })->second;
 }
 
 // Reports functions that call each other in a circle, or in a chain that is too long. Replaces
 // their bodies by a constant, so that the expansion of calls ends.
-void BreakCircles(Context& context) {
+void LimitCallDepth(Context& context) {
   expr::SymbolTable& names = context.spec.names;
-  std::vector<const Formula*> all;
-  all.reserve(names.formulas().size());
-  for (const auto& [name, formula] : names.formulas()) all.push_back(&formula);
+  std::vector<const SpecFunction*> all;
+  all.reserve(names.functions().size());
+  for (const auto& [name, function] : names.functions()) all.push_back(&function);
   const Dependencies uses = UsesOf(all);
   std::set<std::size_t> broken;
   const auto order = TopologicalOrder(uses, [&](const std::vector<std::size_t>& path) {
@@ -103,7 +104,7 @@ void BreakCircles(Context& context) {
     chain[at] = 0;
   }
   for (const std::size_t at : broken) {
-    Formula harmless = *all[at];
+    SpecFunction harmless = *all[at];
     harmless.body = "1";
     names.Define(harmless);
   }
@@ -123,44 +124,44 @@ bool CheckNotReserved(std::string_view what, std::string_view name, diag::Source
 void ReadFunctions(const YamlNode& functions, Context& context) {
   if (!IsMap(functions, "functions, as in `area(a, b): a * b`", context)) return;
   for (const YamlNode::Pair& pair : functions.pairs) {
-    std::optional<Formula> formula = ReadHead(pair.key);
-    if (!formula) {
+    std::optional<SpecFunction> function = ReadHead(pair.key);
+    if (!function) {
       context.findings.Add(
           Code::kSpecBadName, pair.mark,
           fmt::format("'{}' is not a function's name with its arguments", pair.key),
           "write `name(a, b): expression`; what has no arguments is a parameter");
       continue;
     }
-    if (!CheckNames(*formula, pair.mark, context)) continue;
+    if (!CheckNames(*function, pair.mark, context)) continue;
     if (pair.value.kind != YamlNode::Kind::kScalar) {
       context.findings.Add(Code::kSpecWrongType, pair.value.mark,
                            fmt::format("expected an expression, got {}", KindName(pair.value)),
                            "a function draws nothing: draw a parameter, and use it here");
       continue;
     }
-    formula->body = pair.value.text;
-    formula->mark = pair.value.mark;
-    context.spec.functions.emplace_back(formula->name, pair.mark);
-    context.spec.names.Define(*std::move(formula));
+    function->body = pair.value.text;
+    function->mark = pair.value.mark;
+    context.spec.functions.emplace_back(function->name, pair.mark);
+    context.spec.names.Define(*std::move(function));
   }
-  BreakCircles(context);
+  LimitCallDepth(context);
 }
 
 void CheckFunctions(Context& context) {
   expr::SymbolTable& names = context.spec.names;
   for (const auto& [name, mark] : context.spec.functions) {
-    const Formula& formula = *names.FindFormula(name);
+    const SpecFunction& function = *names.FindFunction(name);
     const auto hidden = std::ranges::find_if(
-        formula.arguments, [&](const std::string& argument) { return names.Find(argument); });
-    if (hidden != formula.arguments.end()) {
+        function.arguments, [&](const std::string& argument) { return names.Find(argument); });
+    if (hidden != function.arguments.end()) {
       context.findings.Add(Code::kSpecDuplicateName, mark,
                            fmt::format("argument '{}' hides a parameter", *hidden));
       continue;
     }
-    for (const std::string& argument : formula.arguments)
+    for (const std::string& argument : function.arguments)
       names.Declare(argument, expr::Type::kNumber);
-    context.values.CheckBody(formula);
-    for (const std::string& argument : formula.arguments) names.Forget(argument);
+    context.values.CheckBody(function);
+    for (const std::string& argument : function.arguments) names.Forget(argument);
   }
 }
 
@@ -168,11 +169,11 @@ std::vector<std::string> WithNamesInFunctions(std::vector<std::string> names,
                                               const expr::SymbolTable& known) {
   std::set<std::string, std::less<>> seen(names.begin(), names.end());
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const Formula* formula = known.FindFormula(names[i]);
-    if (formula == nullptr) continue;
-    for (std::string& name : expr::NamesUsedIn(formula->body)) {
+    const SpecFunction* function = known.FindFunction(names[i]);
+    if (function == nullptr) continue;
+    for (std::string& name : expr::NamesUsedIn(function->body)) {
       const bool is_argument =
-          std::ranges::find(formula->arguments, name) != formula->arguments.end();
+          std::ranges::find(function->arguments, name) != function->arguments.end();
       if (!is_argument && seen.insert(name).second) names.push_back(std::move(name));
     }
   }

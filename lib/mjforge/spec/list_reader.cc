@@ -98,7 +98,7 @@ Value ValueReader::ReadListForm(const ExpectedForm& expected, const YamlNode& ma
   findings_.Add(Code::kSpecWrongType, main.mark,
                 fmt::format("'{}' makes a list, which has no place here", main.key),
                 "a list is a parameter: name it under `params:`");
-  return Harmless(map);
+  return SubstituteFor(map);
 }
 
 Value ValueReader::ReadEach(const YamlNode& map) {
@@ -106,16 +106,16 @@ Value ValueReader::ReadEach(const YamlNode& map) {
   if (count == nullptr) {
     findings_.Add(Code::kSpecMissingKey, map.mark, "'each' without 'count'",
                   "write {each: 1cm .. 2cm, count: 5}");
-    return Harmless(map);
+    return SubstituteFor(map);
   }
   Value item = ReadAnything(*map.Find("each"));
   Value list{.mark = map.mark, .type = item.type, .is_list = true, .dimensions = item.dimensions};
-  if (item.components == 0) return Harmless(map);
+  if (item.components == 0) return SubstituteFor(map);
   if (item.components > 1 || item.is_list) {
     findings_.Add(
         Code::kSpecWrongType, item.mark,
         fmt::format("a list is of numbers, texts or booleans, but this is {}", KindText(item)));
-    return Harmless(map);
+    return SubstituteFor(map);
   }
   list.form = Each{std::make_shared<const Value>(std::move(item)), ReadCount(*count)};
   return list;
@@ -129,7 +129,7 @@ Value ValueReader::ReadArrangement(std::string_view key, const YamlNode& map) {
   if (key == "sample" && count == nullptr) {
     findings_.Add(Code::kSpecMissingKey, map.mark, "'sample' without 'count'",
                   "write {sample: [a, b, c], count: 2}; all of them: {shuffle: [a, b, c]}");
-    return Harmless(map);
+    return SubstituteFor(map);
   }
   draws_.random = true;
   Value value{

@@ -23,7 +23,7 @@ struct LoadState {
   diag::Sources& sources;
   diag::Findings& findings;
   SpecFiles files;
-  std::span<const NamedNode> settings;
+  std::span<const SettingNode> settings;
   std::map<fs::path, std::shared_ptr<const ObjectSpec>> nested = {};
   std::map<fs::path, std::shared_ptr<const ObjectSpec>> imported = {};  // files with parameters
 };
@@ -35,7 +35,7 @@ class SpecLoader : public NestedLoader {
   // Loads a spec. Returns null if the file is not a mapping; after any other error, the result must
   // not be used.
   std::unique_ptr<ObjectSpec> Load(std::uint32_t source, const fs::path& file,
-                                   const fs::path& folder, std::span<const NamedNode> settings) {
+                                   const fs::path& folder, std::span<const SettingNode> settings) {
     const auto root = state_.files.Parse(file, source);
     if (!root) return nullptr;
     if (root->kind != YamlNode::Kind::kMap) {
@@ -73,7 +73,7 @@ class SpecLoader : public NestedLoader {
   }
 
  private:
-  void ReadObject(const YamlNode& root, ObjectSpec& spec, std::span<const NamedNode> settings) {
+  void ReadObject(const YamlNode& root, ObjectSpec& spec, std::span<const SettingNode> settings) {
     folder_ = spec.folder;
     Context context{state_.sources, state_.findings, spec, *this,
                     ValueReader(spec.names, state_.sources, state_.findings)};
@@ -113,22 +113,22 @@ class SpecLoader : public NestedLoader {
   }
 
   // Reads joints, bodies, the start pose and expectations.
-  static void ReadMotion(const YamlNode& root, std::span<const NamedNode> settings,
+  static void ReadMotion(const YamlNode& root, std::span<const SettingNode> settings,
                          Context& context) {
     ObjectSpec& spec = context.spec;
     const YamlNode* joints = root.Find("joints");
-    for (const NamedNode& setting : settings) {
+    for (const SettingNode& setting : settings) {
       if (setting.name == kRootJoints) joints = &setting.value;
     }
     ReadBodiesAndJoints(root.Find("bodies"), joints, context);
     if (const YamlNode* pose = root.Find("pose")) spec.pose = ReadStarts(*pose, context);
     if (const YamlNode* expect = root.Find("expect")) ReadExpectations(*expect, context);
-    if (joints != root.Find("joints")) ForgetJoints(root.Find("joints"), spec);
+    if (joints != root.Find("joints")) RemoveJointPositions(root.Find("joints"), spec);
   }
 
   // Removes the start positions (`pose:`) and positions in expectations (`at:`) of the root's own
   // joints, when a setting replaces these joints by others.
-  static void ForgetJoints(const YamlNode* joints, ObjectSpec& spec) {
+  static void RemoveJointPositions(const YamlNode* joints, ObjectSpec& spec) {
     if (joints == nullptr) return;
     for (const YamlNode& joint : joints->items) {
       const YamlNode* name = joint.Find("name");
@@ -173,7 +173,7 @@ class SpecLoader : public NestedLoader {
   }
 
   // Reads `mass`, `placement`, `total_size` and `start`.
-  void ReadWhole(const YamlNode& root, std::span<const NamedNode> settings, Context& context) {
+  void ReadWhole(const YamlNode& root, std::span<const SettingNode> settings, Context& context) {
     ObjectSpec& spec = context.spec;
     for (Field& field : ReadFields(kObjectElement, root, context)) {
       if (field.info->id == Key::kMass)
@@ -188,7 +188,7 @@ class SpecLoader : public NestedLoader {
         if (LiteralText(field.value) == "corner") spec.placement = Placement::kCorner;
       }
     }
-    for (const NamedNode& setting : settings) {
+    for (const SettingNode& setting : settings) {
       if (setting.name != kRootStart) continue;
       const FieldInfo& info = *kObjectElement.Find("start");
       spec.start = Field{&info, context.values.Read(info, setting.value), setting.value.mark};
@@ -251,8 +251,8 @@ class SpecLoader : public NestedLoader {
                     ValueReader(spec->names, state_.sources, state_.findings)};
     if (const YamlNode* functions = root.Find("functions")) ReadFunctions(*functions, context);
     const YamlNode& params = *root.Find("params");
-    std::vector<NamedNode> settings;
-    for (const NamedNode& setting : state_.settings) {
+    std::vector<SettingNode> settings;
+    for (const SettingNode& setting : state_.settings) {
       if (params.Find(setting.name.substr(0, setting.name.find('.'))) != nullptr)
         settings.push_back(setting);
     }
@@ -283,7 +283,7 @@ class SpecLoader : public NestedLoader {
 };
 
 // Parses a setting as the YAML line `name: text`, so that marks match the line shown in findings.
-void ParseSetting(const Setting& setting, std::vector<NamedNode>& out, diag::Sources& sources,
+void ParseSetting(const Setting& setting, std::vector<SettingNode>& out, diag::Sources& sources,
                   diag::Findings& findings) {
   const std::uint32_t source = sources.Add(setting.origin, setting.name + ": " + setting.text);
   auto root = ParseYaml(source, sources, findings);
@@ -296,7 +296,7 @@ void ParseSetting(const Setting& setting, std::vector<NamedNode>& out, diag::Sou
   out.push_back({std::move(pair.key), std::move(pair.value)});
 }
 
-void ParseParameterFile(const fs::path& file, Snapshot* snapshot, std::vector<NamedNode>& out,
+void ParseParameterFile(const fs::path& file, Snapshot* snapshot, std::vector<SettingNode>& out,
                         diag::Sources& sources, diag::Findings& findings) {
   const auto source = ReadSource(snapshot == nullptr ? file : Canonical(file), file.string(), {},
                                  snapshot, sources, findings, &Snapshot::parameter_texts);
@@ -310,9 +310,9 @@ void ParseParameterFile(const fs::path& file, Snapshot* snapshot, std::vector<Na
   for (auto& pair : root->pairs) out.push_back({std::move(pair.key), std::move(pair.value)});
 }
 
-std::vector<NamedNode> ParseSettings(const LoadOptions& options, diag::Sources& sources,
-                                     diag::Findings& findings) {
-  std::vector<NamedNode> settings;
+std::vector<SettingNode> ParseSettings(const LoadOptions& options, diag::Sources& sources,
+                                       diag::Findings& findings) {
+  std::vector<SettingNode> settings;
   for (const fs::path& file : options.parameter_files) {
     ParseParameterFile(file, options.snapshot, settings, sources, findings);
   }
@@ -325,7 +325,7 @@ std::unique_ptr<ObjectSpec> LoadFrom(std::uint32_t source, const fs::path& file,
                                      const fs::path& folder, const LoadOptions& options,
                                      diag::Sources& sources, diag::Findings& findings) {
   diag::Findings own;
-  const std::vector<NamedNode> settings = ParseSettings(options, sources, own);
+  const std::vector<SettingNode> settings = ParseSettings(options, sources, own);
   LoadState state{.sources = sources,
                   .findings = own,
                   .files = SpecFiles(options, file, source, sources, own),
@@ -334,7 +334,7 @@ std::unique_ptr<ObjectSpec> LoadFrom(std::uint32_t source, const fs::path& file,
   if (spec != nullptr) {
     spec->files = state.files.all();
     spec->sha256 = state.files.Sha256();
-    for (const NamedNode& setting : settings) {
+    for (const SettingNode& setting : settings) {
       spec->settings.emplace_back(setting.name, FlowText(setting.value));
     }
   }

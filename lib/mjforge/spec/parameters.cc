@@ -26,7 +26,7 @@ bool IsLongForm(const YamlNode& node) {
 void CheckParameterName(const YamlNode::Pair& pair, Context& context) {
   CheckName("parameter", pair.key, pair.mark, context.findings);
   CheckNotReserved("a parameter", pair.key, pair.mark, context.findings);
-  if (context.spec.names.FindFormula(pair.key) != nullptr) {
+  if (context.spec.names.FindFunction(pair.key) != nullptr) {
     context.findings.Add(Code::kSpecDuplicateName, pair.mark,
                          fmt::format("'{}' is the name of a function, too", pair.key));
   }
@@ -39,7 +39,7 @@ std::string SourceText(const YamlNode& node) {
   if (!IsLongForm(node)) return FlowText(node);
   if (const YamlNode* value = node.Find("value")) return SourceText(*value);
   YamlNode bare = node;
-  std::erase_if(bare.pairs, [](const auto& pair) { return IsAboutValue(pair.key); });
+  std::erase_if(bare.pairs, [](const auto& pair) { return IsAnnotationKey(pair.key); });
   return FlowText(bare);
 }
 
@@ -57,12 +57,12 @@ Dependencies UsesOf(const std::vector<ParameterNode>& declared, const expr::Symb
     if (parameter.rows != nullptr && !parameter.is_key()) used.push_back(key);
     std::vector<std::string> words;
     // Skip the cells of a table, which are not expressions.
-    for (const YamlNode::Pair& pair : parameter.node.pairs) {
-      if (!IsAboutValue(pair.key) &&
+    for (const YamlNode::Pair& pair : parameter.value.pairs) {
+      if (!IsAnnotationKey(pair.key) &&
           (parameter.kind == FieldKind::kAnything || pair.key != "choice"))
         CollectNames(pair.value, words);
     }
-    if (parameter.node.kind != YamlNode::Kind::kMap) CollectNames(parameter.node, words);
+    if (parameter.value.kind != YamlNode::Kind::kMap) CollectNames(parameter.value, words);
     for (const std::string& word : WithNamesInFunctions(std::move(words), names)) {
       auto found = position.find(word);
       if (found == position.end()) found = position.find(word.substr(0, word.find('.')));
@@ -77,7 +77,7 @@ std::vector<Parameter> OwnParameters(const YamlNode& params, Context& context) {
   ObjectSpec own;
   own.shared = context.spec.shared;
   DeclareIndex(own.names);
-  for (const auto& [name, formula] : context.spec.names.formulas()) own.names.Define(formula);
+  for (const auto& [name, function] : context.spec.names.functions()) own.names.Define(function);
   diag::Findings ignored;
   Context inner{context.sources, ignored, own, context.loader,
                 ValueReader(own.names, context.sources, ignored)};
@@ -160,7 +160,7 @@ void CheckIsSi(const Parameter& parameter, diag::SourceMark mark, Context& conte
 // column, or null.
 void ReadOne(Parameter& parameter, const ParameterNode& declared, const Parameter* own,
              const Parameter* key, Context& context) {
-  const YamlNode& node = declared.node;
+  const YamlNode& node = declared.value;
   const std::span<const std::string_view> extra_keys =
       IsLongForm(node) ? std::span(kLongFormKeys) : std::span<const std::string_view>();
   if (own != nullptr) {
@@ -206,10 +206,10 @@ bool CheckPinnedChoice(const YamlNode& own, const YamlNode& pinned, Context& con
 
 // Replaces the YAML values of parameters by their settings. Returns a flag for each parameter: true
 // if a setting replaced its value.
-std::vector<bool> ApplySettings(std::span<const NamedNode> settings,
+std::vector<bool> ApplySettings(std::span<const SettingNode> settings,
                                 std::vector<ParameterNode>& declared, Context& context) {
   std::vector<bool> is_set(declared.size());
-  for (const NamedNode& setting : settings) {
+  for (const SettingNode& setting : settings) {
     if (setting.name.starts_with(kChecksPrefix) || setting.name == kRootJoints ||
         setting.name == kRootStart) {
       continue;
@@ -227,10 +227,10 @@ std::vector<bool> ApplySettings(std::span<const NamedNode> settings,
     if (at < first) continue;  // applied when the imported file was read
     const std::size_t position = at - first;
     const bool is_looked_up = declared[position].rows != nullptr && !declared[position].is_key();
-    if (!is_looked_up && !CheckPinnedChoice(declared[position].node, setting.value, context))
+    if (!is_looked_up && !CheckPinnedChoice(declared[position].value, setting.value, context))
       continue;
     is_set[position] = true;
-    declared[position].node = setting.value;
+    declared[position].value = setting.value;
     context.spec.parameters[at].source = SourceText(setting.value);
   }
   return is_set;
@@ -252,8 +252,8 @@ void AddShared(const YamlNode* params, Context& context) {
   for (std::size_t file = 0; file < spec.shared.size(); ++file) {
     const ObjectSpec& from = *spec.shared[file];
     spec.draws |= from.draws;
-    for (const auto& [name, formula] : from.names.formulas()) {
-      if (spec.names.FindFormula(name) == nullptr) spec.names.Define(formula);
+    for (const auto& [name, function] : from.names.functions()) {
+      if (spec.names.FindFunction(name) == nullptr) spec.names.Define(function);
     }
     for (std::size_t i = 0; i < from.parameters.size(); ++i) {
       const Parameter& theirs = from.parameters[i];
@@ -306,7 +306,7 @@ std::vector<ParameterNode> DeclareParameters(const YamlNode& params, Context& co
     auto record = ReadRecord(pair, context);
     if (!record) {
       record.emplace(
-          {ParameterNode{.name = pair.key, .mark = pair.mark, .node = pair.value, .source = {}}});
+          {ParameterNode{.name = pair.key, .mark = pair.mark, .value = pair.value, .source = {}}});
     }
     const std::size_t first = context.spec.parameters.size();
     for (ParameterNode& declared : *record) {
@@ -331,7 +331,7 @@ std::vector<ParameterNode> DeclareParameters(const YamlNode& params, Context& co
 }  // namespace
 
 void ReadParameters(const YamlNode* params, const YamlNode* require,
-                    std::span<const NamedNode> settings, Context& context) {
+                    std::span<const SettingNode> settings, Context& context) {
   ObjectSpec& spec = context.spec;
   AddShared(params, context);
   const std::size_t first = spec.parameters.size();

@@ -66,8 +66,9 @@ void CheckPart(const Entry& part, Context& context) {
   for (const Field& field : part.fields) {
     const Key id = field.info->id;
     const bool has_own_words = id == Key::kSize || id == Key::kFromTo || id == Key::kUp;
-    if (field.is_default || has_own_words || !IsOfAShape(id)) continue;
-    const bool needs_round = std::ranges::find(shape->of_round, id) != shape->of_round.end();
+    if (field.is_default || has_own_words || !AnyShapeTakes(id)) continue;
+    const bool needs_round =
+        std::ranges::find(shape->optional_if_round, id) != shape->optional_if_round.end();
     if (shape->Takes(id) && (!needs_round || is_round)) continue;
     context.findings.Add(Code::kSpecConflict, field.mark,
                          fmt::format("'{}' has no meaning for a {}{}", field.info->key, shape->type,

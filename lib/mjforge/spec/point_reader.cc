@@ -26,7 +26,7 @@ Value ValueReader::ReadPointLoop(const YamlNode& map, std::string_view key, Read
     findings_.Add(Code::kSpecMissingKey, map.mark, fmt::format("{} without '{}'", what, key),
                   key == "at" ? "as in {for: {i: 8}, at: [r(i), z(i)]}"
                               : "as in {for: {i: 3}, points: [[i, 0], [i + 0.5, 0], [i, 0.5]]}");
-    return Harmless(map);
+    return SubstituteFor(map);
   }
   PointLoop points;
   std::vector<Loop> loops = ReadLoops(*map.Find("for"));
@@ -62,7 +62,7 @@ Value ValueReader::ReadAxisOutlines(const ExpectedForm& expected, const YamlNode
     findings_.Add(Code::kSpecMissingKey, map.mark,
                   fmt::format("holes along an axis without '{}'", key),
                   "as in {axis: x, outlines: [[[-1cm, -1cm], [1cm, -1cm], [0, 1cm]]]}");
-    return Harmless(map);
+    return SubstituteFor(map);
   }
   const Value axis = ReadAxis(
       map, "holes", "outlines along x have points [y, z], along y [x, z], and along z [x, y]");
@@ -72,7 +72,7 @@ Value ValueReader::ReadAxisOutlines(const ExpectedForm& expected, const YamlNode
     if (nested == nullptr) continue;
     findings_.Add(Code::kSpecBadValue, nested->mark, "holes along an axis within others",
                   "give each axis its own entry of `holes`");
-    return Harmless(map);
+    return SubstituteFor(map);
   }
   AxisOutlines along{.axis = static_cast<std::size_t>(std::get<double>(axis.form)),
                      .outlines = std::make_shared<const Value>(ReadOutlines(expected, outlines))};
@@ -120,7 +120,7 @@ Value ValueReader::ReadArc(const ExpectedForm& expected, const YamlNode& map) {
                               in_space ? ", or of three of its points" : ""),
                   in_space ? "as in {arc: [[0, 0, 2cm], 2cm, -90deg, 0], axis: x}"
                            : "as in {arc: [[0, 2cm], 2cm, -90deg, 0]}");
-    return Harmless(map);
+    return SubstituteFor(map);
   }
   static constexpr FieldInfo kSteps = {
       .key = "steps", .kind = FieldKind::kInteger, .lower = 1, .upper = 1000};
@@ -161,7 +161,7 @@ Value ValueReader::ReadAxis(const YamlNode& map, std::string_view what, std::str
   if (axis->kind != YamlNode::Kind::kScalar || index == std::string::npos) {
     findings_.Add(Code::kSpecBadValue, axis->mark,
                   fmt::format("the axis of {} is none of x, y and z", what), std::string(hint));
-    return Harmless(*axis);
+    return SubstituteFor(*axis);
   }
   return {.mark = axis->mark, .form = static_cast<double>(index)};
 }

@@ -77,17 +77,17 @@ class RecordParameterReader {
       const FieldKind kind = column.is_text ? FieldKind::kText : FieldKind::kNumber;
       declared.push_back({.name = parameter_.key + "." + column.name,
                           .mark = column.mark,
-                          .node = ChoiceOf(column.cells, node.mark),
+                          .value = ChoiceOf(column.cells, node.mark),
                           .source = fmt::format("by {}.{}", parameter_.key, columns.front().name),
                           .unit = column.unit,
                           .kind = is_table ? kind : FieldKind::kAnything,
                           .rows = rows});
     }
     declared.front().record = parameter_.key;
-    declared.front().node = KeyNode(node, options, columns);
+    declared.front().value = KeyNode(node, options, columns);
     // Show a table as the spec writes it (`{rows: ...}`), because the list of all keys would be too
     // long.
-    declared.front().source = is_table ? "" : FlowText(declared.front().node);
+    declared.front().source = is_table ? "" : FlowText(declared.front().value);
     return declared;
   }
 

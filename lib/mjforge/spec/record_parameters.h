@@ -11,12 +11,12 @@
 
 namespace mjforge::spec {
 
-/// The YAML text of a parameter. A record parameter is declared as several parameters, one for each
-/// of its columns.
+/// The name and the YAML node of a parameter. A record parameter is declared as several parameters,
+/// one for each of its columns.
 struct ParameterNode {
   std::string name;  // "leg", "style.leg"
   diag::SourceMark mark;
-  YamlNode node;
+  YamlNode value;
   std::string source;       // value for display (Parameter::source); empty: as written
   std::string record = {};  // name of the record ("style"), only for its key column, the first one
   std::string unit = {};

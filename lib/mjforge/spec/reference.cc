@@ -110,7 +110,7 @@ std::string FieldReference() {
       "| `{hsv: [h, s, v]}` | A colour from hue, saturation and value, each 0 to 1. |\n\n";
 
   out += "## Functions\n\n| function | meaning |\n| --- | --- |\n";
-  for (const expr::Function& function : expr::Functions()) {
+  for (const expr::BuiltinInfo& function : expr::Builtins()) {
     out += fmt::format("| `{}` | {} |\n", function.usage, Cell(function.doc));
   }
   out +=

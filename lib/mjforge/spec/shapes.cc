@@ -55,7 +55,7 @@ const ShapeInfo* FindShape(std::string_view type) {
   return shape != kShapes.end() ? &*shape : nullptr;
 }
 
-bool IsOfAShape(Key key) {
+bool AnyShapeTakes(Key key) {
   static const auto kAnyTakes = [] {
     std::array<bool, static_cast<std::size_t>(Key::kJoint) + 1> takes{};
     for (std::size_t k = 0; k < takes.size(); ++k) {

@@ -209,8 +209,8 @@ Dimensions ValueReader::Agree(std::string_view what, std::span<const Value> valu
   return common;
 }
 
-Dimensions ValueReader::Measured(const DistributionInfo& info, const ExpectedForm& expected,
-                                 const Draw& draw) {
+Dimensions ValueReader::DimensionsOfDraw(const DistributionInfo& info, const ExpectedForm& expected,
+                                         const Draw& draw) {
   for (const Value& weight : draw.weights) CheckPlain("a weight", weight);
   Dimensions limits = Agree(fmt::format("the numbers of '{}'", info.option), draw.limits);
   switch (info.id) {

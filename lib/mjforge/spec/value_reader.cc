@@ -77,7 +77,7 @@ void CollectNames(const YamlNode& node, std::vector<std::string>& names) {
   };
   for (const YamlNode& item : node.items) CollectNames(item, names);
   for (const auto& pair : node.pairs) {
-    if (!IsAboutValue(pair.key)) CollectNames(pair.value, names);
+    if (!IsAnnotationKey(pair.key)) CollectNames(pair.value, names);
   }
   if (node.kind != YamlNode::Kind::kScalar) return;
   const std::string_view text = node.text;
@@ -113,10 +113,10 @@ Value ValueReader::Wrong(const YamlNode& node, std::string_view expected) {
     findings_.Add(Code::kSpecWrongType, node.mark,
                   fmt::format("expected {}, got {}", expected, KindName(node)));
   }
-  return Harmless(node);
+  return SubstituteFor(node);
 }
 
-Value ValueReader::Harmless(const YamlNode& node) {
+Value ValueReader::SubstituteFor(const YamlNode& node) {
   return Value{.mark = node.mark, .components = 0, .form = 1.0};
 }
 
@@ -178,30 +178,30 @@ std::optional<expr::Expression> ValueReader::Compile(const YamlNode& node, std::
     return expression;
   }
   for (const auto& input : expression->inputs()) uses_.AddName(input.name);
-  for (const std::string& formula : expression->formulas()) uses_.AddName(formula);
+  for (const std::string& function : expression->functions()) uses_.AddName(function);
   return expression;
 }
 
 void ValueReader::Report(expr::Error error, SourceMark mark, std::size_t begin) {
   const SourceMark call = mark;
-  const expr::Formula* formula = names_.FindFormula(error.formula);
-  if (formula != nullptr) {
-    mark = formula->mark;
+  const expr::SpecFunction* function = names_.FindFunction(error.function);
+  if (function != nullptr) {
+    mark = function->mark;
     begin = 0;
   }
   diag::Finding& finding = findings_.Add(error.code, At(mark, begin + error.offset),
                                          std::move(error.message), std::move(error.hint));
-  if (formula != nullptr) finding.notes.push_back({call, "called from here"});
+  if (function != nullptr) finding.notes.push_back({call, "called from here"});
 }
 
-void ValueReader::CheckBody(const expr::Formula& formula) {
+void ValueReader::CheckBody(const expr::SpecFunction& function) {
   expr::Error error;
-  if (!expr::Expression::Compile(formula.body, names_, error))
-    Report(std::move(error), formula.mark, 0);
+  if (!expr::Expression::Compile(function.body, names_, error))
+    Report(std::move(error), function.mark, 0);
 }
 
 Value ValueReader::ReadExpression(const YamlNode& node, expr::Expression::Result result) {
-  Value value = Harmless(node);
+  Value value = SubstituteFor(node);
   auto expression = Compile(node, 0, node.text.size(), result);
   if (!expression) return value;
   value.type = expression->type();
@@ -216,7 +216,7 @@ Value ValueReader::ReadExpression(const YamlNode& node, expr::Expression::Result
 }
 
 Value ValueReader::ReadRange(const YamlNode& node, std::size_t dots) {
-  Value value = Harmless(node);
+  Value value = SubstituteFor(node);
   draws_.random = true;
   Draw draw;
   const std::pair<std::size_t, std::size_t> ends[] = {{0, dots},
@@ -270,14 +270,14 @@ Value ValueReader::ReadNumber(const YamlNode& node) {
                   fmt::format("expected a number, got the text '{}'", node.text),
                   "a number is an expression without ${}, such as w + 2 * i; names cannot be "
                   "composed in it");
-    return Harmless(node);
+    return SubstituteFor(node);
   }
   if (const auto dots = FindRange(node.text)) return ReadRange(node, *dots);
   Value value = ReadExpression(node);
   if (value.type != Type::kNumber) {
     findings_.Add(Code::kSpecWrongType, node.mark,
                   fmt::format("expected a number, but '{}' is true or false", node.text));
-    return Harmless(node);
+    return SubstituteFor(node);
   }
   return value;
 }

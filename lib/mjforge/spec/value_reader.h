@@ -91,7 +91,7 @@ class ValueReader {
   /// Adds the names that the values of another reader refer to.
   void AddUses(const ValueReader& other) { uses_.Add(other.uses_); }
   /// Reports errors in the body of a function. The function's arguments must be declared before.
-  void CheckBody(const expr::Formula& formula);
+  void CheckBody(const expr::SpecFunction& function);
   /// Reads text without interpolation. Returns an empty text after adding a finding.
   std::string ReadPlainText(std::string_view what, const YamlNode& node);
 
@@ -156,14 +156,14 @@ class ValueReader {
   // an empty list, which means unknown dimensions.
   expr::Dimensions Agree(std::string_view what, std::span<const Value> values);
   // Returns the dimensions of the values that a draw produces.
-  expr::Dimensions Measured(const DistributionInfo& info, const ExpectedForm& expected,
-                            const Draw& draw);
+  expr::Dimensions DimensionsOfDraw(const DistributionInfo& info, const ExpectedForm& expected,
+                                    const Draw& draw);
   void CheckRangeOrder(const Value& lo, const Value& hi, diag::SourceMark mark);
   void CheckBounds(const FieldInfo& field, const Value& value, int position);
   void CheckDrawBounds(const FieldInfo& field, const Draw& draw, int position);
   Value Wrong(const YamlNode& node, std::string_view expected);
   // Returns a substitute for a wrong value, which passes all later checks.
-  static Value Harmless(const YamlNode& node);
+  static Value SubstituteFor(const YamlNode& node);
   // Adds a finding for an error in a text that begins `begin` bytes after `mark`.
   void Report(expr::Error error, diag::SourceMark mark, std::size_t begin);
   diag::SourceMark At(diag::SourceMark mark, std::size_t offset) const;
@@ -193,7 +193,7 @@ std::vector<std::string_view> Split(std::string_view text, std::string_view sepa
 void CollectNames(const YamlNode& node, std::vector<std::string>& names);
 
 /// Returns true for the keys of a parameter's mapping that describe its value: doc, unit, section.
-inline bool IsAboutValue(std::string_view key) {
+inline bool IsAnnotationKey(std::string_view key) {
   return key == "doc" || key == "unit" || key == "section";
 }
 

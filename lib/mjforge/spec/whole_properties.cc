@@ -65,7 +65,7 @@ void DeclareSubtree(BodyEntry& body, expr::SymbolTable& names, Declared& declare
     return names.Find(prefix + std::string(property)) != nullptr;
   };
   if (!declared.contains(prefix) && std::ranges::none_of(BodyPropertyNames(), is_taken))
-    declared.emplace(prefix, DeclareMeasures(prefix, names));
+    declared.emplace(prefix, DeclareBodyProperties(prefix, names));
   if (declared.contains(prefix)) body.first_subtree_property = declared.at(prefix);
 }
 

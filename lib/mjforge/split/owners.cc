@@ -33,7 +33,7 @@ void Owners::AddRoots() {
     const bool is_carried = !is_world_child && moves[parent];
     moves[i] = is_carried || !body.joints.empty();
     const bool is_own = is_world_child ? i > 0 || !has_empty_root
-                                       : !is_carried && (!body.stands_at.empty() ||
+                                       : !is_carried && (!body.place_name.empty() ||
                                                          (parent == 0 && has_empty_root));
     if (is_own) {
       bodies_[i] = static_cast<int>(roots_.size());

@@ -214,7 +214,7 @@ std::optional<std::vector<ScenePart>> Split(const Object& scene, const SplitOpti
     ScenePart& part = parts.emplace_back();
     part.object = Extraction(scene, owners, static_cast<int>(i), std::move(new_names))(name);
     part.X_WO = X_WB[root];
-    part.at = body.stands_at;
+    part.at = body.place_name;
     part.is_free = model::FreeJointOf(body) != nullptr;
     is_good &= HasUniqueNames(part.object, findings);
   }

@@ -270,7 +270,7 @@ class ExpectationChecker {
 }  // namespace
 
 void CheckExpectations(const model::Object& object, diag::Findings& findings) {
-  for (const diag::Finding& finding : object.unmet) findings.Add(finding);
+  for (const diag::Finding& finding : object.unmet_expectations) findings.Add(finding);
   ExpectationChecker checker(object, findings);
   for (const Expectation& expectation : object.expectations) checker.Check(expectation);
 }

@@ -9,8 +9,8 @@
 namespace mjforge::static_checks {
 
 /// Adds an error, with the numbers found and wanted, for each of object.expectations that does not
-/// hold, and for each condition of object.unmet. Shapes are exact, except that a mesh counts as its
-/// convex hull. Visual parts count only for bodies without colliding parts.
+/// hold, and for each condition of object.unmet_expectations. Shapes are exact, except that a mesh
+/// counts as its convex hull. Visual parts count only for bodies without colliding parts.
 void CheckExpectations(const model::Object& object, diag::Findings& findings);
 
 /// Checks densities, sizes, inertias and centres of mass, overlapping and loose parts, and

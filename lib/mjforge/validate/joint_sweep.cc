@@ -44,14 +44,14 @@ struct MovedJoint {
   std::size_t dimensions() const { return ball ? 3 : 1; }
 };
 
-/// Returns the joints with a range; adds the names of unlimited slides to `held`.
-std::vector<MovedJoint> JointsToMove(const mjModel& m, std::vector<std::string>& held) {
+/// Returns the joints with a range; adds the names of the other slides to `unlimited_slides`.
+std::vector<MovedJoint> JointsToMove(const mjModel& m, std::vector<std::string>& unlimited_slides) {
   std::vector<MovedJoint> joints;
   for (int i = 0; i < m.njnt; ++i) {
     if (const auto range = compiled::RangeOf(m, i)) {
       joints.push_back({i, m.jnt_type[i] == mjJNT_BALL, range->low, range->high});
     } else if (m.jnt_type[i] == mjJNT_SLIDE) {
-      held.emplace_back(m.names + m.name_jntadr[i]);
+      unlimited_slides.emplace_back(m.names + m.name_jntadr[i]);
     }
   }
   return joints;
@@ -59,7 +59,8 @@ std::vector<MovedJoint> JointsToMove(const mjModel& m, std::vector<std::string>&
 
 class Sweeper {
  public:
-  Sweeper(mjModel& m, int frame) : m_(m), finder_(m), joints_(JointsToMove(m, sweep_.held)) {
+  Sweeper(mjModel& m, int frame)
+      : m_(m), finder_(m), joints_(JointsToMove(m, sweep_.unlimited_slides)) {
     X_AW_ = compiled::PoseAt(finder_.data().xpos, finder_.data().xquat, frame).Inverse();
     // Without any colliding geom, bounds include visual geoms, like model::Bounds.
     for (int i = 0; i < m.ngeom; ++i) {

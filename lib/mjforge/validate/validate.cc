@@ -19,7 +19,7 @@
 #include "mjforge/validate/compare.h"
 #include "mjforge/validate/joint_sweep.h"
 #include "mjforge/validate/later_refusals.h"
-#include "mjforge/validate/older_release.h"
+#include "mjforge/validate/release_differences.h"
 #include "mjforge/validate/self_collisions.h"
 #include "mjforge/xml/xml.h"
 

@@ -54,7 +54,7 @@ struct Sweep {
   };
   std::vector<Contact> contacts;  // sorted by joint, then body; contacts of several joints are last
   /// Names of unlimited slides, which do not move because they have no range.
-  std::vector<std::string> held;
+  std::vector<std::string> unlimited_slides;
   /// Box around all colliding geoms (all geoms if none collides) in all poses, in the frame of an
   /// object's root or of a file's world.
   model::Box3 aabb;

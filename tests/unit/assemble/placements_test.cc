@@ -20,7 +20,7 @@ class DiscPlacer : public model::Placer {
     object_ = &object;
     standing_.clear();
   }
-  void Stand(int body, double) override { standing_.push_back(body); }
+  void AddObstacle(int body, double) override { standing_.push_back(body); }
   model::PlaceResult Try(int body, const model::PlaceTry& where) override {
     tries.push_back(where);
     model::PlaceResult result;
@@ -110,7 +110,7 @@ TEST_CASE("a placed body is fixed to the body with the region") {
   const Scene scene(Ball("name: a, place: {at: table.surface, uv: [1, -1], yaw: 90deg}"));
   const model::Body& a = scene.body("a");
   CHECK(a.parent == 1);
-  CHECK(a.stands_at == "table.surface");
+  CHECK(a.place_name == "table.surface");
   CHECK(a.X_PB.p.isApprox(Eigen::Vector3d(0.35, -0.25, 0.7)));
   CHECK(scene.placer.tries.size() == 1);
 }
@@ -186,7 +186,7 @@ TEST_CASE("bodies that find no room are left out if the spec allows it") {
   CHECK(object.left_out.size() > 10);
   CHECK(object.left_out.size() < 50);
   CHECK(object.bodies.size() == 63 - object.left_out.size());
-  CHECK(object.bodies.back().stands_at == "table.hook");
+  CHECK(object.bodies.back().place_name == "table.hook");
   for (const model::Body& body : object.bodies) {
     CHECK(body.parent < static_cast<int>(&body - object.bodies.data()));
     CHECK(std::ranges::find(object.left_out, body.name) == object.left_out.end());

@@ -25,13 +25,13 @@ TEST_CASE("regions have a level frame, a size, and a site of group 5") {
   CHECK(regions[0].X_BR.p == Eigen::Vector3d(0, 0, 1));
   CHECK((regions[0].X_BR.q * Eigen::Vector3d::UnitX() - Eigen::Vector3d::UnitY()).norm() < 1e-12);
   CHECK(std::isinf(regions[0].height));
-  CHECK_FALSE(regions[0].walls);
+  CHECK_FALSE(regions[0].has_walls);
   CHECK(regions[1].type == model::RegionType::kDisc);
   CHECK(regions[1].half_size == Eigen::Vector2d(0.3, 0.3));
   CHECK(regions[1].height == 0.2);
   CHECK(regions[1].margin == 0.01);
   CHECK(regions[1].clear == 0.02);
-  CHECK(regions[1].walls);
+  CHECK(regions[1].has_walls);
   const std::vector<model::Site>& sites = thing.body().sites;
   REQUIRE(sites.size() == 2);
   CHECK(sites[0].name == "thing_top");

@@ -28,7 +28,7 @@ struct Compiled {
   }
 
   harness::TemporaryFolder folder;
-  LaterRules rules;
+  RuleDifferences rules;
   std::string text;
   engine::Loaded loaded;
 };

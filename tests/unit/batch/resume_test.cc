@@ -295,7 +295,7 @@ TEST_CASE("a variant whose worker died is tried again") {
   record->file.clear();
   record->sha256.clear();
   record->findings = {R"({"severity":"error","code":"batch/worker-died","message":"x"})"};
-  CHECK(FailedByChance(*record));
+  CHECK(HasWorkerDied(*record));
   std::string failed;
   manifest::AppendRecord(failed, *record);
   manifest.replace(line, manifest.find('\n', line) + 1 - line, failed);

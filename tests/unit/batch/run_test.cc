@@ -19,7 +19,7 @@ TEST_CASE("a batch makes its variants, and tells of them in index order") {
   Observer observer;
   observer.variant = [&](const FinishedVariant& done) {
     indices.push_back(done.index);
-    CHECK(done.place == output::PlaceInFolder("crate", done.index));
+    CHECK(done.place == output::PathInFolder("crate", done.index));
   };
   const Summary summary = test.Make(request, observer);
   CHECK(summary.ok == 300);

@@ -13,16 +13,16 @@ namespace {
 struct AllLines {
   std::vector<std::string> lines;
   std::string why_not;
-  bool torn = false;
+  bool is_truncated = false;
 };
 
-AllLines LinesOf(const std::filesystem::path& file, const Section& section = {}) {
+AllLines LinesOf(const std::filesystem::path& file, const FileSection& section = {}) {
   AllLines all;
   std::optional<LineReader> lines = LineReader::Open(file, all.why_not, section);
   REQUIRE(lines);
   std::string line;
   while (lines->Next(line, all.why_not)) all.lines.push_back(line);
-  all.torn = lines->torn();
+  all.is_truncated = lines->is_truncated();
   return all;
 }
 
@@ -31,15 +31,15 @@ TEST_CASE("lines are read one after the other") {
   const std::string large(1'000'000, 'x');
   const AllLines all = LinesOf(folder.Write("x", "a\n\n" + large + "\nb\n"));
   CHECK(all.lines == std::vector<std::string>{"a", "", large, "b"});
-  CHECK_FALSE(all.torn);
+  CHECK_FALSE(all.is_truncated);
   CHECK(LinesOf(folder.Write("empty", "")).lines.empty());
 }
 
-TEST_CASE("a line without an end is torn") {
+TEST_CASE("a line without an end is truncated") {
   const harness::TemporaryFolder folder;
   const AllLines all = LinesOf(folder.Write("x", "a\nb"));
   CHECK(all.lines == std::vector<std::string>{"a", "b"});
-  CHECK(all.torn);
+  CHECK(all.is_truncated);
 }
 
 TEST_CASE("a line that is too long ends the reading, in little memory") {
@@ -65,7 +65,7 @@ TEST_CASE("a compressed file has the lines of its text, wherever its frames end"
   const AllLines all = LinesOf(folder.Write("x", Compressed({"a\nb", "c\n", large + "\n\nd\n"})));
   CHECK(all.lines == std::vector<std::string>{"a", "bc", large, "", "d"});
   CHECK(all.why_not.empty());
-  CHECK_FALSE(all.torn);
+  CHECK_FALSE(all.is_truncated);
 }
 
 TEST_CASE("a compressed file that was cut off ends with its last whole frame") {
@@ -74,7 +74,7 @@ TEST_CASE("a compressed file that was cut off ends with its last whole frame") {
   const AllLines all = LinesOf(folder.Write("x", first + first.substr(0, first.size() - 1)));
   CHECK(all.lines.front() == "a");
   CHECK(all.why_not == "its last frame is incomplete");
-  CHECK(all.torn);
+  CHECK(all.is_truncated);
 }
 
 TEST_CASE("a damaged frame is an error") {
@@ -112,7 +112,7 @@ TEST_CASE("consecutive sections have each line once, wherever a file is divided"
     for (const std::size_t step : {1, 2, 7}) {
       std::vector<std::string> lines;
       for (std::size_t i = 0; i < cuts.size(); i += step) {
-        Section section{.begin = cuts[i]};
+        FileSection section{.begin = cuts[i]};
         if (i + step < cuts.size()) section.end = cuts[i + step];
         const AllLines all = LinesOf(file, section);
         CHECK(all.why_not.empty());

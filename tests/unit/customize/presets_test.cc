@@ -8,10 +8,10 @@ namespace mjforge::customize {
 namespace {
 
 TEST_CASE("names of presets are names of files") {
-  CHECK(Presets::IsName("Tall_2-b"));
+  CHECK(Presets::IsValidName("Tall_2-b"));
   for (const char* wrong : {"", "a/b", "..", "a b", ".a", "a.b"})
-    CHECK_FALSE(Presets::IsName(wrong));
-  CHECK_FALSE(Presets::IsName(std::string(61, 'a')));
+    CHECK_FALSE(Presets::IsValidName(wrong));
+  CHECK_FALSE(Presets::IsValidName(std::string(61, 'a')));
 }
 
 TEST_CASE("a preset is a file beside the spec, which may be written again") {

@@ -8,11 +8,11 @@
 using namespace mjforge::expr;
 
 TEST_CASE("the functions are listed in order, each with its use and an explanation") {
-  const auto functions = Functions();
+  const auto functions = Builtins();
   CHECK(functions.size() == 26);
   CHECK(std::is_sorted(functions.begin(), functions.end(),
                        [](const Function& a, const Function& b) { return a.name < b.name; }));
-  for (const Function& function : functions) {
+  for (const BuiltinInfo& function : functions) {
     CAPTURE(function.name);
     CHECK(function.usage.substr(0, function.name.size()) == function.name);
     CHECK_FALSE(function.doc.empty());
@@ -28,7 +28,7 @@ TEST_CASE("every function that is listed works as its use shows") {
   names.Declare(TorqueVariable("joint"), Type::kNumber);
   names.DeclareList("list", Type::kNumber);
   names.Declare("n", Type::kNumber);
-  for (const Function& function : Functions()) {
+  for (const BuiltinInfo& function : Builtins()) {
     std::string usage(function.usage);
     if (const auto dots = usage.find("..."); dots != std::string::npos) usage.replace(dots, 3, "y");
     CAPTURE(usage);

@@ -1,4 +1,4 @@
-// The base MJCF: inertias, mocap bodies, places, materials, friction.
+// The base MJCF: inertias, mocap bodies, poses, materials, friction.
 
 #include "mjforge/family/base.h"
 
@@ -33,11 +33,11 @@ TEST_CASE("each body gets the inertia that MuJoCo computed") {
         "</mujoco>\n");
 }
 
-TEST_CASE("a place replaces that of the element with this number") {
-  const NewPlace places[] = {
+TEST_CASE("a pose replaces that of the element with this number") {
+  const NewPose poses[] = {
       {.tag = "geom", .number = 0, .pos = {1, 2, 3}, .quat = Eigen::Vector4d(0, 1, 0, 0)},
       {.tag = "inertial", .number = 0, .pos = {4, 5, 6}, .quat = {}}};
-  const std::string base = WithPlaces(sample_rows::kBase, places);
+  const std::string base = WithPoses(sample_rows::kBase, poses);
   CHECK(base.find("size=\"1\" pos=\"1 2 3\" quat=\"0 1 0 0\"/>") != base.npos);
   CHECK(base.find("<inertial pos=\"4 5 6\" quat=\"1 0 0 0\"") != base.npos);
 }

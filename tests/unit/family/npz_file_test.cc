@@ -32,7 +32,7 @@ Written Write(const harness::TemporaryFolder& folder,
 }
 
 std::string RowsOf(const std::vector<Numbers>& variants) {
-  Rows rows;
+  ChunkEncoder rows;
   for (const Numbers& numbers : variants)
     CHECK(rows.Add(numbers, {{"list", std::vector{1.0}}}).empty());
   return rows.Header(sample_rows::kBase) + rows.Bytes();
@@ -103,7 +103,7 @@ TEST_CASE("damaged rows, a base that MuJoCo refuses and a family of none are fin
   CHECK(cut.findings.begin()->message.find("it is cut short") != std::string::npos);
   folder.Write("none.rows", "");
   CHECK_FALSE(Write(folder, {folder / "none.rows"}).good);
-  Rows refused;
+  ChunkEncoder refused;
   CHECK(refused.Add(Ball(1, "oak", 0), {}).empty());
   folder.Write(
       "bad.rows",

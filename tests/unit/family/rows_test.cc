@@ -13,7 +13,7 @@ namespace {
 using sample_rows::Ball;
 
 std::string TwoVariants() {
-  Rows rows;
+  ChunkEncoder rows;
   CHECK(rows.Add(Ball(1, "oak", 0.5), {{"r", 1.0}, {"wood", std::string("oak")}}).empty());
   CHECK(rows.Add(Ball(2, "ash", 0.7), {{"r", 2.0}, {"wood", std::string("ash")}}).empty());
   return rows.Header(sample_rows::kBase) + AssetBlock("assets/a.png", "pixels") + rows.Bytes();
@@ -32,7 +32,7 @@ TEST_CASE("a file of rows has what was added") {
   std::vector<std::string> seen;
   file.ForEach([&](const RowView& row) {
     seen.push_back(row.materials.at(0)->name);
-    CHECK(row.looks.at(0)[0] == (seen.size() == 1 ? 0.5 : 0.7));
+    CHECK(row.material_numbers.at(0)[0] == (seen.size() == 1 ? 0.5 : 0.7));
     CHECK(std::get<std::string>(row.parameters.at(1)) == seen.back());
     CHECK(row.values[0] == static_cast<double>(seen.size()));
   });
@@ -40,12 +40,12 @@ TEST_CASE("a file of rows has what was added") {
 }
 
 TEST_CASE("variants with other arrays are not added, and are told by the headers") {
-  Rows rows;
+  ChunkEncoder rows;
   CHECK(rows.Add(Ball(1, "oak", 0), {}).empty());
   Numbers other = Ball(1, "oak", 0);
   other.shapes[4].elements = {"shell"};
   CHECK(rows.Add(other, {}) == "geom_size has other elements");
-  Rows others;
+  ChunkEncoder others;
   CHECK(others.Add(other, {}).empty());
   CHECK(DifferenceOf(DecodeHeader(others.Header("")), DecodeHeader(rows.Header(""))) ==
         "geom_size has other elements");

@@ -32,7 +32,8 @@ struct ReaderTest {
     do {
       read.first.push_back(reader->Next(record));
       if (read.first.back() == Outcome::kRecord) read.second.push_back(record.index);
-      torn = torn || (read.first.back() == Outcome::kBadLine && reader->torn());
+      is_truncated =
+          is_truncated || (read.first.back() == Outcome::kBadLine && reader->is_truncated());
     } while (read.first.back() == Outcome::kRecord || read.first.back() == Outcome::kBadLine);
     bad_lines = std::ranges::count(read.first, Outcome::kBadLine);
     return read;
@@ -42,7 +43,7 @@ struct ReaderTest {
   diag::Sources sources;
   diag::Findings findings;
   Record record;
-  bool torn = false;
+  bool is_truncated = false;
   std::ptrdiff_t bad_lines = 0;
 };
 
@@ -70,12 +71,12 @@ TEST_CASE_METHOD(ReaderTest, "a bad line is a finding at its place, and others f
         (folder / "manifest.jsonl").string() +
             ":2:1: error: this line is not a record: it is not a JSON object "
             "[output/bad-manifest]\none: two\n^\n");
-  CHECK_FALSE(torn);
+  CHECK_FALSE(is_truncated);
 }
 
-TEST_CASE_METHOD(ReaderTest, "a line without an end is torn") {
+TEST_CASE_METHOD(ReaderTest, "a line without an end is truncated") {
   ReadAll(LineOf(0) + LineOf(1).substr(0, 20));
-  CHECK(torn);
+  CHECK(is_truncated);
   CHECK(bad_lines == 1);
 }
 

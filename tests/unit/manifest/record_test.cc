@@ -58,7 +58,7 @@ TEST_CASE("a line gets its archive and its spec's file as if it had been written
   for (const std::string file : {"", "../mug.yaml"}) {
     record.spec_file = file;
     std::string with = "before ";
-    AppendWithPlaces(with, without, record.archive, record.spec_file);
+    AppendWithPaths(with, without, record.archive, record.spec_file);
     CHECK(with == "before " + LineOf(record));
   }
 }

@@ -36,7 +36,7 @@ TEST_CASE("an object with a free or a placed body starts at zero, others in a ke
     CHECK_FALSE(HasStartAtZero(Written(fixed, target)));
     CHECK(HasKeyframe(Written(fixed, target)));
     model::Object placed = OpenChest({}, /*is_fixed=*/true);
-    placed.bodies[1].stands_at = "chest.top";
+    placed.bodies[1].place_name = "chest.top";
     CHECK(Adapted(placed, target) == Said{});
     CHECK(HasStartAtZero(Written(placed, target)));
   }

@@ -77,7 +77,7 @@ model::Object BoardOnBalls() {
   model::Object object = Balls(40);
   model::Body& body = object.bodies.emplace_back();
   body.name = "board";
-  body.stands_at = "pile.surface";
+  body.place_name = "pile.surface";
   body.parts.push_back(hand_made::Solid("board", model::GeomType::kBox, {4, 0.1, 0.1},
                                         {{4, 0, 0.2}, {1, 0, 0, 0}}, 3));
   body.joints.emplace_back();
@@ -120,7 +120,7 @@ TEST_CASE("two placed bodies have at most as many contacts as one of them has ge
   model::Body& body = object.bodies.emplace_back();
   body = object.bodies[0];
   body.name = "nested";
-  body.stands_at = "pile.surface";
+  body.place_name = "pile.surface";
   body.joints.emplace_back();
   // All balls of one body touch all balls of the other one.
   for (model::Body& each : object.bodies)

@@ -58,10 +58,10 @@ TEST_CASE("the manifest is in the folder, or beside the archives") {
 TEST_CASE("the place of a variant's file depends on its index alone") {
   CHECK(VariantStem("hammer", 42) == "hammer_000042");
   CHECK(VariantStem("hammer", 12'345'678) == "hammer_12345678");
-  CHECK(PlaceInFolder("hammer", 0) == "hammer_000000.xml");
-  CHECK(PlaceInFolder("hammer", 9'999) == "hammer_009999.xml");
-  CHECK(PlaceInFolder("hammer", 10'000) == "0010000/hammer_010000.xml");
-  CHECK(PlaceInFolder("hammer", 123'456'789) == "123450000/hammer_123456789.xml");
+  CHECK(PathInFolder("hammer", 0) == "hammer_000000.xml");
+  CHECK(PathInFolder("hammer", 9'999) == "hammer_009999.xml");
+  CHECK(PathInFolder("hammer", 10'000) == "0010000/hammer_010000.xml");
+  CHECK(PathInFolder("hammer", 123'456'789) == "123450000/hammer_123456789.xml");
 }
 
 }  // namespace

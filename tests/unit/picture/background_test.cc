@@ -26,14 +26,14 @@ TEST_CASE("layers are found by their names") {
 
 TEST_CASE("a background goes from its top color to its bottom color, behind the image") {
   Image image{1, 3, {0, 0, 0, 0, 200, 100, 0, 255, 0, 0, 0, 51}};
-  PutOn({{10, 20, 30}, {50, 60, 70}, false}, image);
+  PutBehind({{10, 20, 30}, {50, 60, 70}, false}, image);
   CHECK(image.rgba ==
         std::vector<std::uint8_t>{10, 20, 30, 255, 200, 100, 0, 255, 40, 48, 56, 255});
 }
 
 TEST_CASE("on a transparent background an image stays as it is") {
   Image image{1, 1, {1, 2, 3, 4}};
-  PutOn({.transparent = true}, image);
+  PutBehind({.transparent = true}, image);
   CHECK(image.rgba == std::vector<std::uint8_t>{1, 2, 3, 4});
 }
 

@@ -39,7 +39,7 @@ TEST_CASE("a body stands on a region, in contact with it") {
   // Turned, and on a table that is turned and moved itself.
   table.scene.body(table.table).X_PB = At(1, 2, 3, 0.5);
   table.placer->Begin(table.scene.object);
-  table.placer->Stand(table.table);
+  table.placer->AddObstacle(table.table);
   where.yaw = M_PI / 2;
   CheckAt(table.placer->Try(box, where), {0.45, -0.2, 0.2 - kContactDepth});
 }
@@ -128,7 +128,7 @@ TEST_CASE("a stack may touch a body below that asks for distance") {
   table.Place(lowest, table.Where(), 0.03);
   int below = lowest;
   for (int i = 0; i < 2; ++i) {
-    table.scene.body(below).stands_at = "below";
+    table.scene.body(below).place_name = "below";
     PlaceTry where = table.Where();
     where.support = below;
     where.region = &top;
@@ -163,11 +163,11 @@ TEST_CASE("a body in an interior is lowered until it touches") {
   const int inner = scene.AddBin(0.15, 0.1, 0.01);
   const int ball = scene.Add(ShapeOf(GeomType::kSphere, 0.05));
   Region region = BoxRegion(0.2, 0.2);
-  region.walls = true;
+  region.has_walls = true;
   region.height = GENERATE(std::numeric_limits<double>::infinity(), 0.3);
   const auto placer = MakePlacer();
   placer->Begin(scene.object);
-  placer->Stand(outer);
+  placer->AddObstacle(outer);
   PlaceTry where;
   where.support = outer;
   where.region = &region;
@@ -175,10 +175,10 @@ TEST_CASE("a body in an interior is lowered until it touches") {
   PlaceResult result = placer->Try(inner, where);
   CheckAt(result, {0, 0, 0.01 - kContactDepth}, 1e-6);
   scene.body(inner).X_PB = result.X_SupportBody;
-  placer->Stand(inner);
+  placer->AddObstacle(inner);
   // In the inner bin, whose floor is 1 cm above that of the outer one.
   Region inside = BoxRegion(0.15, 0.15);
-  inside.walls = true;
+  inside.has_walls = true;
   where.support = inner;
   where.region = &inside;
   result = placer->Try(ball, where);
@@ -194,10 +194,10 @@ TEST_CASE("a body in an interior is lowered until it touches") {
 /// Tries to place a body in the middle of an interior of a bin, as wide as twice `half`.
 PlaceResult PlaceInside(const Scene& scene, int bin, double half, int body) {
   Region region = BoxRegion(half, half);
-  region.walls = true;
+  region.has_walls = true;
   const auto placer = MakePlacer();
   placer->Begin(scene.object);
-  placer->Stand(bin);
+  placer->AddObstacle(bin);
   PlaceTry where;
   where.support = bin;
   where.region = &region;
@@ -240,10 +240,10 @@ TEST_CASE("round bowls nest") {
   }
   Region inside = BoxRegion(0.052, 0.052, 0.002);
   inside.type = model::RegionType::kDisc;
-  inside.walls = true;
+  inside.has_walls = true;
   const auto placer = MakePlacer();
   placer->Begin(scene.object);
-  placer->Stand(bowls[0]);
+  placer->AddObstacle(bowls[0]);
   PlaceTry where;
   where.support = bowls[0];
   where.region = &inside;
@@ -259,7 +259,7 @@ TEST_CASE("the sites of a body and its support coincide") {
   const int tool = scene.Add(ShapeOf(GeomType::kBox, 0.02, 0.02, 0.1));
   const auto placer = MakePlacer();
   placer->Begin(scene.object);
-  placer->Stand(board);
+  placer->AddObstacle(board);
   PlaceTry where;
   where.support = board;
   where.X_SupportSite = At(0.1, -0.04, 0.2);
@@ -270,7 +270,7 @@ TEST_CASE("the sites of a body and its support coincide") {
   where.X_SupportSite.p.y() = -0.02;
   CHECK(placer->Try(tool, where).verdict == PlaceVerdict::kStands);
   scene.body(tool).X_PB = At(0, 0, 1, 0.3) * result.X_SupportBody;
-  placer->Stand(tool);
+  placer->AddObstacle(tool);
   const int second = scene.Add(ShapeOf(GeomType::kBox, 0.02, 0.02, 0.1));
   CHECK(placer->Try(second, where).verdict == PlaceVerdict::kBlocked);
   CHECK(placer->Try(second, where).blocker == tool);

@@ -29,13 +29,13 @@ class Table {
   model::PlaceResult Place(int body, const model::PlaceTry& where, double clear = 0) {
     if (!has_begun_) {
       placer->Begin(scene.object);
-      placer->Stand(table);
+      placer->AddObstacle(table);
       has_begun_ = true;
     }
     const model::PlaceResult result = placer->Try(body, where);
     if (result.verdict != model::PlaceVerdict::kStands) return result;
     scene.body(body).X_PB = scene.body(where.support).X_PB * result.X_SupportBody;
-    placer->Stand(body, clear);
+    placer->AddObstacle(body, clear);
     return result;
   }
 

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "harness/temporary_folder.h"
-#include "mjforge/report/cards.h"
+#include "mjforge/report/variant_rows.h"
 #include "report_records.h"
 
 namespace mjforge::report {
@@ -64,14 +64,14 @@ TEST_CASE("a colour is three or four numbers from 0 to 1") {
 
 TEST_CASE("values of colours have a swatch in the table of variants, others have none") {
   const ColorsTest test;
-  const Cards cards = MakeCards(
+  const VariantRows rows = MakeVariantRows(
       test.batch.summary.Choose(), test.batch, {"m.jsonl", "", 200},
       [](const auto&) { return std::nullopt; }, 1'000'000);
-  CHECK(Count(cards.html, "class=\"swatch\"") == 8);
-  CHECK(Count(cards.html, "fill=\"#804040ff\"/></svg> 0.5 0.25 0.25 1<") == 4);
-  CHECK(Count(cards.html, "fill=\"#ff0000ff\"/></svg> 1 0 0 1<") == 3);
-  CHECK(Count(cards.html, "fill=\"#0000ffff\"/></svg> 0 0 1 1<") == 1);
-  CHECK(Count(cards.html, "<dd>0.1 0.2 0.3<") == 4);
+  CHECK(Count(rows.html, "class=\"swatch\"") == 8);
+  CHECK(Count(rows.html, "fill=\"#804040ff\"/></svg> 0.5 0.25 0.25 1<") == 4);
+  CHECK(Count(rows.html, "fill=\"#ff0000ff\"/></svg> 1 0 0 1<") == 3);
+  CHECK(Count(rows.html, "fill=\"#0000ffff\"/></svg> 0 0 1 1<") == 1);
+  CHECK(Count(rows.html, "<dd>0.1 0.2 0.3<") == 4);
 }
 
 TEST_CASE("the first chart of a colour shows drawn colours") {

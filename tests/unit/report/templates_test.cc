@@ -24,10 +24,10 @@ TEST_CASE("base64 is that of RFC 4648") {
 }
 
 TEST_CASE("a text in a template is escaped, between tags and in an attribute") {
-  ctemplate::TemplateDictionary card("card");
-  Set(card, "STATUS", kHostile);
-  Set(card, "REPLAY", kHostile);
-  const std::string html = Expand(TemplateName::kCard, card);
+  ctemplate::TemplateDictionary row("row");
+  Set(row, "STATUS", kHostile);
+  Set(row, "REPLAY", kHostile);
+  const std::string html = Expand(TemplateName::kRow, row);
   CHECK(html.find(std::string("data-status=\"") + kEscaped + "\"") != html.npos);
   CHECK(html.find(std::string("<code>") + kEscaped + "</code>") != html.npos);
   CHECK(html.find("<img src=x") == html.npos);

@@ -21,7 +21,7 @@ struct Expected {
 void CheckStreams(const std::string& params, const std::vector<Expected>& expected) {
   INFO(params);
   const Family family = Load(params);
-  const std::vector<DrawnStream> streams = DrawnStreams(*family.spec);
+  const std::vector<ParameterStream> streams = ParameterStreams(*family.spec);
   REQUIRE(streams.size() == expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) {
     INFO(i);
@@ -66,8 +66,8 @@ TEST_CASE("discrete draws have levels where their ends are constants") {
                {{{"a"}, 1, 2}, {{"b"}, 1, 1}, {{"c"}, 1, 2}});
 }
 
-// The grid replaces the uniforms of all streams that DrawnStreams() lists. If Evaluator drew from
-// any other stream, the values would depend on seed and index.
+// The grid replaces the uniforms of all streams that ParameterStreams() lists. If Evaluator drew
+// from any other stream, the values would depend on seed and index.
 TEST_CASE("the streams are all that the parameters draw from") {
   Family family = Load(
       "{a: 0 .. 1, b: {normal: [a, 1 .. 2], clip: [0 .. 0.1, 4 .. 5]}, "

@@ -173,10 +173,10 @@ TEST_CASE("samplers know the values of lists and records") {
   Family family = Load(
       "{a: {each: 1 .. 2, count: 3}, s: {choice: [{n: p, l: 1 .. 2}, {n: q, l: 2}]}, "
       "o: {shuffle: [1, 2, 3, 4, 5]}}");
-  const std::vector<DrawnStream> streams = DrawnStreams(*family.spec);
+  const std::vector<ParameterStream> streams = ParameterStreams(*family.spec);
   REQUIRE(streams.size() == 3 + 1 + 1 + 5);
   CHECK(streams[3].levels == 2);
-  CHECK(std::ranges::count(streams, true, &DrawnStream::is_order) == 5);
+  CHECK(std::ranges::count(streams, true, &ParameterStream::is_order) == 5);
   // In four variants, each quarter of a range has one.
   for (const Method method : {Method::kSobol, Method::kLatin}) {
     const Sampler sampler(*family.spec, method, 5, 4);

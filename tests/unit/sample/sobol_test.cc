@@ -12,8 +12,8 @@
 namespace mjforge::sample {
 namespace {
 
-std::vector<DrawnStream> Streams(std::size_t count) {
-  std::vector<DrawnStream> streams;
+std::vector<ParameterStream> Streams(std::size_t count) {
+  std::vector<ParameterStream> streams;
   for (std::size_t i = 0; i < count; ++i) {
     streams.push_back({.stream = Child(kRootStream, i), .split = {}});
   }
@@ -86,11 +86,12 @@ TEST_CASE("the points are Boost's before scrambling") {
 }
 
 TEST_CASE("each seed and each stream is scrambled in its own way") {
-  std::vector<DrawnStream> streams = Streams(3);
+  std::vector<ParameterStream> streams = Streams(3);
   std::set<double> firsts;
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     const Sobol sobol(streams, seed);
-    for (const DrawnStream& stream : streams) firsts.insert(Coordinate(sobol, 0, stream.stream));
+    for (const ParameterStream& stream : streams)
+      firsts.insert(Coordinate(sobol, 0, stream.stream));
   }
   CHECK(firsts.size() == 1500);
   double mean = 0;

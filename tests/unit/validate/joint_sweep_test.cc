@@ -72,7 +72,7 @@ TEST_CASE("a slide goes through its range, and its box with it") {
                                 Joint("rail", "type=\"slide\" axis=\"1 0 0\"" + Range("-0.5 2")) +
                                     Ball("cart_ball", "0 0 0"))));
   CHECK(sweep.contacts.empty());
-  CHECK(sweep.held.empty());
+  CHECK(sweep.unlimited_slides.empty());
   CheckBox(sweep.aabb, {-0.6, -0.1, -0.01}, {2.1, 0.1, 1.1});
 }
 
@@ -96,7 +96,7 @@ TEST_CASE("a slide without limits is held at its zero, and said") {
   const Sweep sweep = SweepOf(Body(
       "base", "0 0 0",
       kBase + Body("cart", "0 0 1", Joint("rail", "type=\"slide\"") + Ball("cart_ball", "0 0 0"))));
-  CHECK(sweep.held == Strings{"rail"});
+  CHECK(sweep.unlimited_slides == Strings{"rail"});
   CheckBox(sweep.aabb, {-0.1, -0.1, -0.01}, {0.1, 0.1, 1.1});
 }
 

@@ -8,11 +8,11 @@
 namespace mjforge::expr {
 namespace {
 
-SymbolTable NamesWith(const std::vector<Formula>& formulas) {
+SymbolTable NamesWith(const std::vector<SpecFunction>& functions) {
   SymbolTable names;
   names.Declare("r", Type::kNumber);
   names.Declare("kind", Type::kText);
-  for (const Formula& formula : formulas) names.Define(formula);
+  for (const SpecFunction& function : functions) names.Define(function);
   return names;
 }
 
@@ -59,7 +59,7 @@ TEST_CASE("an expression says which functions it calls, and what they read") {
   Error error;
   const auto expression = Expression::Compile("g(1)", names, error);
   REQUIRE(expression);
-  CHECK(expression->formulas() == std::set<std::string>{"f", "g"});
+  CHECK(expression->functions() == std::set<std::string>{"f", "g"});
   REQUIRE(expression->inputs().size() == 1);
   CHECK(expression->inputs()[0].name == "r");
 }
@@ -67,7 +67,7 @@ TEST_CASE("an expression says which functions it calls, and what they read") {
 TEST_CASE("a fault in a function is at its place there") {
   const SymbolTable names = NamesWith({{"f", {"x"}, "1 + y"}, {"g", {"x"}, "2 * f(x)"}});
   const Error error = ErrorOf("1 + g(2)", names);
-  CHECK(error.formula == "f");
+  CHECK(error.function == "f");
   CHECK(error.offset == 4);
   CHECK(error.message == "unknown name 'y'");
 }
@@ -84,8 +84,8 @@ TEST_CASE("calls are checked: their arguments' number and kind, the name") {
 }
 
 TEST_CASE("what doubles with each function is not computed twice, and ends") {
-  std::vector<Formula> same = {{"f0", {"x"}, "x + r"}};
-  std::vector<Formula> other = same;
+  std::vector<SpecFunction> same = {{"f0", {"x"}, "x + r"}};
+  std::vector<SpecFunction> other = same;
   for (int i = 1; i < 50; ++i) {
     const std::string call = "f" + std::to_string(i - 1);
     const std::string name = "f" + std::to_string(i);
@@ -95,7 +95,7 @@ TEST_CASE("what doubles with each function is not computed twice, and ends") {
   CHECK(ValueOf("f49(1)", NamesWith(same)) == 6 * 0x1p49);
   const Error error = ErrorOf("1 + f49(r)", NamesWith(other));
   CHECK(error.message == "the expression calls functions more than 1000 times");
-  CHECK(error.formula.empty());
+  CHECK(error.function.empty());
   CHECK(error.offset == 4);
 }
 

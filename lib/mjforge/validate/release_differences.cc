@@ -1,5 +1,5 @@
 // Compares masses and shapes of two compiled models of the same file.
-#include "mjforge/validate/older_release.h"
+#include "mjforge/validate/release_differences.h"
 
 #include <cmath>
 #include <string>
@@ -62,7 +62,7 @@ std::string OtherShape(const mjModel& m, const mjModel& here) {
 }  // namespace
 
 void CompareReleases(const mjModel& m, const engine::Loaded& as_is,
-                     const backport::LaterRules& places, diag::Findings& findings) {
+                     const backport::RuleDifferences& places, diag::Findings& findings) {
   if (!as_is.model) {
     findings.Warn(Code::kMujocoOlder,
                   places.visible ? places.visible

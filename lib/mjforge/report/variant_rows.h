@@ -11,7 +11,7 @@
 namespace mjforge::report {
 
 /// HTML of the rows for the variants that a page shows, and numbers of variants.
-struct Cards {
+struct VariantRows {
   std::string html;
   std::size_t failed = 0;
   std::size_t slow = 0;
@@ -25,8 +25,9 @@ struct Cards {
 /// Makes the rows of the chosen variants until they fill `room` bytes: failed variants, slow
 /// variants, then the sample. The sample is in an order such that its first rows, however many fit,
 /// are spread over the batch.
-Cards MakeCards(const std::vector<ShownVariant>& chosen, const Batch& batch, const Request& request,
-                const Thumbnailer& thumbnailer, std::size_t room);
+VariantRows MakeVariantRows(const std::vector<ShownVariant>& chosen, const Batch& batch,
+                            const Request& request, const Thumbnailer& thumbnailer,
+                            std::size_t room);
 
 /// Returns the command that regenerates a variant.
 std::string ReplayCommand(const Request& request, std::uint64_t index);

@@ -1,6 +1,6 @@
 // Rows of the table of variants: picture, parameters, findings, command.
 
-#include "mjforge/report/cards.h"
+#include "mjforge/report/variant_rows.h"
 
 #include <fmt/format.h>
 
@@ -47,15 +47,15 @@ bool Varies(const ParameterTally& tally) {
 }
 
 // Sets the text of a measure ("0.123 kg"), and the number by which the page's script sorts.
-void SetMeasure(Dictionary& card, const char* text, const char* number, std::optional<double> value,
+void SetMeasure(Dictionary& row, const char* text, const char* number, std::optional<double> value,
                 std::string_view unit) {
-  Set(card, text, value ? fmt::format("{} {}", ShortNumber(*value), unit) : "none");
-  Set(card, number, value ? expr::NumberText(*value) : "");
+  Set(row, text, value ? fmt::format("{} {}", ShortNumber(*value), unit) : "none");
+  Set(row, number, value ? expr::NumberText(*value) : "");
 }
 
-class CardMaker {
+class RowMaker {
  public:
-  CardMaker(const Batch& batch, const Request& request, const Thumbnailer& thumbnailer)
+  RowMaker(const Batch& batch, const Request& request, const Thumbnailer& thumbnailer)
       : batch_(batch), request_(request), thumbnailer_(thumbnailer) {
     for (const ParameterTally& tally : batch.summary.params.list()) {
       if (Varies(tally)) varied_.insert(tally.name);
@@ -67,23 +67,23 @@ class CardMaker {
   // picture.
   std::string Make(const ShownVariant& shown, bool& has_picture) const {
     const Record& record = shown.record;
-    ctemplate::TemplateDictionary card("card");
-    Set(card, "INDEX", fmt::format("{}", record.index));
-    Set(card, "STATUS", NameOf(record.status));
-    if (shown.reason == ShownVariant::Reason::kSlow) Section(card, "SLOW");
+    ctemplate::TemplateDictionary row("row");
+    Set(row, "INDEX", fmt::format("{}", record.index));
+    Set(row, "STATUS", NameOf(record.status));
+    if (shown.reason == ShownVariant::Reason::kSlow) Section(row, "SLOW");
     const auto measured = [&](MeasureId id) { return MeasureOf(id).of(record); };
-    SetMeasure(card, "MASS", "MASS_NUMBER", measured(MeasureId::kMass), "kg");
-    SetMeasure(card, "SIZE", "SIZE_NUMBER", measured(MeasureId::kSize), "m");
+    SetMeasure(row, "MASS", "MASS_NUMBER", measured(MeasureId::kMass), "kg");
+    SetMeasure(row, "SIZE", "SIZE_NUMBER", measured(MeasureId::kSize), "m");
     const std::optional<double> rest = measured(MeasureId::kTimeToRest);
-    SetMeasure(card, "IGNORED", "REST_NUMBER", rest, "s");
+    SetMeasure(row, "IGNORED", "REST_NUMBER", rest, "s");
     if (batch_.summary.HasPhysics())
-      ShowText(card, "REST", rest ? fmt::format("{} s", ShortNumber(*rest)) : "not at rest");
-    Set(card, "REPLAY", ReplayCommand(request_, record.index));
+      ShowText(row, "REST", rest ? fmt::format("{} s", ShortNumber(*rest)) : "not at rest");
+    Set(row, "REPLAY", ReplayCommand(request_, record.index));
     const Params params = Sorted(record.params);
-    AddParams(card, params);
-    AddFindings(card, record);
-    has_picture = AddPicture(card, record, params);
-    return Expand(TemplateName::kCard, card);
+    AddParams(row, params);
+    AddFindings(row, record);
+    has_picture = AddPicture(row, record, params);
+    return Expand(TemplateName::kRow, row);
   }
 
  private:
@@ -107,40 +107,40 @@ class CardMaker {
     ShowText(shown, "SWATCH", HexColor(param.second).value_or(""));
   }
 
-  void AddParams(Dictionary& card, const Params& params) const {
+  void AddParams(Dictionary& row, const Params& params) const {
     if (params.empty()) return;
     const std::size_t open = std::min(params.size(), kOpenParams);
     const std::size_t most = std::min(params.size(), kMaxParams);
-    Dictionary& list = Section(card, "HAS_PARAMS");
+    Dictionary& list = Section(row, "HAS_PARAMS");
     for (std::size_t i = 0; i < open; ++i) AddParam(list, params[i]);
     if (most > open) {
-      Dictionary& more = Section(card, "MORE_PARAMS");
+      Dictionary& more = Section(row, "MORE_PARAMS");
       Set(more, "TEXT", fmt::format("{} more", most - open));
       for (std::size_t i = open; i < most; ++i) AddParam(more, params[i]);
     }
     if (params.size() > most)
-      ShowText(card, "LEFT_OUT", fmt::format("and {} in the manifest", params.size() - most));
+      ShowText(row, "LEFT_OUT", fmt::format("and {} in the manifest", params.size() - most));
   }
 
-  static void AddFindings(Dictionary& card, const Record& record) {
+  static void AddFindings(Dictionary& row, const Record& record) {
     const std::vector<RecordedFinding> findings = FindingsOf(record);
     std::string codes;
     for (std::size_t i = 0; i < findings.size(); ++i) {
       const RecordedFinding& finding = findings[i];
       if (i < 20) codes += (codes.empty() ? "" : " ") + Clean(finding.code, kValueBytes);
       if (i >= kMaxFindings) continue;
-      Dictionary& shown = Section(card, "FINDING");
+      Dictionary& shown = Section(row, "FINDING");
       Set(shown, "SEVERITY", finding.severity == "warning" ? "warning" : "error");
       Set(shown, "CODE", Clean(finding.code, kValueBytes));
       Set(shown, "MESSAGE", Clean(finding.message));
     }
-    Set(card, "CODES", codes);
+    Set(row, "CODES", codes);
   }
 
-  bool AddPicture(Dictionary& card, const Record& record, const Params& params) const {
+  bool AddPicture(Dictionary& row, const Record& record, const Params& params) const {
     const std::optional<Thumbnail> thumbnail = thumbnailer_(record);
     if (!thumbnail) {
-      ShowText(card, "NO_PICTURE",
+      ShowText(row, "NO_PICTURE",
                record.file.empty() ? "no picture: it has no file"
                                    : "no picture: its file cannot be shown");
       return record.file.empty();
@@ -150,7 +150,7 @@ class CardMaker {
       alt += fmt::format("{} {} {}{}", i == 0 ? ":" : ",", Clean(params[i].first, 40),
                          ValueText(params[i].second), UnitOf(params[i].first));
     }
-    Dictionary& picture = Section(card, "PICTURE");
+    Dictionary& picture = Section(row, "PICTURE");
     SetPicture(picture, *thumbnail);
     Set(picture, "ALT", alt);
     return true;
@@ -188,26 +188,27 @@ std::string ReplayCommand(const Request& request, std::uint64_t index) {
   return fmt::format("mjforge replay {}{}", output::ShellWord(what), spec);
 }
 
-Cards MakeCards(const std::vector<ShownVariant>& chosen, const Batch& batch, const Request& request,
-                const Thumbnailer& thumbnailer, std::size_t room) {
-  const CardMaker maker(batch, request, thumbnailer);
-  std::vector<std::string> cards(chosen.size());
-  Cards made;
+VariantRows MakeVariantRows(const std::vector<ShownVariant>& chosen, const Batch& batch,
+                            const Request& request, const Thumbnailer& thumbnailer,
+                            std::size_t room) {
+  const RowMaker maker(batch, request, thumbnailer);
+  std::vector<std::string> rows(chosen.size());
+  VariantRows made;
   std::size_t bytes = 0;
   for (const std::size_t place : OrderOfMaking(chosen)) {
     const ShownVariant& shown = chosen[place];
     bool has_picture = true;
-    std::string card = maker.Make(shown, has_picture);
-    if (bytes + card.size() > room) break;
-    bytes += card.size();
-    cards[place] = std::move(card);
+    std::string row = maker.Make(shown, has_picture);
+    if (bytes + row.size() > room) break;
+    bytes += row.size();
+    rows[place] = std::move(row);
     ++(shown.reason == ShownVariant::Reason::kFailed ? made.failed
        : shown.reason == ShownVariant::Reason::kSlow ? made.slow
                                                      : made.sampled);
     if (!has_picture) ++made.without_picture;
   }
   made.left_out = chosen.size() - made.shown();
-  for (const std::string& card : cards) made.html += card;
+  for (const std::string& row : rows) made.html += row;
   return made;
 }
 

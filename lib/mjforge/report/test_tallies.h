@@ -12,7 +12,7 @@
 namespace mjforge::report {
 
 /// A physics test, and its results over the batch.
-struct Trial {
+struct TestTally {
   enum class Kind { kSimReady, kHolds, kSettled, kFits, kGrasps };
   Kind kind = Kind::kSimReady;
   std::string name;          // name of the test, or of the grasped site; empty without a site
@@ -24,22 +24,22 @@ struct Trial {
 
 /// Tests of a batch: the SimReady benchmark, containment, bodies that stay, pegs in holes, and
 /// grasps. A variant counts neither as passed nor as failed if a test does not apply.
-class Trials {
+class TestTallies {
  public:
   /// Maximum number of tests; further sites are left out.
   static constexpr std::size_t kMost = 100;
 
   void Add(const physics::Result& result);
-  void Append(const Trials& other);
-  const std::vector<Trial>& list() const { return list_; }
+  void Append(const TestTallies& other);
+  const std::vector<TestTally>& list() const { return list_; }
 
  private:
-  void Count(Trial::Kind kind, const std::string& name, bool passed);
-  /// Finds or adds a trial; returns null if there are kMost trials already.
-  Trial* Find(Trial::Kind kind, const std::string& name);
+  void Count(TestTally::Kind kind, const std::string& name, bool passed);
+  /// Finds or adds a test; returns null if there are kMost tests already.
+  TestTally* FindOrAdd(TestTally::Kind kind, const std::string& name);
   void AddGrasps(const std::vector<physics::Result::Grasp>& grasps);
 
-  std::vector<Trial> list_;
+  std::vector<TestTally> list_;
 };
 
 }  // namespace mjforge::report

@@ -11,6 +11,6 @@ namespace mjforge::validate {
 /// its geoms other shapes than later releases. `as_is` is the unchanged file, loaded by this
 /// MuJoCo; `m` is the model of later releases; `places` are the elements that can differ.
 void CompareReleases(const mjModel& m, const engine::Loaded& as_is,
-                     const backport::LaterRules& places, diag::Findings& findings);
+                     const backport::RuleDifferences& places, diag::Findings& findings);
 
 }  // namespace mjforge::validate

@@ -9,7 +9,7 @@ from typing import Any, Iterator, Mapping, Optional, Union
 from ._findings import MismatchError
 from ._spec import Source, Spec
 from ._variant import Variant
-from ._yaml import Verbatim
+from ._yaml import RecordedText
 
 # Options of variants(), each with the member of a record that has the option's value.
 _OPTIONS = {"target": "target", "assets": "assets_as", "sampler": "sampler", "batch": "batch",
@@ -35,12 +35,12 @@ def _spec_of(record: Mapping[str, Any], folder: Optional[pathlib.Path]) -> Spec:
 
 
 def _settings_of(record: Mapping[str, Any]) -> dict[str, Any]:
-    return {name: Verbatim(value) if isinstance(value, str) else value
+    return {name: RecordedText(value) if isinstance(value, str) else value
             for name, value in record.get("set", {}).items()}
 
 
-def make_again(record: Mapping[str, Any], spec: Union[Source, Spec, None],
-               folder: Optional[pathlib.Path] = None) -> Variant:
+def replay(record: Mapping[str, Any], spec: Union[Source, Spec, None],
+           folder: Optional[pathlib.Path] = None) -> Variant:
     """See Variant.from_record."""
     if not isinstance(record, Mapping):
         raise TypeError(f"record={record!r} is not a mapping but of type {type(record).__name__}")

@@ -1,5 +1,5 @@
 // Limits of CPU time and wall time for loading a spec.
-#include "spec_time_limit.h"
+#include "load_time_limit.h"
 
 #include <fmt/format.h>
 #include <sys/time.h>
