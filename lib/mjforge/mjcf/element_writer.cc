@@ -7,7 +7,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 
 #include <fmt/format.h>
 
@@ -29,14 +28,13 @@ constexpr auto kNeedsEscape = [] {
 
 bool NeedsEscape(char c) { return kNeedsEscape[static_cast<unsigned char>(c)]; }
 
-template <typename T>
-char* WriteInteger(char* out, T number) {
+char* WriteInteger(char* out, int number) {
   return std::to_chars(out, out + expr::kLongestNumber, number).ptr;
 }
 
-// Rounds to whole micrometres. (std::round is not inlined.)
-std::int64_t Micrometres(double metres) {
-  return static_cast<std::int64_t>(metres * 1e6 + std::copysign(0.5, metres));
+// Rounds to whole micrometres, for meshes of at most 10 m. (std::round is not inlined.)
+int Micrometres(double metres) {
+  return static_cast<int>(metres * 1e6 + std::copysign(0.5, metres));
 }
 
 }  // namespace
@@ -127,7 +125,7 @@ void ElementWriter::WriteNumbers(std::string_view name, std::span<const double> 
 }
 
 void ElementWriter::WriteIntegers(std::string_view name, std::span<const int> values) {
-  WriteList(name, values, WriteInteger<int>);
+  WriteList(name, values, WriteInteger);
 }
 
 // Uses a buffer, because appending each number to the string takes a third of the time of a mesh.
