@@ -66,8 +66,6 @@ class ElementWriter {
 
  private:
   void Indent();
-  /// Writes ` name="`.
-  void BeginAttribute(std::string_view name);
   void FinishLine(std::string_view end);
   void AppendEscaped(std::string_view value);
   /// Writes an attribute of numbers, separated by spaces. `write` writes a number as text and

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "mjforge/model/shapes.h"
 
@@ -100,12 +101,15 @@ double ArcRadius(const Eigen::Vector2d& p, const Eigen::Vector2d& u, const Eigen
   const auto at = [&](double t) { return Eigen::Vector2d(p + std::cos(t) * u + std::sin(t) * v); };
   const auto slope = [&](double t) { return at(t).dot(std::cos(t) * v - std::sin(t) * u); };
   double largest = 0;
+  double after = slope(0);
   for (int i = 0; i < kSteps; ++i) {
     double lo = angle * i / kSteps;
     double hi = angle * (i + 1) / kSteps;
-    if (!(slope(lo) > 0 && slope(hi) <= 0)) continue;
+    const double before = std::exchange(after, slope(hi));
+    if (!(before > 0 && after <= 0)) continue;
     for (int k = 0; k < 60; ++k) {
       const double middle = lo + (hi - lo) / 2;
+      if (middle == lo || middle == hi) break;
       (slope(middle) > 0 ? lo : hi) = middle;
     }
     largest = std::max(largest, at(lo).norm());

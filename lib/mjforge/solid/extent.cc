@@ -2,7 +2,6 @@
 
 #include "mjforge/solid/extent.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -26,10 +25,10 @@ double Support(const Extent& extent, const Vector3d& direction) {
   for (const ExtentCurve& curve : extent) {
     const double x = curve.u.dot(direction);
     const double y = curve.v.dot(direction);
-    if (!IsOnArc(curve, x, y)) continue;
     const double across = curve.round > 0 ? curve.round * direction.norm() : 0;
-    largest =
-        std::max(largest, curve.center.dot(direction) + Eigen::Vector2d(x, y).norm() + across);
+    const double reach = curve.center.dot(direction) + Eigen::Vector2d(x, y).norm() + across;
+    // IsOnArc() takes most of the time, so it is called only for points that are far enough.
+    if (reach > largest && IsOnArc(curve, x, y)) largest = reach;
   }
   return largest;
 }

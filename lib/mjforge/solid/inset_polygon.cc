@@ -89,10 +89,18 @@ std::vector<RoundedCorner> BasePolygon::CornersOf(std::size_t loop, double inset
   return *Rounded(loops[loop], loop == 0 ? round : 0, inset, unused);
 }
 
-std::vector<QuadratureNode> BasePolygon::BoundaryAt(double inset) const {
+std::vector<std::vector<ArcDirections>> BasePolygon::Directions() const {
+  std::vector<std::vector<ArcDirections>> directions;
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    directions.push_back(DirectionsOf(CornersOf(i, 0)));
+  return directions;
+}
+
+std::vector<QuadratureNode> BasePolygon::BoundaryAt(
+    double inset, const std::vector<std::vector<ArcDirections>>& directions) const {
   std::vector<QuadratureNode> boundary;
   for (std::size_t i = 0; i < loops.size(); ++i) {
-    const std::vector<QuadratureNode> nodes = NodesOf(CornersOf(i, inset));
+    const std::vector<QuadratureNode> nodes = NodesOf(CornersOf(i, inset), directions[i]);
     boundary.insert(boundary.end(), nodes.begin(), nodes.end());
   }
   return boundary;

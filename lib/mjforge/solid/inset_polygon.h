@@ -20,8 +20,12 @@ struct BasePolygon {
   std::vector<Outline> loops;
   double round = 0;  // radius of the outline's corners, m
 
+  /// Returns the unit vectors of the arcs of each loop, which are the same at all insets.
+  std::vector<std::vector<ArcDirections>> Directions() const;
   /// Returns quadrature nodes on the boundary after all sides are moved inwards by `inset`.
-  std::vector<QuadratureNode> BoundaryAt(double inset) const;
+  /// `directions` is the result of Directions().
+  std::vector<QuadratureNode> BoundaryAt(
+      double inset, const std::vector<std::vector<ArcDirections>>& directions) const;
   /// Returns the cross sections of a prism whose bevel has this width, m. `per_turn` and `inside`
   /// are arguments of PointsOf().
   PrismSections SectionsAt(double bevel, int per_turn, bool inside) const;

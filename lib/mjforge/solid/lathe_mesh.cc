@@ -89,6 +89,7 @@ class LatheMesher {
       last_corner_ = outline_.Next(i);
     }
     CloseOutline();
+    Reserve();
     for (Ring& ring : rings_) AddVertices(ring);
     // Viewers draw translucent meshes in the order of their faces, so the innermost bands come
     // first.
@@ -174,6 +175,16 @@ class LatheMesher {
     if (!Smooth(rings_[static_cast<std::size_t>(first)], rings_[last])) return;
     bands_.back().to = first;
     rings_.pop_back();
+  }
+
+  /// Reserves memory for all vertices and faces, except those of the cut faces.
+  void Reserve() {
+    const auto segments = static_cast<std::size_t>(segments_);
+    const std::size_t vertices = (segments + 1) * rings_.size();
+    mesh_.vertices.reserve(vertices);
+    mesh_.normals.reserve(vertices);
+    if (!along_.empty()) mesh_.texcoords.reserve(vertices);
+    mesh_.triangles.reserve(2 * segments * bands_.size());
   }
 
   void AddVertices(Ring& ring) {

@@ -12,7 +12,7 @@ namespace {
 
 // Gauss rule that is accurate to 1e-15 for products of up to six sines along an arc of up to a
 // whole turn.
-using ArcRule = boost::math::quadrature::gauss<double, 30>;
+using ArcRule = boost::math::quadrature::gauss<double, kArcNodes>;
 
 void AddLine(const Point2& from, const Point2& to, std::vector<QuadratureNode>& nodes) {
   const double offset = std::sqrt(0.6) / 2;
@@ -22,19 +22,11 @@ void AddLine(const Point2& from, const Point2& to, std::vector<QuadratureNode>& 
   for (int k = 0; k < 3; ++k) nodes.push_back({from + positions[k] * side, kWeights[k] * side.y()});
 }
 
-Point2 AlongArc(const RoundedCorner& arc, double share) {
-  const double angle = arc.from + share * arc.sweep;
-  return arc.place + arc.radius * Point2(std::cos(angle), std::sin(angle));
-}
-
-void AddArc(const RoundedCorner& arc, std::vector<QuadratureNode>& nodes) {
-  const auto add = [&](double x, double weight) {
-    const double share = 0.5 + x / 2;
-    const double dy = arc.radius * std::cos(arc.from + share * arc.sweep) * arc.sweep;
-    nodes.push_back({AlongArc(arc, share), weight / 2 * dy});
-  };
-  for (std::size_t i = 0; i < ArcRule::abscissa().size(); ++i) {
-    for (const double side : {-1, 1}) add(side * ArcRule::abscissa()[i], ArcRule::weights()[i]);
+void AddArc(const RoundedCorner& arc, const ArcDirections& directions,
+            std::vector<QuadratureNode>& nodes) {
+  for (std::size_t i = 0; i < kArcNodes; ++i) {
+    const double dy = arc.radius * directions[i].x() * arc.sweep;
+    nodes.push_back({arc.place + arc.radius * directions[i], ArcRule::weights()[i / 2] / 2 * dy});
   }
 }
 
@@ -63,15 +55,34 @@ std::vector<QuadratureNode> NodesOf(std::span<const Point2> outline) {
   return nodes;
 }
 
-std::vector<QuadratureNode> NodesOf(const std::vector<RoundedCorner>& corners) {
+std::vector<ArcDirections> DirectionsOf(const std::vector<RoundedCorner>& corners) {
+  std::vector<ArcDirections> all(corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (corners[i].radius == 0) continue;
+    const auto at = [&](double share) {
+      const double angle = corners[i].from + share * corners[i].sweep;
+      return Point2(std::cos(angle), std::sin(angle));
+    };
+    for (std::size_t k = 0; k < kArcNodes; ++k)
+      all[i][k] = at(0.5 + (k % 2 == 0 ? -1 : 1) * ArcRule::abscissa()[k / 2] / 2);
+    all[i][kArcNodes] = at(0);
+    all[i][kArcNodes + 1] = at(1);
+  }
+  return all;
+}
+
+std::vector<QuadratureNode> NodesOf(const std::vector<RoundedCorner>& corners,
+                                    const std::vector<ArcDirections>& directions) {
   std::vector<QuadratureNode> nodes;
-  const auto ends = [](const RoundedCorner& corner) {
-    if (corner.radius == 0) return std::pair(corner.place, corner.place);
-    return std::pair(AlongArc(corner, 0), AlongArc(corner, 1));
+  nodes.reserve((kArcNodes + 3) * corners.size());
+  const auto end = [&](std::size_t i, std::size_t direction) {
+    const RoundedCorner& corner = corners[i];
+    if (corner.radius == 0) return corner.place;
+    return Point2(corner.place + corner.radius * directions[i][kArcNodes + direction]);
   };
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    if (corners[i].radius > 0) AddArc(corners[i], nodes);
-    AddLine(ends(corners[i]).second, ends(corners[(i + 1) % corners.size()]).first, nodes);
+    if (corners[i].radius > 0) AddArc(corners[i], directions[i], nodes);
+    AddLine(end(i, 1), end((i + 1) % corners.size(), 0), nodes);
   }
   return nodes;
 }

@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -17,7 +19,16 @@ struct QuadratureNode {
   double dy = 0;
 };
 std::vector<QuadratureNode> NodesOf(std::span<const Point2> outline);
-std::vector<QuadratureNode> NodesOf(const std::vector<RoundedCorner>& corners);
+
+/// Number of quadrature nodes along an arc.
+inline constexpr std::size_t kArcNodes = 30;
+/// Unit vectors from the centre of an arc to its quadrature nodes, then to its two ends. Arcs that
+/// differ only in centre and radius have the same unit vectors.
+using ArcDirections = std::array<Point2, kArcNodes + 2>;
+/// Returns the unit vectors of each corner; those of a sharp corner are undefined.
+std::vector<ArcDirections> DirectionsOf(const std::vector<RoundedCorner>& corners);
+std::vector<QuadratureNode> NodesOf(const std::vector<RoundedCorner>& corners,
+                                    const std::vector<ArcDirections>& directions);
 
 /// Returns the mass of the solid that an outline in r, z sweeps when it is revolved about z from
 /// angle 0 to `angle`, rad. Applies the theorem of Pappus and Guldinus to all moments up to the

@@ -28,6 +28,8 @@ int CornerSegments(const Prism& prism) {
 Mass MassOf(const BasePolygon& base, double height, double bevel) {
   // In each layer all integrands are polynomials in z of degree 6 at most.
   using Rule = boost::math::quadrature::gauss<double, 7>;
+  const std::vector<std::vector<ArcDirections>> directions = base.Directions();
+  const auto slice_at = [&](double inset) { return MomentsOf(base.BoundaryAt(inset, directions)); };
   Moments moments;
   const auto add_slice = [&](double z, const AreaMoments& slice, double thickness) {
     moments.volume += thickness * slice.area;
@@ -39,7 +41,7 @@ Mass MassOf(const BasePolygon& base, double height, double bevel) {
   };
   const auto add_layer = [&](double below, double above, double inset, double grows) {
     // All slices of a layer with vertical walls are equal.
-    const AreaMoments equal = grows == 0 ? MomentsOf(base.BoundaryAt(inset)) : AreaMoments();
+    const AreaMoments equal = grows == 0 ? slice_at(inset) : AreaMoments();
     for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
       for (const double side : {-1, 1}) {
         const double x = side * Rule::abscissa()[i];
@@ -49,7 +51,7 @@ Mass MassOf(const BasePolygon& base, double height, double bevel) {
         if (grows == 0) {
           add_slice(z, equal, thickness);
         } else {
-          add_slice(z, MomentsOf(base.BoundaryAt(inset + grows * (z - below))), thickness);
+          add_slice(z, slice_at(inset + grows * (z - below)), thickness);
         }
       }
     }

@@ -134,7 +134,7 @@ std::optional<Solid> Make(const RoundedCylinder& cylinder, Fault& fault) {
     const Outline coarse = section_with(kPieceSegments);
     solid.pieces = MakeLathePieces(lathe, coarse, PartitionOf(Area(coarse.corners)));
   }
-  solid.mass = RevolvedMass(NodesOf(*corners), kWholeTurn);
+  solid.mass = RevolvedMass(NodesOf(*corners, DirectionsOf(*corners)), kWholeTurn);
   for (const double z : {cylinder.round - h, h - cylinder.round}) {
     AddLevelArc({0, 0, z}, r - cylinder.round, 0, kWholeTurn, solid.extent);
     solid.extent.back().round = cylinder.round;

@@ -36,16 +36,26 @@ int DigitsFor(double a, double b) {
   return digits;
 }
 
-// Returns directions in a shape's frame whose support points sample the shape's surface: all
-// corners of a box, or a grid of points on a round shape.
-std::vector<Vector3d> MakeDirections(bool is_box) {
-  const int around = is_box ? 4 : 64;
-  const int up = is_box ? 3 : 16;
+// Returns the directions, in the frame of a box, whose support points are the corners of the box.
+std::vector<Vector3d> DirectionsOfCorners() {
   std::vector<Vector3d> directions;
-  for (int i = 0; i < around; ++i) {
-    const double a = 2 * std::numbers::pi * (i + 0.5) / around;
-    for (int j = 0; j <= up; ++j) {
-      const double b = std::numbers::pi * (static_cast<double>(j) / up - 0.5);
+  for (const double x : {-1.0, 1.0}) {
+    for (const double y : {-1.0, 1.0}) {
+      for (const double z : {-1.0, 1.0}) directions.emplace_back(x, y, z);
+    }
+  }
+  return directions;
+}
+
+// Returns directions in the frame of a round shape whose support points are a grid on its surface.
+std::vector<Vector3d> DirectionsOfGrid() {
+  constexpr int kAround = 64;
+  constexpr int kUp = 16;
+  std::vector<Vector3d> directions;
+  for (int i = 0; i < kAround; ++i) {
+    const double a = 2 * std::numbers::pi * (i + 0.5) / kAround;
+    for (int j = 0; j <= kUp; ++j) {
+      const double b = std::numbers::pi * (static_cast<double>(j) / kUp - 0.5);
       directions.emplace_back(std::cos(b) * std::cos(a), std::cos(b) * std::sin(a), std::sin(b));
     }
   }
@@ -53,8 +63,8 @@ std::vector<Vector3d> MakeDirections(bool is_box) {
 }
 
 const std::vector<Vector3d>& DirectionsOf(const model::Shape& shape) {
-  static const std::vector<Vector3d> kOfBox = MakeDirections(true);
-  static const std::vector<Vector3d> kOfRound = MakeDirections(false);
+  static const std::vector<Vector3d> kOfBox = DirectionsOfCorners();
+  static const std::vector<Vector3d> kOfRound = DirectionsOfGrid();
   return shape.type == model::GeomType::kBox ? kOfBox : kOfRound;
 }
 
