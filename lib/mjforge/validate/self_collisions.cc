@@ -95,7 +95,7 @@ class SelfCollisions {
   /// Returns a body's name as written in the spec: without the object's prefix. For the root,
   /// returns the object's name, because a host (a model that includes the object) may give the root
   /// another name.
-  std::string_view NameInSpec(const model::Body& body) const {
+  std::string_view BodyNameInSpec(const model::Body& body) const {
     if (InHost() && body.parent == 0) return object_.name;
     std::string_view name = body.name;
     if (name.starts_with(object_.name) && name.substr(object_.name.size()).starts_with('_')) {
@@ -128,7 +128,7 @@ class SelfCollisions {
         m_.body_rootid[contact.body1] != m_.body_rootid[contact.body2]
             ? "move them apart"
             : fmt::format("move them apart, or write `contact: {{exclude: [[{}, {}]]}}`",
-                          NameInSpec(*first), NameInSpec(*second));
+                          BodyNameInSpec(*first), BodyNameInSpec(*second));
     constexpr auto kCode = diag::Code::kMujocoSelfCollision;
     diag::Finding& finding =
         related || AreFromOneFile(*first, *second)

@@ -11,7 +11,7 @@ TEST_CASE("the functions are listed in order, each with its use and an explanati
   const auto functions = Builtins();
   CHECK(functions.size() == 26);
   CHECK(std::is_sorted(functions.begin(), functions.end(),
-                       [](const Function& a, const Function& b) { return a.name < b.name; }));
+                       [](const BuiltinInfo& a, const BuiltinInfo& b) { return a.name < b.name; }));
   for (const BuiltinInfo& function : functions) {
     CAPTURE(function.name);
     CHECK(function.usage.substr(0, function.name.size()) == function.name);

@@ -8,7 +8,7 @@ namespace {
 
 using sample::ParameterValue;
 
-manifest::Record RecordOf(std::uint64_t index, const std::string& structure,
+manifest::Record RecordIn(std::uint64_t index, const std::string& structure,
                           std::vector<std::pair<std::string, ParameterValue>> params) {
   manifest::Record record;
   record.index = index;
@@ -31,8 +31,8 @@ using Names = std::vector<std::string>;
 TEST_CASE("structures are counted in the order of their first variants") {
   StructureTallies tallies;
   for (const std::uint64_t i : {0, 1, 2, 3, 4})
-    tallies.Add(RecordOf(i, i % 2 == 0 ? "b" : "a", {}));
-  tallies.Add(RecordOf(5, "", {}));  // not loaded in MuJoCo
+    tallies.Add(RecordIn(i, i % 2 == 0 ? "b" : "a", {}));
+  tallies.Add(RecordIn(5, "", {}));  // not loaded in MuJoCo
   REQUIRE(tallies.list().size() == 2);
   CHECK(tallies.list()[0].key == "b");
   CHECK(tallies.list()[0].variants == 3);
@@ -46,7 +46,7 @@ TEST_CASE("sections of a manifest are joined") {
   StructureTallies second;
   for (std::uint64_t i = 0; i < 40; ++i) {
     const manifest::Record record =
-        RecordOf(i, i % 3 == 0 ? "a" : "b",
+        RecordIn(i, i % 3 == 0 ? "a" : "b",
                  {{"shape", i % 3 == 0 ? "box" : "ball"}, {"size", static_cast<double>(i) / 7}});
     whole.Add(record);
     (i < 17 ? first : second).Add(record);
@@ -62,10 +62,10 @@ TEST_CASE("sections of a manifest are joined") {
 
 TEST_CASE("a parameter separates by values that no two groups share") {
   StructureTallies tallies;
-  tallies.Add(RecordOf(0, "a", {{"shape", "box"}, {"open", true}, {"n", 3.0}, {"size", 0.15}}));
-  tallies.Add(RecordOf(1, "a", {{"shape", "box"}, {"open", false}, {"n", 5.0}, {"size", 0.25}}));
-  tallies.Add(RecordOf(2, "b", {{"shape", "ball"}, {"open", false}, {"n", 4.0}, {"size", 0.16}}));
-  tallies.Add(RecordOf(3, "c", {{"shape", "cone"}, {"open", true}, {"n", 3.0}, {"size", 0.17}}));
+  tallies.Add(RecordIn(0, "a", {{"shape", "box"}, {"open", true}, {"n", 3.0}, {"size", 0.15}}));
+  tallies.Add(RecordIn(1, "a", {{"shape", "box"}, {"open", false}, {"n", 5.0}, {"size", 0.25}}));
+  tallies.Add(RecordIn(2, "b", {{"shape", "ball"}, {"open", false}, {"n", 4.0}, {"size", 0.16}}));
+  tallies.Add(RecordIn(3, "c", {{"shape", "cone"}, {"open", true}, {"n", 3.0}, {"size", 0.17}}));
   const std::vector<StructureTally>& list = tallies.list();
   CHECK(NamesOf(SeparatorsOf(list, {0, 1, 2})) == Names{"shape"});
   CHECK(NamesOf(SeparatorsOf(list, {0, 1, -1})) == Names{"shape", "n"});
@@ -78,26 +78,26 @@ TEST_CASE("a threshold separates if no parameter does so by its values") {
   const std::vector<std::pair<double, double>> low = {{0.11, 0.5}, {0.12, 0.9}, {0.13, 0.7}};
   const std::vector<std::pair<double, double>> high = {{0.14, 0.6}, {0.15, 0.8}};
   for (const auto& [size, other] : low)
-    tallies.Add(RecordOf(0, "a", {{"size", size}, {"other", other}}));
+    tallies.Add(RecordIn(0, "a", {{"size", size}, {"other", other}}));
   for (const auto& [size, other] : high)
-    tallies.Add(RecordOf(0, "b", {{"size", size}, {"other", other}}));
+    tallies.Add(RecordIn(0, "b", {{"size", size}, {"other", other}}));
   CHECK(NamesOf(SeparatorsOf(tallies.list(), {0, 1})) == Names{"size by range"});
 }
 
 TEST_CASE("no parameter separates groups that share all values") {
   StructureTallies tallies;
-  tallies.Add(RecordOf(0, "a", {{"size", 0.11}, {"box", std::vector<double>{0.5, 0.1}}}));
-  tallies.Add(RecordOf(1, "a", {{"size", 0.31}, {"box", std::vector<double>{0.7, 0.1}}}));
-  tallies.Add(RecordOf(2, "b", {{"size", 0.21}, {"box", std::vector<double>{0.6, 0.2}}}));
+  tallies.Add(RecordIn(0, "a", {{"size", 0.11}, {"box", std::vector<double>{0.5, 0.1}}}));
+  tallies.Add(RecordIn(1, "a", {{"size", 0.31}, {"box", std::vector<double>{0.7, 0.1}}}));
+  tallies.Add(RecordIn(2, "b", {{"size", 0.21}, {"box", std::vector<double>{0.6, 0.2}}}));
   CHECK(NamesOf(SeparatorsOf(tallies.list(), {0, 1})) == Names{"box[1] by range"});
-  tallies.Add(RecordOf(3, "b", {{"size", 0.21}, {"box", std::vector<double>{0.6, 0.05}}}));
+  tallies.Add(RecordIn(3, "b", {{"size", 0.21}, {"box", std::vector<double>{0.6, 0.05}}}));
   CHECK(NamesOf(SeparatorsOf(tallies.list(), {0, 1})) == Names{});
 }
 
 TEST_CASE("more structures than the limit are counted together") {
   StructureTallies tallies;
   for (std::uint64_t i = 0; i < StructureTallies::kMaxStructures + 5; ++i)
-    tallies.Add(RecordOf(i, std::to_string(i), {}));
+    tallies.Add(RecordIn(i, std::to_string(i), {}));
   CHECK(tallies.list().size() == StructureTallies::kMaxStructures);
   CHECK(tallies.more() == 5);
 }

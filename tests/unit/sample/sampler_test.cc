@@ -14,7 +14,7 @@ namespace {
 
 constexpr Method kMethods[] = {Method::kRandom, Method::kSobol, Method::kLatin, Method::kGrid};
 
-StreamId ParameterStream(std::string_view name) {
+StreamId ParameterStreamId(std::string_view name) {
   return Child(Child(Child(kRootStream, "t"), "params"), name);
 }
 
@@ -30,7 +30,7 @@ TEST_CASE("numbers depend on key, stream and batch alone") {
   for (const Method method : kMethods) {
     const Sampler there(*family.spec, method, 5, 12);
     std::map<std::pair<std::uint64_t, StreamId>, std::array<double, 4>> numbers;
-    const StreamId streams[] = {ParameterStream("a"), ParameterStream("c"), 77};
+    const StreamId streams[] = {ParameterStreamId("a"), ParameterStreamId("c"), 77};
     for (std::uint64_t index = 0; index < 40; ++index) {
       for (const StreamId stream : streams) {
         numbers[{index, stream}] = there.Uniforms({.seed = 5, .index = index}, stream);
@@ -47,7 +47,7 @@ TEST_CASE("numbers depend on key, stream and batch alone") {
 
 TEST_CASE("redraws are random, so rejecting one item moves no other") {
   const Family family = Load("{a: 0 .. 1}");
-  const StreamId stream = ParameterStream("a");
+  const StreamId stream = ParameterStreamId("a");
   for (const Method method : kMethods) {
     const Sampler sampler(*family.spec, method, 5, 8);
     for (std::uint64_t index = 0; index < 30; ++index) {
@@ -86,7 +86,7 @@ TEST_CASE("latin has one item of a block in each N-th, for every number of every
   const Family family = Load("{a: 0 .. 1}");
   for (const std::uint64_t size : {1, 2, 3, 7, 100}) {
     const Sampler latin(*family.spec, Method::kLatin, 9, size);
-    for (const StreamId stream : {ParameterStream("a"), StreamId{12345}, Child(99, "density")}) {
+    for (const StreamId stream : {ParameterStreamId("a"), StreamId{12345}, Child(99, "density")}) {
       for (std::uint64_t block = 0; block < 3; ++block) {
         std::array<std::set<std::uint64_t>, 4> strata;
         for (std::uint64_t i = 0; i < size; ++i) {
@@ -138,7 +138,7 @@ TEST_CASE("a parameter added at the end leaves sobol and latin draws as they are
 
 TEST_CASE("without a batch latin and grid are random, and sobol is itself") {
   const Family family = Load("{a: 0 .. 1}");
-  const StreamId stream = ParameterStream("a");
+  const StreamId stream = ParameterStreamId("a");
   const DrawKey key = {.seed = 5, .index = 3};
   for (const Method method : {Method::kLatin, Method::kGrid}) {
     CHECK(Sampler(*family.spec, method, 5, 0).Uniforms(key, stream) == Uniforms(key, stream));
