@@ -61,7 +61,7 @@ TEST_CASE_METHOD(EachTest, "placement.json has the file and the pose of each obj
   CHECK(text.find(R"("seed":7,"index":0,"target":"robosuite","objects":{)") != text.npos);
   CHECK(text.substr(text.find('\n') + 1) ==
         R"("scene":{"file":"scene.xml","pos":[0,0,0],"quat":[1,0,0,0],"free":false},
-"crate":{"file":"crate.xml","pos":[0.2300000005,0.2300000005,0.0199998],"quat":[1,0,0,0],"at":"surface","free":true,)"
+"crate":{"file":"crate.xml","pos":[0.2300000005,0.2300000005,0.02005],"quat":[1,0,0,0],"at":"surface","free":true,)"
         R"("joints":{"hinge":0.5235987756}},
 "peg":{"file":"peg.xml","pos":[0,-0.23837739,0.0099998],"quat":[0.7071067812,0,0,0.7071067812],)"
         R"("at":"surface","free":false}

@@ -36,6 +36,8 @@ bool IsBelow(const PlacedShape& placed, const Support& support) {
   return support.up_W.dot(top - support.p_W) <= kLengthRounding;
 }
 
+bool IsBox(const PlacedShape& placed) { return placed.shape.type == model::GeomType::kBox; }
+
 // Returns the distance by which a shape can be moved in the direction -up_W until it touches
 // another shape, at most `most`, m.
 //
@@ -166,7 +168,8 @@ std::vector<Contact> Obstacles::FindContacts(std::span<const PlacedShape> shapes
         if (AreFarther(obstacle.box_W, shapes[i].box_W, within)) continue;
         const Vector3d apart = distance::Separation(shapes[i], obstacle);
         const double distance = apart.norm();
-        if (distance > 0 && distance <= within) contacts.push_back({body, i, apart / distance});
+        if (distance <= 0 || distance > within) continue;
+        contacts.push_back({body, i, IsBox(shapes[i]) && IsBox(obstacle), apart / distance});
       }
     }
   }

@@ -40,6 +40,7 @@ struct Blocker {
 struct Contact {
   int body = -1;             // body of the obstacle
   std::size_t shape = 0;     // index of the shape
+  bool of_boxes = false;     // true: both shapes are boxes
   Eigen::Vector3d normal_W;  // unit vector from the obstacle to the shape
 };
 

@@ -260,7 +260,7 @@ class RegionTry {
       result.distance = blocker->distance;
       return;
     }
-    // Lowers the body into contact.
+    if (std::ranges::any_of(obstacles.FindContacts(shapes, kCarrying), &Contact::of_boxes)) return;
     const double drop = obstacles.Drop(shapes, support.up_W, kCarrying);
     if (drop < kCarrying) X_RB.p.z() -= drop + kContactDepth;
     result.X_SupportBody = region_.X_BR * X_RB;

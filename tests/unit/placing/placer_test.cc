@@ -29,26 +29,32 @@ void CheckAt(const PlaceResult& result, const Vector3d& p, double tolerance = 1e
   CHECK((result.X_SupportBody.p - p).norm() < tolerance);
 }
 
-TEST_CASE("a body stands on a region, in contact with it") {
+TEST_CASE("a body stands on a region, in contact with its support") {
+  Table table;
+  const int can = table.scene.Add(ShapeOf(GeomType::kCylinder, 0.05, 0.1));
+  CheckAt(table.Place(can, table.Where(1, -1)), {0.45, -0.25, 0.1 - kContactDepth});
+}
+
+TEST_CASE("a body stands a little above a region that has no support") {
+  Table table;
+  const int can = table.scene.Add(ShapeOf(GeomType::kCylinder, 0.05, 0.1));
+  table.placer->Begin(table.scene.object);
+  CheckAt(table.placer->Try(can, table.Where()), {0, 0, 0.1 + kContactGap});
+}
+
+TEST_CASE("a box stands on a box, a little above it") {
   Table table;
   const int box = table.AddBox(0.1, 0.05, 0.2);
   PlaceTry where = table.Where(1, -1);
   const PlaceResult result = table.Place(box, where);
-  CheckAt(result, {0.4, -0.25, 0.2 - kContactDepth});
+  CheckAt(result, {0.4, -0.25, 0.2 + kContactGap});
   CHECK(result.footprint.isApprox(Vector2d(0.2, 0.1)));
   // Turned, and on a table that is turned and moved itself.
   table.scene.body(table.table).X_PB = At(1, 2, 3, 0.5);
   table.placer->Begin(table.scene.object);
   table.placer->AddObstacle(table.table);
   where.yaw = M_PI / 2;
-  CheckAt(table.placer->Try(box, where), {0.45, -0.2, 0.2 - kContactDepth});
-}
-
-TEST_CASE("a body stands a little above a region that has no support") {
-  Table table;
-  const int box = table.AddBox(0.1, 0.05, 0.2);
-  table.placer->Begin(table.scene.object);
-  CheckAt(table.placer->Try(box, table.Where()), {0, 0, 0.2 + kContactGap});
+  CheckAt(table.placer->Try(box, where), {0.45, -0.2, 0.2 + kContactGap});
 }
 
 TEST_CASE("bodies below a body are placed with it, at their start state") {
@@ -62,7 +68,7 @@ TEST_CASE("bodies below a body are placed with it, at their start state") {
   joint.axis = Vector3d::UnitY();
   joint.start = {M_PI / 2};
   const PlaceResult result = table.Place(box, table.Where());
-  CheckAt(result, {0, 0, 0.31 - kContactDepth});
+  CheckAt(result, {0, 0, 0.31 + kContactGap});
   CHECK((result.footprint - Vector2d(0.02, 0.02)).norm() < 1e-9);
 }
 
@@ -71,7 +77,7 @@ TEST_CASE("a body in another orientation stands on another side") {
   const int box = table.AddBox(0.1, 0.05, 0.2);
   PlaceTry where = table.Where(1, 1);
   where.lying = model::FromAxisAngle(Vector3d::UnitY(), M_PI / 2);
-  CheckAt(table.Place(box, where), {0.3, 0.25, 0.1 - kContactDepth});
+  CheckAt(table.Place(box, where), {0.3, 0.25, 0.1 + kContactGap});
 }
 
 TEST_CASE("a place can be too small, too low, outside or taken") {
@@ -91,7 +97,7 @@ TEST_CASE("a place can be too small, too low, outside or taken") {
   where.beside = {.body = low, .gap = 0.21};
   CHECK(table.Place(second, where).verdict == PlaceVerdict::kOutside);
   where.beside->gap = 0.2 - 1e-9;
-  CheckAt(table.Place(second, where), {-0.4, 0, 0.05 - kContactDepth}, 1e-7);
+  CheckAt(table.Place(second, where), {-0.4, 0, 0.05 + kContactGap}, 1e-7);
 }
 
 TEST_CASE("a body stands at a gap beside another, as that body's front says") {
@@ -104,10 +110,9 @@ TEST_CASE("a body stands at a gap beside another, as that body's front says") {
     PlaceTry beside = table.Where(uv.x(), uv.y());
     beside.beside = model::Beside{first, side, front, 0.02};
     table.placer->Begin(table.scene.object);
-    table.placer->Stand(table.table);
     return table.placer->Try(second, beside);
   };
-  const double z = 0.05 - kContactDepth;
+  const double z = 0.05 + kContactGap;
   using enum model::Side;
   CheckAt(at(kRight, 0, {0, 0}), {-0.09, 0, z});
   CheckAt(at(kLeft, 0, {0, 1}), {0.09, 0.02, z});
@@ -173,7 +178,7 @@ TEST_CASE("a body in an interior is lowered until it touches") {
   where.region = &region;
   where.clear = 0.03;
   PlaceResult result = placer->Try(inner, where);
-  CheckAt(result, {0, 0, 0.01 - kContactDepth}, 1e-6);
+  CheckAt(result, {0, 0, 0.01 + kContactGap}, 1e-6);
   scene.body(inner).X_PB = result.X_SupportBody;
   placer->AddObstacle(inner);
   // In the inner bin, whose floor is 1 cm above that of the outer one.
@@ -212,7 +217,7 @@ TEST_CASE("a body that would hang on a wall by its end does not stand") {
   scene.AddPart(ShapeOf(GeomType::kBox, 0.1, 0.01, 0.01), At(0.15, 0, handle_z));
   const PlaceResult result = PlaceInside(scene, bin, 0.2, pan);
   if (handle_z > 0) {
-    CheckAt(result, {0, 0, 0.05 - kContactDepth}, 1e-6);
+    CheckAt(result, {0, 0, 0.05 + kContactGap}, 1e-6);
   } else {
     CHECK(result.verdict == PlaceVerdict::kBlocked);
     CHECK(result.blocker == bin);
@@ -223,7 +228,7 @@ TEST_CASE("a body lies across two walls if its middle is between them") {
   Scene scene;
   const int bin = scene.AddBin(0.2, 0.05, 0.01);
   const int board = scene.Add(ShapeOf(GeomType::kBox, 0.25, 0.05, 0.01));
-  CheckAt(PlaceInside(scene, bin, 0.3, board), {0, 0, 0.06 - kContactDepth}, 1e-6);
+  CheckAt(PlaceInside(scene, bin, 0.3, board), {0, 0, 0.06 + kContactGap}, 1e-6);
 }
 
 TEST_CASE("round bowls nest") {
@@ -250,7 +255,7 @@ TEST_CASE("round bowls nest") {
   const PlaceResult result = placer->Try(bowls[1], where);
   CHECK(result.verdict == PlaceVerdict::kStands);
   // Walls of 4 mm at 45 degrees touch at a rise of 4 mm times sqrt(2), above the floors' 4 mm.
-  CheckAt(result, {0, 0, 0.004 * std::sqrt(2) - kContactDepth}, 1e-6);
+  CheckAt(result, {0, 0, 0.004 * std::sqrt(2) + kContactGap}, 1e-6);
 }
 
 TEST_CASE("the sites of a body and its support coincide") {
@@ -285,8 +290,8 @@ TEST_CASE("a body that tips over as modelled stands in the nearest stable pose")
   REQUIRE(result.verdict == PlaceVerdict::kStands);
   // Its lowest points are those of bowl and handle: the handle's end went down.
   const Pose& X = result.X_SupportBody;
-  CHECK((X * Vector3d(0.22, 0, 0.014)).z() == Approx(0).margin(2e-4));
-  CHECK(X.p.z() == Approx(0.02 - kContactDepth).margin(2e-4));
+  CHECK((X * Vector3d(0.22, 0, 0.014)).z() == Approx(kContactGap).margin(2e-4));
+  CHECK(X.p.z() == Approx(0.02 + kContactGap).margin(2e-4));
   CHECK(result.footprint.x() > 0.2);
   // Facing and front are meant for the spoon as it lies.
   PlaceTry where = table.Where();

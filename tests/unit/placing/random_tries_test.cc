@@ -66,7 +66,8 @@ void CheckStands(const Table& table, int body, double clear, std::mt19937& rando
   const std::vector<BodyShape> shapes = ShapesBelow(table.scene.object, body);
   const distance::PlacedShape own = ShapesAt(shapes, PoseInWorld(table.scene.object, body))[0];
   const double bottom = own.box_W.min().z();
-  CHECK(std::abs(bottom + kContactDepth) < 1e-7);
+  const bool is_box = own.shape.type == model::GeomType::kBox;
+  CHECK(std::abs(bottom - (is_box ? kContactGap : -kContactDepth)) < 1e-7);
   const std::vector<Vector3d> points = PointsOf(own, random);
   for (const Vector3d& p : points) {
     if (p.z() > bottom + 1e-3) continue;
