@@ -63,8 +63,8 @@ class UnstableElementSearch {
   std::string Step() const { return fmt::format("a timestep of {} ms", RoundedText(1000 * h_)); }
 
   // Keeps an element (spring, damper or actuator) if it exceeds the limit of integration more than
-  // all earlier elements. `excess` is relative to the limit: above 1, the simulation diverges. It
-  // grows with the square of the timestep for springs, and with the timestep for dampers.
+  // all earlier elements. `excess` is relative to the limit: above 1, the simulation diverges. The
+  // excess grows with the square of the timestep for springs, and with the timestep for dampers.
   void Add(double excess, bool is_spring, const std::string& what, const std::string& remedy,
            std::string joint = {}, std::string actuator = {}) {
     // Implicit integrators use the velocity after the step for damping, so that only springs

@@ -55,7 +55,7 @@ struct ParameterTally {
   std::string NameOf(std::size_t i) const;
 
   std::string name;
-  std::vector<NumberTally> numbers;  // one tally, or one per component of a vector
+  std::vector<NumberTally> numbers;  // a single tally, or a tally per component
   bool more_texts = false;           // there were more texts than kMaxTexts
 
  private:
