@@ -3,7 +3,7 @@
 //
 // No function throws. The package declares the same structs in _library.py. Texts are UTF-8. Input
 // texts end with a zero byte. Output texts have a size and are valid until the next call with the
-// same maker, table, archive or manifest. One thread at a time may use such an object; different
+// same maker, table, archive or manifest. Such an object is for one thread at a time; different
 // objects are independent.
 #pragma once
 
@@ -45,8 +45,9 @@ struct MjforgeVariant {
   MjforgeText findings;  // JSON, see MjforgeFindings; empty: none
   MjforgeText files;     // JSON: [[name in the XML, path, size], ...]; empty: none
   MjforgeText contents;  // concatenated contents, with these sizes, of the files without a path
-  MjforgeText inputs;    // JSON: [[path, SHA-256], ...] of files that are new to this maker; empty: none
-  double box[6];         // `aabb` of the record: min x, y, z, max x, y, z
+  MjforgeText
+      inputs;     // JSON: [[path, SHA-256], ...] of files that are new to this maker; empty: none
+  double box[6];  // `aabb` of the record: min x, y, z, max x, y, z
 };
 
 /// Makes a snapshot without reading a file. The spec is `reference`, a file or a name in the search

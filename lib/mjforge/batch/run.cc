@@ -100,8 +100,7 @@ class BatchRun {
     if (todo.count == 0) return;
     const std::uint64_t jobs = std::min(request_.jobs == 0 ? Cores() : request_.jobs, todo.count);
     Schedule schedule(all_, todo, request_.destination, jobs);
-    // Assign more tasks in advance if variants are not validated, because workers then finish tasks
-    // faster than the system schedules the leader.
+    // Assign more tasks in advance to workers that finish faster than the leader is scheduled.
     const bool is_quick = request_.variant.validation == manifest::Validation::kNone;
     const Request request = WithSuperset();
     Pool pool(jobs, is_quick ? kMaxTasksPerWorker : 2, request_.time_limit, [&] {

@@ -13,14 +13,15 @@ namespace mjforge::placing {
 /// MuJoCo makes contacts without force, is ignored.
 inline constexpr double kContactGap = 5e-5;
 
-/// Depth in its support to which a placed object is lowered in the end, m, so that MuJoCo's contacts
-/// carry the object from the first step on. An object that starts above its support strikes it with
-/// the speed of two steps. At the depth of such a stroke, libccd may return a horizontal normal for
-/// two meshes whose faces are level: it returns the direction to the nearest point of one triangle
-/// of the Minkowski difference, and the depth decides if that triangle is above the contact. The
-/// depth here is larger than rounding errors of meshes (float), and a fiftieth of `self_collision`.
-/// A box on a box stays at the height `kContactGap`: if their faces are parallel to the last digit
-/// and less than 2 um in each other, MuJoCo 2.2 finds deep contacts far outside of the smaller box.
+/// Depth in its support to which a placed object is lowered in the end, m, so that MuJoCo's
+/// contacts carry the object from the first step on. An object that starts above its support
+/// strikes it with the speed of two steps. At the depth of such a stroke, libccd may return a
+/// horizontal normal for two meshes whose faces are level: it returns the direction to the nearest
+/// point of one triangle of the Minkowski difference, and the depth decides if that triangle is
+/// above the contact. The depth here is larger than rounding errors of meshes (float), and a
+/// fiftieth of `self_collision`. A box on a box stays at the height `kContactGap`: if their faces
+/// are parallel to the last digit and less than 2 um in each other, MuJoCo 2.2 finds deep contacts
+/// far outside of the smaller box.
 inline constexpr double kContactDepth = 2e-7;
 
 /// Returns a placer. Distances are exact: colliding parts are convex, because MuJoCo replaces a
