@@ -79,7 +79,7 @@ TEST_CASE_METHOD(AssetsTest, "the same batch made again has the asset as it is n
   CHECK(folder.Read("out/assets/wood.png") == Png('b'));
   folder.Write("wood.png", Png('c'));
   CHECK(ErrorOf(request).empty());
-  CHECK(IsGood("out"));
+  CHECK(IsGood(request.destination.Manifest(request.shard).string()));
 }
 
 TEST_CASE_METHOD(AssetsTest, "what a killed run copied is known as its own") {
