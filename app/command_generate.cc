@@ -14,7 +14,7 @@
 #include "completion.h"
 #include "family_conflicts.h"
 #include "load_time_limit.h"
-#include "make_options.h"
+#include "make_rule_options.h"
 #include "options.h"
 #include "progress_bar.h"
 #include "structures.h"

@@ -12,7 +12,7 @@
 #include <set>
 
 #include "joint_names.h"
-#include "make_options.h"
+#include "make_rule_options.h"
 #include "mjforge/expr/expr.h"
 #include "mjforge/forge/forge.h"
 

@@ -8,7 +8,7 @@
 
 #include "commands.h"
 #include "completion.h"
-#include "make_options.h"
+#include "make_rule_options.h"
 #include "usage.h"
 
 namespace mjforge::app {

@@ -10,7 +10,7 @@
 #include <system_error>
 
 #include "console.h"
-#include "make_options.h"
+#include "make_rule_options.h"
 #include "mjforge/forge/forge.h"
 
 namespace mjforge::app {

@@ -18,10 +18,10 @@
 #include "mjforge/spec/constant_json.h"
 #include "mjforge/spec/entry.h"
 #include "mjforge/spec/fields.h"
+#include "mjforge/spec/picture_view_json.h"
 #include "mjforge/spec/shapes.h"
 #include "mjforge/spec/snapshot.h"
 #include "mjforge/spec/values.h"
-#include "mjforge/spec/view_json.h"
 
 namespace mjforge::spec {
 

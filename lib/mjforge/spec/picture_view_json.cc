@@ -1,5 +1,5 @@
 // The view of a spec in pictures, as JSON.
-#include "mjforge/spec/view_json.h"
+#include "mjforge/spec/picture_view_json.h"
 
 #include "mjforge/spec/spec.h"
 

@@ -1,5 +1,5 @@
 // Options -MD, -MF, -MT and -MP, and the Make rule that they write.
-#include "make_options.h"
+#include "make_rule_options.h"
 
 #include <CLI/CLI.hpp>
 #include <array>
