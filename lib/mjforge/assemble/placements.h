@@ -88,7 +88,7 @@ class Placements {
   bool ReadBeside(const Request& request, sample::StreamId path, Trial& trial);
   bool ReadFacing(const Request& request, FieldReader& reader, model::PlaceTry& where);
   bool ReadLying(const Request& request, FieldReader& reader, sample::StreamId path, Trial& trial);
-  /// Returns the stable poses of the body, which are computed when the body is tried first.
+  /// Returns the stable poses of the body to place, computed at the first call for this body.
   const std::vector<model::StablePose>& StablePosesOf(const Request& request);
   /// Returns the index of the body that a field names; nullopt if that body does not have its place
   /// yet.

@@ -32,7 +32,9 @@ class MeshInertia {
  public:
   explicit MeshInertia(xml::XmlElement& root) : root_(root) { Find(); }
 
-  /// Returns the place of the first body that was given an inertia.
+  /// Does the work of AddMeshInertia(): adds inertias to bodies, and removes the attribute
+  /// `inertia` of meshes. Returns the mark of the first body that was given an inertia, or an empty
+  /// mark.
   diag::SourceMark Run(const LoadText& load) {
     if (bodies_.empty()) return {};
     if (AddAll(load)) {

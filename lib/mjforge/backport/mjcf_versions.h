@@ -60,7 +60,8 @@ const MjcfFeature* FindFeature(std::string_view parent, std::string_view tag);
 const MjcfFeature* FindFeature(std::string_view parent, std::string_view tag,
                                std::string_view attribute, std::string_view value);
 
-/// Returns true if `where`, in the form of MjcfFeature::where, includes the element.
+/// Returns true if `where`, a list of tags as in MjcfFeature::where, matches an element `tag` whose
+/// parent is `parent`.
 bool IsAt(std::string_view where, std::string_view parent, std::string_view tag);
 /// Returns true if `names`, in the form of MjcfFeature::names, includes the attribute with this
 /// value.

@@ -28,8 +28,8 @@ std::optional<ResumedVariants> ArchiveSink::Open(diag::Findings& findings) {
 
 bool ArchiveSink::Take(ChunkResult& result, diag::Findings& findings) {
   if (result.done < result.chunk.count) {
-    // Ignores the partial segment of a stopped worker, because the bytes of the archive would
-    // otherwise depend on where the batch stopped.
+    // The worker stopped or failed within its part of the archive. Discard also its finished
+    // variants, because the bytes of the archive would otherwise depend on where the batch stopped.
     result.statuses.clear();
     result.variants.clear();
     result.findings.clear();

@@ -25,8 +25,8 @@ namespace mjforge::bytes {
 inline constexpr const char* kStandardInput = "-";
 
 /// Size limits, in bytes, of an MJCF file, of an asset (mesh or texture), and of a line of a
-/// manifest or a journal. The limit of assets is enough for millions of triangles, although MuJoCo
-/// allows only 200,000. The limit for YAML is spec::kMaxYamlBytes.
+/// manifest or a journal. An STL file of the largest size has five million triangles, far more than
+/// the 200,000 that MuJoCo accepts. The limit for YAML is spec::kMaxYamlBytes.
 inline constexpr std::uint64_t kMaxMjcf = std::uint64_t{256} << 20;
 inline constexpr std::uint64_t kMaxAsset = std::uint64_t{256} << 20;
 inline constexpr std::uint64_t kMaxLine = std::uint64_t{64} << 20;

@@ -6,9 +6,9 @@
 
 namespace mjforge::customize {
 
-/// Moves all joints to the base pose of the request (view, start or zero), and then the joints that
-/// the request names to their positions, clamped to their ranges. Sets shown.joints to the joints
-/// in the base pose. `shown` must have a subject.
+/// Sets the pose of the picture. Moves all joints to the base pose of the request (view, start or
+/// zero), and stores the joints in this pose in shown.joints. Then moves the joints that the
+/// request names to their positions, clamped to their ranges. `shown.subject` must not be null.
 void MoveJoints(const Request& request, ShownVariant& shown);
 
 }  // namespace mjforge::customize

@@ -77,7 +77,8 @@ class ArrayRows {
   std::size_t width_ = 0;
 };
 
-// Writes the MJCF of a variant, with the inertia that MuJoCo computed in each body.
+// Makes the base MJCF of a family from the MJCF text of a variant: drops the comment about the
+// variant, and gives each body an `<inertial>` with the values that MuJoCo computed.
 class BaseWriter {
  public:
   BaseWriter(const Numbers& numbers, bool mocap)

@@ -6,7 +6,8 @@
 namespace mjforge::physics {
 namespace {
 
-// Armature of a held free body, as a multiple of the mass of its tree.
+// Armature of a held free body, as a multiple of the mass of its tree; for rotations, of this mass
+// times the square of the tree's size.
 constexpr double kHeldRootMass = 1e6;
 // Tolerance of the solver. In a model with the large mass of held bodies, MuJoCo's default of 1e-8
 // lets MuJoCo 3 and 4 stop before an equality of light joints holds: for example, the lid of a jar

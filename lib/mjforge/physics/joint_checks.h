@@ -27,11 +27,12 @@ class JointChecks {
   /// Returns the joints that can be driven and that no entry of checks.joints names.
   std::vector<int> Others() const;
 
-  /// Returns the joints that an entry of checks.joints names and that can be driven.
+  /// Returns the ids of the joints that an entry of checks.joints names, except joints that cannot
+  /// be driven.
   std::vector<int> JointsOf(const model::JointCheck& check) const;
 
-  /// Returns true if the joint can be driven from the model's start pose: PathsOf() has a path for
-  /// it.
+  /// Returns true if the checks can move the joint from the model's start pose, with or without an
+  /// actuator. Free joints and slides without a range cannot be moved.
   bool CanBeDriven(int joint) const;
 
   /// Returns true if an entry of checks.joints names a joint.

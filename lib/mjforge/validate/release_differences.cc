@@ -1,4 +1,4 @@
-// Compares masses and shapes of two compiled models of the same file.
+// Compares the masses and shapes that MuJoCo 2.2 and later releases give the same file.
 #include "mjforge/validate/release_differences.h"
 
 #include <cmath>
