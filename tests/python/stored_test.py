@@ -106,6 +106,14 @@ class Batches(unittest.TestCase):
             folder = mjforge.Batch(os.path.dirname(path))
             self.assertEqual((len(folder), folder[5].index), (10, 5))
 
+    def test_say_which_shards_are_missing(self):
+        with written("out/", mjforge.Spec("hammer").variants(), 6, shard="0/3") as path:
+            found = mjforge.Batch(path).verify()
+            self.assertEqual([f.code for f in found], ["batch/missing", "batch/missing"])
+            self.assertIn("shard 1/3 is missing", found[0].message)
+            manifest = pathlib.Path(path, "manifest-00000-of-00003.jsonl")
+            self.assertEqual(mjforge.Batch(manifest).verify(), [])
+
     def test_count_only_objects_with_a_file(self):
         with tempfile.TemporaryDirectory() as folder:
             spec = pathlib.Path(folder, "ball.yaml")

@@ -54,10 +54,13 @@ def manifests_of(batch: Union[str, "os.PathLike[str]"]) -> list[pathlib.Path]:
     return found
 
 
-def missing_shards(manifests: Sequence[pathlib.Path]) -> Iterator[Finding]:
-    """A finding for each shard that has no manifest among these, of batches that are not merged."""
+def missing_shards(batch: Union[str, "os.PathLike[str]"],
+                   manifests: Sequence[pathlib.Path]) -> Iterator[Finding]:
+    """Yields a finding for each shard of a folder's batches that has no manifest, unless the shards are
+    merged. `manifests` is the result of manifests_of(batch).
+    """
     present: dict[tuple[pathlib.Path, int], set[int]] = {}
-    for manifest in manifests:
+    for manifest in manifests if os.path.isdir(batch) else ():
         if shard := _SHARD.search(manifest.name):
             whole = manifest.with_name(_SHARD.sub("", manifest.name))
             present.setdefault((whole, int(shard["count"])), set()).add(int(shard["index"]))

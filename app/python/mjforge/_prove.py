@@ -76,8 +76,7 @@ def run(batch: Union[str, "os.PathLike[str]"], jobs: Optional[int], progress: bo
             _prove(manifest, crew, proof, progress)
     finally:
         crew.close()
-    if pathlib.Path(batch).is_dir():
-        proof.findings += missing_shards(manifests)
+    proof.findings += missing_shards(batch, manifests)
     return proof
 
 

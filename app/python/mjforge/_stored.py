@@ -10,7 +10,7 @@ import pathlib
 from typing import Any, Iterator, Optional, Sequence, Union, overload
 
 from . import _command
-from ._batch_files import Reader, Stored, bad_manifest, manifests_of, record_of
+from ._batch_files import Reader, Stored, bad_manifest, manifests_of, missing_shards, record_of
 from ._findings import Finding, VariantError
 from ._json import loads, members_of_record
 from ._library import integer, lines
@@ -162,7 +162,7 @@ class Batch:
 
     def verify(self) -> list[Finding]:
         """Compares all files with their hashes, as `mjforge verify` does. Returns the findings."""
-        found: list[Finding] = []
+        found = list(missing_shards(self.path, self._manifests))
         for manifest in self._manifests:
             found += _command.run(["verify", "--", str(manifest)], b"")
         return found
