@@ -16,8 +16,12 @@ constexpr double kLevel = 1e-9;
 
 /// Returns the height of the lowest point of all colliding geoms except planes, m; 0 if there are
 /// none.
-double LowestPoint(const mjModel& m) {
+double LowestPoint(mjModel& m) {
+  // Poses need no buffers for constraints, which take most of the memory of a scene.
+  const engine::BufferSizes sizes = engine::BufferSizesOf(m);
+  engine::SetBufferSizes(m, {.contacts = 0, .rows = 0, .numbers = 0});
   const compiled::Data d = compiled::MakeData(m);
+  engine::SetBufferSizes(m, sizes);
   mj_kinematics(&m, d.get());
   const model::Box3 box = compiled::CollidingBox(m, *d, 0);
   return box.empty() ? 0 : box.min.z();
