@@ -90,8 +90,10 @@ bool IsParent(const mjModel& m, int parent, int body) {
 engine::Model WithAllContacts(const mjModel& m) {
   engine::Model copy(mj_copyModel(nullptr, &m));
   copy->nexclude = 0;
-  for (int geom = 0; geom < m.ngeom; ++geom)
+  for (int geom = 0; geom < m.ngeom; ++geom) {
     copy->geom_contype[geom] = copy->geom_conaffinity[geom] = IsSolid(m, geom) ? 1 : 0;
+    engine::UpdateCollisionData(*copy, geom);
+  }
   return copy;
 }
 
