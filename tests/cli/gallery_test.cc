@@ -75,10 +75,10 @@ TEST_CASE_METHOD(GalleryTest, "the film of a joint begins with all others at the
   folder().Write("p/galleried_pair.yaml",
                  "mjforge: 1\nname: pair\nparts: [{name: b, type: box, size: [0.1, 0.1, 0.01]}]\n"
                  "bodies:\n"
-                 "  - {name: left, parts: [{name: l, type: box, size: [0.02, 0.02, 0.02]}],\n"
+                 "  - {name: left, parts: [{name: l, type: sphere, size: 0.03}],\n"
                  "     pos: [0, 0, 0.05], joints: [{name: a, type: slide, axis: [0, 0, 1], "
                  "range: [0, 0.1]}]}\n"
-                 "  - {name: right, parts: [{name: r, type: box, size: [0.02, 0.02, 0.02]}],\n"
+                 "  - {name: right, parts: [{name: r, type: sphere, size: 0.03}],\n"
                  "     pos: [0, 0, 0.05], joints: [{name: b, type: slide, axis: [0, 0, 1], "
                  "range: [0, 0.1]}]}\n");
   REQUIRE(Make("g").status == 0);
