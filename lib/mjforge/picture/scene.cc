@@ -301,7 +301,6 @@ mjvGeom* Scene::AddPlane(const Eigen::Vector2d& half_sides, const Eigen::Vector3
   mjvGeom* plane =
       Add(mjGEOM_PLANE, {half_sides.x(), half_sides.y(), 1}, place, axes, {1, 1, 1, 1});
   if (plane == nullptr) return nullptr;
-  plane->category = mjCAT_STATIC;
   plane->specular = 0;
   plane->shininess = 0;
   plane->dataid = -1;
