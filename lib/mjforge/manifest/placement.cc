@@ -15,12 +15,6 @@ namespace {
 
 using diag::Json;
 
-// Appends a number as in MJCF files: magnitudes below 1e-15, rounding errors of rotations, become
-// 0.
-void AppendFlushed(std::string& out, double value) {
-  expr::AppendNumber(out, std::abs(value) < 1e-15 ? 0 : value);
-}
-
 // Writes a single number as a number, and several numbers as a list.
 void PutNumbers(Json& json, const sample::Numbers& numbers) {
   numbers.size() == 1 ? json.Value(numbers[0]) : json.Value(numbers);
@@ -60,9 +54,13 @@ void PutObject(Json& json, const PlacedFile& object) {
 
 }  // namespace
 
+void AppendFileNumber(std::string& out, double value) {
+  expr::AppendNumber(out, std::abs(value) < 1e-15 ? 0 : value);
+}
+
 std::string PlacementText(const Placement& placement) {
   const mjcf::Provenance& provenance = placement.provenance;
-  Json json(AppendFlushed);
+  Json json(AppendFileNumber);
   json.StartObject();
   json.Member("mjforge", provenance.version);
   json.Member("name", provenance.name);
@@ -80,7 +78,7 @@ std::string PlacementText(const Placement& placement) {
   std::string text = json.Take();
   const char* before = "{\n";
   for (const PlacedFile& object : placement.objects) {
-    Json line(AppendFlushed, text + before);
+    Json line(AppendFileNumber, text + before);
     line.Key(object.name);
     PutObject(line, object);
     text = line.Take();

@@ -29,6 +29,11 @@ struct Placement {
   std::vector<model::Element> options;  // MJCF's <option> of the scene; at most one
 };
 
+/// Appends a number as in MJCF files: with at most 10 digits; magnitudes below 1e-15, rounding
+/// errors of rotations, become 0. A pose has the same text on every processor, although some
+/// multiply and add in one step and get other last bits.
+void AppendFileNumber(std::string& out, double value);
+
 /// Returns the placement as JSON, with a line for each object.
 std::string PlacementText(const Placement& placement);
 

@@ -117,13 +117,15 @@ RecordField PlacesField() {
       "The bodies that were placed, in the order of the file: name, region or site, and pose in "
       "the world at the start; left out if there are none.",
       [](Json& json, const Record& record) {
-        json.StartArray();
+        Json places(AppendFileNumber);
+        places.StartArray();
         for (const Record::PlacedBody& place : record.places) {
-          json.StartObject();
-          PutAll(json, place, kPlace);
-          json.EndObject();
+          places.StartObject();
+          PutAll(places, place, kPlace);
+          places.EndObject();
         }
-        json.EndArray();
+        places.EndArray();
+        json.Raw(places.Take());
       },
       [](const Value& value, Record& record) {
         const bool is_good =
