@@ -33,7 +33,7 @@ void WriteJoints(diag::Json& json, const ShownVariant& shown) {
   json.Key("joints");
   json.StartArray();
   for (const picture::Joint& joint : shown.joints) {
-    if (!IsMovable(joint)) continue;
+    if (!joint.IsMovable()) continue;
     json.StartObject();
     json.Member("name", joint.name);
     json.Member("type", joint.type == picture::Joint::Type::kHinge ? "hinge" : "slide");
@@ -46,10 +46,6 @@ void WriteJoints(diag::Json& json, const ShownVariant& shown) {
 }
 
 }  // namespace
-
-bool IsMovable(const picture::Joint& joint) {
-  return joint.type == picture::Joint::Type::kHinge || joint.type == picture::Joint::Type::kSlide;
-}
 
 void WritePart(diag::Json& json, const ShownVariant& shown, std::string_view geom) {
   if (geom.ends_with(model::kVisualSuffix)) geom.remove_suffix(model::kVisualSuffix.size());
