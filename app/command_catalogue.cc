@@ -10,7 +10,6 @@
 #include "commands.h"
 #include "completion.h"
 #include "gallery.h"
-#include "json_output.h"
 #include "mjforge/forge/forge.h"
 #include "options.h"
 #include "text_table.h"
@@ -83,17 +82,13 @@ std::string Text(const std::vector<Item>& items) {
   return table.Render();
 }
 
-std::string JsonText(const std::vector<Item>& items) {
-  JsonOutput json;
-  json.StartArray();
-  for (const Item& item : items) {
-    if (!item.problem.empty()) continue;
-    json.StartObject();
+std::string JsonText(std::vector<Item> items) {
+  std::erase_if(items, [](const Item& item) { return !item.problem.empty(); });
+  diag::Json json(nullptr);
+  json.Each(items, [&](const Item& item) {
     json.Member("name", item.name);
     json.Member("description", item.description);
-    json.EndObject();
-  }
-  json.EndArray();
+  });
   return json.Take() + "\n";
 }
 

@@ -85,7 +85,7 @@ std::string Line(const std::string& file, const FileResult& result) {
 
 std::string FileJson(const std::string& file, const FileResult& result,
                      const diag::Sources& sources) {
-  return JsonLine([&](JsonOutput& json) {
+  return JsonLine([&](diag::Json& json) {
     json.Member("file", file);
     json.Member("ok", result.ok());
     if (result.model) {
@@ -98,11 +98,8 @@ std::string FileJson(const std::string& file, const FileResult& result,
       json.Key("physics");
       json.Raw(manifest::PhysicsJson(*result.physics));
     }
-    json.Key("findings");
-    json.StartArray();
-    for (const diag::Finding& finding : result.findings)
-      json.Raw(diag::RenderJson(finding, sources));
-    json.EndArray();
+    json.List("findings", result.findings,
+              [&](const diag::Finding& finding) { json.Raw(diag::RenderJson(finding, sources)); });
   });
 }
 

@@ -138,30 +138,26 @@ void Load(const MjforgeRequest& request, MjforgeMaker& maker) {
 
 std::string FindingsJson(const diag::Findings& findings, const diag::Sources& sources) {
   diag::Json json(nullptr);
-  json.StartArray();
-  for (const diag::Finding& finding : findings) {
+  json.List(findings, [&](const diag::Finding& finding) {
     json.StartArray();
     json.Raw(diag::RenderJson(finding, sources));
     json.Value(diag::RenderText(finding, sources, /*color=*/false));
     json.EndArray();
-  }
-  json.EndArray();
+  });
   return json.Take();
 }
 
 void SetFiles(const mjcf::MjcfDocument& document, MjforgeMaker& maker) {
   maker.contents.clear();
   diag::Json json(nullptr);
-  json.StartArray();
-  for (const bytes::Asset& asset : document.assets) {
+  json.List(document.assets, [&](const bytes::Asset& asset) {
     json.StartArray();
     json.Value(asset.name);
     json.Value(asset.file.string());
     json.Value(asset.made ? asset.made->size() : 0);
     json.EndArray();
     if (asset.made) maker.contents += *asset.made;
-  }
-  json.EndArray();
+  });
   maker.files_json = json.Take();
 }
 
@@ -255,23 +251,20 @@ MjforgeText MjforgeFindings(MjforgeMaker* maker) {
 
 MjforgeText MjforgeDescription(MjforgeMaker* maker) {
   const spec::ObjectSpec& spec = *maker->recipe->spec;
-  diag::Json json(expr::AppendExactNumber);
-  json.StartObject();
-  json.Member("name", spec.name);
-  json.Member("description", spec.description);
-  json.Member("sha256", spec.sha256);
-  json.Key("path");
-  if (spec.files.front() == bytes::kStandardInput) {
-    json.Value(nullptr);
-  } else {
-    json.Value(spec.files.front().string());
-  }
-  json.Key("view");
-  json.Raw(spec::ViewJson(spec.view));
-  json.Key("parameters");
-  python::WriteParameters(json, spec);
-  json.EndObject();
-  maker->description = json.Take();
+  maker->description = diag::JsonObject(expr::AppendExactNumber, [&](diag::Json& json) {
+    json.Member("name", spec.name);
+    json.Member("description", spec.description);
+    json.Member("sha256", spec.sha256);
+    if (spec.files.front() == bytes::kStandardInput) {
+      json.Member("path", nullptr);
+    } else {
+      json.Member("path", spec.files.front().string());
+    }
+    json.Key("view");
+    json.Raw(spec::ViewJson(spec.view));
+    json.Key("parameters");
+    python::WriteParameters(json, spec);
+  });
   return View(maker->description);
 }
 

@@ -15,8 +15,7 @@ namespace {
 
 void AddLayout(const std::vector<manifest::Column>& columns, MjforgeTable& table,
                diag::Json& json) {
-  json.StartArray();
-  for (const manifest::Column& column : columns) {
+  json.List(columns, [&](const manifest::Column& column) {
     table.all.push_back(&column);
     const std::set<char> kinds(column.kinds.begin(), column.kinds.end());
     json.StartArray();
@@ -24,8 +23,7 @@ void AddLayout(const std::vector<manifest::Column>& columns, MjforgeTable& table
     json.Value(std::string(kinds.begin(), kinds.end()));
     AddLayout(column.inner, table, json);
     json.EndArray();
-  }
-  json.EndArray();
+  });
 }
 
 }  // namespace

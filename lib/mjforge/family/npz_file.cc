@@ -72,28 +72,26 @@ class FamilyFile {
   }
 
   std::string FactsText() const {
-    diag::Json json(expr::AppendExactNumber);
-    json.StartObject();
-    json.Member("mjforge_family", 1);
-    json.Member("name", NameOfModel());
-    for (const auto& [name, value] : facts_.members) {
-      json.Key(name);
-      json.Raw(value);
-    }
-    json.Member("structure", header_.structure.FamilyKey());
-    json.Member("variants", survey_.count);
-    json.Key("moved");
-    json.StartObject();
-    for (const auto& [array, elements] : base_.moved) {
-      json.Key(array);
-      json.StartArray();
-      const ArrayShape& shape = *std::ranges::find(header_.shapes, array, &ArrayShape::name);
-      for (const std::size_t i : elements) json.Value(shape.elements[i]);
-      json.EndArray();
-    }
-    json.EndObject();
-    json.EndObject();
-    return json.Take() + '\n';
+    return diag::JsonObject(nullptr,
+                            [&](diag::Json& json) {
+                              json.Member("mjforge_family", 1);
+                              json.Member("name", NameOfModel());
+                              for (const auto& [name, value] : facts_.members) {
+                                json.Key(name);
+                                json.Raw(value);
+                              }
+                              json.Member("structure", header_.structure.FamilyKey());
+                              json.Member("variants", survey_.count);
+                              json.Object("moved", [&] {
+                                for (const auto& [array, elements] : base_.moved) {
+                                  const ArrayShape& shape =
+                                      *std::ranges::find(header_.shapes, array, &ArrayShape::name);
+                                  json.List(array, elements,
+                                            [&](std::size_t i) { json.Value(shape.elements[i]); });
+                                }
+                              });
+                            }) +
+           '\n';
   }
 
   void WriteBytes(std::string_view name, std::string_view bytes) {

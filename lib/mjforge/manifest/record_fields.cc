@@ -117,13 +117,8 @@ RecordField PlacesField() {
       "The bodies that were placed, in the order of the file: name, region or site, and pose in "
       "the world at the start; left out if there are none.",
       [](Json& json, const Record& record) {
-        json.StartArray();
-        for (const Record::PlacedBody& place : record.places) {
-          json.StartObject();
-          PutAll(json, place, kPlace);
-          json.EndObject();
-        }
-        json.EndArray();
+        json.Each(record.places,
+                  [&](const Record::PlacedBody& place) { PutAll(json, place, kPlace); });
       },
       [](const Value& value, Record& record) {
         const bool is_good =
@@ -136,9 +131,7 @@ RecordField PlacesField() {
 }
 
 void PutFindings(Json& json, const Record& record) {
-  json.StartArray();
-  for (const std::string& finding : record.findings) json.Raw(finding);
-  json.EndArray();
+  json.List(record.findings, [&](const std::string& finding) { json.Raw(finding); });
 }
 
 ExpectedKind GetFindings(const Value& value, Record& record) {
