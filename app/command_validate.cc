@@ -9,7 +9,6 @@
 
 #include "child_process.h"
 #include "commands.h"
-#include "completion.h"
 #include "json_output.h"
 #include "mjforge/forge/forge.h"
 #include "options.h"
@@ -156,10 +155,7 @@ ExitStatus ValidateFiles(const ValidateOptions& options, Console& console) {
 
 Action AddValidate(CLI::App& command) {
   auto options = std::make_shared<ValidateOptions>();
-  command.add_option("FILE", options->files, "Any MJCF file, or - (stdin)")
-      ->required()
-      ->option_text("...")
-      ->check(Offers(".xml"));
+  AddArguments(command, "FILE", options->files, "Any MJCF file, or - (stdin)", ".xml");
   CLI::Option* physics =
       command.add_flag("--physics", options->physics, "Simulate each: does it behave?");
   AddSettings(command, options->settings, "Set a threshold: checks.NAME=VALUE");
