@@ -22,6 +22,7 @@
 #include "mjforge/forge/forge.h"
 #include "mjforge/output/output.h"
 #include "mjforge/xml/xml.h"
+#include "no_throw.h"
 #include "parameters.h"
 #include "snapshots.h"
 #include "table.h"
@@ -58,6 +59,8 @@ struct MjforgeLines {
 };
 
 struct MjforgeArchive {
+  explicit MjforgeArchive(const char* file) : reader(file) {}
+
   output::ArchiveReader reader;
   // Texts returned by the last call, which are valid until the next call.
   std::string name;
@@ -230,7 +233,7 @@ int Next(MjforgeArchive& archive, MjforgeText& name, MjforgeText& content) {
 }  // namespace
 
 MjforgeMaker* MjforgeOpen(const MjforgeRequest* request) {
-  std::unique_ptr<MjforgeMaker> maker(new (std::nothrow) MjforgeMaker);
+  std::unique_ptr<MjforgeMaker> maker(python::NewOrNull<MjforgeMaker>());
   if (!maker) return nullptr;
   try {
     Load(*request, *maker);
@@ -303,11 +306,7 @@ std::size_t MjforgeMakeRows(MjforgeMaker* maker, std::uint64_t index, std::uint6
 MjforgeText MjforgeFailure(MjforgeMaker* maker) { return View(maker->failure); }
 
 MjforgeArchive* MjforgeOpenArchive(const char* file) {
-  try {
-    return new MjforgeArchive{.reader = output::ArchiveReader(file), .name = {}, .content = {}};
-  } catch (const std::bad_alloc&) {
-    return nullptr;
-  }
+  return python::NewOrNull<MjforgeArchive>(file);
 }
 
 void MjforgeCloseArchive(MjforgeArchive* archive) { delete archive; }
@@ -321,13 +320,7 @@ int MjforgeNextMember(MjforgeArchive* archive, MjforgeText* name, MjforgeText* c
   }
 }
 
-MjforgeLines* MjforgeOpenLines(const char* file) {
-  try {
-    return new MjforgeLines(file);
-  } catch (const std::bad_alloc&) {
-    return nullptr;
-  }
-}
+MjforgeLines* MjforgeOpenLines(const char* file) { return python::NewOrNull<MjforgeLines>(file); }
 
 void MjforgeCloseLines(MjforgeLines* lines) { delete lines; }
 
@@ -348,11 +341,9 @@ int MjforgeNextLine(MjforgeLines* lines, MjforgeText* line) {
 
 MjforgeText MjforgeElements(const char* mjcf, std::size_t size) {
   thread_local std::string elements;
-  try {
-    elements = xml::ElementsJson({mjcf, size}).value_or("");
-  } catch (const std::bad_alloc&) {
-    elements.clear();
-  }
+  elements = python::NoThrow(std::string(), [&] {
+    return xml::ElementsJson({mjcf, size}).value_or("");
+  });
   return View(elements);
 }
 

@@ -1,11 +1,10 @@
 // C interface: tables of records.
 #include "table.h"
 
-#include <exception>
-#include <memory>
 #include <set>
 
 #include "mjforge/diag/diag.h"
+#include "no_throw.h"
 #include "text_view.h"
 
 using namespace mjforge;
@@ -29,25 +28,19 @@ void AddLayout(const std::vector<manifest::Column>& columns, MjforgeTable& table
 }  // namespace
 
 MjforgeTable* MjforgeOpenTable(const char* const* members, std::size_t count) {
-  try {
+  return python::NoThrow<MjforgeTable*>(nullptr, [&] {
     return new MjforgeTable(std::vector<std::string>(members, members + count));
-  } catch (const std::exception&) {
-    return nullptr;
-  }
+  });
 }
 
 void MjforgeCloseTable(MjforgeTable* table) { delete table; }
 
 int MjforgeAddRecord(MjforgeTable* table, const char* record, std::size_t size) {
-  try {
-    return table->columns.Add({record, size}) ? 0 : 1;
-  } catch (const std::exception&) {
-    return 2;
-  }
+  return python::NoThrow(2, [&] { return table->columns.Add({record, size}) ? 0 : 1; });
 }
 
 MjforgeText MjforgeLayout(MjforgeTable* table) {
-  try {
+  table->layout = python::NoThrow(std::string(), [&] {
     diag::Json json(nullptr);
     table->all.clear();
     json.StartArray();
@@ -55,10 +48,8 @@ MjforgeText MjforgeLayout(MjforgeTable* table) {
     json.Value(table->columns.texts());
     AddLayout(table->columns.Finish(), *table, json);
     json.EndArray();
-    table->layout = json.Take();
-  } catch (const std::exception&) {
-    return {};
-  }
+    return json.Take();
+  });
   return View(table->layout);
 }
 
