@@ -4,8 +4,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
-#include <sys/mman.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -14,9 +12,7 @@
 #include <cerrno>
 #include <cmath>
 #include <csignal>
-#include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <exception>
 #include <memory>
 #include <new>
@@ -37,13 +33,6 @@ struct Progress {
   bool done = false;
 };
 
-std::shared_ptr<Progress> ShareProgress() {
-  void* memory =
-      ::mmap(nullptr, sizeof(Progress), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (memory == MAP_FAILED) throw std::bad_alloc();
-  return {new (memory) Progress, [](Progress* progress) { ::munmap(progress, sizeof(Progress)); }};
-}
-
 // Limits the CPU time of the next step; SIGXCPU ends the process when the time is over.
 void LimitTime(Seconds time) {
   struct rusage used;
@@ -54,12 +43,10 @@ void LimitTime(Seconds time) {
   ::setrlimit(RLIMIT_CPU, &limit);
 }
 
-// Runs the remaining steps in the child process. The child ends when its parent ends.
+// Runs the remaining steps in the child process.
 [[noreturn]] void RunSteps(std::size_t count, Seconds time_limit,
                            const std::function<ExitStatus(std::size_t)>& run_step,
-                           Progress& progress, ::pid_t parent) {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) std::_Exit(0);  // the parent ended before prctl
+                           Progress& progress) {
   LimitMemory();
   try {
     for (; progress.step < count; ++progress.step) {
@@ -100,20 +87,15 @@ std::string WaitFor(::pid_t child, int pipe, Seconds time_limit, const Progress&
     const std::size_t now = progress.step;
     if (now == step) {
       ::kill(child, SIGKILL);
-      while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) continue;
+      batch::WaitForEnd(child);
       return fmt::format("took more than {:g} s of wall time", patience.count());
     }
     step = now;
   }
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-  if (signal == SIGXCPU)
+  const int status = batch::WaitForEnd(child);
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
     return fmt::format("took more than {:g} s of CPU time", time_limit.count());
-  if (signal == SIGINT || signal == SIGTERM || signal == SIGHUP) {
-    std::signal(signal, SIG_DFL);
-    std::raise(signal);
-  }
+  batch::EndBySignalOf(status);
   return DescribeEnd(status);
 }
 
@@ -139,16 +121,13 @@ void LimitMemory() {
 ExitStatus RunInChild(std::size_t count, Seconds time_limit,
                       const std::function<ExitStatus(std::size_t)>& run_step,
                       const std::function<ExitStatus(std::size_t, const std::string&)>& crashed) {
-  const std::shared_ptr<Progress> progress = ShareProgress();
+  const std::shared_ptr<Progress> progress = batch::Share<Progress>();
   while (progress->step < count && !progress->done) {
-    std::fflush(nullptr);  // otherwise both processes write the buffered output
     int ends[2];
     if (::pipe2(ends, O_CLOEXEC) != 0)
       throw std::system_error(errno, std::generic_category(), "cannot make a pipe");
-    const ::pid_t parent = ::getpid();
-    const ::pid_t child = ::fork();
-    if (child < 0) throw std::system_error(errno, std::generic_category(), "cannot fork");
-    if (child == 0) RunSteps(count, time_limit, run_step, *progress, parent);
+    const ::pid_t child = batch::Fork("cannot fork");
+    if (child == 0) RunSteps(count, time_limit, run_step, *progress);
     ::close(ends[1]);
     const std::string reason = WaitFor(child, ends[0], time_limit, *progress);
     ::close(ends[0]);

@@ -3,14 +3,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cctype>
 #include <memory>
 #include <set>
 
 #include "commands.h"
 #include "completion.h"
 #include "gallery.h"
-#include "json_output.h"
 #include "mjforge/forge/forge.h"
 #include "options.h"
 #include "text_table.h"
@@ -19,30 +17,20 @@
 namespace mjforge::app {
 namespace {
 
-// A spec of the catalogue.
-struct Item {
-  std::string name;
-  std::string description;
-  std::string words;    // names and meanings of the parameters
-  std::string problem;  // reason why the spec cannot be loaded; empty: it can be loaded
-};
-
-std::string LowerCase(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
+using Item = report::GalleryCard;  // a spec of the catalogue
 
 // Returns true if the name, the description or the parameters of a spec contain each word.
 bool HasWords(const Item& item, const std::vector<std::string>& words) {
   const std::string text =
-      LowerCase(fmt::format("{}\n{}\n{}", item.name, item.description, item.words));
+      diag::LowerCase(fmt::format("{}\n{}\n{}", item.name, item.description, item.words));
   return std::ranges::all_of(words, [&](const std::string& word) {
-    return text.find(LowerCase(word)) != std::string::npos;
+    return text.find(diag::LowerCase(word)) != std::string::npos;
   });
 }
 
 Item LoadItem(const std::string& name, const spec::LoadOptions& load, Console& console) {
-  Item item{name, {}, {}, {}};
+  Item item;
+  item.name = name;
   diag::Findings findings;
   if (const auto spec = spec::LoadSpec(name, load, console.sources, findings)) {
     item.description = spec->description;
@@ -83,32 +71,14 @@ std::string Text(const std::vector<Item>& items) {
   return table.Render();
 }
 
-std::string JsonText(const std::vector<Item>& items) {
-  JsonOutput json;
-  json.StartArray();
-  for (const Item& item : items) {
-    if (!item.problem.empty()) continue;
-    json.StartObject();
+std::string JsonText(std::vector<Item> items) {
+  std::erase_if(items, [](const Item& item) { return !item.problem.empty(); });
+  diag::Json json(nullptr);
+  json.Each(items, [&](const Item& item) {
     json.Member("name", item.name);
     json.Member("description", item.description);
-    json.EndObject();
-  }
-  json.EndArray();
+  });
   return json.Take() + "\n";
-}
-
-ExitStatus MakeGallery(const GalleryOptions& options, std::vector<Item> items, Console& console) {
-  std::ranges::stable_sort(items, report::IsBeforeInGallery, &Item::name);
-  std::vector<report::GalleryCard> cards;
-  for (Item& item : items) {
-    report::GalleryCard card;
-    card.name = std::move(item.name);
-    card.description = std::move(item.description);
-    card.words = std::move(item.words);
-    card.problem = std::move(item.problem);
-    cards.push_back(std::move(card));
-  }
-  return WriteGallery(options, std::move(cards), console);
 }
 
 struct CatalogueOptions {
@@ -128,9 +98,12 @@ ExitStatus RunCatalogue(const CatalogueOptions& options, Console& console) {
                          fmt::format("no spec has '{}'", fmt::join(options.words, "' and '")),
                          "`mjforge catalogue` lists all specs");
   }
-  if (options.has_gallery)
-    return found ? MakeGallery(options.gallery, std::move(items), console) : console.Report();
+  if (options.has_gallery && found) {
+    std::ranges::stable_sort(items, report::IsBeforeInGallery, &Item::name);
+    return WriteGallery(options.gallery, std::move(items), console);
+  }
   const ExitStatus status = console.Report();
+  if (options.has_gallery) return status;
   return Worse(status, options.json ? PrintBytes(JsonText(items)) : Print(Text(items)));
 }
 

@@ -31,10 +31,7 @@ constexpr std::uint64_t kMostPorts = 65535;
 customize::Start StartOf(const CustomizeOptions& options) {
   customize::Start start;
   start.reference = options.what;
-  start.load.settings = MakeSettings(options.spec.settings);
-  start.load.parameter_files.assign(options.spec.parameter_files.begin(),
-                                    options.spec.parameter_files.end());
-  start.load.search_path = forge::SearchPath();
+  start.load = LoadOptionsOf(options.spec);
   start.seed = options.spec.seed;
   start.index = options.index;
   return start;
@@ -119,10 +116,7 @@ ExitStatus Customize(const CustomizeOptions& options, Console& console) {
 
 Action AddCustomize(CLI::App& command) {
   auto options = std::make_shared<CustomizeOptions>();
-  command.add_option("SPEC", options->what, "A file, or a name in the catalogue")
-      ->required()
-      ->option_text(" ")
-      ->check(Offers(kSpecs));
+  AddArgument(command, "SPEC", options->what, "A file, or a name in the catalogue", kSpecs);
   AddWholeNumber(command, "--index", options->index, "The variant to begin with");
   AddSpecOptions(command, options->spec);
   const auto set_port = [options](double port) {

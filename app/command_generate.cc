@@ -46,9 +46,9 @@ constexpr std::uint64_t kMaxShards = 99'999;  // file names have five digits for
 // Parses the index and the count of a shard: "3/8".
 std::optional<output::Shard> ParseShard(std::string_view text, std::string& why_not) {
   const std::size_t slash = text.find('/');
-  const std::optional<std::uint64_t> index = ParseWhole(text.substr(0, slash));
+  const std::optional<std::uint64_t> index = output::ReadIndex(text.substr(0, slash));
   const std::optional<std::uint64_t> count =
-      slash == text.npos ? std::nullopt : ParseWhole(text.substr(slash + 1));
+      slash == text.npos ? std::nullopt : output::ReadIndex(text.substr(slash + 1));
   if (!index || !count || *count == 0 || *count > kMaxShards) {
     why_not = fmt::format("--shard: '{}' is not of the form I/N, N up to {}", text, kMaxShards);
     return std::nullopt;

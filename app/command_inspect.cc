@@ -40,7 +40,7 @@ std::optional<Eigen::Vector3d> ParsePoint(std::string_view text) {
 ExitStatus PrintContains(const model::Object& object, const InspectOptions& options) {
   const bool inside = model::Contains(object, *ParsePoint(options.contains));
   if (!options.json) return Print(inside ? "inside\n" : "outside\n");
-  return PrintBytes(JsonLine([&](JsonOutput& json) { json.Member("contains", inside); }));
+  return PrintBytes(JsonLine([&](diag::Json& json) { json.Member("contains", inside); }));
 }
 
 ExitStatus InspectSpec(const InspectOptions& options, Console& console) {

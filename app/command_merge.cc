@@ -5,8 +5,7 @@
 #include <memory>
 
 #include "commands.h"
-#include "completion.h"
-#include "mjforge/batch/batch.h"
+#include "options.h"
 #include "usage.h"
 
 namespace mjforge::app {
@@ -39,10 +38,8 @@ Action AddMerge(CLI::App& command) {
     bool verify = false;
   };
   auto options = std::make_shared<MergeOptions>();
-  command.add_option("OUT", options->output, "Where the shards went: the value of generate's -o")
-      ->required()
-      ->option_text(" ")
-      ->check(Offers("."));
+  AddArgument(command, "OUT", options->output, "Where the shards went: the value of generate's -o",
+              ".");
   command.add_flag("--verify", options->verify, "Read archives and objects, too");
   return [options](Console& console) { return Merge(options->output, options->verify, console); };
 }

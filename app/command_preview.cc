@@ -44,6 +44,15 @@ struct PreviewObject {
   manifest::Record record;  // for an MJCF file, only the file's name without its ending
 };
 
+// Returns the names of all sources, and of the files in the findings.
+std::set<std::string> NamesOf(const diag::Sources& sources, const diag::Findings& findings) {
+  std::set<std::string> names;
+  for (std::uint32_t i = 1; i <= sources.size(); ++i) names.insert(sources.Name(i));
+  for (const diag::Finding& finding : findings)
+    names.insert(finding.files.begin(), finding.files.end());
+  return names;
+}
+
 std::string StemOf(const std::string& file) { return std::filesystem::path(file).stem().string(); }
 
 class Preview {
@@ -68,11 +77,8 @@ class Preview {
 
  private:
   void WriteFiles(std::FILE* file) const {
-    std::set<std::string> names = assets_;
-    for (std::uint32_t i = 1; i <= console_.sources.size(); ++i)
-      names.insert(console_.sources.Name(i));
-    for (const diag::Finding& finding : findings_)
-      names.insert(finding.files.begin(), finding.files.end());
+    std::set<std::string> names = NamesOf(console_.sources, findings_);
+    names.insert(assets_.begin(), assets_.end());
     for (const std::string& name : names) std::fwrite(name.c_str(), 1, name.size() + 1, file);
     std::fflush(file);
   }
@@ -265,10 +271,8 @@ std::vector<std::filesystem::path> FilesOf(const PreviewOptions& options) {
   if (options.is_file) return files;
   Console silent{MessageOptions()};
   LoadRecipe(options.what, options.spec, silent);
-  for (std::uint32_t i = 1; i <= silent.sources.size(); ++i)
-    files.emplace_back(silent.sources.Name(i));
-  for (const diag::Finding& finding : silent.findings)
-    files.insert(files.end(), finding.files.begin(), finding.files.end());
+  const std::set<std::string> names = NamesOf(silent.sources, silent.findings);
+  files.insert(files.end(), names.begin(), names.end());
   return files;
 }
 

@@ -7,6 +7,7 @@
 #include "commands.h"
 #include "completion.h"
 #include "mjforge/forge/forge.h"
+#include "options.h"
 
 namespace mjforge::app {
 namespace {
@@ -23,10 +24,8 @@ ExitStatus Replay(const forge::ReplayRequest& request, Console& console) {
 
 Action AddReplay(CLI::App& command) {
   auto request = std::make_shared<forge::ReplayRequest>();
-  command.add_option("WHAT", request->what, "MANIFEST:INDEX or a generated FILE.xml")
-      ->required()
-      ->option_text(" ")
-      ->check(Offers(".jsonl .zst .xml"));
+  AddArgument(command, "WHAT", request->what, "MANIFEST:INDEX or a generated FILE.xml",
+              ".jsonl .zst .xml");
   command.add_option("--spec", request->spec, "The spec, if it has moved")
       ->option_text("SPEC")
       ->check(Offers(kSpecs));

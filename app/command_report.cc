@@ -142,10 +142,8 @@ ExitStatus Report(const PageOptions& options, Console& console) {
 
 Action AddReport(CLI::App& command) {
   auto options = std::make_shared<PageOptions>();
-  command.add_option("WHAT", options->what, "The folder, archive or manifest of a batch")
-      ->required()
-      ->option_text(" ")
-      ->check(Offers(".jsonl .tar .zst .part"));
+  AddArgument(command, "WHAT", options->what, "The folder, archive or manifest of a batch",
+              ".jsonl .tar .zst .part");
   command.add_option("-o,--output", options->output, "The page, or - [beside the manifest]")
       ->option_text("FILE.html")
       ->check(Offers(".html"));

@@ -9,7 +9,6 @@
 
 #include "child_process.h"
 #include "commands.h"
-#include "completion.h"
 #include "json_output.h"
 #include "mjforge/forge/forge.h"
 #include "options.h"
@@ -85,7 +84,7 @@ std::string Line(const std::string& file, const FileResult& result) {
 
 std::string FileJson(const std::string& file, const FileResult& result,
                      const diag::Sources& sources) {
-  return JsonLine([&](JsonOutput& json) {
+  return JsonLine([&](diag::Json& json) {
     json.Member("file", file);
     json.Member("ok", result.ok());
     if (result.model) {
@@ -98,11 +97,8 @@ std::string FileJson(const std::string& file, const FileResult& result,
       json.Key("physics");
       json.Raw(manifest::PhysicsJson(*result.physics));
     }
-    json.Key("findings");
-    json.StartArray();
-    for (const diag::Finding& finding : result.findings)
-      json.Raw(diag::RenderJson(finding, sources));
-    json.EndArray();
+    json.List("findings", result.findings,
+              [&](const diag::Finding& finding) { json.Raw(diag::RenderJson(finding, sources)); });
   });
 }
 
@@ -159,10 +155,7 @@ ExitStatus ValidateFiles(const ValidateOptions& options, Console& console) {
 
 Action AddValidate(CLI::App& command) {
   auto options = std::make_shared<ValidateOptions>();
-  command.add_option("FILE", options->files, "Any MJCF file, or - (stdin)")
-      ->required()
-      ->option_text("...")
-      ->check(Offers(".xml"));
+  AddArguments(command, "FILE", options->files, "Any MJCF file, or - (stdin)", ".xml");
   CLI::Option* physics =
       command.add_flag("--physics", options->physics, "Simulate each: does it behave?");
   AddSettings(command, options->settings, "Set a threshold: checks.NAME=VALUE");

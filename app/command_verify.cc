@@ -5,8 +5,7 @@
 #include <memory>
 
 #include "commands.h"
-#include "completion.h"
-#include "mjforge/batch/batch.h"
+#include "options.h"
 
 namespace mjforge::app {
 namespace {
@@ -30,11 +29,9 @@ ExitStatus Verify(const std::string& place, Console& console) {
 
 Action AddVerify(CLI::App& command) {
   auto what = std::make_shared<std::string>();
-  command
-      .add_option("WHAT", *what, "A folder, a manifest, a family, an archive, or a series x_%d.tar")
-      ->required()
-      ->option_text(" ")
-      ->check(Offers(".jsonl .npz .tar .zst"));
+  AddArgument(command, "WHAT", *what,
+              "A folder, a manifest, a family, an archive, or a series x_%d.tar",
+              ".jsonl .npz .tar .zst");
   return [what](Console& console) { return Verify(*what, console); };
 }
 

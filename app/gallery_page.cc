@@ -161,9 +161,7 @@ class PageMaker {
     const std::vector<picture::Joint> joints = subject.joints();
     for (std::size_t i = 0; i < joints.size() && page_.films.size() < kFilms; ++i) {
       const picture::Joint& joint = joints[i];
-      const bool can_move =
-          joint.type == picture::Joint::Type::kHinge || joint.type == picture::Joint::Type::kSlide;
-      if (can_move && joint.limited && drawn.insert(WithoutNumber(joint.name)).second)
+      if (joint.IsMovable() && joint.limited && drawn.insert(WithoutNumber(joint.name)).second)
         DrawFilm(renderer, subject, static_cast<int>(i), joint);
     }
   }

@@ -113,7 +113,7 @@ std::string Tables(const ManifestSummary& batch, const BatchStructures& structur
   return table.empty() ? text : text + "\n" + table.Render();
 }
 
-void Write(JsonOutput& json, const Statistics& numbers) {
+void Write(diag::Json& json, const Statistics& numbers) {
   json.Member("count", numbers.count);
   json.Member("min", numbers.min);
   json.Member("mean", numbers.mean);
@@ -121,21 +121,19 @@ void Write(JsonOutput& json, const Statistics& numbers) {
   json.Member("std", numbers.StandardDeviation());
 }
 
-void Write(JsonOutput& json, std::string_view key, const Statistics& numbers) {
+void Write(diag::Json& json, std::string_view key, const Statistics& numbers) {
   json.Object(key, [&] { Write(json, numbers); });
 }
 
-void Write(JsonOutput& json, const ParameterTally& parameter) {
+void Write(diag::Json& json, const ParameterTally& parameter) {
   json.Member("name", parameter.name);
   json.Each("numbers", parameter.numbers,
             [&](const report::NumberTally& numbers) { Write(json, numbers.good); });
-  json.Object("values", [&] {
-    for (const auto& [value, count] : ValuesOf(parameter)) json.Member(value, count);
-  });
+  json.Object("values", [&] { json.Members(ValuesOf(parameter)); });
   json.Member("more_values", parameter.more_texts);
 }
 
-void WriteCounts(JsonOutput& json, const ManifestSummary& batch) {
+void WriteCounts(diag::Json& json, const ManifestSummary& batch) {
   json.Member("variants", batch.variants);
   json.Object("status", [&] {
     for (const manifest::Status status : manifest::kStatusesByName) {
@@ -149,7 +147,7 @@ void WriteCounts(JsonOutput& json, const ManifestSummary& batch) {
 }
 
 std::string AsJson(const ManifestSummary& batch, const BatchStructures& structures) {
-  return JsonLine([&](JsonOutput& json) {
+  return JsonLine([&](diag::Json& json) {
     if (const std::optional<Record>& first = batch.first) {
       json.Member("spec", first->spec);
       json.Member("spec_sha256", first->spec_sha256);

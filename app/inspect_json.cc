@@ -8,7 +8,7 @@
 namespace mjforge::app {
 namespace {
 
-void WriteParameters(JsonOutput& json, const forge::Recipe& recipe, const forge::Variant& variant) {
+void WriteParameters(diag::Json& json, const forge::Recipe& recipe, const forge::Variant& variant) {
   auto drawn = variant.record.params.begin();
   json.Each("parameters", recipe.spec->parameters, [&](const spec::Parameter& parameter) {
     json.Member("name", parameter.name);
@@ -20,12 +20,12 @@ void WriteParameters(JsonOutput& json, const forge::Recipe& recipe, const forge:
   });
 }
 
-void WritePose(JsonOutput& json, const model::Pose& pose) {
+void WritePose(diag::Json& json, const model::Pose& pose) {
   json.Member("pos", pose.p);
   json.Member("quat", Eigen::Vector4d(pose.q.w(), pose.q.x(), pose.q.y(), pose.q.z()));
 }
 
-void WriteParts(JsonOutput& json, const model::Body& body) {
+void WriteParts(diag::Json& json, const model::Body& body) {
   json.Each("parts", body.parts, [&](const model::Part& part) {
     json.Member("name", part.name);
     json.Member("type", model::GeomTypeName(part.shape.type));
@@ -37,7 +37,7 @@ void WriteParts(JsonOutput& json, const model::Body& body) {
   });
 }
 
-void WriteJoints(JsonOutput& json, const model::Body& body) {
+void WriteJoints(diag::Json& json, const model::Body& body) {
   json.Each("joints", body.joints, [&](const model::Joint& joint) {
     json.Member("name", joint.name);
     json.Member("type", joint.type);
@@ -47,14 +47,14 @@ void WriteJoints(JsonOutput& json, const model::Body& body) {
   });
 }
 
-void WriteSites(JsonOutput& json, const model::Body& body) {
+void WriteSites(diag::Json& json, const model::Body& body) {
   json.Each("sites", body.sites, [&](const model::Site& site) {
     json.Member("name", site.name);
     WritePose(json, site.X_BS);
   });
 }
 
-void WriteRegions(JsonOutput& json, const model::Body& body) {
+void WriteRegions(diag::Json& json, const model::Body& body) {
   json.Each("regions", body.regions, [&](const model::Region& region) {
     json.Member("name", region.name);
     json.Member("site", region.site);
@@ -78,7 +78,7 @@ void WriteRegions(JsonOutput& json, const model::Body& body) {
   });
 }
 
-void WriteBox(JsonOutput& json, const model::Box3& aabb, std::string_view key = "aabb") {
+void WriteBox(diag::Json& json, const model::Box3& aabb, std::string_view key = "aabb") {
   json.Object(key, [&] {
     json.Member("min", aabb.min);
     json.Member("max", aabb.max);
@@ -86,7 +86,7 @@ void WriteBox(JsonOutput& json, const model::Box3& aabb, std::string_view key = 
 }
 
 // Writes mass, centre of mass and inertia, in the order of the manifest: xx yy zz xy xz yz.
-void WriteMass(JsonOutput& json, const model::MassProperties& properties) {
+void WriteMass(diag::Json& json, const model::MassProperties& properties) {
   const Eigen::Matrix3d& I = properties.I_Cm_F;
   json.Member("mass", properties.mass);
   json.Member("com", properties.p_FCm);
@@ -94,7 +94,7 @@ void WriteMass(JsonOutput& json, const model::MassProperties& properties) {
               Eigen::Vector<double, 6>(I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)));
 }
 
-void WriteElements(JsonOutput& json, std::string_view key,
+void WriteElements(diag::Json& json, std::string_view key,
                    const std::vector<model::Element>& elements) {
   json.Each(key, elements, [&](const model::Element& element) {
     json.Member("kind", element.tag);
@@ -102,14 +102,14 @@ void WriteElements(JsonOutput& json, std::string_view key,
   });
 }
 
-void WriteSections(JsonOutput& json, const model::Object& object) {
+void WriteSections(diag::Json& json, const model::Object& object) {
   json.Object("sections", [&] {
     for (const model::Section& section : object.sections)
       WriteElements(json, section.info->name, section.elements);
   });
 }
 
-void WriteBodyHead(JsonOutput& json, const model::Object& object, const model::Body& body) {
+void WriteBodyHead(diag::Json& json, const model::Object& object, const model::Body& body) {
   json.Member("name", body.name);
   json.Member("parent", body.parent < 0
                             ? std::string_view("world")
@@ -121,7 +121,7 @@ void WriteBodyHead(JsonOutput& json, const model::Object& object, const model::B
 
 // Writes the sweep of the joints. Contacts that several joints cause together have null for `joint`
 // and `value`.
-void WriteSweep(JsonOutput& json, const std::optional<validate::Sweep>& sweep) {
+void WriteSweep(diag::Json& json, const std::optional<validate::Sweep>& sweep) {
   if (!sweep) return;
   json.Object("sweep", [&] {
     json.Each("contacts", sweep->contacts, [&](const validate::Sweep::Contact& contact) {
@@ -149,7 +149,7 @@ std::string InspectJson(const forge::Recipe& recipe, const forge::Variant& varia
                         const std::optional<validate::Sweep>& sweep) {
   const model::Object& object = *variant.object;
   const manifest::Record& record = variant.record;
-  return JsonLine([&](JsonOutput& json) {
+  return JsonLine([&](diag::Json& json) {
     json.Member("name", recipe.spec->name);
     json.Member("description", recipe.spec->description);
     json.Member("spec", recipe.reference);
@@ -181,7 +181,7 @@ std::string InspectJson(const forge::Recipe& recipe, const forge::Variant& varia
 
 std::string InspectJson(const validate::CompiledModel& model,
                         const std::optional<validate::Sweep>& sweep) {
-  return JsonLine([&](JsonOutput& json) {
+  return JsonLine([&](diag::Json& json) {
     const model::Object& object = model.object;
     json.Member("name", object.name);
     auto geoms = model.body_geoms.begin();
@@ -189,20 +189,17 @@ std::string InspectJson(const validate::CompiledModel& model,
       WriteBodyHead(json, object, body);
       json.Member("geoms", *geoms++);
     });
-    json.Key("joints");
-    json.StartArray();
-    for (const model::Body& body : object.bodies) {
+    json.List("joints", object.bodies, [&](const model::Body& body) {
       for (const model::Joint& joint : body.joints) {
-        json.StartObject();
-        json.Member("name", joint.name);
-        json.Member("body", body.name);
-        json.Member("type", joint.type);
-        json.Member("axis", joint.axis);
-        if (joint.range) json.Member("range", *joint.range);
-        json.EndObject();
+        json.Object([&] {
+          json.Member("name", joint.name);
+          json.Member("body", body.name);
+          json.Member("type", joint.type);
+          json.Member("axis", joint.axis);
+          if (joint.range) json.Member("range", *joint.range);
+        });
       }
-    }
-    json.EndArray();
+    });
     json.Each("elements", model.elements, [&](const validate::CompiledModel::Element& element) {
       json.Member("kind", element.kind);
       json.Member("name", element.name);

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "inspect.h"
+#include "mjforge/report/report.h"
 #include "text_table.h"
 
 namespace mjforge::app {
@@ -26,12 +26,7 @@ std::string NumbersText(const Numbers& numbers) {
 
 std::string ValueText(const sample::ParameterValue& value) {
   if (const auto* number = std::get_if<double>(&value)) return Number(*number);
-  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
-  if (const auto* text = std::get_if<std::string>(&value)) return *text;
-  if (const auto* texts = std::get_if<std::vector<std::string>>(&value))
-    return fmt::format("{}", fmt::join(*texts, ", "));
-  if (const auto* flags = std::get_if<std::vector<bool>>(&value))
-    return fmt::format("{}", fmt::join(*flags, ", "));
+  if (const auto text = report::TextOfWords(value)) return *text;
   return NumbersText(std::get<std::vector<double>>(value));
 }
 

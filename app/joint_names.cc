@@ -52,9 +52,7 @@ std::vector<JointName> NamesOfJoints(const std::string& what,
   std::vector<JointName> names;
   if (!loaded.subject) return names;
   for (const picture::Joint& joint : loaded.subject->joints()) {
-    const bool moves =
-        joint.type == picture::Joint::Type::kHinge || joint.type == picture::Joint::Type::kSlide;
-    if (!moves || joint.name.empty()) continue;
+    if (!joint.IsMovable() || joint.name.empty()) continue;
     const bool prefixed = joint.name.starts_with(loaded.prefix);
     const std::string rest = joint.name.substr(prefixed ? loaded.prefix.size() : 0);
     diag::Findings ignored;

@@ -5,7 +5,6 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
-#include <charconv>
 #include <limits>
 
 #include "completion.h"
@@ -32,8 +31,8 @@ std::string CheckSetting(const std::string& text) {
   return fmt::format("'{}' is not of the form name=value", text);
 }
 
-// Adds an option for a number from `least` to `most`, read by `parse`; `what` describes the number
-// in errors.
+// Adds an option for a number from `least` to `most`, read by `parse`, because CLI11's own
+// conversion reads "010" as eight; `what` describes the number in errors.
 template <typename Number, typename Assign>
 CLI::Option* AddBounded(CLI::App& command, const std::string& flags,
                         std::optional<Number> (*parse)(std::string_view), const Assign& assign,
@@ -50,7 +49,35 @@ CLI::Option* AddBounded(CLI::App& command, const std::string& flags,
   return command.add_option_function<std::string>(flags, set, doc)->check(check);
 }
 
+// Adds an option for one of `words`, which is passed to `set`.
+CLI::Option* AddChoice(CLI::App& command, const std::string& flag,
+                       std::span<const std::string_view> words, const std::string& doc,
+                       const std::function<void(const std::string&)>& set) {
+  return command.add_option_function<std::string>(flag, set, doc)
+      ->check(IsOneOf(words))
+      ->option_text("WORD");
+}
+
+template <typename Value>
+CLI::Option* AddRequired(CLI::App& command, const std::string& name, Value& value,
+                         const std::string& doc, const std::string& offered) {
+  return command.add_option(name, value, doc)
+      ->required()
+      ->option_text(std::is_same_v<Value, std::string> ? " " : "...")
+      ->check(Offers(offered));
+}
+
 }  // namespace
+
+void AddArgument(CLI::App& command, const std::string& name, std::string& value,
+                 const std::string& doc, const std::string& offered) {
+  AddRequired(command, name, value, doc, offered);
+}
+
+void AddArguments(CLI::App& command, const std::string& name, std::vector<std::string>& values,
+                  const std::string& doc, const std::string& offered) {
+  AddRequired(command, name, values, doc, offered);
+}
 
 void AddSettings(CLI::App& command, std::vector<std::string>& settings, const std::string& doc) {
   command.add_option("--set", settings, doc)
@@ -62,48 +89,42 @@ void AddSettings(CLI::App& command, std::vector<std::string>& settings, const st
 
 void AddProfile(CLI::App& command, std::vector<std::string>& settings,
                 const std::function<void()>& simulate) {
-  const auto set = [&settings, simulate](const std::string& word) {
-    settings.push_back("checks.profile=" + word);
-    simulate();
-  };
-  command.add_option_function<std::string>("--profile", set, "More tests, by name: simready")
-      ->check(IsOneOf(kProfiles))
-      ->option_text("WORD");
+  AddChoice(command, "--profile", kProfiles, "More tests, by name: simready",
+            [&settings, simulate](const std::string& word) {
+              settings.push_back("checks.profile=" + word);
+              simulate();
+            });
 }
 
 void AddSpecOptions(CLI::App& command, SpecOptions& options) {
   AddWholeNumber(command, "-s,--seed", options.seed, "Seed of all draws");
   const auto set_place_seed = [&options](std::uint64_t seed) { options.place_seed = seed; };
-  AddBounded<std::uint64_t>(command, "--place-seed", ParseWhole, set_place_seed, 0,
+  AddBounded<std::uint64_t>(command, "--place-seed", output::ReadIndex, set_place_seed, 0,
                             std::numeric_limits<std::uint64_t>::max(), "a whole number",
                             "Seed of the draws of `place:` alone")
       ->option_text("N");
   AddSettings(command, options.settings, "Set a parameter, in any form a spec allows");
-  const auto set_root = [&options](const std::string& word) {
-    options.settings.push_back("root.joints=" + word);
-  };
-  command.add_option_function<std::string>("--root", set_root, "Joint of the root: free, none")
-      ->check(IsOneOf(kRoots))
-      ->option_text("WORD");
-  const auto set_start = [&options](const std::string& word) {
-    options.settings.push_back("root.start=" + word);
-  };
-  command.add_option_function<std::string>("--start", set_start, "Start state: zero, keyframe")
-      ->check(IsOneOf(kStarts))
-      ->option_text("WORD");
+  AddChoice(command, "--root", kRoots, "Joint of the root: free, none",
+            [&options](const auto& word) { options.settings.push_back("root.joints=" + word); });
+  AddChoice(command, "--start", kStarts, "Start state: zero, keyframe",
+            [&options](const auto& word) { options.settings.push_back("root.start=" + word); });
   command.add_option("--params", options.parameter_files, "Set parameters from a YAML mapping")
       ->option_text("FILE")
       ->allow_extra_args(false)
       ->check(Offers(".yaml .yml"));
 }
 
-std::optional<forge::Recipe> LoadRecipe(const std::string& what, const SpecOptions& options,
-                                        Console& console) {
+spec::LoadOptions LoadOptionsOf(const SpecOptions& options) {
   spec::LoadOptions load;
   load.settings = MakeSettings(options.settings);
   load.parameter_files.assign(options.parameter_files.begin(), options.parameter_files.end());
   load.search_path = forge::SearchPath();
-  return forge::LoadRecipe(what, load, console.sources, console.findings);
+  return load;
+}
+
+std::optional<forge::Recipe> LoadRecipe(const std::string& what, const SpecOptions& options,
+                                        Console& console) {
+  return forge::LoadRecipe(what, LoadOptionsOf(options), console.sources, console.findings);
 }
 
 bool IsMjcf(const std::string& what) {
@@ -116,10 +137,7 @@ bool IsMjcf(const std::string& what) {
 }
 
 void AddObjectOptions(CLI::App& command, ObjectOptions& options, const std::string& doc) {
-  command.add_option("WHAT", options.what, doc)
-      ->required()
-      ->option_text(" ")
-      ->check(Offers(kSpecs + " .xml"s));
+  AddArgument(command, "WHAT", options.what, doc, kSpecs + " .xml"s);
   AddWholeNumber(command, "--index", options.index, "The variant to show");
   AddSpecOptions(command, options.spec);
 }
@@ -132,17 +150,15 @@ CLI::Option* AddTimeLimit(CLI::App& command, Seconds& limit, const std::string& 
 
 CLI::Option* AddJobs(CLI::App& command, std::uint64_t& jobs, const std::string& doc) {
   const auto set_jobs = [&jobs](std::uint64_t number) { jobs = number; };
-  return AddBounded<std::uint64_t>(command, "-j,--jobs", ParseWhole, set_jobs, 1, kMaxJobs,
+  return AddBounded<std::uint64_t>(command, "-j,--jobs", output::ReadIndex, set_jobs, 1, kMaxJobs,
                                    fmt::format("a number of processes from 1 to {}", kMaxJobs), doc)
       ->option_text("N [cores]");
 }
 
 void AddBatchOptions(CLI::App& command, BatchOptions& options) {
   batch::Request& request = options.request;
-  command.add_option("SPEC", options.specs, "A file, a name in the catalogue, or - (stdin)")
-      ->required()
-      ->option_text("...")
-      ->check(Offers(kSpecs));
+  AddArguments(command, "SPEC", options.specs, "A file, a name in the catalogue, or - (stdin)",
+               kSpecs);
   AddWholeNumber(command, "-n,--count", request.count, "Variants to make", 1);
   AddSpecOptions(command, options.spec);
   AddJobs(command, request.jobs, "Processes that make variants");
@@ -173,15 +189,6 @@ std::vector<spec::Setting> MakeSettings(const std::vector<std::string>& texts) {
   return settings;
 }
 
-// Parses decimal digits itself, because CLI11's own conversion reads "010" as eight.
-std::optional<std::uint64_t> ParseWhole(std::string_view text) {
-  std::uint64_t value = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end) return std::nullopt;
-  return value;
-}
-
 void AddMessageOptions(CLI::App& command, MessageOptions& options) {
   AddWord(command, "--findings", options.findings, kFindings, "Format of errors");
   AddWord(command, "--color", options.color, kColors, "Color of errors");
@@ -191,7 +198,7 @@ void AddMessageOptions(CLI::App& command, MessageOptions& options) {
 CLI::Option* AddWholeNumber(CLI::App& command, const std::string& flags, std::uint64_t& value,
                             const std::string& doc, std::uint64_t least) {
   const auto assign = [&value](std::uint64_t number) { value = number; };
-  return AddBounded<std::uint64_t>(command, flags, ParseWhole, assign, least,
+  return AddBounded<std::uint64_t>(command, flags, output::ReadIndex, assign, least,
                                    std::numeric_limits<std::uint64_t>::max(),
                                    fmt::format("a whole number from {} up", least), doc)
       ->option_text(fmt::format("N [{}]", value));

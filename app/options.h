@@ -31,6 +31,7 @@ struct SpecOptions {
   }
 };
 void AddSpecOptions(CLI::App& command, SpecOptions& options);
+spec::LoadOptions LoadOptionsOf(const SpecOptions& options);
 /// Loads a spec; returns nullopt and adds findings if it has errors.
 std::optional<forge::Recipe> LoadRecipe(const std::string& what, const SpecOptions& options,
                                         Console& console);
@@ -67,6 +68,13 @@ batch::Request RequestOf(const BatchOptions& options);
 /// Returns the exit status of a finished or stopped batch.
 ExitStatus StatusOf(const batch::Summary& summary);
 
+/// Adds the required argument of a command; `offered` declares its completions (see Offers).
+void AddArgument(CLI::App& command, const std::string& name, std::string& value,
+                 const std::string& doc, const std::string& offered);
+/// Adds a required argument that may be repeated.
+void AddArguments(CLI::App& command, const std::string& name, std::vector<std::string>& values,
+                  const std::string& doc, const std::string& offered);
+
 /// Adds --jobs, which sets `jobs` to a number of processes.
 CLI::Option* AddJobs(CLI::App& command, std::uint64_t& jobs, const std::string& doc);
 
@@ -85,8 +93,6 @@ CLI::Option* AddTimeLimit(CLI::App& command, Seconds& limit,
 /// Adds --quiet, --findings and --color.
 void AddMessageOptions(CLI::App& command, MessageOptions& options);
 
-/// Parses a decimal number up to 2^64 - 1, without a sign.
-std::optional<std::uint64_t> ParseWhole(std::string_view text);
 /// Adds an option for a decimal number from `least` to 2^64 - 1.
 CLI::Option* AddWholeNumber(CLI::App& command, const std::string& flags, std::uint64_t& value,
                             const std::string& doc, std::uint64_t least = 0);

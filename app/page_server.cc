@@ -183,11 +183,9 @@ PageServer::Response PageServer::AnswerOf(const RequestQueue::Outcome& outcome) 
   if (outcome.kind == RequestQueue::Outcome::Kind::kReplaced)
     return Text(http::status::conflict, "mjforge: a newer request replaced it");
   if (outcome.kind == RequestQueue::Outcome::Kind::kFailed) {
-    diag::Json json(nullptr);
-    json.StartObject();
-    json.Member("error", "the variant " + outcome.text);
-    json.EndObject();
-    return MakeResponse(http::status::ok, kType, BodyOf(json.Take(), {}));
+    const std::string json = diag::JsonObject(
+        nullptr, [&](diag::Json& body) { body.Member("error", "the variant " + outcome.text); });
+    return MakeResponse(http::status::ok, kType, BodyOf(json, {}));
   }
   std::string_view text = outcome.text;
   std::vector<std::filesystem::path> files;

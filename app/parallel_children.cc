@@ -1,26 +1,23 @@
 // Running untrusted work in several child processes at a time.
 #include "parallel_children.h"
 
-#include <sys/mman.h>
-#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
-#include <csignal>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
-#include <new>
 #include <system_error>
 #include <thread>
 #include <vector>
 
 #include "child_process.h"
+#include "mjforge/batch/batch.h"
 
 namespace mjforge::app {
 namespace {
@@ -31,26 +28,14 @@ constexpr std::size_t kMaxMessage = 160'000;
 // Index of the next step, in memory that all processes share.
 using Counter = std::atomic<std::size_t>;
 
-std::shared_ptr<Counter> ShareCounters(std::size_t count) {
-  const std::size_t size = count * sizeof(Counter);
-  void* memory = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (memory == MAP_FAILED) throw std::bad_alloc();
-  auto* counters = static_cast<Counter*>(memory);
-  for (std::size_t i = 0; i < count; ++i) new (counters + i) Counter(0);
-  return {counters, [size](Counter* first) { ::munmap(first, size); }};
-}
-
-[[noreturn]] void Throw(const char* what) {
-  throw std::system_error(errno, std::generic_category(), what);
-}
-
 // Sends the number of a step and its result as one message.
 void Send(int socket, std::size_t step, const std::string& result) {
   std::string message(sizeof step, '\0');
   std::memcpy(message.data(), &step, sizeof step);
   message.append(result, 0, kMaxMessage - sizeof step);
   while (::send(socket, message.data(), message.size(), MSG_NOSIGNAL) < 0) {
-    if (errno != EINTR) Throw("cannot send a result");
+    if (errno != EINTR)
+      throw std::system_error(errno, std::generic_category(), "cannot send a result");
   }
 }
 
@@ -85,18 +70,11 @@ void TakeResults(const ParallelSteps& steps, int socket) {
   }
 }
 
-// Returns the exit status of a child. If a user ended the child by a signal, ends this process by
-// the same signal.
-ExitStatus WaitForEnd(::pid_t child) {
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-  if (WIFEXITED(status)) return static_cast<ExitStatus>(WEXITSTATUS(status));
-  const int signal = WTERMSIG(status);
-  if (signal == SIGINT || signal == SIGTERM || signal == SIGHUP) {
-    std::signal(signal, SIG_DFL);
-    std::raise(signal);
-  }
-  return ExitStatus::kBug;
+// Waits for a child and returns its exit status.
+ExitStatus StatusOfChild(::pid_t child) {
+  const int status = batch::WaitForEnd(child);
+  batch::EndBySignalOf(status);
+  return WIFEXITED(status) ? static_cast<ExitStatus>(WEXITSTATUS(status)) : ExitStatus::kBug;
 }
 
 }  // namespace
@@ -104,19 +82,12 @@ ExitStatus WaitForEnd(::pid_t child) {
 ExitStatus RunInChildren(const ParallelSteps& steps, std::uint64_t jobs) {
   if (jobs == 0) jobs = std::max(1U, std::thread::hardware_concurrency());
   const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(jobs, steps.count));
-  const std::shared_ptr<Counter> counters = ShareCounters(1 + count);
-  int ends[2];
-  if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0)
-    Throw("cannot make a socket");
+  const std::shared_ptr<Counter> counters = batch::Share<Counter>(1 + count);
+  const std::array<int, 2> ends = batch::MakeSockets(SOCK_SEQPACKET);
   std::vector<::pid_t> children;
-  const ::pid_t parent = ::getpid();
-  std::fflush(nullptr);
   for (std::size_t i = 0; i < count; ++i) {
-    const ::pid_t child = ::fork();
-    if (child < 0) Throw("cannot fork");
+    const ::pid_t child = batch::Fork("cannot fork");
     if (child == 0) {
-      ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-      if (::getppid() != parent) std::_Exit(0);  // the parent ended before prctl
       ::close(ends[0]);
       std::_Exit(
           static_cast<int>(RunSome(steps, ends[1], counters.get()[0], counters.get()[1 + i])));
@@ -127,7 +98,7 @@ ExitStatus RunInChildren(const ParallelSteps& steps, std::uint64_t jobs) {
   TakeResults(steps, ends[0]);
   ::close(ends[0]);
   ExitStatus status = ExitStatus::kDone;
-  for (const ::pid_t child : children) status = Worse(status, WaitForEnd(child));
+  for (const ::pid_t child : children) status = Worse(status, StatusOfChild(child));
   return status;
 }
 

@@ -28,9 +28,9 @@ constexpr std::uint64_t kMaxTiles = 400;
 // Parses a size in pixels: "640" (a square) or "640x480".
 std::optional<std::pair<int, int>> ParseSize(std::string_view text) {
   const std::size_t cross = text.find('x');
-  const std::optional<std::uint64_t> width = ParseWhole(text.substr(0, cross));
+  const std::optional<std::uint64_t> width = output::ReadIndex(text.substr(0, cross));
   const std::optional<std::uint64_t> height =
-      cross == text.npos ? width : ParseWhole(text.substr(cross + 1));
+      cross == text.npos ? width : output::ReadIndex(text.substr(cross + 1));
   const auto fits = [](std::uint64_t side) {
     return side >= picture::kMinSize && side <= picture::kMaxSize;
   };
@@ -155,11 +155,9 @@ void AddCamera(CLI::App& command, picture::View& view) {
 }  // namespace
 
 void AddPreviewOptions(CLI::App& command, PreviewOptions& options) {
-  command
-      .add_option("WHAT", options.whats, "A spec or a FILE.xml; several files make a contact sheet")
-      ->required()
-      ->option_text("...")
-      ->check(Offers(std::string(kSpecs) + " .xml"));
+  AddArguments(command, "WHAT", options.whats,
+               "A spec or a FILE.xml; several files make a contact sheet",
+               std::string(kSpecs) + " .xml");
   AddWholeNumber(command, "-n,--count", options.count, "Variants; several make a contact sheet", 1);
   AddWholeNumber(command, "--first", options.first, "Index of the first variant");
   AddSpecOptions(command, options.spec);

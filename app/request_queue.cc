@@ -49,37 +49,31 @@ void RequestQueue::Next() {
   Send();
 }
 
+// Returns a handler that continues with `next`, or with Fail after an error.
+auto RequestQueue::Then(void (RequestQueue::*next)()) {
+  return [this, next](error_code error, std::size_t) {
+    (this->*(error ? &RequestQueue::Fail : next))();
+  };
+}
+
 void RequestQueue::Send() {
   head_ = WorkerProcess::Head(current_->request.size());
   const std::array<asio::const_buffer, 2> buffers = {asio::buffer(head_),
                                                      asio::buffer(current_->request)};
-  asio::async_write(socket_, buffers, [this](error_code error, std::size_t) {
-    if (error)
-      Fail();
-    else
-      Receive();
-  });
+  asio::async_write(socket_, buffers, Then(&RequestQueue::Receive));
 }
 
 void RequestQueue::Receive() {
   head_.assign(WorkerProcess::kHeadBytes, '\0');
-  asio::async_read(socket_, asio::buffer(head_), [this](error_code error, std::size_t) {
-    if (error)
-      Fail();
-    else
-      ReceiveBody();
-  });
+  asio::async_read(socket_, asio::buffer(head_), Then(&RequestQueue::ReceiveBody));
 }
 
 void RequestQueue::ReceiveBody() {
   body_.assign(WorkerProcess::LengthOf(head_), '\0');
-  asio::async_read(socket_, asio::buffer(body_), [this](error_code error, std::size_t) {
-    if (error)
-      Fail();
-    else
-      Finish({Outcome::Kind::kAnswered, std::move(body_)});
-  });
+  asio::async_read(socket_, asio::buffer(body_), Then(&RequestQueue::Succeed));
 }
+
+void RequestQueue::Succeed() { Finish({Outcome::Kind::kAnswered, std::move(body_)}); }
 
 // Ends the worker process and returns the reason of its end.
 std::string RequestQueue::StopWorker() {

@@ -52,6 +52,8 @@ class RequestQueue {
   void Send();
   void Receive();
   void ReceiveBody();
+  void Succeed();
+  auto Then(void (RequestQueue::*next)());
   /// Ends the current job after an error of the socket, which means that the worker has ended.
   void Fail();
   void Finish(Outcome outcome);

@@ -122,7 +122,7 @@ std::string SeparatorsText(const std::vector<Separator>& separators) {
   return text;
 }
 
-void WriteSeparators(JsonOutput& json, const std::vector<Separator>& separators) {
+void WriteSeparators(diag::Json& json, const std::vector<Separator>& separators) {
   json.Each("parameters", separators, [&](const Separator& separator) {
     json.Member("name", separator.parameter);
     json.Member("by", separator.separation == report::Separation::kByValue ? "value" : "range");
@@ -196,7 +196,7 @@ std::string StructuresText(const BatchStructures& batch) {
   return text;
 }
 
-void WriteStructures(JsonOutput& json, const BatchStructures& batch) {
+void WriteStructures(diag::Json& json, const BatchStructures& batch) {
   json.Each("structures", batch.structures, [&](const StructureTally& tally) {
     json.Member("structure", tally.key);
     json.Member("variants", tally.variants);

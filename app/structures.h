@@ -45,6 +45,6 @@ std::vector<std::string> DifferencesText(const BatchStructures& batch);
 /// Returns a table of the structures and the lines about fields; empty if there are no structures.
 std::string StructuresText(const BatchStructures& batch);
 /// Writes the members `structures` and `differences` of a JSON object.
-void WriteStructures(JsonOutput& json, const BatchStructures& batch);
+void WriteStructures(diag::Json& json, const BatchStructures& batch);
 
 }  // namespace mjforge::app

@@ -45,14 +45,8 @@ bool WatchedFiles::HasChanged() {
 }
 
 void WatchedFiles::Wait() {
-  Stamps last = Now();
-  for (bool is_steady = false; last == stamps_ || !is_steady;) {
-    std::this_thread::sleep_for(kPollInterval);
-    Stamps now = Now();
-    is_steady = now == last;
-    last = std::move(now);
-  }
-  stamps_ = std::move(last);
+  do std::this_thread::sleep_for(kPollInterval);
+  while (!HasChanged());
 }
 
 }  // namespace mjforge::app

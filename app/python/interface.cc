@@ -22,6 +22,7 @@
 #include "mjforge/forge/forge.h"
 #include "mjforge/output/output.h"
 #include "mjforge/xml/xml.h"
+#include "no_throw.h"
 #include "parameters.h"
 #include "snapshots.h"
 #include "table.h"
@@ -58,6 +59,8 @@ struct MjforgeLines {
 };
 
 struct MjforgeArchive {
+  explicit MjforgeArchive(const char* file) : reader(file) {}
+
   output::ArchiveReader reader;
   // Texts returned by the last call, which are valid until the next call.
   std::string name;
@@ -138,30 +141,26 @@ void Load(const MjforgeRequest& request, MjforgeMaker& maker) {
 
 std::string FindingsJson(const diag::Findings& findings, const diag::Sources& sources) {
   diag::Json json(nullptr);
-  json.StartArray();
-  for (const diag::Finding& finding : findings) {
+  json.List(findings, [&](const diag::Finding& finding) {
     json.StartArray();
     json.Raw(diag::RenderJson(finding, sources));
     json.Value(diag::RenderText(finding, sources, /*color=*/false));
     json.EndArray();
-  }
-  json.EndArray();
+  });
   return json.Take();
 }
 
 void SetFiles(const mjcf::MjcfDocument& document, MjforgeMaker& maker) {
   maker.contents.clear();
   diag::Json json(nullptr);
-  json.StartArray();
-  for (const bytes::Asset& asset : document.assets) {
+  json.List(document.assets, [&](const bytes::Asset& asset) {
     json.StartArray();
     json.Value(asset.name);
     json.Value(asset.file.string());
     json.Value(asset.made ? asset.made->size() : 0);
     json.EndArray();
     if (asset.made) maker.contents += *asset.made;
-  }
-  json.EndArray();
+  });
   maker.files_json = json.Take();
 }
 
@@ -234,7 +233,7 @@ int Next(MjforgeArchive& archive, MjforgeText& name, MjforgeText& content) {
 }  // namespace
 
 MjforgeMaker* MjforgeOpen(const MjforgeRequest* request) {
-  std::unique_ptr<MjforgeMaker> maker(new (std::nothrow) MjforgeMaker);
+  std::unique_ptr<MjforgeMaker> maker(python::NewOrNull<MjforgeMaker>());
   if (!maker) return nullptr;
   try {
     Load(*request, *maker);
@@ -255,23 +254,20 @@ MjforgeText MjforgeFindings(MjforgeMaker* maker) {
 
 MjforgeText MjforgeDescription(MjforgeMaker* maker) {
   const spec::ObjectSpec& spec = *maker->recipe->spec;
-  diag::Json json(expr::AppendExactNumber);
-  json.StartObject();
-  json.Member("name", spec.name);
-  json.Member("description", spec.description);
-  json.Member("sha256", spec.sha256);
-  json.Key("path");
-  if (spec.files.front() == bytes::kStandardInput) {
-    json.Value(nullptr);
-  } else {
-    json.Value(spec.files.front().string());
-  }
-  json.Key("view");
-  json.Raw(spec::ViewJson(spec.view));
-  json.Key("parameters");
-  python::WriteParameters(json, spec);
-  json.EndObject();
-  maker->description = json.Take();
+  maker->description = diag::JsonObject(expr::AppendExactNumber, [&](diag::Json& json) {
+    json.Member("name", spec.name);
+    json.Member("description", spec.description);
+    json.Member("sha256", spec.sha256);
+    if (spec.files.front() == bytes::kStandardInput) {
+      json.Member("path", nullptr);
+    } else {
+      json.Member("path", spec.files.front().string());
+    }
+    json.Key("view");
+    json.Raw(spec::ViewJson(spec.view));
+    json.Key("parameters");
+    python::WriteParameters(json, spec);
+  });
   return View(maker->description);
 }
 
@@ -310,11 +306,7 @@ std::size_t MjforgeMakeRows(MjforgeMaker* maker, std::uint64_t index, std::uint6
 MjforgeText MjforgeFailure(MjforgeMaker* maker) { return View(maker->failure); }
 
 MjforgeArchive* MjforgeOpenArchive(const char* file) {
-  try {
-    return new MjforgeArchive{.reader = output::ArchiveReader(file), .name = {}, .content = {}};
-  } catch (const std::bad_alloc&) {
-    return nullptr;
-  }
+  return python::NewOrNull<MjforgeArchive>(file);
 }
 
 void MjforgeCloseArchive(MjforgeArchive* archive) { delete archive; }
@@ -328,13 +320,7 @@ int MjforgeNextMember(MjforgeArchive* archive, MjforgeText* name, MjforgeText* c
   }
 }
 
-MjforgeLines* MjforgeOpenLines(const char* file) {
-  try {
-    return new MjforgeLines(file);
-  } catch (const std::bad_alloc&) {
-    return nullptr;
-  }
-}
+MjforgeLines* MjforgeOpenLines(const char* file) { return python::NewOrNull<MjforgeLines>(file); }
 
 void MjforgeCloseLines(MjforgeLines* lines) { delete lines; }
 
@@ -355,11 +341,9 @@ int MjforgeNextLine(MjforgeLines* lines, MjforgeText* line) {
 
 MjforgeText MjforgeElements(const char* mjcf, std::size_t size) {
   thread_local std::string elements;
-  try {
-    elements = xml::ElementsJson({mjcf, size}).value_or("");
-  } catch (const std::bad_alloc&) {
-    elements.clear();
-  }
+  elements = python::NoThrow(std::string(), [&] {
+    return xml::ElementsJson({mjcf, size}).value_or("");
+  });
   return View(elements);
 }
 

@@ -32,9 +32,8 @@ void WriteBounds(diag::Json& json, const Value& value) {
     } else if (components.empty()) {
       json.Value(nullptr);
     } else {
-      json.StartArray();
-      for (const Bounds& each : components) WriteNumber(json, is_low ? each.low : each.high);
-      json.EndArray();
+      json.List(components,
+                [&](const Bounds& each) { WriteNumber(json, is_low ? each.low : each.high); });
     }
   }
 }
@@ -60,9 +59,7 @@ std::string_view TypeName(const Value& value) {
 }  // namespace
 
 void WriteParameters(diag::Json& json, const spec::ObjectSpec& spec) {
-  json.StartArray();
-  for (const spec::Parameter& parameter : spec.parameters) {
-    json.StartObject();
+  json.Each(spec.parameters, [&](const spec::Parameter& parameter) {
     json.Member("name", parameter.name);
     json.Member("unit", parameter.unit);
     json.Member("section", parameter.section);
@@ -82,9 +79,7 @@ void WriteParameters(diag::Json& json, const spec::ObjectSpec& spec) {
     WriteBounds(json, parameter.value);
     json.Key("choices");
     json.Raw(spec::ConstantChoices(parameter.value).value_or("null"));
-    json.EndObject();
-  }
-  json.EndArray();
+  });
 }
 
 }  // namespace mjforge::python

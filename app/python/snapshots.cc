@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "mjforge/forge/forge.h"
+#include "no_throw.h"
 #include "text_view.h"
 
 using namespace mjforge;
@@ -35,36 +36,30 @@ spec::Snapshot NewSnapshot(const char* reference, const char* text, const char* 
 
 MjforgeSnapshot* MjforgeNewSnapshot(const char* reference, const char* text,
                                     const char* catalogue) {
-  try {
+  return python::NoThrow<MjforgeSnapshot*>(nullptr, [&] {
     auto made = std::make_unique<MjforgeSnapshot>();
     made->snapshot = NewSnapshot(reference, text, catalogue);
     return made.release();
-  } catch (const std::exception&) {
-    return nullptr;
-  }
+  });
 }
 
 MjforgeSnapshot* MjforgeReadSnapshot(const char* text, std::size_t size) {
-  try {
+  return python::NoThrow<MjforgeSnapshot*>(nullptr, [&]() -> MjforgeSnapshot* {
     auto made = std::make_unique<MjforgeSnapshot>();
     std::optional<spec::Snapshot> read = spec::ReadSnapshot({text, size});
     if (!read) return nullptr;
     made->snapshot = *std::move(read);
     return made.release();
-  } catch (const std::exception&) {
-    return nullptr;
-  }
+  });
 }
 
 void MjforgeCloseSnapshot(MjforgeSnapshot* snapshot) { delete snapshot; }
 
 MjforgeText MjforgeSnapshotText(MjforgeSnapshot* snapshot) {
   thread_local std::string text;
-  try {
+  text = python::NoThrow(std::string(), [&] {
     const std::scoped_lock lock(snapshot->mutex);
-    text = spec::SnapshotText(snapshot->snapshot);
-  } catch (const std::exception&) {
-    return {};
-  }
+    return spec::SnapshotText(snapshot->snapshot);
+  });
   return View(text);
 }

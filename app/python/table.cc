@@ -1,11 +1,10 @@
 // C interface: tables of records.
 #include "table.h"
 
-#include <exception>
-#include <memory>
 #include <set>
 
 #include "mjforge/diag/diag.h"
+#include "no_throw.h"
 #include "text_view.h"
 
 using namespace mjforge;
@@ -15,8 +14,7 @@ namespace {
 
 void AddLayout(const std::vector<manifest::Column>& columns, MjforgeTable& table,
                diag::Json& json) {
-  json.StartArray();
-  for (const manifest::Column& column : columns) {
+  json.List(columns, [&](const manifest::Column& column) {
     table.all.push_back(&column);
     const std::set<char> kinds(column.kinds.begin(), column.kinds.end());
     json.StartArray();
@@ -24,32 +22,25 @@ void AddLayout(const std::vector<manifest::Column>& columns, MjforgeTable& table
     json.Value(std::string(kinds.begin(), kinds.end()));
     AddLayout(column.inner, table, json);
     json.EndArray();
-  }
-  json.EndArray();
+  });
 }
 
 }  // namespace
 
 MjforgeTable* MjforgeOpenTable(const char* const* members, std::size_t count) {
-  try {
+  return python::NoThrow<MjforgeTable*>(nullptr, [&] {
     return new MjforgeTable(std::vector<std::string>(members, members + count));
-  } catch (const std::exception&) {
-    return nullptr;
-  }
+  });
 }
 
 void MjforgeCloseTable(MjforgeTable* table) { delete table; }
 
 int MjforgeAddRecord(MjforgeTable* table, const char* record, std::size_t size) {
-  try {
-    return table->columns.Add({record, size}) ? 0 : 1;
-  } catch (const std::exception&) {
-    return 2;
-  }
+  return python::NoThrow(2, [&] { return table->columns.Add({record, size}) ? 0 : 1; });
 }
 
 MjforgeText MjforgeLayout(MjforgeTable* table) {
-  try {
+  table->layout = python::NoThrow(std::string(), [&] {
     diag::Json json(nullptr);
     table->all.clear();
     json.StartArray();
@@ -57,10 +48,8 @@ MjforgeText MjforgeLayout(MjforgeTable* table) {
     json.Value(table->columns.texts());
     AddLayout(table->columns.Finish(), *table, json);
     json.EndArray();
-    table->layout = json.Take();
-  } catch (const std::exception&) {
-    return {};
-  }
+    return json.Take();
+  });
   return View(table->layout);
 }
 

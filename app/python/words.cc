@@ -21,9 +21,7 @@ void AddWords(diag::Json& json, std::string_view option, const Words& words) {
 }  // namespace
 
 MjforgeText MjforgeWords() {
-  static const std::string words = [] {
-    diag::Json json(nullptr);
-    json.StartObject();
+  static const std::string words = diag::JsonObject(nullptr, [](diag::Json& json) {
     AddWords(json, "target", mjcf::TargetNames());
     AddWords(json, "assets", mjcf::kAssetForms);
     AddWords(json, "sampler", sample::MethodNames());
@@ -31,9 +29,7 @@ MjforgeText MjforgeWords() {
     AddWords(json, "validate", manifest::kValidations);
     AddWords(json, "durability", output::kDurabilities);
     AddWords(json, "layout", manifest::kLayouts);
-    json.EndObject();
-    return json.Take();
-  }();
+  });
   return View(words);
 }
 

@@ -95,6 +95,16 @@ Matrix3d PointInertia(double mass, const Vector3d& r) {
   return mass * (r.squaredNorm() * Matrix3d::Identity() - r * r.transpose());
 }
 
+// Writes the dense joint-space inertia matrix, nv x nv, in all releases of MuJoCo.
+template <class Model, class Data>
+void FullInertia(const Model& m, const Data& d, mjtNum* inertia) {
+  if constexpr (requires { mj_fullM(&m, &d, inertia); }) {
+    mj_fullM(&m, &d, inertia);
+  } else {
+    mj_fullM(&m, inertia, d.qM);
+  }
+}
+
 // Returns the inertia about the body's origin, along its axes: the angular block of the joint-space
 // inertia matrix of a free joint in its zero position.
 Matrix3d InertiaOfMotion(const mjModel& model) {
@@ -104,7 +114,7 @@ Matrix3d InertiaOfMotion(const mjModel& model) {
   mj_crb(&model, data.get());
   REQUIRE(model.nv == 6);
   Eigen::Matrix<double, 6, 6, Eigen::RowMajor> M;
-  engine::FullInertia(model, *data, M.data());
+  FullInertia(model, *data, M.data());
   return M.bottomRightCorner<3, 3>();
 }
 

@@ -13,19 +13,6 @@
 
 namespace mjforge::batch {
 
-std::optional<ResumedVariants> ArchiveSink::Open(diag::Findings& findings) {
-  if (!folders_.Make(destination_.Folder(), findings) || !journal_.Open(findings))
-    return std::nullopt;
-  checkpoint_.next = options_.range.first;
-  checkpoint_.archive = ArchiveOf(options_.range.first);
-  const std::optional<ResumedVariants> resumed = FindResumable(findings);
-  // Remove the files that journal_.Open() created.
-  if (!resumed && !journal_.is_unfinished()) journal_.Drop();
-  if (!resumed || (resumed->done() == 0 && !journal_.Start(checkpoint_, findings)))
-    return std::nullopt;
-  return resumed;
-}
-
 bool ArchiveSink::Take(ChunkResult& result, diag::Findings& findings) {
   if (result.done < result.chunk.count) {
     // The worker stopped or failed within its part of the archive. Discard also its finished
@@ -69,9 +56,8 @@ std::uint64_t ArchiveSink::ArchiveOf(std::uint64_t index) const {
                                        : (index - options_.all.first) / destination_.per_archive;
 }
 
-std::optional<ResumedVariants> ArchiveSink::FindResumable(diag::Findings& findings) {
-  if (!request_.resume) return ResumedVariants();
-  if (journal_.is_unfinished()) return Continue(findings);
+std::optional<ResumedVariants> ArchiveSink::Continue(diag::Findings& findings) {
+  if (journal_.is_unfinished()) return ContinueUnfinished(findings);
   return journal_.previous_seal() ? ContinueFinished(findings) : ResumedVariants();
 }
 
@@ -93,7 +79,7 @@ std::optional<ResumedVariants> ArchiveSink::ContinueFinished(diag::Findings& fin
 
 // Rolls the outputs back to the last checkpoint of the journal that matches manifest, archives and
 // records. Returns the variants before this checkpoint.
-std::optional<ResumedVariants> ArchiveSink::Continue(diag::Findings& findings) {
+std::optional<ResumedVariants> ArchiveSink::ContinueUnfinished(diag::Findings& findings) {
   const std::vector<Checkpoint>& checkpoints = journal_.checkpoints();
   if (checkpoints.empty()) return ResumedVariants();
   const std::optional<ResumedVariants> whole = ReadResumable(

@@ -9,27 +9,24 @@
 #include <span>
 #include <string>
 
-#include "mjforge/batch/journal.h"
-#include "mjforge/batch/sink.h"
+#include "mjforge/batch/journaled_sink.h"
 
 namespace mjforge::batch {
 
-/// Sink (output of a batch) that writes archives. Appends segments in index order; each segment
-/// contains the files of one chunk of variants. Resumes an unfinished archive.
-class ArchiveSink : public Sink {
+/// Sink that writes archives. Appends segments in index order; each segment contains the files of
+/// one chunk of variants. Resumes an unfinished archive.
+class ArchiveSink : public JournaledSink {
  public:
-  explicit ArchiveSink(const SinkOptions& options)
-      : options_(options),
-        request_(options.request),
-        destination_(request_.destination),
-        journal_(options) {}
+  explicit ArchiveSink(const SinkOptions& options) : JournaledSink(options) {
+    checkpoint_.archive = ArchiveOf(options_.range.first);
+  }
 
-  std::optional<ResumedVariants> Open(diag::Findings& findings) override;
   bool Take(ChunkResult& result, diag::Findings& findings) override;
   bool Finish(diag::Findings& findings) override;
   void Drop() override;
 
  protected:
+  std::optional<ResumedVariants> Continue(diag::Findings& findings) override;
   /// Returns the path of the archive with this number.
   virtual std::filesystem::path FileOf(std::uint64_t number) const {
     return destination_.Archive(number);
@@ -56,18 +53,11 @@ class ArchiveSink : public Sink {
   bool Seal(std::span<const std::unique_ptr<output::PartFile>> parts, const Checkpoint& next,
             diag::Findings& findings);
 
-  SinkOptions options_;
-  const Request& request_;
-  const output::Destination& destination_;
-  output::MadeFolders folders_;  // declared before journal_, to be destroyed after journal_
-  Journal journal_;
-
  private:
   std::uint64_t end() const { return options_.range.first + options_.range.count; }
   std::uint64_t ArchiveOf(std::uint64_t index) const;
-  std::optional<ResumedVariants> FindResumable(diag::Findings& findings);
   std::optional<ResumedVariants> ContinueFinished(diag::Findings& findings);
-  std::optional<ResumedVariants> Continue(diag::Findings& findings);
+  std::optional<ResumedVariants> ContinueUnfinished(diag::Findings& findings);
   std::optional<Checkpoint> LastValidCheckpoint(std::uint64_t most) const;
   bool CanContinueAt(const Checkpoint& checkpoint) const;
   bool IsIntact(const manifest::SealedFile& archive) const;
@@ -76,7 +66,6 @@ class ArchiveSink : public Sink {
   bool AppendAssets(const ChunkResult& result, diag::Findings& findings);
 
   std::unique_ptr<output::PartFile> archive_;
-  Checkpoint checkpoint_;
   bool is_complete_ = false;  // an earlier run finished the batch
 };
 

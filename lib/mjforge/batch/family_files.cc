@@ -18,11 +18,8 @@ family::Facts FactsOf(const manifest::Record& record, const IndexRange& all) {
   add("version", forge::Version());
   add("spec", record.spec);
   add("spec_sha256", record.spec_sha256);
-  diag::Json settings(expr::AppendExactNumber);
-  settings.StartObject();
-  for (const auto& [name, value] : record.settings) settings.Member(name, value);
-  settings.EndObject();
-  facts.members.emplace_back("settings", settings.Take());
+  const auto write = [&](diag::Json& json) { json.Members(record.settings); };
+  facts.members.emplace_back("settings", diag::JsonObject(nullptr, write));
   add("seed", record.seed);
   add("first", all.first);
   add("count", all.count);

@@ -4,36 +4,16 @@
 #include <filesystem>
 #include <map>
 
-#include "mjforge/batch/journal.h"
+#include "mjforge/batch/journaled_sink.h"
 #include "mjforge/batch/sealed_outputs.h"
-#include "mjforge/batch/sink.h"
 #include "mjforge/bytes/bytes.h"
 
 namespace mjforge::batch {
 namespace {
 
-class FolderSink : public Sink {
+class FolderSink : public JournaledSink {
  public:
-  explicit FolderSink(const SinkOptions& options)
-      : options_(options),
-        request_(options.request),
-        folder_(request_.destination.Folder()),
-        journal_(options) {
-    checkpoint_.next = options_.range.first;
-  }
-
-  std::optional<ResumedVariants> Open(diag::Findings& findings) override {
-    if (!folders_.Make(folder_, findings)) return std::nullopt;
-    if (!journal_.Open(findings)) return std::nullopt;
-    RemoveAbandoned();
-    std::optional<ResumedVariants> resumed =
-        request_.resume ? Continue(findings) : ResumedVariants();
-    // Remove the files that journal_.Open() created.
-    if (!resumed && !journal_.is_unfinished()) journal_.Drop();
-    if (!resumed || (resumed->done() == 0 && !journal_.Start(checkpoint_, findings)))
-      return std::nullopt;
-    return resumed;
-  }
+  using JournaledSink::JournaledSink;
 
   output::OverwritePolicy overwrite() const override {
     return {.force = request_.force,
@@ -58,20 +38,20 @@ class FolderSink : public Sink {
   bool Finish(diag::Findings& findings) override {
     // Workers write objects without fsync, so the objects must reach the disk before the manifest.
     return (request_.durability == output::Durability::kNone ||
-            output::SyncFolder(folder_, true, findings)) &&
+            output::SyncFolder(destination_.path, true, findings)) &&
            journal_.Finish(findings);
   }
 
   void Drop() override { journal_.Drop(); }
 
   void RemoveAbandoned() const override {
-    output::RemoveAbandoned(folder_, options_.range.first, options_.range.count);
+    output::RemoveAbandoned(destination_.path, options_.range.first, options_.range.count);
   }
 
  private:
-  std::optional<ResumedVariants> Continue(diag::Findings& findings) {
+  std::optional<ResumedVariants> Continue(diag::Findings& findings) override {
     // Verify every file by its hash; missing or changed files are made again.
-    OutputChecker objects(folder_, true);
+    OutputChecker objects(destination_.path, true);
     const std::map<std::string, std::string> noted = journal_.is_unfinished() ? journal_.assets()
                                                      : journal_.previous_seal()
                                                          ? journal_.previous_seal()->assets
@@ -99,8 +79,11 @@ class FolderSink : public Sink {
     const std::optional<ResumedVariants> resumed =
         ReadResumable(journal_.file(), options_, is_there, findings);
     if (!resumed || resumed->done() == 0) return resumed;
-    return journal_.Start(checkpoint_, findings) && Copy(*resumed, findings) ? resumed
-                                                                             : std::nullopt;
+    // Copy the records of the resumed variants from the earlier manifest to the new one.
+    const bool is_copied = journal_.Start(checkpoint_, findings) &&
+                           journal_.AppendRecordsOf(journal_.file(), resumed->bytes, findings) &&
+                           AddResumedCheckpoint(*resumed, findings);
+    return is_copied ? resumed : std::nullopt;
   }
 
   // Cuts the manifest after the last record whose files are unchanged, which may be in the middle
@@ -125,28 +108,6 @@ class FolderSink : public Sink {
     return std::ranges::all_of(kept_assets_, note) && journal_.AddCheckpoint(checkpoint_, findings);
   }
 
-  // Copies the records of the resumed variants from the earlier manifest to the new one.
-  bool Copy(const ResumedVariants& resumed, diag::Findings& findings) {
-    std::string why_not;
-    std::optional<bytes::File> manifest = bytes::File::Open(journal_.file(), why_not);
-    std::string buffer(1 << 20, '\0');
-    for (std::uint64_t left = resumed.bytes; manifest && left > 0;) {
-      const auto count = manifest->Read(
-          std::span(buffer).first(std::min<std::uint64_t>(left, buffer.size())), why_not);
-      if (count.value_or(0) == 0) return false;
-      if (!journal_.AppendRecords(std::string_view(buffer).substr(0, *count), findings))
-        return false;
-      left -= *count;
-    }
-    return AddResumedCheckpoint(resumed, findings);
-  }
-
-  SinkOptions options_;
-  const Request& request_;
-  std::filesystem::path folder_;
-  output::MadeFolders folders_;  // declared before journal_, to be destroyed after journal_
-  Journal journal_;
-  Checkpoint checkpoint_;
   // Names and SHA-256 of the assets to which the resumed records refer.
   std::map<std::string, std::string> kept_assets_;
 };

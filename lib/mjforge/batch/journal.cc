@@ -266,10 +266,6 @@ bool Journal::AppendEarlierOutputs(diag::Findings& findings) {
   return append("made ", made_archives_) && append("made-asset ", made_assets_);
 }
 
-bool Journal::AppendRecords(std::string_view lines, diag::Findings& findings) {
-  return manifest_file_->Append(lines, findings);
-}
-
 bool Journal::HasAsset(const HashedAsset& asset) const {
   return std::ranges::any_of(assets_, [&](const HashedAsset& known) {
     return known.name == asset.name && known.sha256 == asset.sha256;

@@ -64,7 +64,14 @@ class Journal {
   bool Start(const Checkpoint& checkpoint, diag::Findings& findings);
   /// Removes everything after the checkpoint from manifest and journal.
   bool RollBackTo(const Checkpoint& checkpoint, diag::Findings& findings);
-  bool AppendRecords(std::string_view lines, diag::Findings& findings);
+  bool AppendRecords(std::string_view lines, diag::Findings& findings) {
+    return manifest_file_->Append(lines, findings);
+  }
+  /// Appends the first `count` bytes of an earlier manifest.
+  bool AppendRecordsOf(const std::filesystem::path& manifest, std::uint64_t count,
+                       diag::Findings& findings) {
+    return manifest_file_->AppendFrom(manifest, count, findings);
+  }
   /// Returns true if the folder or the archive under construction has an asset with that name and
   /// hash.
   bool HasAsset(const HashedAsset& asset) const;

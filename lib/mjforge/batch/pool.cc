@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 #include <poll.h>
-#include <sys/mman.h>
-#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -18,7 +16,6 @@
 #include <exception>
 #include <new>
 #include <stdexcept>
-#include <system_error>
 
 namespace mjforge::batch {
 namespace {
@@ -36,38 +33,16 @@ constexpr int kMaxIdleDeaths = 10;
 // were stopped (Ctrl-Z). Only this part of such a pause counts as wall time.
 constexpr Seconds kMaxLookInterval{1};
 
-// Writes all bytes to a socket; returns false, without a signal, if the other end is closed.
-bool WriteAll(int descriptor, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::send(descriptor, bytes.data(), bytes.size(), MSG_NOSIGNAL);
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return true;
-}
-
-bool ReadAll(int descriptor, char* bytes, std::size_t count) {
-  while (count > 0) {
-    const ssize_t got = ::read(descriptor, bytes, count);
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return false;
-    bytes += got;
-    count -= static_cast<std::size_t>(got);
-  }
-  return true;
-}
-
 // Value that is sent in place of a length if the message is in the worker's mailbox.
 constexpr std::uint64_t kInSharedMemory = ~std::uint64_t{0};
 
 bool WriteLength(int descriptor, std::uint64_t size) {
-  return WriteAll(descriptor, {reinterpret_cast<const char*>(&size), sizeof(size)});
+  return SendAll(descriptor, {reinterpret_cast<const char*>(&size), sizeof(size)});
 }
 
 // Writes the length of a message, as eight bytes, and the message.
 bool WriteMessage(int descriptor, const std::string& message) {
-  return WriteLength(descriptor, message.size()) && WriteAll(descriptor, message);
+  return WriteLength(descriptor, message.size()) && SendAll(descriptor, message);
 }
 
 bool WriteResult(int channel, WorkerMailbox& mailbox, const ChunkResult& result) {
@@ -81,32 +56,16 @@ bool WriteResult(int channel, WorkerMailbox& mailbox, const ChunkResult& result)
 
 std::optional<std::string> ReadMessage(int descriptor) {
   std::uint64_t size = 0;
-  if (!ReadAll(descriptor, reinterpret_cast<char*>(&size), sizeof(size))) return std::nullopt;
+  if (!ReceiveAll(descriptor, reinterpret_cast<char*>(&size), sizeof(size))) return std::nullopt;
   std::string message(size, '\0');
-  if (!ReadAll(descriptor, message.data(), size)) return std::nullopt;
+  if (!ReceiveAll(descriptor, message.data(), size)) return std::nullopt;
   return message;
-}
-
-struct Channel {
-  int leader = -1;
-  int worker = -1;
-};
-
-Channel MakeChannel() {
-  int ends[2];
-  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
-    throw std::system_error(errno, std::generic_category(), "cannot make a channel");
-  // Ignore failures: smaller buffers only cost more context switches.
-  for (const int end : ends) ::setsockopt(end, SOL_SOCKET, SO_SNDBUF, &kBufferBytes, sizeof(int));
-  return {ends[0], ends[1]};
 }
 
 // Performs tasks until the channel closes. Ignores the terminal's signals, which the leader
 // handles.
 [[noreturn]] void RunWorker(const std::function<TaskHandler()>& make_handler, int channel,
-                            WorkerMailbox& mailbox, ::pid_t leader) {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != leader) std::_Exit(0);  // the leader ended before prctl
+                            WorkerMailbox& mailbox) {
   std::signal(SIGINT, SIG_IGN);
   std::signal(SIGTERM, SIG_IGN);
   int status = 0;
@@ -122,16 +81,6 @@ Channel MakeChannel() {
     status = kBugStatus;
   }
   std::exit(status);
-}
-
-std::shared_ptr<WorkerMailbox> MakeMailbox() {
-  void* const memory = ::mmap(nullptr, sizeof(WorkerMailbox), PROT_READ | PROT_WRITE,
-                              MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (memory == MAP_FAILED)
-    throw std::system_error(errno, std::generic_category(), "cannot share memory");
-  // Default initialization, because WorkerMailbox() would also clear the message buffers.
-  return {new (memory) WorkerMailbox,
-          [](WorkerMailbox* mailbox) { ::munmap(mailbox, sizeof(WorkerMailbox)); }};
 }
 
 // Decodes the next message in the mailbox. The message's buffer is free again when the result is
@@ -206,20 +155,21 @@ Pool::~Pool() {
 }
 
 void Pool::Start(WorkerProcess& worker) {
-  const Channel channel = MakeChannel();
-  const ::pid_t leader = ::getpid();
-  worker.mailbox = MakeMailbox();  // results may still refer to the previous mailbox
-  const ::pid_t process = ::fork();
-  if (process < 0) throw std::system_error(errno, std::generic_category(), "cannot start a worker");
+  const auto [leader_end, worker_end] = MakeSockets(SOCK_STREAM);
+  // Ignore failures: smaller buffers only cost more context switches.
+  for (const int end : {leader_end, worker_end})
+    ::setsockopt(end, SOL_SOCKET, SO_SNDBUF, &kBufferBytes, sizeof(int));
+  worker.mailbox = Share<WorkerMailbox>();  // results may still refer to the previous mailbox
+  const ::pid_t process = Fork("cannot start a worker");
   if (process == 0) {
     // Open copies of other workers' channels would keep these workers alive.
     for (const auto& other : workers_) other->Close();
-    ::close(channel.leader);
-    RunWorker(make_handler_, channel.worker, *worker.mailbox, leader);
+    ::close(leader_end);
+    RunWorker(make_handler_, worker_end, *worker.mailbox);
   }
-  ::close(channel.worker);
+  ::close(worker_end);
   worker.process = process;
-  worker.channel = channel.leader;
+  worker.channel = leader_end;
   worker.too_slow.clear();
 }
 
@@ -311,9 +261,7 @@ void Pool::Receive(WorkerProcess& worker) {
 }
 
 void Pool::Replace(WorkerProcess& worker) {
-  int status = 0;
-  while (::waitpid(worker.process, &status, 0) < 0 && errno == EINTR) {
-  }
+  const int status = WaitForEnd(worker.process);
   worker.process = -1;
   worker.Close();
   worker.buffer.clear();

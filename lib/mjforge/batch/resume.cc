@@ -1,10 +1,10 @@
-// Reading the records of an unfinished batch that need not be made again.
+// Resuming: opening the journal of an earlier run, and reading its records that remain valid.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "mjforge/batch/sink.h"
+#include "mjforge/batch/journaled_sink.h"
 
 namespace mjforge::batch {
 
@@ -21,6 +21,19 @@ void ReportOtherBatch(const std::filesystem::path& file, const std::string& diff
   findings.Add(diag::Code::kBatchDiffers, {},
                fmt::format("'{}' belongs to another batch: {}", file.string(), difference),
                "use the options of that batch, or start over without --resume");
+}
+
+std::optional<ResumedVariants> JournaledSink::Open(diag::Findings& findings) {
+  if (!folders_.Make(destination_.Folder(), findings) || !journal_.Open(findings))
+    return std::nullopt;
+  RemoveAbandoned();
+  const std::optional<ResumedVariants> resumed =
+      request_.resume ? Continue(findings) : ResumedVariants();
+  // Remove the files that journal_.Open() created.
+  if (!resumed && !journal_.is_unfinished()) journal_.Drop();
+  if (!resumed || (resumed->done() == 0 && !journal_.Start(checkpoint_, findings)))
+    return std::nullopt;
+  return resumed;
 }
 
 std::optional<ResumedVariants> ReadResumable(

@@ -60,9 +60,8 @@ void ReportMissingShard(const output::Shard& shard, const std::filesystem::path&
 std::vector<std::string> NamesIn(const std::filesystem::path& folder, diag::Findings& findings) {
   std::vector<std::string> names;
   std::error_code error;
-  std::filesystem::directory_iterator at(folder.empty() ? "." : folder, error);
-  for (; !error && at != std::filesystem::directory_iterator(); at.increment(error))
-    names.push_back(at->path().filename().string());
+  for (const std::filesystem::path& entry : output::EntriesOf(folder, error))
+    names.push_back(entry.filename().string());
   if (error) {
     findings.Add(diag::Code::kYamlCannotRead, {},
                  fmt::format("cannot read '{}': {}", folder.string(), error.message()));

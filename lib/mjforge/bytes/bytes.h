@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "mjforge/bytes/coder.h"
 #include "mjforge/bytes/line_reader.h"
 #include "mjforge/bytes/zstd_frames.h"
 

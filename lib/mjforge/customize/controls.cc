@@ -89,9 +89,7 @@ void WriteBounds(diag::Json& json, const std::vector<spec::Bounds>& bounds) {
       json.Value(nullptr);
       continue;
     }
-    json.StartArray();
-    for (const spec::Bounds& each : bounds) json.Value(is_low ? each.low : each.high);
-    json.EndArray();
+    json.List(bounds, [&](const spec::Bounds& each) { json.Value(is_low ? each.low : each.high); });
   }
 }
 
@@ -105,12 +103,10 @@ std::vector<spec::Bounds> AllBounds(const Value& value) {
 
 void WriteControls(diag::Json& json, const spec::ObjectSpec& spec) {
   const std::map<std::string, int> prefixes = CountPrefixes(spec);
-  json.StartArray();
-  for (const spec::Parameter& parameter : spec.parameters) {
+  json.Each(spec.parameters, [&](const spec::Parameter& parameter) {
     const Value& value = spec.ValueOf(parameter);
     const std::vector<spec::Bounds> bounds = AllBounds(value);
     const std::optional<std::string> choices = spec::ConstantChoices(value);
-    json.StartObject();
     json.Member("name", parameter.name);
     json.Member("group", GroupOf(parameter, prefixes));
     json.Member("unit", parameter.unit);
@@ -123,9 +119,7 @@ void WriteControls(diag::Json& json, const spec::ObjectSpec& spec) {
     WriteBounds(json, bounds);
     json.Key("choices");
     json.Raw(choices.value_or("null"));
-    json.EndObject();
-  }
-  json.EndArray();
+  });
 }
 
 }  // namespace mjforge::customize

@@ -13,15 +13,11 @@ void WriteFindings(diag::Json& json, diag::Findings findings, const diag::Source
   findings.Sort();
   findings.Unique();
   findings.Truncate(kMostFindings);
-  json.StartArray();
-  for (const diag::Finding& finding : findings) {
-    json.StartObject();
+  json.Each("findings", findings, [&](const diag::Finding& finding) {
     json.Key("finding");
     json.Raw(diag::RenderJson(finding, sources));
     json.Member("text", diag::SafeText(sources.Line(finding.mark)));
-    json.EndObject();
-  }
-  json.EndArray();
+  });
 }
 
 }  // namespace mjforge::customize

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "mjforge/customize/variant_json.h"
-
 namespace mjforge::customize {
 namespace {
 
@@ -29,7 +27,7 @@ void MoveJoints(const Request& request, ShownVariant& shown) {
   shown.joints = shown.subject->joints();
   for (std::size_t i = 0; i < shown.joints.size(); ++i) {
     const picture::Joint& joint = shown.joints[i];
-    if (!IsMovable(joint)) continue;
+    if (!joint.IsMovable()) continue;
     const auto wanted =
         std::ranges::find(request.joints, joint.name, &std::pair<std::string, double>::first);
     if (wanted == request.joints.end()) continue;

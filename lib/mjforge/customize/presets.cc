@@ -28,10 +28,9 @@ bool Presets::IsValidName(std::string_view name) {
 
 std::vector<std::string> Presets::List() const {
   std::vector<std::string> names;
-  std::error_code error;
-  for (std::filesystem::directory_iterator at(folder_.empty() ? "." : folder_, error), end;
-       !error && at != end; at.increment(error)) {
-    const std::string file = at->path().filename().string();
+  std::error_code ignored;
+  for (const std::filesystem::path& entry : output::EntriesOf(folder_, ignored)) {
+    const std::string file = entry.filename().string();
     if (!file.starts_with(stem_ + ".") || !file.ends_with(kEnding)) continue;
     const std::size_t first = stem_.size() + 1;
     if (file.size() <= first + kEnding.size()) continue;

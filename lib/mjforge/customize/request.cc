@@ -6,12 +6,12 @@
 #include <rapidjson/document.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <iterator>
 
 #include "mjforge/customize/settings_text.h"
 #include "mjforge/expr/expr.h"
+#include "mjforge/output/output.h"
 
 namespace mjforge::customize {
 namespace {
@@ -26,6 +26,13 @@ std::string_view TextOf(const Json& value) { return {value.GetString(), value.Ge
 const Json* Find(const Json& object, const char* key) {
   const auto found = object.FindMember(key);
   return found == object.MemberEnd() ? nullptr : &found->value;
+}
+
+std::optional<BasePose> FindPose(std::string_view word) {
+  constexpr std::string_view kWords[] = {"view", "start", "zero"};
+  const auto* const found = std::ranges::find(kWords, word);
+  if (found == std::end(kWords)) return std::nullopt;
+  return static_cast<BasePose>(found - kWords);
 }
 
 // Reads the members of one request, and keeps the reason of the first failure.
@@ -44,10 +51,9 @@ class Reader {
     const Json* value = Find(root_, key);
     if (value == nullptr) return;
     if (!value->IsString()) return Fail(key, "a text of digits");
-    const std::string_view text = TextOf(*value);
-    const char* const end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, out);
-    if (error != std::errc() || stop != end) Fail(key, "a whole number up to 2^64 - 1");
+    const std::optional<std::uint64_t> number = output::ReadIndex(TextOf(*value));
+    if (!number) return Fail(key, "a whole number up to 2^64 - 1");
+    out = *number;
   }
 
   void Flag(const char* key, bool& out) {
@@ -67,23 +73,16 @@ class Reader {
     out = static_cast<Number>(number);
   }
 
-  void Layer(picture::Layer& out) {
+  /// Reads a word; `find` returns its meaning.
+  template <typename T>
+  void Word(const char* key, std::optional<T> (*find)(std::string_view), std::string_view wanted,
+            T& out) {
     std::string word;
-    Text("layer", word);
+    Text(key, word);
     if (word.empty()) return;
-    const std::optional<picture::Layer> layer = picture::ParseLayer(word);
-    if (!layer) return Fail("layer", "the name of a layer");
-    out = *layer;
-  }
-
-  void Pose(BasePose& out) {
-    std::string word;
-    Text("pose", word);
-    if (word.empty()) return;
-    constexpr std::string_view kWords[] = {"view", "start", "zero"};
-    const auto* const found = std::ranges::find(kWords, word);
-    if (found == std::end(kWords)) return Fail("pose", "view, start or zero");
-    out = static_cast<BasePose>(found - kWords);
+    const std::optional<T> found = find(word);
+    if (!found) return Fail(key, wanted);
+    out = *found;
   }
 
   void Settings(std::vector<spec::Setting>& out, std::vector<std::size_t>& values) {
@@ -173,7 +172,7 @@ std::optional<Request> ReadRequest(std::string_view json, std::string& why_not) 
   reader.Whole("index", request.index);
   reader.Whole("count", request.count);
   reader.Flag("nine", request.nine);
-  reader.Pose(request.pose);
+  reader.Word("pose", FindPose, "view, start or zero", request.pose);
   reader.Settings(request.settings, request.values);
   reader.Joints(request.joints);
   picture::Options& picture = request.picture;
@@ -185,7 +184,7 @@ std::optional<Request> ReadRequest(std::string_view json, std::string& why_not) 
   reader.Bounded("zoom", 1 / kMostZoom, kMostZoom, picture.view.zoom);
   reader.Bounded("x", 0, 1, request.x);
   reader.Bounded("y", 0, 1, request.y);
-  reader.Layer(picture.layer);
+  reader.Word("layer", picture::ParseLayer, "the name of a layer", picture.layer);
   if (!why_not.empty()) return std::nullopt;
   return request;
 }

@@ -28,15 +28,11 @@ constexpr int kShortestFrame = 40;
 
 // Writes the settings of a recipe as a list of objects with `name` and `text`.
 void WriteSettings(diag::Json& json, const std::optional<forge::Recipe>& recipe) {
-  json.Key("settings");
-  json.StartArray();
-  for (const auto& [name, text] : recipe ? recipe->settings : decltype(recipe->settings)()) {
-    json.StartObject();
-    json.Member("name", name);
-    json.Member("text", text);
-    json.EndObject();
-  }
-  json.EndArray();
+  json.Each("settings", recipe ? recipe->settings : decltype(recipe->settings)(),
+            [&](const auto& setting) {
+              json.Member("name", setting.first);
+              json.Member("text", setting.second);
+            });
 }
 
 // Copies an image into one of the nine cells of a larger image, in three rows of three.
@@ -48,12 +44,14 @@ void PutInCell(const picture::Image& tile, int cell, picture::Image& image) {
                 image.rgba.data() + 4 * ((top + y) * image.width + left));
 }
 
+// Returns a reply without a picture; `write` adds the members of its JSON object.
+template <typename Write>
+Reply JsonReply(const Write& write) {
+  return {diag::JsonObject(expr::AppendExactNumber, write), {}, {}};
+}
+
 Reply Failure(std::string_view message) {
-  diag::Json json(expr::AppendNumber);
-  json.StartObject();
-  json.Member("error", diag::SafeText(message));
-  json.EndObject();
-  return {json.Take(), {}, {}};
+  return JsonReply([&](diag::Json& json) { json.Member("error", diag::SafeText(message)); });
 }
 
 // Describes a variant without a picture: "index 3 failed: size of part 'rod' is 0; ...".
@@ -142,29 +140,28 @@ Reply Studio::State::Open(const Request& request) {
   Request bare = request;
   bare.settings.clear();
   ShownVariant& shown = cache.LoadSpec(bare);
-  diag::Json json(expr::AppendExactNumber);
-  json.StartObject();
-  json.Member("layers", picture::LayerNames());
-  json.Member("seed", std::to_string(start.seed));
-  json.Member("index", std::to_string(start.index));
-  WriteSettings(json, first);
-  json.Member("name", shown.recipe ? shown.recipe->spec->name : start.reference);
-  json.Member("description", shown.recipe ? diag::SafeText(shown.recipe->spec->description) : "");
-  json.Key("controls");
-  if (shown.recipe)
-    WriteControls(json, *shown.recipe->spec);
-  else
-    json.Value(nullptr);
-  json.Key("view");
-  json.Raw(spec::ViewJson(shown.recipe ? shown.recipe->spec->view : spec::PictureView()));
-  json.Member("presets", shown.recipe ? PresetsOf(shown).List() : std::vector<std::string>());
-  json.Key("findings");
-  if (findings.HasErrors())
-    WriteFindings(json, findings, sources);
-  else
-    WriteFindings(json, shown.spec_findings, shown.sources);
-  json.EndObject();
-  return {json.Take(), {}, cache.Files()};
+  Reply reply = JsonReply([&](diag::Json& json) {
+    json.Member("layers", picture::LayerNames());
+    json.Member("seed", std::to_string(start.seed));
+    json.Member("index", std::to_string(start.index));
+    WriteSettings(json, first);
+    json.Member("name", shown.recipe ? shown.recipe->spec->name : start.reference);
+    json.Member("description", shown.recipe ? diag::SafeText(shown.recipe->spec->description) : "");
+    json.Key("controls");
+    if (shown.recipe)
+      WriteControls(json, *shown.recipe->spec);
+    else
+      json.Value(nullptr);
+    json.Key("view");
+    json.Raw(spec::ViewJson(shown.recipe ? shown.recipe->spec->view : spec::PictureView()));
+    json.Member("presets", shown.recipe ? PresetsOf(shown).List() : std::vector<std::string>());
+    if (findings.HasErrors())
+      WriteFindings(json, findings, sources);
+    else
+      WriteFindings(json, shown.spec_findings, shown.sources);
+  });
+  reply.files = cache.Files();
+  return reply;
 }
 
 // Returns the presets beside the spec's file, or in the working folder for specs of the search
@@ -182,12 +179,10 @@ Reply Studio::State::SavePreset(const Request& request) {
   diag::Findings findings;
   const Presets presets = PresetsOf(shown);
   if (!presets.Save(request.name, request.settings, findings)) return Failure(findings[0].message);
-  diag::Json json(expr::AppendNumber);
-  json.StartObject();
-  json.Member("file", diag::SafeText(presets.FileOf(request.name).string()));
-  json.Member("presets", presets.List());
-  json.EndObject();
-  return {json.Take(), {}, {}};
+  return JsonReply([&](diag::Json& json) {
+    json.Member("file", diag::SafeText(presets.FileOf(request.name).string()));
+    json.Member("presets", presets.List());
+  });
 }
 
 Reply Studio::State::LoadPreset(const Request& request) {
@@ -202,13 +197,10 @@ Reply Studio::State::LoadPreset(const Request& request) {
   diag::Sources sources;
   diag::Findings findings;
   const auto recipe = forge::LoadRecipe(start.reference, load, sources, findings);
-  diag::Json json(expr::AppendNumber);
-  json.StartObject();
-  WriteSettings(json, recipe);
-  json.Key("findings");
-  WriteFindings(json, findings, sources);
-  json.EndObject();
-  return {json.Take(), {}, {}};
+  return JsonReply([&](diag::Json& json) {
+    WriteSettings(json, recipe);
+    WriteFindings(json, findings, sources);
+  });
 }
 
 std::optional<picture::Image> Studio::State::DrawPicture(const Request& request,
@@ -256,18 +248,14 @@ Reply Studio::State::Draw(const Request& request) {
   diag::Findings findings = shown.Findings();
   const std::optional<picture::Image> image =
       nine ? std::move(nine) : DrawPicture(request, shown, findings);
-  Reply reply;
+  Reply reply = JsonReply([&](diag::Json& json) {
+    WriteVariant(json, shown);
+    json.Member("cells", cells);
+    WriteFindings(json, findings, shown.sources);
+  });
   if (image)
     reply.picture = request.picture.quick ? picture::EncodeWebpFast(*image, kQuickQuality)
                                           : picture::EncodeWebp(*image, kQuality);
-  diag::Json json(expr::AppendExactNumber);
-  json.StartObject();
-  WriteVariant(json, shown);
-  json.Member("cells", cells);
-  json.Key("findings");
-  WriteFindings(json, findings, shown.sources);
-  json.EndObject();
-  reply.json = json.Take();
   reply.files = cache.Files();
   return reply;
 }
@@ -275,12 +263,7 @@ Reply Studio::State::Draw(const Request& request) {
 // Returns all findings about a variant, including those of the physical checks.
 Reply Studio::State::Check(const Request& request) {
   const ShownVariant& shown = cache.Make(request, CheckLevel::kPhysics);
-  diag::Json json(expr::AppendNumber);
-  json.StartObject();
-  json.Key("findings");
-  WriteFindings(json, shown.Findings(), shown.sources);
-  json.EndObject();
-  return {json.Take(), {}, {}};
+  return JsonReply([&](diag::Json& json) { WriteFindings(json, shown.Findings(), shown.sources); });
 }
 
 // Returns an animation of the drop or, if the request has a name, of the drive of that joint.
@@ -301,34 +284,31 @@ Reply Studio::State::Film(const Request& request) {
   if (!frames) return Failure(findings.empty() ? "it cannot be simulated" : findings[0].message);
   const auto count = static_cast<double>(frames->size());
   const int delay = std::max(kShortestFrame, static_cast<int>(1000 * film->time / count));
-  diag::Json json(expr::AppendNumber);
-  json.StartObject();
-  json.Member("text", FilmText(request.name, film->time, delay * count / 1000));
-  json.EndObject();
-  return {json.Take(), picture::EncodeWebpFilm(*frames, delay, kQuickQuality), {}};
+  Reply reply = JsonReply([&](diag::Json& json) {
+    json.Member("text", FilmText(request.name, film->time, delay * count / 1000));
+  });
+  reply.picture = picture::EncodeWebpFilm(*frames, delay, kQuickQuality);
+  return reply;
 }
 
 Reply Studio::State::Redraw(Request request) {
   std::erase_if(request.settings,
                 [&](const spec::Setting& setting) { return setting.name == request.name; });
   const ShownVariant& shown = cache.Make(request, CheckLevel::kNone);
-  diag::Json json(expr::AppendExactNumber);
-  json.StartObject();
-  if (shown.variant) {
-    for (const auto& [name, value] : shown.variant->record.params) {
-      if (name == request.name) json.Member("value", value);
+  return JsonReply([&](diag::Json& json) {
+    if (shown.variant) {
+      for (const auto& [name, value] : shown.variant->record.params) {
+        if (name == request.name) json.Member("value", value);
+      }
     }
-  }
-  json.Key("findings");
-  WriteFindings(json, shown.Findings(), shown.sources);
-  json.EndObject();
-  return {json.Take(), {}, {}};
+    WriteFindings(json, shown.Findings(), shown.sources);
+  });
 }
 
 Reply Studio::State::Export(const Request& request) {
   ShownVariant& shown = cache.Make(request, CheckLevel::kLoad);
-  Reply reply;
   std::string text;
+  std::string picture;
   diag::Findings findings;
   if (request.name == "command" && request.count > 1 && !shown.recipe)
     return Failure("the spec or a value has errors");
@@ -345,37 +325,33 @@ Reply Studio::State::Export(const Request& request) {
     const mjcf::MjcfDocument& document = shown.variant->document;
     if (document.assets.empty())
       text = document.text;
-    else if (!ArchiveMjcf(shown.recipe->spec->name, document, reply.picture, findings))
+    else if (!ArchiveMjcf(shown.recipe->spec->name, document, picture, findings))
       return Failure(findings[0].message);
   } else if (request.name == "png") {
     const std::optional<picture::Image> image = DrawPicture(request, shown, findings);
     if (!image) return Failure("it cannot be drawn");
     const std::string facts =
         fmt::format("spec={} seed={} index={}", start.reference, request.seed, request.index);
-    reply.picture = picture::EncodePng(
+    picture = picture::EncodePng(
         *image, {{"Software", fmt::format("mjforge {}", forge::Version())}, {"mjforge", facts}});
   } else {
     return Failure("there is no export '" + request.name + "'");
   }
-  diag::Json json(expr::AppendNumber);
-  json.StartObject();
-  json.Member("text", text);
-  json.Member("file", shown.recipe ? shown.recipe->spec->name : "");
-  json.EndObject();
-  reply.json = json.Take();
+  Reply reply = JsonReply([&](diag::Json& json) {
+    json.Member("text", text);
+    json.Member("file", shown.recipe ? shown.recipe->spec->name : "");
+  });
+  reply.picture = std::move(picture);
   return reply;
 }
 
 Reply Studio::State::Pick(const Request& request) {
   ShownVariant& shown = cache.Make(request, CheckLevel::kNone);
-  diag::Json json(expr::AppendExactNumber);
-  json.StartObject();
-  if (shown.subject != nullptr) {
+  return JsonReply([&](diag::Json& json) {
+    if (shown.subject == nullptr) return;
     MoveJoints(request, shown);
     WritePart(json, shown, picture::GeomAt(*shown.subject, request.picture, request.x, request.y));
-  }
-  json.EndObject();
-  return {json.Take(), {}, {}};
+  });
 }
 
 // Returns the text of a file from which the spec was read; other files are not accessible.
@@ -383,11 +359,8 @@ Reply Studio::State::Source(const Request& request) {
   const ShownVariant& shown = cache.LoadSpec(request);
   for (std::uint32_t i = 1; i <= shown.sources.size(); ++i) {
     if (shown.sources.Name(i) != request.name) continue;
-    diag::Json json(expr::AppendNumber);
-    json.StartObject();
-    json.Member("text", diag::SafeLines(shown.sources.Text(i)));
-    json.EndObject();
-    return {json.Take(), {}, {}};
+    return JsonReply(
+        [&](diag::Json& json) { json.Member("text", diag::SafeLines(shown.sources.Text(i))); });
   }
   return Failure("the spec was not read from '" + request.name + "'");
 }

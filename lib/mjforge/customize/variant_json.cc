@@ -6,50 +6,38 @@ namespace mjforge::customize {
 namespace {
 
 void WriteValues(diag::Json& json, const ShownVariant& shown) {
-  json.Key("values");
-  json.StartObject();
-  if (shown.variant) {
-    for (const auto& [name, value] : shown.variant->record.params) json.Member(name, value);
-  }
-  json.EndObject();
+  json.Object("values", [&] {
+    if (shown.variant) json.Members(shown.variant->record.params);
+  });
 }
 
 // Writes `facts`: mass (kg), size (m) and counts of the object; null if there is no object.
 void WriteFacts(diag::Json& json, const ShownVariant& shown) {
-  json.Key("facts");
-  if (!shown.variant || shown.variant->object == nullptr) return json.Value(nullptr);
+  if (!shown.variant || shown.variant->object == nullptr) return json.Member("facts", nullptr);
   const manifest::Record& record = shown.variant->record;
   const model::Object& object = *shown.variant->object;
-  json.StartObject();
-  json.Member("mass", object.mass_properties.mass);
-  json.Member("size", Eigen::Vector3d(2 * object.bounds.half_size()));
-  json.Member("bodies", object.bodies.size());
-  json.Member("geoms", record.ngeom);
-  json.Member("attempt", record.attempt);
-  json.EndObject();
+  json.Object("facts", [&] {
+    json.Member("mass", object.mass_properties.mass);
+    json.Member("size", Eigen::Vector3d(2 * object.bounds.half_size()));
+    json.Member("bodies", object.bodies.size());
+    json.Member("geoms", record.ngeom);
+    json.Member("attempt", record.attempt);
+  });
 }
 
 void WriteJoints(diag::Json& json, const ShownVariant& shown) {
-  json.Key("joints");
-  json.StartArray();
-  for (const picture::Joint& joint : shown.joints) {
-    if (!IsMovable(joint)) continue;
-    json.StartObject();
+  std::vector<picture::Joint> movable = shown.joints;
+  std::erase_if(movable, [](const picture::Joint& joint) { return !joint.IsMovable(); });
+  json.Each("joints", movable, [&](const picture::Joint& joint) {
     json.Member("name", joint.name);
     json.Member("type", joint.type == picture::Joint::Type::kHinge ? "hinge" : "slide");
     json.Member("limited", joint.limited);
     json.Member("range", joint.range);
     json.Member("value", joint.value);
-    json.EndObject();
-  }
-  json.EndArray();
+  });
 }
 
 }  // namespace
-
-bool IsMovable(const picture::Joint& joint) {
-  return joint.type == picture::Joint::Type::kHinge || joint.type == picture::Joint::Type::kSlide;
-}
 
 void WritePart(diag::Json& json, const ShownVariant& shown, std::string_view geom) {
   if (geom.ends_with(model::kVisualSuffix)) geom.remove_suffix(model::kVisualSuffix.size());

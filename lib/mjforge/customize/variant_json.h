@@ -7,9 +7,6 @@
 
 namespace mjforge::customize {
 
-/// Returns true for joints whose position is one number: hinges and slides.
-bool IsMovable(const picture::Joint& joint);
-
 /// Writes three members: `values` of the parameters; `facts`, which are mass (kg), size (m) and
 /// counts, or null if there is no object; and `joints`, a list of the movable joints.
 void WriteVariant(diag::Json& json, const ShownVariant& shown);

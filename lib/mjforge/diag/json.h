@@ -60,17 +60,55 @@ class Json {
     std::visit([this](const auto& held) { Value(held); }, value);
   }
   /// Adds a list of numbers or texts.
-  template <typename List>
-  requires requires(const List& list) { list.begin(); }
-  void Value(const List& list) {
-    StartArray();
-    for (const auto& item : list) Value(item);
-    EndArray();
+  template <typename Items>
+  requires requires(const Items& items) { items.begin(); }
+  void Value(const Items& items) {
+    List(items, [this](const auto& item) { Value(item); });
   }
   template <typename T>
   void Member(std::string_view key, const T& value) {
     Key(key);
     Value(value);
+  }
+
+  /// Adds an object; `write` adds its members.
+  template <typename Write>
+  void Object(const Write& write) {
+    StartObject();
+    write();
+    EndObject();
+  }
+  template <typename Write>
+  void Object(std::string_view key, const Write& write) {
+    Key(key);
+    Object(write);
+  }
+  /// Adds members: pairs of a key and a value.
+  template <typename Pairs>
+  void Members(const Pairs& pairs) {
+    for (const auto& [key, value] : pairs) Member(key, value);
+  }
+  /// Adds a list; `write` adds the value of one item.
+  template <typename Items, typename Write>
+  void List(const Items& items, const Write& write) {
+    StartArray();
+    for (const auto& item : items) write(item);
+    EndArray();
+  }
+  template <typename Items, typename Write>
+  void List(std::string_view key, const Items& items, const Write& write) {
+    Key(key);
+    List(items, write);
+  }
+  /// Adds a list of objects; `write` adds the members of one item's object.
+  template <typename Items, typename Write>
+  void Each(const Items& items, const Write& write) {
+    List(items, [&](const auto& item) { Object([&] { write(item); }); });
+  }
+  template <typename Items, typename Write>
+  void Each(std::string_view key, const Items& items, const Write& write) {
+    Key(key);
+    Each(items, write);
   }
 
   /// Returns the text; the writer is empty after this call.
@@ -91,5 +129,13 @@ class Json {
   NumberFormat spelling_;
   std::string text_;
 };
+
+/// Returns the text of one JSON object; `write` adds the members to the given Json.
+template <typename Write>
+std::string JsonObject(Json::NumberFormat spelling, const Write& write) {
+  Json json(spelling);
+  json.Object([&] { write(json); });
+  return json.Take();
+}
 
 }  // namespace mjforge::diag

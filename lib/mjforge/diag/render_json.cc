@@ -22,26 +22,20 @@ void Place(Json& json, SourceMark mark, const Sources& sources) {
 
 // Omits members without a value (place, hint, seed, index), except the list of notes.
 std::string RenderJson(const Finding& finding, const Sources& sources) {
-  Json json(nullptr);  // no number format is needed, because all numbers are integers
-  json.StartObject();
-  json.Member("severity", finding.severity == Severity::kError ? "error" : "warning");
-  json.Member("code", CodeName(finding.code));
-  Place(json, finding.mark, sources);
-  Text(json, "message", finding.message);
-  if (!finding.hint.empty()) Text(json, "hint", finding.hint);
-  if (finding.seed) json.Member("seed", *finding.seed);
-  if (finding.index) json.Member("index", *finding.index);
-  json.Key("notes");
-  json.StartArray();
-  for (const Note& note : finding.notes) {
-    json.StartObject();
-    Place(json, note.mark, sources);
-    Text(json, "message", note.message);
-    json.EndObject();
-  }
-  json.EndArray();
-  json.EndObject();
-  return json.Take();
+  // No number format is needed, because all numbers are integers.
+  return JsonObject(nullptr, [&](Json& json) {
+    json.Member("severity", finding.severity == Severity::kError ? "error" : "warning");
+    json.Member("code", CodeName(finding.code));
+    Place(json, finding.mark, sources);
+    Text(json, "message", finding.message);
+    if (!finding.hint.empty()) Text(json, "hint", finding.hint);
+    if (finding.seed) json.Member("seed", *finding.seed);
+    if (finding.index) json.Member("index", *finding.index);
+    json.Each("notes", finding.notes, [&](const Note& note) {
+      Place(json, note.mark, sources);
+      Text(json, "message", note.message);
+    });
+  });
 }
 
 }  // namespace mjforge::diag

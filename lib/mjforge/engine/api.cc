@@ -2,53 +2,42 @@
 #include "mjforge/engine/api.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <limits>
+#include <utility>
 
 namespace mjforge::engine {
+namespace {
+
+template <typename Type>
+using Words = std::initializer_list<std::pair<Type, std::string_view>>;
+
+// Returns the word of a type; "user" if the table does not have the type.
+template <typename Type>
+std::string_view Find(Type type, const Words<Type>& words) {
+  const auto found = std::ranges::find(words, type, &std::pair<Type, std::string_view>::first);
+  return found == words.end() ? "user" : found->second;
+}
+
+}  // namespace
 
 std::string_view WordOf(mjtDyn dynamics) {
-  switch (dynamics) {
-    case mjDYN_NONE:
-      return "none";
-    case mjDYN_INTEGRATOR:
-      return "integrator";
-    case mjDYN_FILTER:
-      return "filter";
-    case mjDYN_MUSCLE:
-      return "muscle";
 #if mjVERSION_HEADER >= 300
-    case mjDYN_FILTEREXACT:
-      return "filterexact";
+  if (dynamics == mjDYN_FILTEREXACT) return "filterexact";
 #endif
-    default:
-      return "user";
-  }
+  return Find(dynamics, {{mjDYN_NONE, "none"},
+                         {mjDYN_INTEGRATOR, "integrator"},
+                         {mjDYN_FILTER, "filter"},
+                         {mjDYN_MUSCLE, "muscle"}});
 }
 
 std::string_view WordOf(mjtGain gain) {
-  switch (gain) {
-    case mjGAIN_FIXED:
-      return "fixed";
-    case mjGAIN_AFFINE:
-      return "affine";
-    case mjGAIN_MUSCLE:
-      return "muscle";
-    default:
-      return "user";
-  }
+  return Find(gain,
+              {{mjGAIN_FIXED, "fixed"}, {mjGAIN_AFFINE, "affine"}, {mjGAIN_MUSCLE, "muscle"}});
 }
 
 std::string_view WordOf(mjtBias bias) {
-  switch (bias) {
-    case mjBIAS_NONE:
-      return "none";
-    case mjBIAS_AFFINE:
-      return "affine";
-    case mjBIAS_MUSCLE:
-      return "muscle";
-    default:
-      return "user";
-  }
+  return Find(bias, {{mjBIAS_NONE, "none"}, {mjBIAS_AFFINE, "affine"}, {mjBIAS_MUSCLE, "muscle"}});
 }
 
 #if mjVERSION_HEADER >= 300

@@ -153,16 +153,6 @@ inline mjtNum DofInertia([[maybe_unused]] const mjModel& m, const mjData& d, int
 #endif
 }
 
-/// Writes the dense joint-space inertia matrix, nv x nv.
-template <class Model, class Data>
-void FullInertia(const Model& m, const Data& d, mjtNum* inertia) {
-  if constexpr (requires { mj_fullM(&m, &d, inertia); }) {
-    mj_fullM(&m, &d, inertia);
-  } else {
-    mj_fullM(&m, inertia, d.qM);
-  }
-}
-
 /// Calls mj_rayMesh and mju_rayGeom, which from 3.5 on have an output for the normal.
 template <class... Arguments>
 mjtNum RayMesh(Arguments... arguments) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <tuple>
 #include <utility>
 
 namespace mjforge::engine {
@@ -53,39 +54,25 @@ void Append(std::vector<mjtNum>& list, const Array& row) {
 template <class Model, bool kTaken>
 class GeomPairs::ScopedPairs {
  public:
-  ScopedPairs(Model& m, GeomPairs& pairs) : m_(m), pairs_(pairs) { Swap(); }
-  ~ScopedPairs() { Swap(); }
+  ScopedPairs(Model& m, GeomPairs& pairs) : m_(m), before_(FieldsOf(m)) {
+    FieldsOf(m) = std::tuple(kPairsOnly, static_cast<int>(pairs.geom1_.size()), pairs.geom1_.data(),
+                             pairs.geom2_.data(), pairs.dim_.data(), pairs.signature_.data(),
+                             pairs.margin_.data(), pairs.gap_.data(), pairs.friction_.data(),
+                             pairs.solref_.data(), pairs.solimp_.data());
+  }
+  ~ScopedPairs() { FieldsOf(m_) = before_; }
   ScopedPairs(const ScopedPairs&) = delete;
   ScopedPairs& operator=(const ScopedPairs&) = delete;
 
  private:
-  void Swap() {
-    std::swap(m_.opt.collision, mode_);
-    std::swap(m_.npair, count_);
-    std::swap(m_.pair_geom1, geom1_);
-    std::swap(m_.pair_geom2, geom2_);
-    std::swap(m_.pair_dim, dim_);
-    std::swap(m_.pair_signature, signature_);
-    std::swap(m_.pair_margin, margin_);
-    std::swap(m_.pair_gap, gap_);
-    std::swap(m_.pair_friction, friction_);
-    std::swap(m_.pair_solref, solref_);
-    std::swap(m_.pair_solimp, solimp_);
+  static auto FieldsOf(Model& m) {
+    return std::tie(m.opt.collision, m.npair, m.pair_geom1, m.pair_geom2, m.pair_dim,
+                    m.pair_signature, m.pair_margin, m.pair_gap, m.pair_friction, m.pair_solref,
+                    m.pair_solimp);
   }
 
   Model& m_;
-  GeomPairs& pairs_;
-  int mode_ = kPairsOnly;
-  int count_ = static_cast<int>(pairs_.geom1_.size());
-  int* geom1_ = pairs_.geom1_.data();
-  int* geom2_ = pairs_.geom2_.data();
-  int* dim_ = pairs_.dim_.data();
-  int* signature_ = pairs_.signature_.data();
-  mjtNum* margin_ = pairs_.margin_.data();
-  mjtNum* gap_ = pairs_.gap_.data();
-  mjtNum* friction_ = pairs_.friction_.data();
-  mjtNum* solref_ = pairs_.solref_.data();
-  mjtNum* solimp_ = pairs_.solimp_.data();
+  std::tuple<int, int, int*, int*, int*, int*, mjtNum*, mjtNum*, mjtNum*, mjtNum*, mjtNum*> before_;
 };
 
 template <class Model>

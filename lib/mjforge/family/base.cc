@@ -29,6 +29,18 @@ std::string_view TagOf(std::string_view line) {
   return line.substr(0, line.find_first_of(" />\n", 1));
 }
 
+// Returns the text after `change` was called with the tag and a copy of each line.
+template <typename Change>
+std::string WithLines(std::string_view text, const Change& change) {
+  std::string out;
+  ForEachLine(text, [&](std::string_view line) {
+    std::string changed(line);
+    change(TagOf(line), changed);
+    out += changed;
+  });
+  return out;
+}
+
 std::string_view IndentOf(std::string_view line) { return line.substr(0, line.find('<')); }
 
 template <typename Numbers>
@@ -152,39 +164,27 @@ std::string WithPoses(std::string_view base, std::span<const NewPose> poses) {
   std::map<std::pair<std::string_view, std::size_t>, const NewPose*> by_number;
   for (const NewPose& pose : poses) by_number[{pose.tag, pose.number}] = &pose;
   std::map<std::string_view, std::size_t> numbers;  // counts of elements so far, by tag
-  std::string out;
   bool is_in_world = false;
-  ForEachLine(base, [&](std::string_view line) {
-    const std::string_view tag = TagOf(line);
+  return WithLines(base, [&](std::string_view tag, std::string& line) {
     if (tag == "worldbody") is_in_world = true;
     if (tag == "/worldbody") is_in_world = false;
-    std::string changed(line);
-    if (is_in_world && !tag.empty()) {
-      const auto pose = by_number.find({tag, numbers[tag]++});
-      if (pose != by_number.end()) {
-        SetAttribute(changed, "pos", pose->second->pos);
-        if (pose->second->quat) SetAttribute(changed, "quat", *pose->second->quat);
-      }
-    }
-    out += changed;
+    if (!is_in_world || tag.empty()) return;
+    const auto pose = by_number.find({tag, numbers[tag]++});
+    if (pose == by_number.end()) return;
+    SetAttribute(line, "pos", pose->second->pos);
+    if (pose->second->quat) SetAttribute(line, "quat", *pose->second->quat);
   });
-  return out;
 }
 
 std::string WithFrictions(std::string_view base,
                           std::span<const std::pair<std::string, double>> joints) {
-  std::string out;
-  ForEachLine(base, [&](std::string_view line) {
-    std::string changed(line);
-    if (TagOf(line) == "joint") {
-      for (const auto& [name, friction] : joints) {
-        if (line.find(" name=\"" + name + '"') != line.npos)
-          SetAttribute(changed, "frictionloss", std::array{friction});
-      }
+  return WithLines(base, [&](std::string_view tag, std::string& line) {
+    if (tag != "joint") return;
+    for (const auto& [name, friction] : joints) {
+      if (line.find(" name=\"" + name + '"') != line.npos)
+        SetAttribute(line, "frictionloss", std::array{friction});
     }
-    out += changed;
   });
-  return out;
 }
 
 std::string WithMaterials(std::string_view base, std::span<const Material> materials) {

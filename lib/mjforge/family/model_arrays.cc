@@ -306,30 +306,14 @@ void Numbers::Add(std::string name, std::vector<std::uint64_t> dims,
 }
 
 int ElementCount(const mjModel& m, mjtObj kind) {
-  switch (kind) {
-    case mjOBJ_BODY:
-      return static_cast<int>(m.nbody);
-    case mjOBJ_JOINT:
-      return static_cast<int>(m.njnt);
-    case mjOBJ_GEOM:
-      return static_cast<int>(m.ngeom);
-    case mjOBJ_SITE:
-      return static_cast<int>(m.nsite);
-    case mjOBJ_CAMERA:
-      return static_cast<int>(m.ncam);
-    case mjOBJ_LIGHT:
-      return static_cast<int>(m.nlight);
-    case mjOBJ_PAIR:
-      return static_cast<int>(m.npair);
-    case mjOBJ_EQUALITY:
-      return static_cast<int>(m.neq);
-    case mjOBJ_TENDON:
-      return static_cast<int>(m.ntendon);
-    case mjOBJ_ACTUATOR:
-      return static_cast<int>(m.nu);
-    default:
-      return 0;
-  }
+  constexpr std::pair<mjtObj, engine::Count M::*> kCounts[] = {
+      {mjOBJ_BODY, &M::nbody}, {mjOBJ_JOINT, &M::njnt},   {mjOBJ_GEOM, &M::ngeom},
+      {mjOBJ_SITE, &M::nsite}, {mjOBJ_CAMERA, &M::ncam},  {mjOBJ_LIGHT, &M::nlight},
+      {mjOBJ_PAIR, &M::npair}, {mjOBJ_EQUALITY, &M::neq}, {mjOBJ_TENDON, &M::ntendon},
+      {mjOBJ_ACTUATOR, &M::nu}};
+  const auto* count =
+      std::ranges::find(kCounts, kind, [](const auto& known) { return known.first; });
+  return static_cast<int>(m.*count->second);
 }
 
 std::string ElementName(const mjModel& m, mjtObj kind, int id) {

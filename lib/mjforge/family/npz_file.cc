@@ -72,28 +72,26 @@ class FamilyFile {
   }
 
   std::string FactsText() const {
-    diag::Json json(expr::AppendExactNumber);
-    json.StartObject();
-    json.Member("mjforge_family", 1);
-    json.Member("name", NameOfModel());
-    for (const auto& [name, value] : facts_.members) {
-      json.Key(name);
-      json.Raw(value);
-    }
-    json.Member("structure", header_.structure.FamilyKey());
-    json.Member("variants", survey_.count);
-    json.Key("moved");
-    json.StartObject();
-    for (const auto& [array, elements] : base_.moved) {
-      json.Key(array);
-      json.StartArray();
-      const ArrayShape& shape = *std::ranges::find(header_.shapes, array, &ArrayShape::name);
-      for (const std::size_t i : elements) json.Value(shape.elements[i]);
-      json.EndArray();
-    }
-    json.EndObject();
-    json.EndObject();
-    return json.Take() + '\n';
+    return diag::JsonObject(nullptr,
+                            [&](diag::Json& json) {
+                              json.Member("mjforge_family", 1);
+                              json.Member("name", NameOfModel());
+                              for (const auto& [name, value] : facts_.members) {
+                                json.Key(name);
+                                json.Raw(value);
+                              }
+                              json.Member("structure", header_.structure.FamilyKey());
+                              json.Member("variants", survey_.count);
+                              json.Object("moved", [&] {
+                                for (const auto& [array, elements] : base_.moved) {
+                                  const ArrayShape& shape =
+                                      *std::ranges::find(header_.shapes, array, &ArrayShape::name);
+                                  json.List(array, elements,
+                                            [&](std::size_t i) { json.Value(shape.elements[i]); });
+                                }
+                              });
+                            }) +
+           '\n';
   }
 
   void WriteBytes(std::string_view name, std::string_view bytes) {
@@ -169,6 +167,12 @@ class FamilyFile {
     for (const std::size_t i : stored) WriteInteger(static_cast<std::int32_t>(shape.components[i]));
   }
 
+  // Calls `visit` with each variant of all files.
+  template <typename Visit>
+  void ForEachRow(const Visit& visit) {
+    for (RowsFile& file : files_) file.ForEach(visit);
+  }
+
   void WriteInteger(std::int32_t number) {
     npz_->Write(std::string_view(reinterpret_cast<const char*>(&number), sizeof(number)));
   }
@@ -177,12 +181,10 @@ class FamilyFile {
                         const std::vector<std::size_t>& stored,
                         const std::vector<std::uint64_t>& dims) {
     npz_->Begin(shape.name, ArrayType::kInt32, dims);
-    for (RowsFile& file : files_) {
-      file.ForEach([&](const RowView& row) {
-        for (const std::size_t i : stored)
-          WriteInteger(static_cast<std::int32_t>(survey_.MaterialId(row, row.values[at + i])));
-      });
-    }
+    ForEachRow([&](const RowView& row) {
+      for (const std::size_t i : stored)
+        WriteInteger(static_cast<std::int32_t>(survey_.MaterialId(row, row.values[at + i])));
+    });
   }
 
   // Writes the names of all materials in the order of the base, and the numbers of materials that
@@ -214,20 +216,18 @@ class FamilyFile {
     std::vector<std::uint64_t> dims = {survey_.count, stored.size()};
     if (width > 1) dims.push_back(width);
     npz_->Begin(name, ArrayType::kFloat64, dims);
-    for (RowsFile& file : files_) {
-      file.ForEach([&](const RowView& row) {
-        for (const std::size_t i : stored) {
-          const Material& material = survey_.materials[i];
-          const auto has = std::ranges::find(row.materials, material.name,
-                                             [](const Material* m) { return m->name; });
-          const auto& numbers =
-              has == row.materials.end()
-                  ? material.numbers
-                  : row.material_numbers[static_cast<std::size_t>(has - row.materials.begin())];
-          npz_->Write(std::span(numbers).subspan(at, width));
-        }
-      });
-    }
+    ForEachRow([&](const RowView& row) {
+      for (const std::size_t i : stored) {
+        const Material& material = survey_.materials[i];
+        const auto has = std::ranges::find(row.materials, material.name,
+                                           [](const Material* m) { return m->name; });
+        const auto& numbers =
+            has == row.materials.end()
+                ? material.numbers
+                : row.material_numbers[static_cast<std::size_t>(has - row.materials.begin())];
+        npz_->Write(std::span(numbers).subspan(at, width));
+      }
+    });
     WriteTexts(name + ".names", names);
   }
 
@@ -242,9 +242,7 @@ class FamilyFile {
     npz_->Begin((parameter.varies ? "params/" : "constants/") + parameter.name,
                 kTypes[parameter.kind], dims, std::max<std::uint64_t>(parameter.code_points, 1));
     if (!parameter.varies) return WriteValue(parameter.first, parameter);
-    for (RowsFile& file : files_) {
-      file.ForEach([&](const RowView& row) { WriteValue(row.parameters[number], parameter); });
-    }
+    ForEachRow([&](const RowView& row) { WriteValue(row.parameters[number], parameter); });
   }
 
   // Writes the value of a parameter; a short list is filled up with NaN, empty texts or false.

@@ -3,7 +3,10 @@
 #include "mjforge/family/rows.h"
 
 #include <algorithm>
+#include <cstring>
 #include <span>
+#include <stdexcept>
+#include <tuple>
 #include <utility>
 
 namespace mjforge::family {
@@ -19,68 +22,35 @@ enum class Block : std::uint64_t {
 // Number of bytes at the start of each block: its kind, then the size of the rest.
 constexpr std::uint64_t kBlockStart = 2 * sizeof(std::uint64_t);
 
-std::string WithStart(Block block, std::string_view content) {
-  BlobWriter out;
-  out.Number(block);
-  out.Text(content);
-  return out.Take();
-}
+// A material of a variant.
+struct MaterialUse {
+  std::uint64_t number = 0;  // position among the materials of the chunk
+  std::array<double, 10> numbers{};
+};
 
-template <typename List, typename Put>
-void PutList(BlobWriter& out, const List& list, const Put& put) {
-  out.Number(std::uint64_t{list.size()});
-  for (const auto& item : list) put(item);
-}
-
-// Reads a list: its length, then each item with `get`.
-template <typename Get>
-auto GetList(BlobReader& in, const Get& get) {
-  std::vector<decltype(get())> list(in.Count());
-  for (auto&& item : list) item = get();
-  return list;
-}
-
-void Put(BlobWriter& out, const sample::ParameterValue& value) {
-  out.Number(static_cast<std::uint8_t>(value.index()));
-  const auto put = [&](const auto& one) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(one)>, std::string>)
-      out.Text(one);
-    else
-      out.Number(one);
-  };
-  std::visit(
-      [&](const auto& held) {
-        using Held = std::decay_t<decltype(held)>;
-        if constexpr (std::is_same_v<Held, std::vector<bool>>) {
-          PutList(out, held, [&](bool one) { put(one); });
-        } else if constexpr (std::is_same_v<Held, std::vector<double>> ||
-                             std::is_same_v<Held, std::vector<std::string>>) {
-          PutList(out, held, put);
-        } else {
-          put(held);
-        }
-      },
-      value);
-}
-
-sample::ParameterValue GetValue(BlobReader& in) {
-  const auto text = [&] { return std::string(in.Text()); };
-  switch (in.Number<std::uint8_t>()) {
-    case 0:
-      return in.Number<double>();
-    case 1:
-      return in.Number<bool>();
-    case 2:
-      return text();
-    case 3:
-      return GetList(in, [&] { return in.Number<double>(); });
-    case 4:
-      return GetList(in, text);
-    case 5:
-      return GetList(in, [&] { return in.Number<bool>(); });
-    default:
-      throw std::runtime_error("it is damaged");
+// Members of the structs in the file, in the order of their encoding.
+struct Fields {
+  static auto Of(structure::Structure& structure) {
+    return std::tie(structure.integers, structure.names);
   }
+  static auto Of(ArrayShape& shape) {
+    return std::tie(shape.name, shape.type, shape.is_always_stored, shape.dims, shape.elements,
+                    shape.components);
+  }
+  static auto Of(Header& header) {
+    return std::tie(header.structure, header.shapes, header.parameters, header.base);
+  }
+  static auto Of(Material& material) { return std::tie(material.name, material.elements); }
+};
+using Decoder = bytes::Decoder<Fields>;
+
+template <typename T>
+std::string Encode(const T& value) {
+  return bytes::Encode<Fields>(value);
+}
+
+std::string WithStart(Block block, std::string_view content) {
+  return Encode(block) + Encode(content);
 }
 
 // Describes why two variants cannot be in one family; returns an empty text if they can. Ignores
@@ -96,26 +66,6 @@ std::string DifferenceOf(const structure::Structure& structure, const Shapes& sh
   return shapes.size() == other_shapes.size() ? std::string() : "the meshes are others";
 }
 
-std::string EncodeHeader(const structure::Structure& structure, const Shapes& shapes,
-                         const std::vector<std::string>& parameters, std::string_view base) {
-  BlobWriter out;
-  PutList(out, structure.integers, [&](int number) { out.Number(number); });
-  out.Text(structure.names);
-  const auto put_text = [&](const std::string& text) { out.Text(text); };
-  const auto put_number = [&](std::uint64_t number) { out.Number(number); };
-  PutList(out, shapes, [&](const ArrayShape& shape) {
-    out.Text(shape.name);
-    out.Number(shape.type);
-    out.Number(shape.is_always_stored);
-    PutList(out, shape.dims, put_number);
-    PutList(out, shape.elements, put_text);
-    PutList(out, shape.components, put_number);
-  });
-  PutList(out, parameters, put_text);
-  out.Text(base);
-  return out.Take();
-}
-
 std::uint64_t RowSize(const Shapes& shapes) {
   std::uint64_t size = 0;
   for (const ArrayShape& shape : shapes) size += shape.size();
@@ -125,27 +75,9 @@ std::uint64_t RowSize(const Shapes& shapes) {
 }  // namespace
 
 Header DecodeHeader(std::string_view bytes) {
-  BlobReader in(bytes);
-  const auto text = [&] { return std::string(in.Text()); };
-  const auto number = [&] { return in.Number<std::uint64_t>(); };
-  if (in.Number<Block>() != Block::kHeader) throw std::runtime_error("it is not a file of rows");
-  in = BlobReader(in.Text());
-  Header header;
-  header.structure.integers = GetList(in, [&] { return in.Number<int>(); });
-  header.structure.names = in.Text();
-  header.shapes = GetList(in, [&] {
-    ArrayShape shape;
-    shape.name = in.Text();
-    shape.type = in.Number<ArrayShape::Type>();
-    shape.is_always_stored = in.Number<bool>();
-    shape.dims = GetList(in, number);
-    shape.elements = GetList(in, text);
-    shape.components = GetList(in, number);
-    return shape;
-  });
-  header.parameters = GetList(in, text);
-  header.base = in.Text();
-  return header;
+  Decoder in(bytes);
+  if (in.Read<Block>() != Block::kHeader) throw std::runtime_error("it is not a file of rows");
+  return Decoder(in.Read<std::string_view>()).Read<Header>();
 }
 
 std::string ChunkEncoder::Add(const Numbers& numbers, const Parameters& parameters) {
@@ -159,44 +91,35 @@ std::string ChunkEncoder::Add(const Numbers& numbers, const Parameters& paramete
   }
   ++count_;
   values_.insert(values_.end(), numbers.values.begin(), numbers.values.end());
-  BlobWriter out;
-  PutList(out, numbers.materials, [&](const Material& material) {
+  std::vector<MaterialUse> uses;
+  for (const Material& material : numbers.materials) {
     const auto is_it = [&](const Material& known) {
       return known.name == material.name && known.elements == material.elements;
     };
     auto known = std::ranges::find_if(materials_, is_it);
     if (known == materials_.end()) known = materials_.insert(known, material);
-    out.Number(static_cast<std::uint64_t>(known - materials_.begin()));
-    out.Number(material.numbers);
-  });
-  for (const auto& [name, value] : parameters) Put(out, value);
-  details_ += out.Take();
+    uses.push_back({static_cast<std::uint64_t>(known - materials_.begin()), material.numbers});
+  }
+  details_ += Encode(uses);
+  for (const auto& [name, value] : parameters) details_ += Encode(value);
   return {};
 }
 
 std::string ChunkEncoder::Header(std::string_view base) const {
   if (empty()) return {};
-  return WithStart(Block::kHeader, EncodeHeader(structure_, shapes_, parameters_, base));
+  const family::Header header{structure_, shapes_, parameters_, std::string(base)};
+  return WithStart(Block::kHeader, Encode(header));
 }
 
 std::string ChunkEncoder::Bytes() const {
   if (empty()) return {};
-  BlobWriter out;
-  out.Number(count_);
-  out.Raw({reinterpret_cast<const char*>(values_.data()), sizeof(double) * values_.size()});
-  PutList(out, materials_, [&](const Material& material) {
-    out.Text(material.name);
-    out.Text(material.elements);
-  });
-  out.Raw(details_);
-  return WithStart(Block::kChunk, out.bytes());
+  std::string out = Encode(count_);
+  out.append(reinterpret_cast<const char*>(values_.data()), sizeof(double) * values_.size());
+  return WithStart(Block::kChunk, out + Encode(materials_) + details_);
 }
 
 std::string AssetBlock(std::string_view name, std::string_view content) {
-  BlobWriter out;
-  out.Text(name);
-  out.Text(content);
-  return WithStart(Block::kAsset, out.bytes());
+  return WithStart(Block::kAsset, Encode(name) + Encode(content));
 }
 
 std::string DifferenceOf(const Header& header, const Header& other) {
@@ -208,7 +131,7 @@ bool IsRows(const std::filesystem::path& file) {
   const auto start = bytes::ReadStart(file, kBlockStart, why_not);
   if (!start || start->empty()) return start.has_value();
   if (start->size() < kBlockStart) return false;
-  const auto block = BlobReader(*start).Number<Block>();
+  const auto block = Decoder(*start).Read<Block>();
   return block == Block::kHeader || block == Block::kAsset;
 }
 
@@ -223,9 +146,9 @@ RowsFile::RowsFile(const std::filesystem::path& file)
   std::size_t family = 0;  // index of the family of the last header
   for (std::uint64_t at = 0; at < size_;) {
     const std::string start = ReadAt(at, std::min(size_ - at, kBlockStart));
-    BlobReader in(start);
-    const auto block = in.Number<Block>();
-    const auto size = in.Number<std::uint64_t>();
+    Decoder in(start);
+    const auto block = in.Read<Block>();
+    const auto size = in.Read<std::uint64_t>();
     if (size > size_ - at - kBlockStart) throw std::runtime_error("it is cut short");
     if (block == Block::kHeader) {
       Header header = DecodeHeader(ReadAt(at, kBlockStart + size));
@@ -259,17 +182,17 @@ void RowsFile::Select(const Header& header) { selected_ = Find(header); }
 
 void RowsFile::AddAsset(std::uint64_t at, std::uint64_t size) {
   const std::string asset = ReadAt(at, size);
-  BlobReader content(asset);
-  std::string name(content.Text());
+  Decoder content(asset);
+  auto name = content.Read<std::string>();
   assets_.push_back({.name = std::move(name),
                      .file = {},
-                     .made = std::make_shared<const std::string>(content.Text())});
+                     .made = std::make_shared<const std::string>(content.Read<std::string>())});
 }
 
 void RowsFile::AddChunk(std::uint64_t at, std::uint64_t size, std::size_t number) {
   Family& family = families_[number];
-  const auto count = BlobReader(ReadAt(at, std::min<std::uint64_t>(size, sizeof(std::uint64_t))))
-                         .Number<std::uint64_t>();
+  const auto count = Decoder(ReadAt(at, std::min<std::uint64_t>(size, sizeof(std::uint64_t))))
+                         .Read<std::uint64_t>();
   const std::uint64_t numbers = sizeof(double) * family.row * count;
   if (family.row == 0 || count > size || numbers > size - sizeof(count))
     throw std::runtime_error("it is damaged");
@@ -293,27 +216,20 @@ void RowsFile::ForEach(const std::function<void(const RowView&)>& visit) {
     const std::string numbers = ReadAt(chunk.offset, sizeof(double) * row_size * chunk.count);
     const std::string details = ReadAt(chunk.offset + numbers.size(), chunk.details);
     std::vector<double> values(row_size);
-    BlobReader in(details);
-    const std::vector<Material> materials = GetList(in, [&] {
-      Material material;
-      material.name = in.Text();
-      material.elements = in.Text();
-      return material;
-    });
+    Decoder in(details);
+    const auto materials = in.Read<std::vector<Material>>();
     for (std::uint64_t i = 0; i < chunk.count; ++i) {
       std::memcpy(values.data(), numbers.data() + sizeof(double) * row_size * i,
                   sizeof(double) * row_size);
       RowView row;
       row.values = values;
-      const std::uint64_t count = in.Count();
-      for (std::uint64_t j = 0; j < count; ++j) {
-        const auto material = in.Number<std::uint64_t>();
+      for (const auto& [material, material_numbers] : in.Read<std::vector<MaterialUse>>()) {
         if (material >= materials.size()) throw std::runtime_error("it is damaged");
         row.materials.push_back(&materials[material]);
-        row.material_numbers.push_back(in.Number<std::array<double, 10>>());
+        row.material_numbers.push_back(material_numbers);
       }
       for (std::size_t j = 0; j < header.parameters.size(); ++j)
-        row.parameters.push_back(GetValue(in));
+        row.parameters.push_back(in.Read<sample::ParameterValue>());
       visit(row);
     }
   }

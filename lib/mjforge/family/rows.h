@@ -12,7 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "mjforge/family/blob.h"
 #include "mjforge/family/family.h"
 
 namespace mjforge::family {

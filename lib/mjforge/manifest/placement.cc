@@ -21,35 +21,28 @@ void PutNumbers(Json& json, const sample::Numbers& numbers) {
 }
 
 void PutElement(Json& json, const model::Element& element) {
-  json.StartObject();
-  for (const model::Attribute& attribute : element.attributes) {
-    json.Key(attribute.name);
-    attribute.numbers.empty() ? json.Value(attribute.text) : PutNumbers(json, attribute.numbers);
-  }
-  for (const model::Element& child : element.children) {
-    json.Key(child.tag);
-    PutElement(json, child);
-  }
-  json.EndObject();
+  json.Object(element.tag, [&] {
+    for (const model::Attribute& attribute : element.attributes) {
+      json.Key(attribute.name);
+      attribute.numbers.empty() ? json.Value(attribute.text) : PutNumbers(json, attribute.numbers);
+    }
+    for (const model::Element& child : element.children) PutElement(json, child);
+  });
 }
 
 void PutObject(Json& json, const PlacedFile& object) {
-  json.StartObject();
   json.Member("file", object.file);
   json.Member("pos", object.pose.p);
   json.Member("quat", model::Wxyz(object.pose.q));
   if (!object.at.empty()) json.Member("at", object.at);
   json.Member("free", object.is_free);
-  if (!object.joints.empty()) {
-    json.Key("joints");
-    json.StartObject();
+  if (object.joints.empty()) return;
+  json.Object("joints", [&] {
     for (const auto& [name, position] : object.joints) {
       json.Key(name);
       PutNumbers(json, position);
     }
-    json.EndObject();
-  }
-  json.EndObject();
+  });
 }
 
 }  // namespace
@@ -70,17 +63,19 @@ std::string PlacementText(const Placement& placement) {
   if (provenance.place_seed) json.Member("place_seed", *provenance.place_seed);
   json.Member("index", provenance.index);
   json.Member("target", provenance.target);
-  for (const model::Element& option : placement.options) {
-    json.Key("option");
-    PutElement(json, option);
-  }
+  for (const model::Element& option : placement.options) PutElement(json, option);
   json.Key("objects");
   std::string text = json.Take();
   const char* before = "{\n";
   for (const PlacedFile& object : placement.objects) {
+<<<<<<< HEAD
     Json line(AppendFileNumber, text + before);
     line.Key(object.name);
     PutObject(line, object);
+=======
+    Json line(AppendFlushed, text + before);
+    line.Object(object.name, [&] { PutObject(line, object); });
+>>>>>>> acebe76902ad8501bfd0e5c15189cf2f1c8c86c4
     text = line.Take();
     before = ",\n";
   }

@@ -33,13 +33,13 @@ std::vector<const rapidjson::Value*> ValuesOf(const rapidjson::Document& object)
 
 void AppendRecord(std::string& out, const Record& record) {
   diag::Json json(expr::AppendExactNumber, std::move(out));
-  json.StartObject();
-  for (const RecordField& field : RecordFields()) {
-    if (field.is_absent != nullptr && field.is_absent(record)) continue;
-    json.Key(field.key);
-    field.write(json, record);
-  }
-  json.EndObject();
+  json.Object([&] {
+    for (const RecordField& field : RecordFields()) {
+      if (field.is_absent != nullptr && field.is_absent(record)) continue;
+      json.Key(field.key);
+      field.write(json, record);
+    }
+  });
   out = json.Take();
   out += '\n';
 }

@@ -118,13 +118,8 @@ RecordField PlacesField() {
       "the world at the start; left out if there are none.",
       [](Json& json, const Record& record) {
         Json places(AppendFileNumber);
-        places.StartArray();
-        for (const Record::PlacedBody& place : record.places) {
-          places.StartObject();
-          PutAll(places, place, kPlace);
-          places.EndObject();
-        }
-        places.EndArray();
+        places.Each(record.places,
+                    [&](const Record::PlacedBody& place) { PutAll(places, place, kPlace); });
         json.Raw(places.Take());
       },
       [](const Value& value, Record& record) {
@@ -138,9 +133,7 @@ RecordField PlacesField() {
 }
 
 void PutFindings(Json& json, const Record& record) {
-  json.StartArray();
-  for (const std::string& finding : record.findings) json.Raw(finding);
-  json.EndArray();
+  json.List(record.findings, [&](const std::string& finding) { json.Raw(finding); });
 }
 
 ExpectedKind GetFindings(const Value& value, Record& record) {

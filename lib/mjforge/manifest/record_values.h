@@ -36,9 +36,7 @@ void Put(Json& json, const T& value) {
 
 template <typename T>
 void Put(Json& json, const Members<T>& members) {
-  json.StartObject();
-  for (const auto& [name, value] : members) json.Member(name, value);
-  json.EndObject();
+  json.Object([&] { json.Members(members); });
 }
 
 // Rows and columns of the elements of an inertia matrix, in the order of MJCF's fullinertia.
@@ -46,16 +44,14 @@ inline constexpr std::array<std::pair<int, int>, 6> kInertia = {
     {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
 
 inline void Put(Json& json, const Eigen::Matrix3d& inertia) {
-  json.StartArray();
-  for (const auto& [row, column] : kInertia) json.Value(inertia(row, column));
-  json.EndArray();
+  json.List(kInertia, [&](const auto& at) { json.Value(inertia(at.first, at.second)); });
 }
 
 inline void Put(Json& json, const model::Box3& box) {
-  json.StartObject();
-  json.Member("min", box.min);
-  json.Member("max", box.max);
-  json.EndObject();
+  json.Object([&] {
+    json.Member("min", box.min);
+    json.Member("max", box.max);
+  });
 }
 
 inline ExpectedKind Get(const rapidjson::Value& value, std::string& text) {

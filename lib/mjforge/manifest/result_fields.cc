@@ -98,26 +98,17 @@ std::string ResultSchema() {
 }
 
 void PutResult(Json& json, const Result& result) {
-  json.StartObject();
-  PutAll(json, result, kResult);
-  ForEachPart(result, [&](const std::string_view key, const auto& part, const auto& members) {
-    const auto put = [&](const auto& object) {
-      json.StartObject();
-      PutAll(json, object, members);
-      json.EndObject();
-    };
-    if constexpr (kIsList<std::remove_cvref_t<decltype(part)>>) {
-      if (part.empty() && key != "joints") return;
-      json.Key(key);
-      json.StartArray();
-      for (const auto& object : part) put(object);
-      json.EndArray();
-    } else if (part) {
-      json.Key(key);
-      put(*part);
-    }
+  json.Object([&] {
+    PutAll(json, result, kResult);
+    ForEachPart(result, [&](const std::string_view key, const auto& part, const auto& members) {
+      const auto put = [&](const auto& object) { PutAll(json, object, members); };
+      if constexpr (kIsList<std::remove_cvref_t<decltype(part)>>) {
+        if (!part.empty() || key == "joints") json.Each(key, part, put);
+      } else if (part) {
+        json.Object(key, [&] { put(*part); });
+      }
+    });
   });
-  json.EndObject();
 }
 
 ExpectedKind GetResult(const Value& value, Result& result) {

@@ -27,11 +27,9 @@ constexpr JsonMember<Seal> kMembers[] = {
     {"shard", &Seal::shard}, {"shards", &Seal::shards}, {"records", &Seal::records}};
 
 void PutFile(Json& json, const SealedFile& file) {
-  json.StartObject();
   json.Member("file", file.file);
   json.Member("bytes", file.content.size);
   json.Member("xxh128", file.content.checksum);
-  json.EndObject();
 }
 
 bool GetFile(const Value& value, SealedFile& file) {
@@ -66,16 +64,9 @@ std::string SealText(const Seal& seal) {
   json.StartObject();
   json.Member("mjforge_seal", kVersion);
   PutAll(json, seal, kMembers);
-  json.Key("manifest");
-  PutFile(json, seal.manifest);
-  json.Key("archives");
-  json.StartArray();
-  for (const SealedFile& archive : seal.archives) PutFile(json, archive);
-  json.EndArray();
-  json.Key("assets");
-  json.StartObject();
-  for (const auto& [name, sha256] : seal.assets) json.Member(name, sha256);
-  json.EndObject();
+  json.Object("manifest", [&] { PutFile(json, seal.manifest); });
+  json.Each("archives", seal.archives, [&](const SealedFile& file) { PutFile(json, file); });
+  json.Object("assets", [&] { json.Members(seal.assets); });
   return WithChecksum(json.Take());
 }
 

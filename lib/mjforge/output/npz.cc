@@ -20,48 +20,26 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "arrays are written as they are");
 
-std::string TypeWord(ArrayType type, std::size_t code_points) {
-  switch (type) {
-    case ArrayType::kFloat64:
-      return "<f8";
-    case ArrayType::kInt32:
-      return "<i4";
-    case ArrayType::kUint64:
-      return "<u8";
-    case ArrayType::kBool:
-      return "|b1";
-    case ArrayType::kByte:
-      return "|u1";
-    case ArrayType::kText:
-      break;
-  }
-  return fmt::format("<U{}", code_points);
-}
+// NumPy's word and the bytes of each type, in the order of ArrayType; of a text, for each code
+// point.
+struct TypeInfo {
+  std::string_view word;
+  std::uint64_t bytes;
+};
+constexpr TypeInfo kTypes[] = {{"<f8", 8}, {"<i4", 4}, {"<u8", 8},
+                               {"|b1", 1}, {"|u1", 1}, {"<U", 4}};
 
-std::uint64_t SizeOf(ArrayType type, std::size_t code_points) {
-  switch (type) {
-    case ArrayType::kFloat64:
-    case ArrayType::kUint64:
-      return 8;
-    case ArrayType::kInt32:
-      return 4;
-    case ArrayType::kBool:
-    case ArrayType::kByte:
-      return 1;
-    case ArrayType::kText:
-      break;
-  }
-  return 4 * code_points;
-}
+const TypeInfo& InfoOf(ArrayType type) { return kTypes[static_cast<std::size_t>(type)]; }
 
 // Header of format 1.0 (numpy.lib.format): magic, version, length of the rest, a literal of Python,
 // blanks up to a multiple of 64 bytes.
 std::string HeaderOf(ArrayType type, std::span<const std::uint64_t> shape,
                      std::size_t code_points) {
   constexpr std::size_t kAlignment = 64;
-  std::string words = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}{}), }}",
-                                  TypeWord(type, code_points), fmt::join(shape, ", "),
-                                  shape.size() == 1 ? "," : "");
+  std::string words =
+      fmt::format("{{'descr': '{}{}', 'fortran_order': False, 'shape': ({}{}), }}",
+                  InfoOf(type).word, type == ArrayType::kText ? std::to_string(code_points) : "",
+                  fmt::join(shape, ", "), shape.size() == 1 ? "," : "");
   const std::size_t start = 10;  // bytes of magic, version and length
   const std::size_t used = start + words.size() + 1;
   words.append((kAlignment - used % kAlignment) % kAlignment, ' ');
@@ -259,7 +237,8 @@ void NpzWriter::Begin(const std::string& name, ArrayType type, std::span<const s
   // Stores empty texts with one zero code point, because NumPy has no texts of length 0.
   if (type == ArrayType::kText && code_points == 0) code_points = 1;
   const std::string header = HeaderOf(type, shape, code_points);
-  std::uint64_t size = SizeOf(type, code_points);
+  std::uint64_t size = InfoOf(type).bytes;
+  if (type == ArrayType::kText) size *= code_points;
   for (const std::uint64_t count : shape) size *= count;
   zip_->EndMember();
   zip_->BeginMember(name + ".npy", header.size() + size);

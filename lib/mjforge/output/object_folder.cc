@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <iterator>
 
 #include "mjforge/bytes/bytes.h"
 #include "mjforge/output/atomic_file.h"
@@ -49,17 +50,23 @@ bool IsStructureFolder(std::string_view name) {
 // their final names.
 void RemoveAbandonedIn(const std::filesystem::path& folder,
                        const std::function<bool(const std::string&)>& is_ours) {
-  std::error_code error;
-  std::vector<std::filesystem::path> found;
-  std::filesystem::directory_iterator at(folder.empty() ? "." : folder, error);
-  for (; !error && at != std::filesystem::directory_iterator(); at.increment(error)) {
-    const std::optional<std::string> file = FinalNameOf(at->path().filename().string());
-    if (file && is_ours(*file)) found.push_back(at->path());
+  std::error_code ignored;
+  for (const std::filesystem::path& entry : EntriesOf(folder, ignored)) {
+    const std::optional<std::string> file = FinalNameOf(entry.filename().string());
+    if (file && is_ours(*file)) RemoveIfAbandoned(entry);
   }
-  std::ranges::for_each(found, RemoveIfAbandoned);
 }
 
 }  // namespace
+
+std::vector<std::filesystem::path> EntriesOf(const std::filesystem::path& folder,
+                                             std::error_code& error) {
+  std::vector<std::filesystem::path> entries;
+  std::filesystem::directory_iterator at(folder.empty() ? "." : folder, error);
+  for (; !error && at != std::filesystem::directory_iterator(); at.increment(error))
+    entries.push_back(at->path());
+  return entries;
+}
 
 std::optional<std::uint64_t> IndexOfFile(std::string_view file) {
   const std::size_t start = file.rfind('_');
@@ -74,16 +81,12 @@ namespace {
 void RemoveAbandonedParts(const std::filesystem::path& folder,
                           const std::function<bool(const std::string&)>& is_object) {
   const auto is_any = [](const std::string&) { return true; };
-  std::error_code error;
-  std::filesystem::directory_iterator at(folder.empty() ? "." : folder, error);
-  for (; !error && at != std::filesystem::directory_iterator(); at.increment(error)) {
-    if (!is_object(at->path().filename().string() + std::string(kObjectEnding)) ||
-        !IsOwnFolder(at->path())) {
+  std::error_code ignored;
+  for (const std::filesystem::path& entry : EntriesOf(folder, ignored)) {
+    if (!is_object(entry.filename().string() + std::string(kObjectEnding)) || !IsOwnFolder(entry))
       continue;
-    }
-    std::vector<std::filesystem::path> below = {at->path()};
-    std::error_code ignored;
-    for (std::filesystem::recursive_directory_iterator inner(at->path(), ignored);
+    std::vector<std::filesystem::path> below = {entry};
+    for (std::filesystem::recursive_directory_iterator inner(entry, ignored);
          !ignored && inner != std::filesystem::recursive_directory_iterator();
          inner.increment(ignored)) {
       if (IsOwnFolder(inner->path())) below.push_back(inner->path());
@@ -110,16 +113,14 @@ void RemoveAbandoned(const std::filesystem::path& folder, std::uint64_t first,
     return index && *index >= first && *index - first < count;
   };
   std::vector<std::filesystem::path> folders = {folder};
-  std::error_code error;
-  std::filesystem::directory_iterator at(folder.empty() ? "." : folder, error);
-  for (; !error && at != std::filesystem::directory_iterator(); at.increment(error)) {
-    const std::string name = at->path().filename().string();
+  std::error_code ignored;
+  for (const std::filesystem::path& entry : EntriesOf(folder, ignored)) {
+    const std::string name = entry.filename().string();
     const auto start = ReadIndex(name);
     const bool has_objects =
         start && (*start < first ? first - *start < kFilesPerFolder : *start - first < count);
-    if (has_objects && IsOwnFolder(at->path())) folders.push_back(at->path());
-    if (IsStructureFolder(name) && IsOwnFolder(at->path()))
-      RemoveAbandoned(at->path(), first, count);
+    if (has_objects && IsOwnFolder(entry)) folders.push_back(entry);
+    if (IsStructureFolder(name) && IsOwnFolder(entry)) RemoveAbandoned(entry, first, count);
   }
   for (const std::filesystem::path& objects : folders) {
     RemoveAbandonedIn(objects, is_object);
@@ -159,21 +160,21 @@ bool MadeFolders::MakeOne(const std::filesystem::path& path, bool follow,
   return false;
 }
 
-bool MadeFolders::Make(const std::filesystem::path& folder, diag::Findings& findings) {
-  std::filesystem::path path;
+bool MadeFolders::MakeAll(std::filesystem::path path, const std::filesystem::path& folder,
+                          bool follow, diag::Findings& findings) {
   return std::all_of(folder.begin(), folder.end(), [&](const std::filesystem::path& name) {
     path /= name;
-    return MakeOne(path, true, findings);
+    return MakeOne(path, follow, findings);
   });
+}
+
+bool MadeFolders::Make(const std::filesystem::path& folder, diag::Findings& findings) {
+  return MakeAll({}, folder, true, findings);
 }
 
 bool MadeFolders::MakeBelow(const std::filesystem::path& base, const std::filesystem::path& folder,
                             diag::Findings& findings) {
-  std::filesystem::path path = base;
-  return std::all_of(folder.begin(), folder.end(), [&](const std::filesystem::path& name) {
-    path /= name;
-    return MakeOne(path, false, findings);
-  });
+  return MakeAll(base, folder, false, findings);
 }
 
 std::optional<std::string> ReadAsset(const std::filesystem::path& file, const std::string& sha256,
@@ -201,20 +202,14 @@ bool IsObject(const bytes::Asset& asset) {
 // targets with a folder for each object, NAME/model.xml. Links are not followed.
 std::vector<std::filesystem::path> ObjectFilesIn(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
-  std::error_code error;
-  std::filesystem::directory_iterator at(folder, error);
-  for (; !error && at != std::filesystem::directory_iterator(); at.increment(error)) {
-    if (!IsOwnFolder(at->path())) {
-      files.push_back(at->path());
-      continue;
-    }
-    std::error_code ignored;
-    for (std::filesystem::directory_iterator inner(at->path(), ignored);
-         !ignored && inner != std::filesystem::directory_iterator(); inner.increment(ignored))
-      files.push_back(inner->path());
+  std::error_code ignored;
+  for (const std::filesystem::path& entry : EntriesOf(folder, ignored)) {
+    if (IsOwnFolder(entry))
+      std::ranges::copy(EntriesOf(entry, ignored), std::back_inserter(files));
+    else
+      files.push_back(entry);
   }
-  std::erase_if(files, [](const std::filesystem::path& file) {
-    std::error_code ignored;
+  std::erase_if(files, [&](const std::filesystem::path& file) {
     return file.extension() != kObjectEnding ||
            !std::filesystem::is_regular_file(std::filesystem::symlink_status(file, ignored));
   });

@@ -83,10 +83,16 @@ class MadeFolders {
                  diag::Findings& findings);
 
  private:
+  bool MakeAll(std::filesystem::path path, const std::filesystem::path& folder, bool follow,
+               diag::Findings& findings);
   bool MakeOne(const std::filesystem::path& path, bool follow, diag::Findings& findings);
 
   std::vector<std::filesystem::path> made_;  // outermost first
 };
+
+/// Returns the entries of a folder (empty: the working folder); sets `error` if it cannot be read.
+std::vector<std::filesystem::path> EntriesOf(const std::filesystem::path& folder,
+                                             std::error_code& error);
 
 /// Adds the finding "'NAME' was changed while the batch was made".
 void AddAssetChanged(const std::string& name, diag::Findings& findings);

@@ -5,8 +5,6 @@
 #include <EGL/eglext.h>
 #include <fmt/format.h>
 
-#include <array>
-
 #include "mjforge/picture/gl_context.h"
 
 namespace mjforge::picture {
@@ -77,25 +75,19 @@ class EglContext : public GlContext {
     EGLint minor = 0;
     if (display == EGL_NO_DISPLAY || egl_.Initialize(display, &major, &minor) != EGL_TRUE)
       return false;
-    constexpr std::array<EGLint, 15> kAttributes = {EGL_RED_SIZE,
-                                                    8,
-                                                    EGL_GREEN_SIZE,
-                                                    8,
-                                                    EGL_BLUE_SIZE,
-                                                    8,
-                                                    EGL_ALPHA_SIZE,
-                                                    8,
-                                                    EGL_DEPTH_SIZE,
-                                                    24,
-                                                    EGL_RENDERABLE_TYPE,
-                                                    EGL_OPENGL_BIT,
-                                                    EGL_SURFACE_TYPE,
-                                                    EGL_PBUFFER_BIT,
-                                                    EGL_NONE};
+    // Pairs of an attribute and its value.
+    constexpr EGLint kAttributes[][2] = {{EGL_RED_SIZE, 8},
+                                         {EGL_GREEN_SIZE, 8},
+                                         {EGL_BLUE_SIZE, 8},
+                                         {EGL_ALPHA_SIZE, 8},
+                                         {EGL_DEPTH_SIZE, 24},
+                                         {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT},
+                                         {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT},
+                                         {EGL_NONE, 0}};
     EGLConfig config = nullptr;
     EGLint count = 0;
     if (egl_.BindApi(EGL_OPENGL_API) == EGL_TRUE &&
-        egl_.ChooseConfig(display, kAttributes.data(), &config, 1, &count) == EGL_TRUE &&
+        egl_.ChooseConfig(display, &kAttributes[0][0], &config, 1, &count) == EGL_TRUE &&
         count > 0) {
       context_ = egl_.CreateContext(display, config, EGL_NO_CONTEXT, nullptr);
     }

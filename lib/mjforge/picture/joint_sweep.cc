@@ -43,8 +43,7 @@ std::vector<JointPositions> Subject::Sweep(std::optional<int> joint,
   const std::vector<Joint> all = joints();
   for (int i = 0; i < static_cast<int>(all.size()); ++i) {
     const Joint& each = all[static_cast<std::size_t>(i)];
-    const bool can_move = each.type == Joint::Type::kHinge || each.type == Joint::Type::kSlide;
-    if ((!joint || *joint == i) && can_move && compiled::RangeOf(*state_->model, i))
+    if ((!joint || *joint == i) && each.IsMovable() && compiled::RangeOf(*state_->model, i))
       AppendSweep(i, each, poses);
   }
   if (poses.empty()) {

@@ -83,6 +83,9 @@ struct Joint {
   bool limited = false;
   std::array<double, 2> range = {0, 0};
   double value = 0;  // position of a hinge or slide
+
+  /// Returns true for joints whose position is one number: hinges and slides.
+  bool IsMovable() const { return type == Type::kHinge || type == Type::kSlide; }
 };
 
 /// Positions of some joints: pairs of a joint's number (MuJoCo's id) and its position (rad or m).

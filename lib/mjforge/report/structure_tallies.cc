@@ -3,12 +3,12 @@
 #include "mjforge/report/structure_tallies.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "mjforge/expr/expr.h"
+#include "mjforge/report/tallies.h"
 
 namespace mjforge::report {
 namespace {
@@ -34,37 +34,22 @@ void AddNumber(double number, ParameterExtent& extent) {
 }
 
 // Finds or adds the extent of a parameter, and sets `position` to the position after this extent.
-// The search starts at `position`, because all records of a batch have their parameters in one
-// order; only lists may differ in length.
-ParameterExtent& FindOrAdd(std::size_t& position, const std::string& name,
-                           std::vector<ParameterExtent>& extents) {
-  auto found = extents.begin() + static_cast<std::ptrdiff_t>(std::min(position, extents.size()));
-  if (found == extents.end() || found->name != name)
-    found = std::ranges::find(extents, name, &ParameterExtent::name);
-  if (found == extents.end()) {
-    found = extents.emplace(extents.end());
-    found->name = name;
-  }
-  position = static_cast<std::size_t>(found - extents.begin()) + 1;
-  return *found;
+ParameterExtent& FindOrAddNext(std::size_t& position, const std::string& name,
+                               std::vector<ParameterExtent>& extents) {
+  position = FindOrAdd(position, name, extents);
+  return extents[position++];
 }
 
 void AddParameter(const std::string& name, const sample::ParameterValue& value,
                   std::size_t& position, std::vector<ParameterExtent>& extents) {
-  if (const auto* text = std::get_if<std::string>(&value)) {
-    AddValue(*text, FindOrAdd(position, name, extents));
-  } else if (const auto* flag = std::get_if<bool>(&value)) {
-    AddValue(*flag ? "true" : "false", FindOrAdd(position, name, extents));
-  } else if (const auto* texts = std::get_if<std::vector<std::string>>(&value)) {
-    AddValue(fmt::format("{}", fmt::join(*texts, ", ")), FindOrAdd(position, name, extents));
-  } else if (const auto* flags = std::get_if<std::vector<bool>>(&value)) {
-    AddValue(fmt::format("{}", fmt::join(*flags, ", ")), FindOrAdd(position, name, extents));
+  if (const auto text = TextOfWords(value)) {
+    AddValue(*text, FindOrAddNext(position, name, extents));
   } else if (const auto* number = std::get_if<double>(&value)) {
-    AddNumber(*number, FindOrAdd(position, name, extents));
+    AddNumber(*number, FindOrAddNext(position, name, extents));
   } else {
     const auto& numbers = std::get<std::vector<double>>(value);
     for (std::size_t i = 0; i < std::min(numbers.size(), kComparedComponents); ++i)
-      AddNumber(numbers[i], FindOrAdd(position, fmt::format("{}[{}]", name, i), extents));
+      AddNumber(numbers[i], FindOrAddNext(position, fmt::format("{}[{}]", name, i), extents));
   }
 }
 
@@ -107,7 +92,8 @@ std::vector<const ParameterExtent*> ExtentsOf(
 
 void AppendAll(const std::vector<ParameterExtent>& from, std::vector<ParameterExtent>& to) {
   std::size_t position = 0;
-  for (const ParameterExtent& extent : from) FindOrAdd(position, extent.name, to).Append(extent);
+  for (const ParameterExtent& extent : from)
+    FindOrAddNext(position, extent.name, to).Append(extent);
 }
 
 }  // namespace

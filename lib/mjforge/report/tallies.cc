@@ -21,6 +21,16 @@ Counts One(bool is_bad) { return {1, is_bad ? 1U : 0U}; }
 
 }  // namespace
 
+std::optional<std::string> TextOfWords(const sample::ParameterValue& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+  if (const auto* texts = std::get_if<std::vector<std::string>>(&value))
+    return fmt::format("{}", fmt::join(*texts, ", "));
+  if (const auto* flags = std::get_if<std::vector<bool>>(&value))
+    return fmt::format("{}", fmt::join(*flags, ", "));
+  return std::nullopt;
+}
+
 void NumberTally::Add(double value, bool is_bad) {
   all.Add(value);
   if (!is_bad) good.Add(value);
@@ -40,14 +50,8 @@ void NumberTally::Append(const NumberTally& other) {
 }
 
 void ParameterTally::Add(const sample::ParameterValue& value, bool is_bad) {
-  if (const auto* text = std::get_if<std::string>(&value)) {
+  if (const auto text = TextOfWords(value)) {
     AddText(*text, One(is_bad));
-  } else if (const auto* flag = std::get_if<bool>(&value)) {
-    AddText(*flag ? "true" : "false", One(is_bad));
-  } else if (const auto* list = std::get_if<std::vector<std::string>>(&value)) {
-    AddText(fmt::format("{}", fmt::join(*list, ", ")), One(is_bad));
-  } else if (const auto* flags = std::get_if<std::vector<bool>>(&value)) {
-    AddText(fmt::format("{}", fmt::join(*flags, ", ")), One(is_bad));
   } else if (const auto* number = std::get_if<double>(&value)) {
     numbers.resize(std::max<std::size_t>(numbers.size(), 1));
     numbers[0].Add(*number, is_bad);
@@ -102,24 +106,12 @@ std::vector<std::pair<std::string, Counts>> ParameterTally::Values() const {
 void ParameterTallies::Add(
     const std::vector<std::pair<std::string, sample::ParameterValue>>& params, bool is_bad) {
   for (std::size_t i = 0; i < params.size(); ++i)
-    FindOrAdd(i, params[i].first).Add(params[i].second, is_bad);
+    list_[FindOrAdd(i, params[i].first, list_)].Add(params[i].second, is_bad);
 }
 
 void ParameterTallies::Append(const ParameterTallies& other) {
   for (std::size_t i = 0; i < other.list_.size(); ++i)
-    FindOrAdd(i, other.list_[i].name).Append(other.list_[i]);
-}
-
-// Returns the tally of that name, which is usually at `position`; adds the tally if it is missing.
-ParameterTally& ParameterTallies::FindOrAdd(std::size_t position, const std::string& name) {
-  auto known = list_.begin() + static_cast<std::ptrdiff_t>(std::min(position, list_.size()));
-  if (known == list_.end() || known->name != name)
-    known = std::ranges::find(list_, name, &ParameterTally::name);
-  if (known == list_.end()) {
-    known = list_.emplace(list_.end());
-    known->name = name;
-  }
-  return *known;
+    list_[FindOrAdd(i, other.list_[i].name, list_)].Append(other.list_[i]);
 }
 
 const ParameterTally* ParameterTallies::Find(const std::string& name) const {

@@ -2,8 +2,10 @@
 
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +14,21 @@
 #include "mjforge/sample/sample.h"
 
 namespace mjforge::report {
+
+/// Returns the text of a parameter's value that is a text, a flag, or a list of texts or flags;
+/// nullopt for numbers.
+std::optional<std::string> TextOfWords(const sample::ParameterValue& value);
+
+/// Finds or adds the item with this name, and returns its position. The search starts at
+/// `position`, because all records of a batch have their parameters in one order.
+template <typename Item>
+std::size_t FindOrAdd(std::size_t position, const std::string& name, std::vector<Item>& items) {
+  if (position < items.size() && items[position].name == name) return position;
+  const auto found = std::ranges::find(items, name, &Item::name);
+  const auto index = static_cast<std::size_t>(found - items.begin());
+  if (found == items.end()) items.emplace_back().name = name;
+  return index;
+}
 
 /// Distribution of a number that each variant has.
 struct NumberTally {
@@ -77,8 +94,6 @@ class ParameterTallies {
   const ParameterTally* Find(const std::string& name) const;
 
  private:
-  ParameterTally& FindOrAdd(std::size_t position, const std::string& name);
-
   std::vector<ParameterTally> list_;
 };
 

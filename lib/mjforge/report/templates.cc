@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 
@@ -25,10 +24,17 @@ extern const std::string_view kSpecHtml;
 
 namespace {
 
-constexpr std::array kNames = {"page",    "row",    "histogram", "bars",
-                               "scatter", "panels", "gallery",   "spec"};
+struct Template {
+  const char* name;
+  const std::string_view& text;
+};
+// All templates, in the order of TemplateName.
+const Template kTemplates[] = {{"page", kPageHtml},           {"row", kRowHtml},
+                               {"histogram", kHistogramHtml}, {"bars", kBarsHtml},
+                               {"scatter", kScatterHtml},     {"panels", kPanelsHtml},
+                               {"gallery", kGalleryHtml},     {"spec", kSpecHtml}};
 
-const char* NameOf(TemplateName name) { return kNames[static_cast<std::size_t>(name)]; }
+const char* NameOf(TemplateName name) { return kTemplates[static_cast<std::size_t>(name)].name; }
 
 ctemplate::TemplateString View(std::string_view text) {
   return ctemplate::TemplateString(text.data(), text.size());
@@ -36,15 +42,10 @@ ctemplate::TemplateString View(std::string_view text) {
 
 // Registers the templates. Call it once per process.
 bool LoadTemplates() {
-  const std::array texts = {kPageHtml,    kRowHtml,    kHistogramHtml, kBarsHtml,
-                            kScatterHtml, kPanelsHtml, kGalleryHtml,   kSpecHtml};
-  bool loaded = true;
-  for (std::size_t i = 0; i < texts.size(); ++i) {
-    loaded =
-        ctemplate::StringToTemplateCache(kNames[i], View(texts[i]), ctemplate::STRIP_BLANK_LINES) &&
-        loaded;
-  }
-  return loaded;
+  return std::ranges::all_of(kTemplates, [](const Template& each) {
+    return ctemplate::StringToTemplateCache(each.name, View(each.text),
+                                            ctemplate::STRIP_BLANK_LINES);
+  });
 }
 
 bool IsContinuation(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }

@@ -28,12 +28,7 @@ constexpr std::size_t kValueBytes = 120;  // largest length of a value
 
 std::string ValueText(const sample::ParameterValue& value) {
   if (const auto* number = std::get_if<double>(&value)) return fmt::format("{:.6g}", *number);
-  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
-  if (const auto* text = std::get_if<std::string>(&value)) return Clean(*text, kValueBytes);
-  if (const auto* texts = std::get_if<std::vector<std::string>>(&value))
-    return Clean(fmt::format("{}", fmt::join(*texts, ", ")), kValueBytes);
-  if (const auto* flags = std::get_if<std::vector<bool>>(&value))
-    return Clean(fmt::format("{}", fmt::join(*flags, ", ")), kValueBytes);
+  if (const auto text = TextOfWords(value)) return Clean(*text, kValueBytes);
   return Clean(fmt::format("{:.6g}", fmt::join(std::get<std::vector<double>>(value), " ")),
                kValueBytes);
 }

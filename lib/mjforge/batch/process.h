@@ -1,0 +1,43 @@
+// Child processes: forking, waiting, shared memory and sockets.
+
+#pragma once
+
+#include <sys/types.h>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <string_view>
+
+namespace mjforge::batch {
+
+/// Forks. The child process is killed when this process ends. Returns 0 in the child process.
+/// Throws std::system_error with the message `failure` if that fails.
+::pid_t Fork(const char* failure);
+
+/// Waits until a child process has ended; returns its wait status.
+int WaitForEnd(::pid_t child);
+
+/// Ends this process by the signal that ended its child, if a user or a batch system sent it.
+void EndBySignalOf(int wait_status);
+
+/// Returns the two ends of a pair of connected sockets of this type (SOCK_STREAM).
+std::array<int, 2> MakeSockets(int type);
+/// Sends all bytes to a stream; returns false, without a signal, if the other end is closed.
+bool SendAll(int socket, std::string_view bytes);
+/// Receives exactly `size` bytes; returns false at the end of the stream.
+bool ReceiveAll(int socket, char* out, std::size_t size);
+
+/// Returns memory that child processes share with this process.
+std::shared_ptr<void> ShareBytes(std::size_t size);
+/// Returns `count` default-initialized objects in such memory.
+template <typename T>
+std::shared_ptr<T> Share(std::size_t count = 1) {
+  const std::shared_ptr<void> memory = ShareBytes(count * sizeof(T));
+  T* const first = static_cast<T*>(memory.get());
+  for (std::size_t i = 0; i < count; ++i) new (first + i) T;
+  return {memory, first};
+}
+
+}  // namespace mjforge::batch
