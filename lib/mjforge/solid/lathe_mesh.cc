@@ -243,11 +243,7 @@ class LatheMesher {
         mesh_.normals.emplace_back(-sign * s, sign * c, 0);
         if (!along_.empty()) mesh_.texcoords.emplace_back(p);
       }
-      for (std::array<int, 3> triangle : partition.triangles) {
-        if (turn != 0) std::swap(triangle[1], triangle[2]);
-        for (int& corner : triangle) corner += first;
-        mesh_.triangles.push_back(triangle);
-      }
+      AddFace(partition.triangles, first, turn != 0, mesh_);
     }
   }
 
