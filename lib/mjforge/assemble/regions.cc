@@ -123,8 +123,7 @@ bool ReadLength(FieldReader& reader, const spec::Entry& entry, Key key, double& 
 
 void CenterOrigin(model::Region& region) {
   if (region.type != model::RegionType::kPolygon) return;
-  Eigen::AlignedBox2d box;
-  for (const Eigen::Vector2d& corner : region.corners) box.extend(corner);
+  const Eigen::AlignedBox2d box = solid::BoxAround(region.corners);
   for (Eigen::Vector2d& corner : region.corners) corner -= box.center();
   region.half_size = box.sizes() / 2;
   region.X_BR.p += region.X_BR.q * Eigen::Vector3d(box.center().x(), box.center().y(), 0);

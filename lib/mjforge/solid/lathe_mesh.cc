@@ -66,8 +66,7 @@ class LatheMesher {
       along_ = Lengths(lathe.profile, !lathe.wall);
       around_ = MapTexture(lathe.texture, lathe.profile, along_);
     }
-    Eigen::AlignedBox2d box;
-    for (const Point2& p : outline.corners) box.extend(p);
+    const Eigen::AlignedBox2d box = BoxAround(outline.corners);
     const double half_size = std::max(box.max().x(), box.sizes().y() / 2);
     const double angle = lathe.angle;
     const double per_turn = SegmentsPerTurn(box.max().x(), ChordError(half_size), angle);
