@@ -119,11 +119,8 @@ class SolidReader {
  private:
   template <typename T>
   T Read(Key key, std::optional<T> (FieldReader::*read)(const spec::Field&), T without) {
-    const spec::Field* field = entry_.Find(key);
-    if (field == nullptr) return without;
-    const std::optional<T> value = (reader_.*read)(*field);
-    is_good_ &= value.has_value();
-    return value.value_or(without);
+    is_good_ &= reader_.ReadOptional(entry_, key, read, without);
+    return without;
   }
 
   FieldReader& reader_;
