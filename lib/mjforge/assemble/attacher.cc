@@ -63,19 +63,18 @@ std::size_t Attacher::Add(Scope& scope, FieldReader& reader, const spec::Entry& 
                           const std::string& name, std::size_t index) {
   const spec::Field& field = *entry.Find(Key::kMjcf);
   const std::optional<std::string> file = reader.Text(field);
-  std::optional<std::string> body_name = std::string();
-  if (const spec::Field* body = entry.Find(Key::kBody)) body_name = reader.Text(*body);
-  if (!file || !body_name) return 0;
+  std::string body_name;
+  if (!reader.ReadOptional(entry, Key::kBody, &FieldReader::Text, body_name) || !file) return 0;
   const spec::Field* asked = entry.Find(Key::kBody) != nullptr ? entry.Find(Key::kBody) : &field;
   const std::filesystem::path path = (scope.values.spec().folder / *file).lexically_normal();
   // Call Attach() only once per file and body, because each call adds the findings of the file
   // again.
-  const auto [found, is_new] = attached_.try_emplace({path, *body_name}, nullptr);
+  const auto [found, is_new] = attached_.try_emplace({path, body_name}, nullptr);
   if (is_new && source_ == nullptr) {
     reader.Report(Code::kAttachNoBody, field,
                   "cannot be read: reading MJCF files is not enabled here");
   } else if (is_new) {
-    found->second = source_->Attach(path, *body_name, asked->value.mark, findings_);
+    found->second = source_->Attach(path, body_name, asked->value.mark, findings_);
   }
   if (found->second == nullptr) return 0;
   const model::Attachment& attachment = *found->second;

@@ -24,11 +24,11 @@ std::optional<Chain> ReadChain(const FieldReader& body, const spec::Entry& entry
   FieldReader reader = body.ForChild(entry.element->name, 0);
   const std::optional<double> links = reader.Number(*entry.Find(Key::kLinks));
   const std::optional<double> length = reader.Number(*entry.Find(Key::kLength));
-  const spec::Field* joint = entry.Find(Key::kJoint);
-  const std::optional<std::string> word = joint == nullptr ? "ball" : reader.Word(*joint);
-  if (!links || !length || !word) return std::nullopt;
+  std::string joint = "ball";
+  const bool good = reader.ReadOptional(entry, Key::kJoint, &FieldReader::Word, joint);
+  if (!links || !length || !good) return std::nullopt;
   Chain chain = {
-      .links = static_cast<int>(*links), .pitch = *length / *links, .is_ball = *word == "ball"};
+      .links = static_cast<int>(*links), .pitch = *length / *links, .is_ball = joint == "ball"};
   if (const spec::Field* range = entry.Find(Key::kRange)) {
     chain.range = reader.Number(*range);
     if (!chain.range) return std::nullopt;

@@ -107,12 +107,7 @@ std::optional<sample::Numbers> ReadPolynomial(FieldReader& reader, const spec::E
 void Couplings::AddScrew(const Scope& scope, const FieldReader& reader, const spec::Entry& screw,
                          model::Joint turn, model::Body& body) {
   FieldReader own = reader.ForChild(screw.element->name, 0);
-  bool good = true;
-  if (const spec::Field* field = screw.Find(Key::kAxis)) {
-    const auto axis = ReadDirection(own, *field);
-    if (axis) turn.axis = *axis;
-    good &= axis.has_value();
-  }
+  bool good = own.ReadOptional(screw, Key::kAxis, ReadDirection, turn.axis);
   const std::optional<double> lead = ReadLead(own, *screw.Find(Key::kLead));
   std::optional<Eigen::Vector2d> turns;
   good &= ReadTurns(own, screw, turns);

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -48,6 +49,17 @@ class FieldReader {
   std::optional<std::string> Word(const spec::Field& field);
   std::optional<bool> Boolean(const spec::Field& field);
   bool ReadAttribute(const spec::Field& field, model::Attribute& out);
+
+  /// Reads an optional field into `out`, which is unchanged if `entry` does not have the field.
+  /// `read` is a function above, such as &FieldReader::Number, or one with the same arguments.
+  template <typename Entry, typename Read, typename Out>
+  bool ReadOptional(const Entry& entry, spec::Key key, Read read, Out& out) {
+    const spec::Field* field = entry.Find(key);
+    if (field == nullptr) return true;
+    auto value = std::invoke(read, *this, *field);
+    if (value) out = *std::move(value);
+    return value.has_value();
+  }
 
   /// Returns the element as messages name it: "part 'head'".
   std::string Owner() const;

@@ -18,14 +18,11 @@ using diag::Code;
 using spec::Key;
 
 bool ReadType(FieldReader& reader, const spec::Entry& entry, model::Joint& joint) {
-  joint.type = "hinge";
-  const spec::Field* field = entry.Find(Key::kType);
-  if (field == nullptr) return true;
-  const std::optional<std::string> word = reader.Word(*field);
-  if (!word) return false;
+  std::string word = "hinge";
+  const bool good = reader.ReadOptional(entry, Key::kType, &FieldReader::Word, word);
   constexpr std::array<std::string_view, 4> kTypes = {"free", "ball", "slide", "hinge"};
-  joint.type = *std::ranges::find(kTypes, *word);
-  return true;
+  joint.type = *std::ranges::find(kTypes, word);
+  return good;
 }
 
 // Returns the rule of MuJoCo that `range` violates for this joint type; empty if the range is
@@ -43,26 +40,20 @@ std::string_view BrokenRange(std::string_view type, const Eigen::Vector2d& range
 
 // Reads the range of a joint. The range is in force unless the entry has `limited: false`.
 bool ReadRange(FieldReader& reader, const spec::Entry& entry, model::Joint& joint) {
-  const spec::Field* range_field = entry.Find(Key::kRange);
-  const spec::Field* limited_field = entry.Find(Key::kLimited);
   std::optional<Eigen::Vector2d> range;
-  if (range_field != nullptr) {
-    range = reader.Vector<2>(*range_field);
-    if (!range) return false;
-  }
-  if (limited_field != nullptr) {
-    const std::optional<bool> limited = reader.Boolean(*limited_field);
-    if (!limited) return false;
-    if (!*limited) return true;
-    if (!range) {
-      reader.Report(Code::kModelBadValue, *limited_field, "is true, but it has no range");
-      return false;
-    }
+  std::optional<bool> limited;
+  if (!reader.ReadOptional(entry, Key::kRange, &FieldReader::Vector<2>, range) ||
+      !reader.ReadOptional(entry, Key::kLimited, &FieldReader::Boolean, limited))
+    return false;
+  if (limited == false) return true;
+  if (limited && !range) {
+    reader.Report(Code::kModelBadValue, *entry.Find(Key::kLimited), "is true, but it has no range");
+    return false;
   }
   if (!range) return true;
   const std::string_view broken = BrokenRange(joint.type, *range);
   if (!broken.empty()) {
-    reader.Report(Code::kModelBadValue, *range_field,
+    reader.Report(Code::kModelBadValue, *entry.Find(Key::kRange),
                   fmt::format("is {} .. {}; it {}", expr::NumberText((*range)(0)),
                               expr::NumberText((*range)(1)), broken));
     return false;
@@ -83,16 +74,8 @@ std::span<const std::string_view> JointEndings(bool is_screw) {
 
 bool ReadJointGeometry(FieldReader& reader, const spec::Entry& entry, model::Joint& joint) {
   bool good = ReadType(reader, entry, joint);
-  if (const spec::Field* field = entry.Find(Key::kPos)) {
-    const auto pos = reader.Vector<3>(*field);
-    if (pos) joint.pos = *pos;
-    good &= pos.has_value();
-  }
-  if (const spec::Field* field = entry.Find(Key::kAxis)) {
-    const auto axis = ReadDirection(reader, *field);
-    if (axis) joint.axis = *axis;
-    good &= axis.has_value();
-  }
+  good &= reader.ReadOptional(entry, Key::kPos, &FieldReader::Vector<3>, joint.pos);
+  good &= reader.ReadOptional(entry, Key::kAxis, ReadDirection, joint.axis);
   return good;
 }
 

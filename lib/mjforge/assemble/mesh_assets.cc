@@ -46,11 +46,10 @@ bool IsUnportable(char c) {
 }
 
 bool ReadInertia(FieldReader& reader, const spec::Entry& entry, model::Part& part) {
-  const spec::Field* field = entry.Find(Key::kInertia);
-  if (field == nullptr) return true;
-  const std::optional<std::string> word = reader.Word(*field);
+  std::string word;
+  const bool good = reader.ReadOptional(entry, Key::kInertia, &FieldReader::Word, word);
   part.is_shell = word == "shell";
-  return word.has_value();
+  return good;
 }
 
 }  // namespace

@@ -20,14 +20,12 @@ using diag::Code;
 using spec::Key;
 
 bool ReadRole(FieldReader& reader, const spec::Entry& entry, model::Part& part) {
-  const spec::Field* field = entry.Find(Key::kRole);
-  if (field == nullptr) return true;
-  const std::optional<std::string> word = reader.Word(*field);
-  if (!word) return false;
-  part.role = *word == "both"        ? model::Role::kBoth
-              : *word == "collision" ? model::Role::kCollision
-                                     : model::Role::kVisual;
-  return true;
+  std::string word = "both";
+  const bool good = reader.ReadOptional(entry, Key::kRole, &FieldReader::Word, word);
+  part.role = word == "both"        ? model::Role::kBoth
+              : word == "collision" ? model::Role::kCollision
+                                    : model::Role::kVisual;
+  return good;
 }
 
 // Returns true for keys whose values are written to the MJCF element unchanged.

@@ -68,11 +68,8 @@ std::optional<Placements::Trial> Placements::Draw(const Request& request, sample
   Trial trial;
   if (!ReadTarget(request, reader, trial)) return std::nullopt;
   trial.is_drawn = IsDrawn(place.fields) || IsDrawn(place.beside);
-  if (const spec::Field* clear = place.Find(Key::kClear)) {
-    const std::optional<double> distance = reader.Number(*clear);
-    if (!distance) return std::nullopt;
-    trial.where.clear = *distance;
-  }
+  if (!reader.ReadOptional(place, Key::kClear, &FieldReader::Number, trial.where.clear))
+    return std::nullopt;
   const bool by_sites = trial.target.region == nullptr || place.Find(Key::kBy) != nullptr;
   const bool good = by_sites
                         ? ReadSites(request, reader, trial)
@@ -103,7 +100,7 @@ bool Placements::ReadSites(const Request& request, FieldReader& reader, Trial& t
     reader.Report(Code::kModelBadPlace, *field, "has no meaning at a site, which decides the pose");
     return false;
   }
-  if (!ReadYaw(request, reader, trial)) return false;
+  if (!reader.ReadOptional(place, Key::kYaw, &FieldReader::Number, trial.where.yaw)) return false;
   trial.where.X_SupportSite = trial.target.X_BT();
   const spec::Field* by = place.Find(Key::kBy);
   if (by == nullptr) return true;
@@ -119,25 +116,14 @@ bool Placements::ReadSites(const Request& request, FieldReader& reader, Trial& t
   return true;
 }
 
-bool Placements::ReadYaw(const Request& request, FieldReader& reader, Trial& trial) {
-  const spec::Field* yaw = request.entry.place->Find(Key::kYaw);
-  if (yaw == nullptr) return true;
-  const std::optional<double> angle = reader.Number(*yaw);
-  if (angle) trial.where.yaw = *angle;
-  return angle.has_value();
-}
-
 bool Placements::ReadArea(const Request& request, FieldReader& reader, sample::StreamId path,
                           Trial& trial) {
   const spec::PlaceEntry& place = *request.entry.place;
   model::PlaceTry& where = trial.where;
   where.region = trial.target.region;
-  if (const spec::Field* overhang = place.Find(Key::kOverhang)) {
-    const std::optional<double> share = reader.Number(*overhang);
-    if (!share) return false;
-    where.overhang = *share;
-  }
-  if (!ReadYaw(request, reader, trial)) return false;
+  if (!reader.ReadOptional(place, Key::kOverhang, &FieldReader::Number, where.overhang) ||
+      !reader.ReadOptional(place, Key::kYaw, &FieldReader::Number, where.yaw))
+    return false;
   if (place.Find(Key::kYaw) == nullptr && place.beside.empty() &&
       place.Find(Key::kFacing) == nullptr) {
     where.yaw = 2 * std::numbers::pi * scope_.values.Uniforms(sample::Child(path, "yaw"))[0];

@@ -135,10 +135,10 @@ void Placements::Settle(const Request& request, const Trial& trial,
 }
 
 bool Placements::LeaveOut(const Request& request) {
-  const spec::Field* fewer = request.entry.head.Find(Key::kFewer);
-  if (fewer == nullptr) return false;
   FieldReader reader(scope_.values, context_.findings, "body", request.name, scope_.values.root());
-  if (!reader.Boolean(*fewer).value_or(false)) return false;
+  bool fewer = false;
+  reader.ReadOptional(request.entry.head, Key::kFewer, &FieldReader::Boolean, fewer);
+  if (!fewer) return false;
   context_.left_out.insert(scope_.prefix + request.name);
   return true;
 }

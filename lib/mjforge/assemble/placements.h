@@ -79,7 +79,6 @@ class Placements {
   /// Finds the region or site of `at:`, which must belong to a body that already has its place.
   bool ReadTarget(const Request& request, FieldReader& reader, Trial& trial);
   bool ReadSites(const Request& request, FieldReader& reader, Trial& trial);
-  bool ReadYaw(const Request& request, FieldReader& reader, Trial& trial);
   bool ReadArea(const Request& request, FieldReader& reader, sample::StreamId path, Trial& trial);
   bool ReadPosition(const Request& request, FieldReader& reader, sample::StreamId path,
                     Trial& trial);

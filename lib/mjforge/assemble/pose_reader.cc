@@ -87,12 +87,7 @@ std::optional<Vector3d> ReadDirection(FieldReader& reader, const spec::Field& fi
 
 std::optional<model::Pose> ReadPose(FieldReader& reader, const spec::Entry& entry) {
   model::Pose pose;
-  bool good = true;
-  if (const spec::Field* field = entry.Find(Key::kPos)) {
-    const auto pos = reader.Vector<3>(*field);
-    if (pos) pose.p = *pos;
-    good = pos.has_value();
-  }
+  const bool good = reader.ReadOptional(entry, Key::kPos, &FieldReader::Vector<3>, pose.p);
   const std::optional<Quaterniond> q = ReadOrientation(reader, entry);
   if (!good || !q) return std::nullopt;
   pose.q = *q;

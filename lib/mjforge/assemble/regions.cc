@@ -109,22 +109,11 @@ bool ReadExtent(FieldReader& reader, const spec::Entry& entry, std::string_view 
   return half_size.has_value();
 }
 
-// Reads a length into `out`. Leaves `out` unchanged if the entry does not have the key. Returns
-// false after adding a finding.
-bool ReadLength(FieldReader& reader, const spec::Entry& entry, Key key, double& out) {
-  const spec::Field* field = entry.Find(key);
-  if (field == nullptr) return true;
-  const std::optional<double> number = reader.Number(*field);
-  if (number) out = *number;
-  return number.has_value();
-}
-
 }  // namespace
 
 void CenterOrigin(model::Region& region) {
   if (region.type != model::RegionType::kPolygon) return;
-  Eigen::AlignedBox2d box;
-  for (const Eigen::Vector2d& corner : region.corners) box.extend(corner);
+  const Eigen::AlignedBox2d box = solid::BoxAround(region.corners);
   for (Eigen::Vector2d& corner : region.corners) corner -= box.center();
   region.half_size = box.sizes() / 2;
   region.X_BR.p += region.X_BR.q * Eigen::Vector3d(box.center().x(), box.center().y(), 0);
@@ -175,33 +164,30 @@ void Assembly::AddRegion(Scope& scope, const spec::Entry& entry, std::string_vie
   if (!name) return;
   FieldReader reader(scope.values, findings_, "region", *name,
                      sample::Child(regions, std::string_view(*name)));
-  std::optional<std::string> type = "box";
-  if (const spec::Field* field = entry.Find(Key::kType)) type = reader.Word(*field);
-  if (!type || HasStrayRegionKeys(reader, entry, *type)) return;
+  std::string type = "box";
+  if (!reader.ReadOptional(entry, Key::kType, &FieldReader::Word, type) ||
+      HasStrayRegionKeys(reader, entry, type))
+    return;
   model::Region region;
   region.name = *name;
   region.site = fmt::format("{}{}{}", scope.prefix, owner, *name);
   region.mark = entry.mark;
-  bool good = ReadLength(reader, entry, Key::kMargin, region.margin);
-  good &= ReadLength(reader, entry, Key::kClear, region.clear);
-  if (*type == "auto") {
+  bool good = reader.ReadOptional(entry, Key::kMargin, &FieldReader::Number, region.margin);
+  good &= reader.ReadOptional(entry, Key::kClear, &FieldReader::Number, region.clear);
+  if (type == "auto") {
     FaceSearch search;
     search.body = current_body_;
     region.height = search.least_height;
-    good &= ReadLength(reader, entry, Key::kHeight, region.height);
-    good &= ReadLength(reader, entry, Key::kArea, search.least_area);
+    good &= reader.ReadOptional(entry, Key::kHeight, &FieldReader::Number, region.height);
+    good &= reader.ReadOptional(entry, Key::kArea, &FieldReader::Number, search.least_area);
     search.least_height = region.height;
     search.pattern = std::move(region);
     if (good) face_searches_.push_back(std::move(search));
     return;
   }
-  good &= ReadLength(reader, entry, Key::kHeight, region.height);
-  if (const spec::Field* walls = entry.Find(Key::kWalls)) {
-    const std::optional<bool> has_walls = reader.Boolean(*walls);
-    region.has_walls = has_walls == true;
-    good &= has_walls.has_value();
-  }
-  good &= ReadExtent(reader, entry, *type, region);
+  good &= reader.ReadOptional(entry, Key::kHeight, &FieldReader::Number, region.height);
+  good &= reader.ReadOptional(entry, Key::kWalls, &FieldReader::Boolean, region.has_walls);
+  good &= ReadExtent(reader, entry, type, region);
   const std::optional<model::Pose> pose = ReadPose(reader, entry);
   if (!good || !pose) return;
   region.X_BR = scope.X_BS * *pose;

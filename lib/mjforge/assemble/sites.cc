@@ -27,11 +27,9 @@ void Assembly::AddSite(Scope& scope, const spec::Entry& entry, sample::StreamId 
   site.name = scope.prefix + *name;
   site.mark = entry.mark;
   bool good = true;
-  if (const spec::Field* type = entry.Find(Key::kType)) {
-    const std::optional<std::string> word = reader.Word(*type);
-    if (word) site.type = TypeOf(*word);
-    good &= word.has_value();
-  }
+  std::optional<std::string> type;
+  good &= reader.ReadOptional(entry, Key::kType, &FieldReader::Word, type);
+  if (type) site.type = TypeOf(*type);
   if (const spec::Field* size = entry.Find(Key::kSize)) {
     sample::Numbers numbers;
     good &= reader.Numbers(*size, numbers);

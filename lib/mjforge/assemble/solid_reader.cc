@@ -119,11 +119,8 @@ class SolidReader {
  private:
   template <typename T>
   T Read(Key key, std::optional<T> (FieldReader::*read)(const spec::Field&), T without) {
-    const spec::Field* field = entry_.Find(key);
-    if (field == nullptr) return without;
-    const std::optional<T> value = (reader_.*read)(*field);
-    is_good_ &= value.has_value();
-    return value.value_or(without);
+    is_good_ &= reader_.ReadOptional(entry_, key, read, without);
+    return without;
   }
 
   FieldReader& reader_;
@@ -145,13 +142,6 @@ solid::Lathe ReadLathe(SolidReader& read, const PartTexture& texture) {
   return lathe;
 }
 
-// Returns the size of a prism's polygon along x and y.
-Eigen::Vector2d SizeOf(const std::vector<Eigen::Vector2d>& polygon) {
-  Eigen::AlignedBox2d box;
-  for (const Eigen::Vector2d& p : polygon) box.extend(p);
-  return box.sizes();
-}
-
 solid::Prism ReadPrism(SolidReader& read, const PartTexture& texture) {
   solid::Prism prism;
   prism.height = read.Numbers(Key::kHeight, "height", 1)[0];
@@ -162,7 +152,7 @@ solid::Prism ReadPrism(SolidReader& read, const PartTexture& texture) {
   prism.facets = read.Integer(Key::kFacets, prism.facets);
   read.Holes({scale.x(), scale.y(), 1}, prism);
   prism.polygon = PointsIn(read.Points(Key::kPolygon, "polygon"), scale);
-  prism.texture = MappingFromAbove(texture, SizeOf(prism.polygon));
+  prism.texture = MappingFromAbove(texture, solid::BoxAround(prism.polygon).sizes());
   if (prism.holes_x.empty() && prism.holes_y.empty()) return prism;
   constexpr std::string_view kWhy = "has no meaning beside holes along x or y";
   read.Refuse(Key::kRound, kWhy,

@@ -15,20 +15,13 @@
 #include "mjforge/expr/expr.h"
 #include "mjforge/physics/causes.h"
 #include "mjforge/physics/drop.h"
-#include "mjforge/physics/element_marks.h"
-#include "mjforge/physics/equality_check.h"
-#include "mjforge/physics/feet.h"
 #include "mjforge/physics/floor.h"
 #include "mjforge/physics/joint_checks.h"
 #include "mjforge/physics/joint_drive.h"
-#include "mjforge/physics/joint_effort.h"
-#include "mjforge/physics/joint_ranges.h"
 #include "mjforge/physics/joint_rest.h"
+#include "mjforge/physics/model_checks.h"
 #include "mjforge/physics/parent_penetration.h"
-#include "mjforge/physics/rests_inside.h"
-#include "mjforge/physics/simready.h"
 #include "mjforge/physics/stability.h"
-#include "mjforge/physics/unsupported_links.h"
 
 namespace mjforge::physics {
 namespace {
@@ -37,7 +30,6 @@ using diag::Code;
 using expr::ExceededLimit;
 using expr::RoundedText;
 using expr::SpeedText;
-using static_checks::Reporter;
 
 constexpr const char* kHarderContacts = "use harder contacts: a smaller solref, solimp closer to 1";
 constexpr const char* kMakeRoom = "make room, use another `pose`, or add `contact: exclude`";
@@ -53,63 +45,61 @@ constexpr double kMostSteps = 1e7;
 
 class Behaviour {
  public:
-  Behaviour(mjModel& m, Workspace& workspace, const model::Object& object, diag::SourceMark mark,
-            Reporter& reporter)
-      : m_(m), workspace_(workspace), object_(object), mark_(mark), reporter_(reporter) {}
+  explicit Behaviour(const ModelTest& test) : test_(test), m_(test.m) {}
 
   /// Records the drop and, if a nudge (an initial tilt and speed) topples the object, the drop with
   /// that nudge.
   void RecordDrop(FilmRecorder& recorder) {
     if (!CanStep()) return;
     recorder_ = &recorder;
-    Result result;
-    Drop({}, result);
+    Drop({}, test_.result);
     recorder.Keep();
-    CheckStability(result);
+    CheckStability(test_.result);
   }
 
-  void Check(Result& result) {
-    if (!CanStep() || !JointChecks(m_, object_.name, reporter_.checks()).Verify(reporter_)) return;
+  void Check() {
+    const std::string& object = test_.object.name;
+    const model::Checks& checks = test_.checks();
+    if (!CanStep() || !JointChecks(m_, object, checks).Verify(test_.reporter)) return;
+    Result& result = test_.result;
     const DropOutcome outcome = Drop({}, result);
     if (outcome.has_diverged) return ReportDivergence(outcome);
     for (const std::string& warning : outcome.warnings) {
-      reporter_.Error(Code::kPhysicsUnstable, mark_,
-                      fmt::format("MuJoCo warns as '{}' settles: {}", object_.name, warning));
+      test_.reporter.Error(Code::kPhysicsUnstable, test_.mark,
+                           fmt::format("MuJoCo warns as '{}' settles: {}", object, warning));
     }
     ReportDrop(outcome, result);
-    CheckJointRests(m_, *end_, object_, mark_, reporter_);
+    CheckJointRests(test_, *end_);
     const std::vector<mjtNum> rest(end_->qpos, end_->qpos + m_.nq);
     CheckStability(result);
-    CheckRestsInside(m_, rest, workspace_, object_, mark_, reporter_);
-    CheckRanges(m_, object_, mark_, reporter_);
-    CheckEfforts(m_, workspace_, object_, mark_, reporter_);
-    CheckUnsupportedLinks(m_, workspace_.For(m_), object_, mark_, reporter_);
-    const DriveResults drives =
-        DriveJoints(m_, workspace_.For(m_), object_.name, reporter_.checks());
+    CheckRestsInside(test_, rest);
+    CheckRanges(test_);
+    CheckEfforts(test_);
+    CheckUnsupportedLinks(test_);
+    const DriveResults drives = DriveJoints(m_, test_.workspace.For(m_), object, checks);
     for (const InitialPenetration& initial : drives.initial_penetrations)
       ReportInitialPenetration(initial);
     for (const ParentPenetration& penetration :
-         FindParentPenetrations(m_, workspace_, object_.name, reporter_.checks()))
+         FindParentPenetrations(m_, test_.workspace, object, checks))
       ReportParentPenetration(penetration);
     for (const DrivenJoint& driven : drives.joints) {
       result.joints.push_back(driven.measured);
       ReportJoint(driven);
     }
-    CheckEqualities(m_, workspace_, object_, mark_, reporter_, result);
-    if (reporter_.checks().simready)
-      CheckSimReady(m_, workspace_, drives, object_.name, mark_, reporter_, result);
+    CheckEqualities(test_);
+    if (checks.simready) CheckSimReady(test_, drives);
   }
 
  private:
   bool CanStep() {
     const double timestep = m_.opt.timestep;
-    const double time = reporter_.checks().settle_time;
+    const double time = test_.checks().settle_time;
     if (timestep >= kShortestStep && timestep <= kLongestStep && time / timestep <= kMostSteps) {
       return true;
     }
-    reporter_.Error(
-        Code::kPhysicsUnstable, mark_,
-        fmt::format("'{}' cannot be simulated: {:g} s in steps of {:g} s", object_.name, time,
+    test_.reporter.Error(
+        Code::kPhysicsUnstable, test_.mark,
+        fmt::format("'{}' cannot be simulated: {:g} s in steps of {:g} s", test_.object.name, time,
                     timestep),
         fmt::format("use a timestep of {:g} to {:g} s and a settle_time of at most {:g} steps",
                     kShortestStep, kLongestStep, kMostSteps));
@@ -117,24 +107,24 @@ class Behaviour {
   }
 
   DropOutcome Drop(const Nudge& nudge, Result& result) {
-    return Simulate(m_, workspace_, [&](mjData& d) {
+    return Simulate(m_, test_.workspace, [&](mjData& d) {
       result = {};  // discards a run whose contacts exceeded the buffers; Simulate() repeats it
       end_ = &d;
       if (recorder_ != nullptr) recorder_->Begin();
-      return SimulateDrop(m_, d, reporter_.checks(), nudge, result, recorder_);
+      return SimulateDrop(m_, d, test_.checks(), nudge, result, recorder_);
     });
   }
 
   void ReportDivergence(const DropOutcome& outcome) {
-    Divergence found = FindDivergence(m_, *end_, workspace_);
-    const diag::SourceMark mark = !found.joint.empty() ? MarkOf(found.joint)
-                                  : !found.actuator.empty()
-                                      ? ElementMark(object_, "actuator", found.actuator, mark_)
-                                      : mark_;
-    reporter_.Error(Code::kPhysicsUnstable, mark,
-                    fmt::format("the simulation diverges as '{}' settles: {} (MuJoCo: {})",
-                                object_.name, found.cause, fmt::join(outcome.warnings, " ")),
-                    std::move(found.hint));
+    Divergence found = FindDivergence(m_, *end_, test_.workspace);
+    const diag::SourceMark mark = found.actuator.empty()
+                                      ? test_.JointMark(found.joint)
+                                      : test_.ElementMark("actuator", found.actuator);
+    test_.reporter.Error(
+        Code::kPhysicsUnstable, mark,
+        fmt::format("the simulation diverges as '{}' settles: {} (MuJoCo: {})", test_.object.name,
+                    found.cause, fmt::join(outcome.warnings, " ")),
+        std::move(found.hint));
   }
 
   void CheckStability(Result& result) {
@@ -143,9 +133,9 @@ class Behaviour {
     if (!body) return;
     const StabilityMargin margin = FindStabilityMargin(m_, *end_, *body, result.sink);
     result.stability = margin.least;
-    const model::Checks& checks = reporter_.checks();
+    const model::Checks& checks = test_.checks();
     if (!checks.stable || result.tilt > checks.tilt) return;
-    CheckFeet(m_, *end_, *body, GroundOf(m_, *end_).height, object_, mark_, reporter_);
+    CheckFeet(test_, *end_, *body, GroundOf(m_, *end_).height);
     const double gravity = Eigen::Map<const Eigen::Vector3d>(m_.opt.gravity).norm();
     const double height =
         end_->subtree_com[3 * *body + 2] - compiled::CollidingBox(m_, *end_, *body).min.z();
@@ -170,44 +160,46 @@ class Behaviour {
     const std::string how =
         nudge.tilt > 0 ? fmt::format("tilted by {} deg", RoundedText(kDegrees * nudge.tilt))
                        : fmt::format("pushed at {} m/s", RoundedText(nudge.speed));
-    reporter_.Error(Code::kPhysicsTopples, mark_,
-                    fmt::format("'{}' topples when it is {}: it leans over by {} deg{}; at rest it "
-                                "can be tilted by {} deg ({:.2g} J)",
-                                object_.name, how, RoundedText(kDegrees * nudged.tilt),
-                                MovedJointText(m_, *end_),
-                                RoundedText(kDegrees * margin.least.angle), margin.least.energy),
-                    "give it a wider foot or a lower centre of mass, or set `nudge`");
+    test_.reporter.Error(
+        Code::kPhysicsTopples, test_.mark,
+        fmt::format("'{}' topples when it is {}: it leans over by {} deg{}; at rest it "
+                    "can be tilted by {} deg ({:.2g} J)",
+                    test_.object.name, how, RoundedText(kDegrees * nudged.tilt),
+                    MovedJointText(m_, *end_), RoundedText(kDegrees * margin.least.angle),
+                    margin.least.energy),
+        "give it a wider foot or a lower centre of mass, or set `nudge`");
   }
 
   void ReportInitialPenetration(const InitialPenetration& initial) {
-    if (!(initial.depth > reporter_.checks().joint_penetration)) return;
-    reporter_.Error(Code::kPhysicsJointCollides,
-                    initial.check != nullptr ? initial.check->mark : mark_,
-                    fmt::format("bodies '{}' and '{}' are {} mm in each other before any joint "
-                                "is driven",
-                                BodyName(initial.body1), BodyName(initial.body2),
-                                RoundedText(1000 * initial.depth)),
-                    initial.check != nullptr ? "the positions of `at` put them there" : kMakeRoom);
+    if (!(initial.depth > test_.checks().joint_penetration)) return;
+    test_.reporter.Error(
+        Code::kPhysicsJointCollides, initial.check != nullptr ? initial.check->mark : test_.mark,
+        fmt::format("bodies '{}' and '{}' are {} mm in each other before any joint "
+                    "is driven",
+                    test_.BodyName(initial.body1), test_.BodyName(initial.body2),
+                    RoundedText(1000 * initial.depth)),
+        initial.check != nullptr ? "the positions of `at` put them there" : kMakeRoom);
   }
 
   void ReportParentPenetration(const ParentPenetration& penetration) {
-    const std::string name = JointName(penetration.joint);
+    const std::string name = test_.JointName(penetration.joint);
     if (!penetration.is_added) {
-      reporter_.Warning(
-          Code::kPhysicsJointPasses, MarkOf(name),
+      test_.reporter.Warning(
+          Code::kPhysicsJointPasses, test_.JointMark(name),
           fmt::format("body '{}' is {} mm in its parent '{}' where joint '{}' starts; MuJoCo does "
                       "not let the two collide",
-                      BodyName(penetration.body), RoundedText(1000 * penetration.depth),
-                      BodyName(penetration.parent), name),
+                      test_.BodyName(penetration.body), RoundedText(1000 * penetration.depth),
+                      test_.BodyName(penetration.parent), name),
           "make room; if it may be so, say how deep in an entry of `checks.joints`");
       return;
     }
-    reporter_.Warning(
-        Code::kPhysicsJointPasses, MarkOf(name),
+    test_.reporter.Warning(
+        Code::kPhysicsJointPasses, test_.JointMark(name),
         fmt::format("joint '{}' moves body '{}' {} mm into its parent '{}', at {}; MuJoCo does "
                     "not let the two collide",
-                    name, BodyName(penetration.body), RoundedText(1000 * penetration.depth),
-                    BodyName(penetration.parent), Distance(penetration.joint, penetration.where)),
+                    name, test_.BodyName(penetration.body), RoundedText(1000 * penetration.depth),
+                    test_.BodyName(penetration.parent),
+                    test_.Distance(penetration.joint, penetration.where)),
         "look at the axis, its sign, and the range; if it may be so, say why in `silence`");
   }
 
@@ -218,28 +210,29 @@ class Behaviour {
                    std::string hint, const std::string& along = {}) {
     if (!(value > limit)) return;
     const ExceededLimit beyond(scale * value, scale * limit);
-    reporter_.Error(
-        code, mark_,
-        fmt::format(fmt::runtime(text), object_.name, beyond.value, beyond.limit, along),
+    test_.reporter.Error(
+        code, test_.mark,
+        fmt::format(fmt::runtime(text), test_.object.name, beyond.value, beyond.limit, along),
         std::move(hint));
   }
 
   void ReportDrop(const DropOutcome& outcome, const Result& result) {
-    const model::Checks& checks = reporter_.checks();
+    const model::Checks& checks = test_.checks();
     ReportAbove(Code::kPhysicsGainsEnergy, result.energy_gain, checks.energy_gain, 1,
                 "'{0}' gains energy as it settles: {1} of mass * gravity * size, more than {2}",
                 EnergySourcesHint(m_));
     if (!result.at_rest && result.dropped && result.ncon == 0) {
-      reporter_.Warning(Code::kPhysicsNotAtRest, mark_,
-                        fmt::format("'{}' touches nothing for {} s and ends at {}", object_.name,
-                                    RoundedText(result.time), SpeedText(result.speed)),
-                        "check gravity and the contact bits (contype, conaffinity)");
+      test_.reporter.Warning(
+          Code::kPhysicsNotAtRest, test_.mark,
+          fmt::format("'{}' touches nothing for {} s and ends at {}", test_.object.name,
+                      RoundedText(result.time), SpeedText(result.speed)),
+          "check gravity and the contact bits (contype, conaffinity)");
     } else if (!result.at_rest && (result.dropped || HasRestRanges(checks))) {
-      reporter_.Warning(
-          Code::kPhysicsNotAtRest, mark_,
+      test_.reporter.Warning(
+          Code::kPhysicsNotAtRest, test_.mark,
           fmt::format("'{}' still moves after {} s: body '{}' at {}, {} mm from where it began; at "
                       "rest it is slower than {} for 0.1 s",
-                      object_.name, RoundedText(result.time), outcome.fastest,
+                      test_.object.name, RoundedText(result.time), outcome.fastest,
                       SpeedText(result.speed), RoundedText(1000 * outcome.way),
                       SpeedText(checks.rest_speed)),
           RestRemedy(outcome));
@@ -283,11 +276,11 @@ class Behaviour {
     ReportLimits(driven);
     ReportObstacles(driven);
     const double most =
-        Limit(driven, &model::JointCheck::joint_return, reporter_.checks().joint_return);
+        Limit(driven, &model::JointCheck::joint_return, test_.checks().joint_return);
     if (joint.return_error > most * driven.range) {
       ErrorOf(joint, Code::kPhysicsJointNotBack,
               fmt::format("joint '{}' does not come back: it ends {} from where it started",
-                          joint.name, Distance(driven.joint, joint.return_error)));
+                          joint.name, test_.Distance(driven.joint, joint.return_error)));
     }
   }
 
@@ -300,25 +293,25 @@ class Behaviour {
 
   void ReportLimits(const DrivenJoint& driven) {
     const Result::Joint& joint = driven.measured;
-    const double most = driven.range * Limit(driven, &model::JointCheck::overshoot,
-                                             reporter_.checks().joint_overshoot);
-    const std::string range = Distance(driven.joint, driven.range);
+    const double most =
+        driven.range * Limit(driven, &model::JointCheck::overshoot, test_.checks().joint_overshoot);
+    const std::string range = test_.Distance(driven.joint, driven.range);
     if (driven.outside > most) {
       ErrorOf(joint, Code::kPhysicsJointOvershoots,
               fmt::format("joint '{}' begins {} outside its range of {}", joint.name,
-                          Distance(driven.joint, driven.outside), range),
+                          test_.Distance(driven.joint, driven.outside), range),
               "use a range that contains zero, or a pose (`ref`) within the range");
     } else if (joint.overshoot > most) {
       ErrorOf(joint, Code::kPhysicsJointOvershoots,
               fmt::format("joint '{}' goes {} beyond its range of {}", joint.name,
-                          Distance(driven.joint, joint.overshoot), range),
+                          test_.Distance(driven.joint, joint.overshoot), range),
               LimitHint(m_, driven.joint, joint.overshoot,
                         "use a harder limit: a smaller solreflimit, solimplimit closer to 1"));
     }
   }
 
   void ReportObstacles(const DrivenJoint& driven) {
-    const model::Checks& checks = reporter_.checks();
+    const model::Checks& checks = test_.checks();
     const Result::Joint& joint = driven.measured;
     if (joint.penetration >
         Limit(driven, &model::JointCheck::penetration, checks.joint_penetration)) {
@@ -327,18 +320,19 @@ class Behaviour {
           fmt::format("driving joint '{}' pushes bodies '{}' and '{}' {} mm into each "
                       "other, at {}",
                       joint.name, driven.body1, driven.body2, RoundedText(1000 * joint.penetration),
-                      Distance(driven.joint, driven.where)),
+                      test_.Distance(driven.joint, driven.where)),
           InTheWayHint(driven, {driven.body1, driven.body2}));
     }
     if (!(joint.reach < Limit(driven, &model::JointCheck::reach, checks.joint_reach))) return;
     const auto pair = driven.free_depth > joint.penetration ? driven.free_pair
                                                             : std::pair(driven.body1, driven.body2);
     const bool collide = !pair.first.empty();
-    ErrorOf(joint, Code::kPhysicsJointBlocked,
-            fmt::format("joint '{}' reaches only {} % of its range of {}", joint.name,
-                        RoundedText(100 * joint.reach), Distance(driven.joint, driven.range)) +
-                (collide ? fmt::format(": '{}' and '{}' collide", pair.first, pair.second) : ""),
-            collide ? InTheWayHint(driven, pair) : HeldBackHint(m_, driven.joint));
+    ErrorOf(
+        joint, Code::kPhysicsJointBlocked,
+        fmt::format("joint '{}' reaches only {} % of its range of {}", joint.name,
+                    RoundedText(100 * joint.reach), test_.Distance(driven.joint, driven.range)) +
+            (collide ? fmt::format(": '{}' and '{}' collide", pair.first, pair.second) : ""),
+        collide ? InTheWayHint(driven, pair) : HeldBackHint(m_, driven.joint));
   }
 
   /// Returns the hint for two bodies that collide while a joint is driven.
@@ -354,41 +348,22 @@ class Behaviour {
            "; `at` in `checks: joints:` says where other joints stand meanwhile";
   }
 
-  std::string BodyName(int id) const { return compiled::NameOf(m_, mjOBJ_BODY, id); }
-  std::string JointName(int id) const { return compiled::NameOf(m_, mjOBJ_JOINT, id); }
-
-  diag::SourceMark MarkOf(int joint) const { return MarkOf(JointName(joint)); }
-  diag::SourceMark MarkOf(const std::string& joint) const {
-    return JointMark(object_, joint, mark_);
-  }
-
   void ErrorOf(const Result::Joint& joint, Code code, std::string message, std::string hint = {}) {
-    reporter_.Error(code, MarkOf(joint.name), std::move(message), std::move(hint));
+    test_.reporter.Error(code, test_.JointMark(joint.name), std::move(message), std::move(hint));
   }
 
-  std::string Distance(int joint, double value) const {
-    return expr::DistanceText(m_.jnt_type[joint] == mjJNT_SLIDE, value);
-  }
-
+  const ModelTest& test_;
   mjModel& m_;
-  Workspace& workspace_;
-  const model::Object& object_;
-  diag::SourceMark mark_;
-  Reporter& reporter_;
   mjData* end_ = nullptr;  // final state of the last drop
   FilmRecorder* recorder_ = nullptr;
 };
 
 }  // namespace
 
-void RecordDrop(mjModel& m, Workspace& workspace, const model::Object& object,
-                diag::SourceMark mark, Reporter& reporter, FilmRecorder& recorder) {
-  Behaviour(m, workspace, object, mark, reporter).RecordDrop(recorder);
+void RecordDrop(const ModelTest& test, FilmRecorder& recorder) {
+  Behaviour(test).RecordDrop(recorder);
 }
 
-void CheckBehaviour(mjModel& m, Workspace& workspace, const model::Object& object,
-                    diag::SourceMark mark, Reporter& reporter, Result& result) {
-  Behaviour(m, workspace, object, mark, reporter).Check(result);
-}
+void CheckBehaviour(const ModelTest& test) { Behaviour(test).Check(); }
 
 }  // namespace mjforge::physics

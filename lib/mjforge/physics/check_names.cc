@@ -33,9 +33,9 @@ std::optional<int> IdOf(const mjModel& m, mjtObj kind, std::string_view object,
 
 std::optional<int> FindNamed(const ProbeTest& test, mjtObj kind, const std::string& name,
                              const NamingCheck& check) {
-  const std::optional<int> id = IdOf(test.m, kind, test.object, name);
+  const std::optional<int> id = IdOf(test.m, kind, test.object.name, name);
   if (id) return id;
-  const std::vector<std::string> names = OwnNames(test.m, kind, test.object);
+  const std::vector<std::string> names = OwnNames(test.m, kind, test.object.name);
   test.reporter.Error(
       diag::Code::kModelUnknownReference, check.mark,
       fmt::format("`{}`: the object has no {} '{}'", check.key,

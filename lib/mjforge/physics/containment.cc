@@ -199,7 +199,7 @@ std::string BallText(const Ball& ball) {
 class ContainmentReport {
  public:
   explicit ContainmentReport(const ProbeTest& test)
-      : name_(test.object), holding_(*test.reporter.checks().holds), reporter_(test.reporter) {}
+      : name_(test.object.name), holding_(*test.checks().holds), reporter_(test.reporter) {}
 
   void Add(const ContainmentResult& result) {
     if (result.has_diverged) {
@@ -244,7 +244,7 @@ class ContainmentReport {
 /// in the test; 0 if `without` is empty. If the name is unknown, adds a finding and returns
 /// nullopt.
 std::optional<int> RemovedBody(const ProbeTest& test) {
-  const model::HoldingCheck& holding = *test.reporter.checks().holds;
+  const model::HoldingCheck& holding = *test.checks().holds;
   if (holding.without.empty()) return 0;
   return FindNamed(test, mjOBJ_BODY, holding.without, {"holds", holding.mark});
 }
@@ -265,7 +265,7 @@ std::string WithBalls(std::string_view text, const model::HoldingCheck& holding)
 void CheckContainment(const ProbeTest& test) {
   const std::optional<int> removed = RemovedBody(test);
   if (!removed) return;
-  const model::HoldingCheck& holding = *test.reporter.checks().holds;
+  const model::HoldingCheck& holding = *test.checks().holds;
   const auto result = Simulate(test.m, test.workspace, [&](mjData& d) {
     return ContainmentSimulation(test.m, d, test.start, holding, *removed).Run(holding.empties);
   });

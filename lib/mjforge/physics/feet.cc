@@ -1,5 +1,5 @@
 // Check of an object's feet on a floor: feet that do not touch the floor, and too little friction.
-#include "mjforge/physics/feet.h"
+#include "mjforge/physics/model_checks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,6 @@
 
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/expr/expr.h"
-#include "mjforge/physics/element_marks.h"
 
 namespace mjforge::physics {
 namespace {
@@ -48,8 +47,8 @@ bool AreAlike(const Foot& one, const Foot& two) {
 
 /// Returns the parts with colliding geoms in a tree of bodies. Heights are relative to the floor,
 /// which is at `height`, m.
-std::vector<Foot> FeetOf(const mjModel& m, const mjData& d, int root, double height,
-                         const model::Object& object, diag::SourceMark mark) {
+std::vector<Foot> FeetOf(const ModelTest& test, const mjData& d, int root, double height) {
+  const mjModel& m = test.m;
   std::map<std::pair<int, std::string>, Foot> feet;  // key: body and part name
   for (int geom = 0; geom < m.ngeom; ++geom) {
     const int body = m.geom_bodyid[geom];
@@ -57,12 +56,12 @@ std::vector<Foot> FeetOf(const mjModel& m, const mjData& d, int root, double hei
     const model::Box3 box = compiled::GeomBox(m, geom, compiled::GeomPose(d, geom));
     if (box.empty()) continue;
     std::string name = compiled::NameOf(m, mjOBJ_GEOM, geom);
-    const model::Part* const part = PartOf(object, name);
+    const model::Part* const part = test.PartOf(name);
     if (part != nullptr) name = part->NameInSpec();
     Foot& foot = feet[{body, name}];
     if (foot.pieces == 0) foot.bottom = foot.top = box.min.z() - height;
     foot.name = name;
-    foot.mark = PartMark(part, mark);
+    foot.mark = test.PartMark(part);
     foot.type = m.geom_type[geom];
     ++foot.pieces;
     foot.size = std::max(foot.size, m.geom_rbound[geom]);
@@ -94,8 +93,7 @@ const Foot* LikeOnFloor(const std::vector<Foot>& feet, const Foot& lifted) {
   return on_floor >= 2 && on_floor >= in_air ? like : nullptr;
 }
 
-void CheckLifted(const std::vector<Foot>& feet, const model::Object& object,
-                 static_checks::Reporter& reporter) {
+void CheckLifted(const ModelTest& test, const std::vector<Foot>& feet) {
   const Foot* highest = nullptr;
   const Foot* like = nullptr;
   for (const Foot& foot : feet) {
@@ -107,11 +105,11 @@ void CheckLifted(const std::vector<Foot>& feet, const model::Object& object,
     like = found;
   }
   if (highest == nullptr) return;
-  reporter.Warning(
+  test.reporter.Warning(
       diag::Code::kPhysicsFeet, highest->mark,
       fmt::format("part '{}' is {} mm above the floor where '{}' rests, which must be stable; part "
                   "'{}', which is like it, stands on the floor",
-                  highest->name, RoundedText(1000 * highest->bottom), object.name, like->name),
+                  highest->name, RoundedText(1000 * highest->bottom), test.object.name, like->name),
       "let all feet reach the floor: look at their `pos` and sizes");
 }
 
@@ -133,29 +131,26 @@ std::optional<double> FrictionOf(const mjModel& m, const mjData& d, int root) {
   return load > 0 ? std::optional(most / load) : std::nullopt;
 }
 
-void CheckGlides(const mjModel& m, const mjData& d, int root, const model::Object& object,
-                 diag::SourceMark mark, static_checks::Reporter& reporter) {
+void CheckGlides(const ModelTest& test, const mjData& d, int root) {
   // Tests slopes of up to 45 degrees only, because the floor's friction of 1 holds no object on a
   // steeper slope.
-  const double slope = std::min(reporter.checks().nudge, std::numbers::pi / 4);
-  const std::optional<double> friction = FrictionOf(m, d, root);
+  const double slope = std::min(test.checks().nudge, std::numbers::pi / 4);
+  const std::optional<double> friction = FrictionOf(test.m, d, root);
   if (!friction || *friction >= std::tan(slope)) return;
-  reporter.Warning(
-      diag::Code::kPhysicsFeet, mark,
+  test.reporter.Warning(
+      diag::Code::kPhysicsFeet, test.mark,
       fmt::format("'{}', which must be stable, glides off a floor that leans by {} deg: "
                   "the friction of its feet is {}, and must be {}",
-                  object.name, RoundedText(slope * 180 / std::numbers::pi), RoundedText(*friction),
-                  RoundedText(std::tan(slope))),
+                  test.object.name, RoundedText(slope * 180 / std::numbers::pi),
+                  RoundedText(*friction), RoundedText(std::tan(slope))),
       "give them more friction; with a `priority` theirs counts, whatever the floor has");
 }
 
 }  // namespace
 
-void CheckFeet(const mjModel& m, const mjData& d, int root, double height,
-               const model::Object& object, diag::SourceMark mark,
-               static_checks::Reporter& reporter) {
-  CheckLifted(FeetOf(m, d, root, height, object, mark), object, reporter);
-  CheckGlides(m, d, root, object, mark, reporter);
+void CheckFeet(const ModelTest& test, const mjData& d, int root, double height) {
+  CheckLifted(test, FeetOf(test, d, root, height));
+  CheckGlides(test, d, root);
 }
 
 }  // namespace mjforge::physics

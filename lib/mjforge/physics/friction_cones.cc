@@ -1,5 +1,5 @@
 // Check for large friction, which makes contacts soft if MuJoCo's friction cones are pyramids.
-#include "mjforge/physics/friction_cones.h"
+#include "mjforge/physics/model_checks.h"
 
 #include <string>
 
@@ -7,7 +7,6 @@
 
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/expr/expr.h"
-#include "mjforge/physics/element_marks.h"
 
 namespace mjforge::physics {
 namespace {
@@ -16,8 +15,8 @@ constexpr double kMostFriction = 2;
 
 }  // namespace
 
-void CheckFrictionCones(const mjModel& m, const model::Object& object, diag::SourceMark mark,
-                        static_checks::Reporter& reporter) {
+void CheckFrictionCones(const ModelTest& test) {
+  const mjModel& m = test.m;
   if (m.opt.cone != mjCONE_PYRAMIDAL) return;
   int roughest = -1;
   double most = kMostFriction;
@@ -28,10 +27,10 @@ void CheckFrictionCones(const mjModel& m, const model::Object& object, diag::Sou
   }
   if (roughest < 0) return;
   const std::string name = compiled::NameOf(m, mjOBJ_GEOM, roughest);
-  const model::Part* const part = PartOf(object, name);
+  const model::Part* const part = test.PartOf(name);
   // The depths in the message were measured with hammers; docs/physics.md has the table.
-  reporter.Warning(
-      diag::Code::kPhysicsFriction, PartMark(part, mark),
+  test.reporter.Warning(
+      diag::Code::kPhysicsFriction, test.PartMark(part),
       fmt::format("part '{}' has a friction of {}, more than {}: MuJoCo's pyramidal cones make a "
                   "contact the softer the more friction it has; hammers rest 0.16 mm deep with 1, "
                   "1.7 mm with 3 and 12 mm with 5",

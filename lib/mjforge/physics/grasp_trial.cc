@@ -197,7 +197,7 @@ class GraspSimulation {
 class GraspTests {
  public:
   explicit GraspTests(const ProbeTest& test)
-      : test_(test), m_(test.m), grasping_(*test.reporter.checks().grasps), gripper_(test.m) {
+      : test_(test), m_(test.m), grasping_(*test.checks().grasps), gripper_(test.m) {
     m_.opt.cone = mjCONE_ELLIPTIC;
     m_.opt.impratio = kImpratio;
     engine::EnableMultipleContacts(m_.opt);
@@ -215,7 +215,7 @@ class GraspTests {
       if (id) TrySite(*id);
     }
     for (int site = 0; site < m_.nsite && grasping_.sites.empty(); ++site) {
-      if (!OwnName(m_, mjOBJ_SITE, site, test_.object).starts_with(kSitePrefix)) continue;
+      if (!OwnName(m_, mjOBJ_SITE, site, test_.object.name).starts_with(kSitePrefix)) continue;
       has_sites = true;
       TrySite(site);
     }
@@ -225,7 +225,7 @@ class GraspTests {
     }
     test_.reporter.Error(
         Code::kModelBadValue, grasping_.mark,
-        fmt::format("`grasps`: '{}' has no free body that could be lifted", test_.object),
+        fmt::format("`grasps`: '{}' has no free body that could be lifted", test_.object.name),
         "name sites on bodies that have joints");
   }
 
@@ -234,7 +234,7 @@ class GraspTests {
     const int body = m_.site_bodyid[site];
     const std::optional<int> joint = JointAbove(m_, body);
     const int root = m_.body_rootid[body];
-    const std::string own = OwnName(m_, mjOBJ_SITE, site, test_.object);
+    const std::string own = OwnName(m_, mjOBJ_SITE, site, test_.object.name);
     if (!joint && !HasFreeJoint(m_, root)) {
       test_.reporter.Error(Code::kModelBadValue, grasping_.mark,
                            fmt::format("`grasps`: what site '{}' is on cannot move", own),
@@ -282,22 +282,24 @@ class GraspTests {
     const model::Pose X_BJ =
         compiled::PoseAt(d.xpos, d.xquat, candidate.body).Inverse() * candidate.X_WJ;
     const Eigen::Quaterniond q = X_BJ.q;
-    test_.result.grasps.push_back({.site = site,
-                                   .body = OwnName(m_, mjOBJ_BODY, candidate.body, test_.object),
-                                   .pos = X_BJ.p,
-                                   .quat = {q.w(), q.x(), q.y(), q.z()},
-                                   .width = candidate.width,
-                                   .held = outcome == GraspOutcome::kHeld});
+    test_.result.grasps.push_back(
+        {.site = site,
+         .body = OwnName(m_, mjOBJ_BODY, candidate.body, test_.object.name),
+         .pos = X_BJ.p,
+         .quat = {q.w(), q.x(), q.y(), q.z()},
+         .width = candidate.width,
+         .held = outcome == GraspOutcome::kHeld});
   }
 
   void Report(const std::string& site, const std::vector<GraspOutcome>& outcomes) {
     const std::string where = site.empty() ? "" : fmt::format(" at site '{}'", site);
     if (outcomes.empty()) {
-      test_.reporter.Error(Code::kPhysicsNotGrasped, grasping_.mark,
-                           fmt::format("'{}' has no two faces{} that jaws of {} mm can close on",
-                                       test_.object, where, RoundedText(1000 * grasping_.width)),
-                           "a site must be between the faces; there must be room for fingers of "
-                           "10 x 20 mm, or a wider `width`");
+      test_.reporter.Error(
+          Code::kPhysicsNotGrasped, grasping_.mark,
+          fmt::format("'{}' has no two faces{} that jaws of {} mm can close on", test_.object.name,
+                      where, RoundedText(1000 * grasping_.width)),
+          "a site must be between the faces; there must be room for fingers of "
+          "10 x 20 mm, or a wider `width`");
       return;
     }
     const auto count = [&](GraspOutcome outcome) { return std::ranges::count(outcomes, outcome); };
@@ -314,7 +316,7 @@ class GraspTests {
     test_.reporter.Error(
         Code::kPhysicsNotGrasped, grasping_.mark,
         fmt::format("jaws that close with {} N do not hold '{}'{}: of {} {}, {}",
-                    RoundedText(grasping_.force), test_.object, where, outcomes.size(),
+                    RoundedText(grasping_.force), test_.object.name, where, outcomes.size(),
                     outcomes.size() == 1 ? "way" : "ways", how),
         "put the site nearer to the centre of mass, where the faces are parallel; if it "
         "slips, make it lighter or set more `force`; if the jaws press into something "

@@ -1,5 +1,5 @@
 // Check of the forces that joints need, against the forces of actuators and of a person.
-#include "mjforge/physics/joint_effort.h"
+#include "mjforge/physics/model_checks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,6 @@
 
 #include "mjforge/engine/engine.h"
 #include "mjforge/expr/expr.h"
-#include "mjforge/physics/element_marks.h"
 #include "mjforge/physics/joint_couplings.h"
 #include "mjforge/physics/joint_paths.h"
 
@@ -32,9 +31,7 @@ constexpr double kShortestLever = 0.02;  // m, least lever arm of a person at a 
 
 class Efforts {
  public:
-  Efforts(const mjModel& m, mjData& d, const model::Object& object, diag::SourceMark mark,
-          static_checks::Reporter& reporter)
-      : m_(m), d_(d), object_(object), mark_(mark), reporter_(reporter), couplings_(m) {}
+  Efforts(const ModelTest& test, mjData& d) : test_(test), m_(test.m), d_(d), couplings_(test.m) {}
 
   void Check() {
     for (int actuator = 0; actuator < m_.nu; ++actuator) CheckActuator(actuator);
@@ -79,10 +76,11 @@ class Efforts {
     const std::optional<int> joint = JointOf(actuator);
     if (!joint) return;
     if (GearOf(actuator) == 0) {
-      Report(Code::kPhysicsActuator, MarkOfActuator(actuator),
-             fmt::format("actuator '{}' has a gear of 0 and cannot move joint '{}'",
-                         ActuatorName(actuator), JointName(*joint)),
-             "leave `gear` out, or give it the force on the joint for a control of 1");
+      test_.reporter.Warning(
+          Code::kPhysicsActuator, MarkOfActuator(actuator),
+          fmt::format("actuator '{}' has a gear of 0 and cannot move joint '{}'",
+                      ActuatorName(actuator), JointName(*joint)),
+          "leave `gear` out, or give it the force on the joint for a control of 1");
       return;
     }
     if (m_.jnt_limited[*joint] == 0 || couplings_.IsCoupled(*joint)) return;
@@ -104,11 +102,12 @@ class Efforts {
       farthest = target;
     }
     if (!(beyond > kMostBeyond * (High(joint) - Low(joint)))) return;
-    Report(Code::kPhysicsActuator, MarkOfActuator(actuator),
-           fmt::format("actuator '{}' can be set to {}, but joint '{}' only goes from {} to {}",
-                       ActuatorName(actuator), Distance(joint, farthest), JointName(joint),
-                       Distance(joint, Low(joint)), Distance(joint, High(joint))),
-           "the ctrlrange of a position servo is a position, in m or rad");
+    test_.reporter.Warning(
+        Code::kPhysicsActuator, MarkOfActuator(actuator),
+        fmt::format("actuator '{}' can be set to {}, but joint '{}' only goes from {} to {}",
+                    ActuatorName(actuator), Distance(joint, farthest), JointName(joint),
+                    Distance(joint, Low(joint)), Distance(joint, High(joint))),
+        "the ctrlrange of a position servo is a position, in m or rad");
   }
 
   /// Warns of an actuator that does not overcome weight, springs and friction everywhere in the
@@ -129,14 +128,15 @@ class Efforts {
       where = at;
     }
     if (!(lacking > 1e-9)) return;
-    Report(Code::kPhysicsActuator, MarkOfActuator(actuator),
-           fmt::format("actuator '{}' is too weak for joint '{}': it has {} {}, and {} {} are "
-                       "needed at {}",
-                       ActuatorName(actuator), JointName(joint),
-                       RoundedText(needed > 0 ? strength->up : strength->down), Unit(joint),
-                       RoundedText(std::abs(needed)), Unit(joint), Distance(joint, where)),
-           IsServo(actuator) ? "a larger kp or forcerange, or a lighter body"
-                             : "a larger ctrlrange, gear or forcerange, or a lighter body");
+    test_.reporter.Warning(
+        Code::kPhysicsActuator, MarkOfActuator(actuator),
+        fmt::format("actuator '{}' is too weak for joint '{}': it has {} {}, and {} {} are "
+                    "needed at {}",
+                    ActuatorName(actuator), JointName(joint),
+                    RoundedText(needed > 0 ? strength->up : strength->down), Unit(joint),
+                    RoundedText(std::abs(needed)), Unit(joint), Distance(joint, where)),
+        IsServo(actuator) ? "a larger kp or forcerange, or a lighter body"
+                          : "a larger ctrlrange, gear or forcerange, or a lighter body");
   }
 
   /// Returns the largest forces of an actuator on its joint; nullopt unless the actuator is a motor
@@ -196,8 +196,8 @@ class Efforts {
     const double needed = m_.dof_frictionloss[dof] + m_.dof_damping[dof] * range / kLongestPush +
                           m_.dof_armature[dof] * 4 * range / (kLongestPush * kLongestPush);
     if (!(needed > force)) return;
-    Report(
-        Code::kPhysicsJointHeavy, JointMark(object_, JointName(joint), mark_),
+    test_.reporter.Warning(
+        Code::kPhysicsJointHeavy, test_.JointMark(JointName(joint)),
         fmt::format("joint '{}' can hardly be moved: {} {} are needed to move it by {} in {} s, "
                     "and {} {} are there",
                     JointName(joint), RoundedText(needed), Unit(joint), Distance(joint, range),
@@ -236,38 +236,29 @@ class Efforts {
   double Low(int joint) const { return m_.jnt_range[2 * joint]; }
   double High(int joint) const { return m_.jnt_range[2 * joint + 1]; }
   std::string_view Unit(int joint) const { return IsSlide(joint) ? "N" : "Nm"; }
-  std::string Distance(int joint, double value) const {
-    return expr::DistanceText(IsSlide(joint), value);
-  }
-  std::string JointName(int joint) const { return compiled::NameOf(m_, mjOBJ_JOINT, joint); }
+  std::string Distance(int joint, double value) const { return test_.Distance(joint, value); }
+  std::string JointName(int joint) const { return test_.JointName(joint); }
   std::string ActuatorName(int actuator) const {
     return compiled::NameOf(m_, mjOBJ_ACTUATOR, actuator);
   }
 
   diag::SourceMark MarkOfActuator(int actuator) const {
-    return ElementMark(object_, "actuator", ActuatorName(actuator), mark_);
+    return test_.ElementMark("actuator", ActuatorName(actuator));
   }
 
-  void Report(Code code, diag::SourceMark mark, std::string message, std::string hint) {
-    reporter_.Warning(code, mark, std::move(message), std::move(hint));
-  }
-
+  const ModelTest& test_;
   const mjModel& m_;
   mjData& d_;
-  const model::Object& object_;
-  diag::SourceMark mark_;
-  static_checks::Reporter& reporter_;
   JointCouplings couplings_;
 };
 
 }  // namespace
 
-void CheckEfforts(const mjModel& m, Workspace& workspace, const model::Object& object,
-                  diag::SourceMark mark, static_checks::Reporter& reporter) {
-  mjData& d = workspace.For(m);
-  compiled::CopyStart(m, d);
-  mj_kinematics(&m, &d);
-  Efforts(m, d, object, mark, reporter).Check();
+void CheckEfforts(const ModelTest& test) {
+  mjData& d = test.workspace.For(test.m);
+  compiled::CopyStart(test.m, d);
+  mj_kinematics(&test.m, &d);
+  Efforts(test, d).Check();
 }
 
 }  // namespace mjforge::physics

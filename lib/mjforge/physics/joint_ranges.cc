@@ -1,14 +1,12 @@
 // Check for joint ranges that are too large for real joints.
-#include "mjforge/physics/joint_ranges.h"
+#include "mjforge/physics/model_checks.h"
 
 #include <numbers>
 #include <string>
 
 #include <fmt/format.h>
 
-#include "mjforge/compiled/compiled.h"
 #include "mjforge/expr/expr.h"
-#include "mjforge/physics/element_marks.h"
 #include "mjforge/physics/joint_couplings.h"
 
 namespace mjforge::physics {
@@ -28,27 +26,27 @@ double LongestSlide(const model::Object& object, const model::Checks& checks) {
   return size > 0 ? checks.slide_range * size : std::numeric_limits<double>::infinity();
 }
 
-void CheckRanges(const mjModel& m, const model::Object& object, diag::SourceMark mark,
-                 static_checks::Reporter& reporter) {
+void CheckRanges(const ModelTest& test) {
   constexpr double kDegrees = 180 / std::numbers::pi;
-  const model::Checks& checks = reporter.checks();
+  const mjModel& m = test.m;
+  const model::Checks& checks = test.checks();
   const JointCouplings couplings(m);
-  const double longest = LongestSlide(object, checks);
+  const double longest = LongestSlide(test.object, checks);
   for (int joint = 0; joint < m.njnt; ++joint) {
     if (m.jnt_limited[joint] == 0 || couplings.IsCoupled(joint)) continue;
-    const std::string name = compiled::NameOf(m, mjOBJ_JOINT, joint);
+    const std::string name = test.JointName(joint);
     const double range = (m.jnt_range[2 * joint + 1] - m.jnt_range[2 * joint]) * (1 - kSameRange);
     if (m.jnt_type[joint] == mjJNT_HINGE && range > checks.hinge_range) {
       const ExceededLimit beyond(kDegrees * range, kDegrees * checks.hinge_range);
-      reporter.Warning(Code::kPhysicsJointRange, JointMark(object, name, mark),
-                       fmt::format("joint '{}' turns by {} deg, more than {} deg", name,
-                                   beyond.value, beyond.limit),
-                       "angles are in radians; a screw or a valve sets checks.hinge_range");
+      test.reporter.Warning(Code::kPhysicsJointRange, test.JointMark(name),
+                            fmt::format("joint '{}' turns by {} deg, more than {} deg", name,
+                                        beyond.value, beyond.limit),
+                            "angles are in radians; a screw or a valve sets checks.hinge_range");
     }
     if (m.jnt_type[joint] == mjJNT_SLIDE && range > longest) {
       const ExceededLimit beyond(1000 * range, 1000 * longest);
-      reporter.Warning(
-          Code::kPhysicsJointRange, JointMark(object, name, mark),
+      test.reporter.Warning(
+          Code::kPhysicsJointRange, test.JointMark(name),
           fmt::format("joint '{}' slides by {} mm, more than {} mm, {} times the "
                       "object's size",
                       name, beyond.value, beyond.limit, expr::RoundedText(checks.slide_range)),

@@ -10,8 +10,8 @@
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/expr/expr.h"
 #include "mjforge/physics/causes.h"
-#include "mjforge/physics/element_marks.h"
 #include "mjforge/physics/joint_checks.h"
+#include "mjforge/physics/model_checks.h"
 
 namespace mjforge::physics {
 namespace {
@@ -37,10 +37,10 @@ struct JointOffRange {
   double speed = 0;  // rad/s or m/s, if the joint will leave `rests` within 10 s; else 0
 };
 
-std::vector<JointOffRange> FindJointsOffRange(const mjModel& m, const mjData& d,
-                                              std::string_view object,
-                                              const model::Checks& checks) {
-  const JointChecks entries(m, object, checks);
+std::vector<JointOffRange> FindJointsOffRange(const ModelTest& test, const mjData& d) {
+  const mjModel& m = test.m;
+  const model::Checks& checks = test.checks();
+  const JointChecks entries(m, test.object.name, checks);
   std::vector<JointOffRange> all;
   for (int joint = 0; joint < m.njnt; ++joint) {
     if (!compiled::HasOneNumber(m, joint)) continue;
@@ -69,10 +69,6 @@ std::vector<JointOffRange> FindJointsOffRange(const mjModel& m, const mjData& d,
   return all;
 }
 
-std::string PositionText(const mjModel& m, int joint, double value) {
-  return expr::DistanceText(m.jnt_type[joint] == mjJNT_SLIDE, value);
-}
-
 std::string_view ForceUnit(const mjModel& m, int joint) {
   return m.jnt_type[joint] == mjJNT_SLIDE ? "N" : "Nm";
 }
@@ -84,25 +80,25 @@ double LoadOf(const mjModel& m, const mjData& d, int joint) {
 }
 
 /// Returns the allowed positions as a text: "A to B".
-std::string Allowed(const mjModel& m, const JointOffRange& off_range) {
-  return fmt::format("{} to {}", PositionText(m, off_range.joint, off_range.low),
-                     PositionText(m, off_range.joint, off_range.high));
+std::string Allowed(const ModelTest& test, const JointOffRange& off_range) {
+  return fmt::format("{} to {}", test.Distance(off_range.joint, off_range.low),
+                     test.Distance(off_range.joint, off_range.high));
 }
 
-std::string OffRangeMessage(const mjModel& m, const JointOffRange& off_range) {
+std::string OffRangeMessage(const ModelTest& test, const JointOffRange& off_range) {
   const int joint = off_range.joint;
-  const std::string name = compiled::NameOf(m, mjOBJ_JOINT, joint);
-  const std::string position = PositionText(m, joint, off_range.position);
+  const std::string name = test.JointName(joint);
+  const std::string position = test.Distance(joint, off_range.position);
   if (off_range.speed != 0) {
     return fmt::format(
         "joint '{}' is at {} and still moves, by {} in a second: it leaves where `rests` has it, "
         "{}",
-        name, position, PositionText(m, joint, off_range.speed), Allowed(m, off_range));
+        name, position, test.Distance(joint, off_range.speed), Allowed(test, off_range));
   }
   return fmt::format("joint '{}' rests at {}, {} beyond {}, {}", name, position,
-                     PositionText(m, joint, off_range.beyond),
+                     test.Distance(joint, off_range.beyond),
                      off_range.check != nullptr ? "where `rests` has it" : "its range",
-                     Allowed(m, off_range));
+                     Allowed(test, off_range));
 }
 
 std::string OffRangeRemedy(const mjModel& m, const mjData& d, const JointOffRange& off_range) {
@@ -148,14 +144,13 @@ std::string CreepRemedy(const mjModel& m, const mjData& d, int joint) {
       expr::RoundedText(m.dof_frictionloss[dof]), ForceUnit(m, joint));
 }
 
-void CheckJointRests(const mjModel& m, const mjData& d, const model::Object& object,
-                     diag::SourceMark mark, static_checks::Reporter& reporter) {
-  for (const JointOffRange& off_range : FindJointsOffRange(m, d, object.name, reporter.checks())) {
-    const std::string name = compiled::NameOf(m, mjOBJ_JOINT, off_range.joint);
-    reporter.Error(
-        diag::Code::kPhysicsJointRests,
-        off_range.check != nullptr ? off_range.check->mark : JointMark(object, name, mark),
-        OffRangeMessage(m, off_range), OffRangeRemedy(m, d, off_range));
+void CheckJointRests(const ModelTest& test, const mjData& d) {
+  for (const JointOffRange& off_range : FindJointsOffRange(test, d)) {
+    test.reporter.Error(diag::Code::kPhysicsJointRests,
+                        off_range.check != nullptr
+                            ? off_range.check->mark
+                            : test.JointMark(test.JointName(off_range.joint)),
+                        OffRangeMessage(test, off_range), OffRangeRemedy(test.m, d, off_range));
   }
 }
 

@@ -210,7 +210,7 @@ class PegDrop {
 
 class PegTests {
  public:
-  explicit PegTests(const ProbeTest& test) : test_(test), fits_(test.reporter.checks().fits) {
+  explicit PegTests(const ProbeTest& test) : test_(test), fits_(test.checks().fits) {
     for (std::size_t i = 0; i < fits_.size(); ++i) {
       const int body = mj_name2id(&test.m, mjOBJ_BODY, PegName(i).c_str());
       if (body < 0) continue;

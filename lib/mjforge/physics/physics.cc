@@ -19,13 +19,12 @@
 #include "mjforge/physics/behaviour.h"
 #include "mjforge/physics/containment.h"
 #include "mjforge/physics/floor.h"
-#include "mjforge/physics/friction_cones.h"
 #include "mjforge/physics/grasp_trial.h"
 #include "mjforge/physics/gripper.h"
 #include "mjforge/physics/joint_checks.h"
 #include "mjforge/physics/joint_drive.h"
+#include "mjforge/physics/model_checks.h"
 #include "mjforge/physics/peg_in_hole.h"
-#include "mjforge/physics/settling.h"
 #include "mjforge/physics/simulation.h"
 #include "mjforge/static_checks/static_checks.h"
 #include "mjforge/xml/xml.h"
@@ -189,20 +188,21 @@ std::optional<Result> Laboratory::Impl::Examine(mjModel& m, const model::Object&
   static_checks::Reporter reporter(checks, findings);
   return Guarded(object, mark, findings, [&]() -> std::optional<Result> {
     Result result;
-    CheckBehaviour(m, workspace, object, mark, reporter, result);
+    const ModelTest test = {m, workspace, object, mark, reporter, result};
+    CheckBehaviour(test);
     result.overlap = static_checks::CheckProportions(object, mark, reporter);
     static_checks::CheckContacts(object, reporter);
-    CheckFrictionCones(m, object, mark, reporter);
+    CheckFrictionCones(test);
     const std::span<const mjtNum> start = compiled::StartOf(m);
-    const auto test = [&](const std::string& with_probes, void (*check)(const ProbeTest&)) {
+    const auto probe = [&](const std::string& with_probes, void (*check)(const ProbeTest&)) {
       const engine::Loaded loaded = load(with_probes);
       if (!loaded.model) throw std::runtime_error(engine::ParseRefusal(loaded.error).reason);
-      check({*loaded.model, workspace, start, object.name, reporter, result});
+      check({{*loaded.model, workspace, object, mark, reporter, result}, start});
     };
-    if (checks.settled) CheckSettled(m, workspace, object.name, reporter, result);
-    if (checks.holds) test(WithBalls(text, *checks.holds), CheckContainment);
-    if (!checks.fits.empty()) test(WithPegs(text, checks), CheckPegInHole);
-    if (checks.grasps) test(WithGripper(text, *checks.grasps), CheckGrasps);
+    if (checks.settled) CheckSettled(test);
+    if (checks.holds) probe(WithBalls(text, *checks.holds), CheckContainment);
+    if (!checks.fits.empty()) probe(WithPegs(text, checks), CheckPegInHole);
+    if (checks.grasps) probe(WithGripper(text, *checks.grasps), CheckGrasps);
     Round(result);
     return result;
   });
@@ -245,7 +245,8 @@ std::optional<Film> Laboratory::Record(const mjcf::MjcfDocument& document,
   return Guarded(object, mark, findings, [&]() -> std::optional<Film> {
     const int id = joint.empty() ? -1 : mj_name2id(model.get(), mjOBJ_JOINT, joint.c_str());
     if (joint.empty()) {
-      RecordDrop(*model, impl_->workspace, object, mark, reporter, recorder);
+      Result unused;
+      RecordDrop({*model, impl_->workspace, object, mark, reporter, unused}, recorder);
     } else if (!JointChecks(*model, object.name, object.checks).Verify(reporter) || id < 0 ||
                !RecordDrive(*model, impl_->workspace.For(*model), object.name, object.checks, id,
                             recorder)) {

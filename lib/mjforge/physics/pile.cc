@@ -107,8 +107,7 @@ class PileReport {
         bodies_, [&](const PiledBody& body) { return IsIn(m_, m_.geom_bodyid[geom], body.id); });
   }
   std::string OwnName(int body) const {
-    return std::string(
-        static_checks::OwnName(compiled::NameOf(m_, mjOBJ_BODY, body), object_.name));
+    return physics::OwnName(m_, mjOBJ_BODY, body, object_.name);
   }
   std::string NameOf(const PiledBody& body) const { return OwnName(body.id); }
 

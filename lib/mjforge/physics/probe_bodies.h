@@ -7,9 +7,7 @@
 
 #include <mujoco/mujoco.h>
 
-#include "mjforge/physics/physics.h"
-#include "mjforge/physics/simulation.h"
-#include "mjforge/static_checks/static_checks.h"
+#include "mjforge/physics/model_under_test.h"
 
 namespace mjforge::physics {
 
@@ -18,13 +16,9 @@ constexpr std::string_view kProbePrefix = "mjforge-";  // prefix of the names of
 constexpr double kEarthGravity = 9.81;  // m/s^2
 
 /// A test of an object with probe bodies.
-struct ProbeTest {
-  mjModel& m;  // model with the probe bodies; the test may change the model
-  Workspace& workspace;
+/// The model has the probe bodies; the test may change the model.
+struct ProbeTest : ModelTest {
   std::span<const mjtNum> start;  // positions of the object's joints, without probe bodies
-  const std::string& object;      // name of the object
-  static_checks::Reporter& reporter;
-  Result& result;
 };
 
 /// Returns an MJCF text with `bodies` added at the end of the world, and `equalities` added; both

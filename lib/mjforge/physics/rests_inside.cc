@@ -1,5 +1,5 @@
 // Bodies that come to rest in each other: collision detection of the pairs that MuJoCo ignores.
-#include "mjforge/physics/rests_inside.h"
+#include "mjforge/physics/model_checks.h"
 
 #include <algorithm>
 #include <map>
@@ -13,7 +13,6 @@
 #include "mjforge/engine/engine.h"
 #include "mjforge/expr/expr.h"
 #include "mjforge/physics/broad_phase.h"
-#include "mjforge/physics/element_marks.h"
 
 namespace mjforge::physics {
 namespace {
@@ -127,22 +126,21 @@ Penetrations Find(mjModel& m, const IgnoredPairs& ignored, std::span<const mjtNu
 
 }  // namespace
 
-void CheckRestsInside(const mjModel& m, std::span<const mjtNum> rest, Workspace& workspace,
-                      const model::Object& object, diag::SourceMark mark,
-                      static_checks::Reporter& reporter) {
+void CheckRestsInside(const ModelTest& test, std::span<const mjtNum> rest) {
+  const mjModel& m = test.m;
   const IgnoredPairs ignored(m);
   if (ignored.empty()) return;
   const engine::Model all = WithAllContacts(m);
-  const Penetrations before = Find(*all, ignored, compiled::StartOf(m), workspace);
-  for (const auto& [pair, deepest] : Find(*all, ignored, rest, workspace)) {
+  const Penetrations before = Find(*all, ignored, compiled::StartOf(m), test.workspace);
+  for (const auto& [pair, deepest] : Find(*all, ignored, rest, test.workspace)) {
     const auto found = before.find(pair);
     const double start = found != before.end() ? found->second.depth : 0;
-    if (!(deepest.depth > start + reporter.checks().joint_penetration)) continue;
-    const std::string one = compiled::NameOf(m, mjOBJ_BODY, deepest.body1);
-    const std::string two = compiled::NameOf(m, mjOBJ_BODY, deepest.body2);
+    if (!(deepest.depth > start + test.checks().joint_penetration)) continue;
+    const std::string one = test.BodyName(deepest.body1);
+    const std::string two = test.BodyName(deepest.body2);
     const bool are_excluded = ignored.AreExcluded(deepest.body1, deepest.body2);
-    reporter.Warning(
-        diag::Code::kPhysicsRestsInside, BodyMark(object, two, mark),
+    test.reporter.Warning(
+        diag::Code::kPhysicsRestsInside, test.BodyMark(two),
         fmt::format(
             "bodies '{}' and '{}' come to rest {} mm in each other, and start {} mm in each "
             "other: {}",

@@ -1,5 +1,5 @@
 // Settling test: simulates an object from its start, and reports free bodies that move.
-#include "mjforge/physics/settling.h"
+#include "mjforge/physics/model_checks.h"
 
 #include <fmt/format.h>
 
@@ -105,31 +105,31 @@ std::string HundredthsText(double number) {
   return expr::RoundedText(std::round(100 * number) / 100);
 }
 
-std::string SupportText(const mjModel& m, const FreeBody& body, const std::string& object) {
+std::string SupportText(const ModelTest& test, const FreeBody& body) {
   if (body.supports.empty()) return "it starts on nothing";
   std::string names;
   for (const int support : body.supports) {
     if (!names.empty()) names += ", ";
-    names +=
-        support == 0 ? "the floor" : fmt::format("'{}'", OwnName(m, mjOBJ_BODY, support, object));
+    names += support == 0
+                 ? "the floor"
+                 : fmt::format("'{}'", OwnName(test.m, mjOBJ_BODY, support, test.object.name));
   }
   return "it stands on " + names;
 }
 
 }  // namespace
 
-void CheckSettled(mjModel& m, Workspace& workspace, const std::string& object,
-                  static_checks::Reporter& reporter, Result& result) {
-  const model::SettlingCheck& limits = *reporter.checks().settled;
+void CheckSettled(const ModelTest& test) {
+  const model::SettlingCheck& limits = *test.checks().settled;
   bool has_diverged = false;
-  const std::vector<FreeBody> bodies = Simulate(m, workspace, [&](mjData& d) {
-    std::vector<FreeBody> simulated = SettlingSimulation(m, d, limits).Run();
+  const std::vector<FreeBody> bodies = Simulate(test.m, test.workspace, [&](mjData& d) {
+    std::vector<FreeBody> simulated = SettlingSimulation(test.m, d, limits).Run();
     has_diverged = HasDiverged(d);
     return simulated;
   });
   if (has_diverged) {
-    reporter.Error(Code::kPhysicsUnstable, limits.mark,
-                   fmt::format("the simulation diverges as '{}' settles", object));
+    test.reporter.Error(Code::kPhysicsUnstable, limits.mark,
+                        fmt::format("the simulation diverges as '{}' settles", test.object.name));
     return;
   }
   Result::Settling settling;
@@ -139,17 +139,18 @@ void CheckSettled(mjModel& m, Workspace& workspace, const std::string& object,
     settling.angle = std::max(settling.angle, body.angle);
     if (body.distance <= limits.moved && body.angle <= limits.turned) continue;
     ++settling.moved;
-    reporter.Error(
+    test.reporter.Error(
         Code::kPhysicsNotSettled, limits.mark,
         fmt::format("'{}' moves by {} mm and turns by {} deg within {:g} s; {}",
-                    OwnName(m, mjOBJ_BODY, body.body, object), HundredthsText(1000 * body.distance),
+                    OwnName(test.m, mjOBJ_BODY, body.body, test.object.name),
+                    HundredthsText(1000 * body.distance),
                     HundredthsText(kDegreesPerRadian * body.angle), limits.time,
-                    SupportText(m, body, object)),
+                    SupportText(test, body)),
         body.supports.empty()
             ? "start it where it touches what it is to stand on"
             : "start it where it can rest, or allow more motion: `settled: {moved, turned}`");
   }
-  result.settled = settling;
+  test.result.settled = settling;
 }
 
 }  // namespace mjforge::physics

@@ -1,5 +1,5 @@
 // Tests of the SimReady Foundation's benchmark: drops on a floor and on a slope, driven joints.
-#include "mjforge/physics/simready.h"
+#include "mjforge/physics/model_checks.h"
 
 #include <fmt/format.h>
 
@@ -23,7 +23,6 @@ using Eigen::Vector3d;
 using expr::ExceededLimit;
 using expr::RoundedText;
 using expr::SpeedText;
-using static_checks::Reporter;
 
 // Limits of the benchmark.
 constexpr double kDropHeights = 8;   // drop height, in heights of the object
@@ -195,18 +194,16 @@ void MakeSlope(mjModel& m, int floor) {
 
 class SimReadyTests {
  public:
-  SimReadyTests(const mjModel& m, std::string_view object, diag::SourceMark mark,
-                Reporter& reporter)
-      : m_(m), object_(object), mark_(mark), reporter_(reporter) {}
+  explicit SimReadyTests(const ModelTest& test) : test_(test), m_(test.m) {}
 
-  Result::SimReady Check(Workspace& workspace, const DriveResults& drives) {
+  Result::SimReady Check(const DriveResults& drives) {
     Result::SimReady passes;
     const std::optional<int> floor = FloorOf(m_);
     const engine::Model copy(mj_copyModel(nullptr, &m_));
     if (floor && !FreeBodies(m_).empty()) {
-      passes.ground_drop = Judge("ground_drop", Run(*copy, workspace, *floor, &Fall::Drop));
+      passes.ground_drop = Judge("ground_drop", Run(*copy, *floor, &Fall::Drop));
       MakeSlope(*copy, *floor);
-      passes.slope_drop = Judge("slope_drop", Run(*copy, workspace, *floor, &Fall::Slide));
+      passes.slope_drop = Judge("slope_drop", Run(*copy, *floor, &Fall::Slide));
     }
     if (drives.joints.empty()) return passes;
     passes.full_range_sweep = Judge("full_range_sweep", Sweep(drives));
@@ -215,9 +212,9 @@ class SimReadyTests {
   }
 
  private:
-  Problem Run(mjModel& m, Workspace& workspace, int floor, Problem (Fall::*test)()) {
-    return Simulate(m, workspace,
-                    [&](mjData& d) { return (Fall(m, d, floor, reporter_.checks()).*test)(); });
+  Problem Run(mjModel& m, int floor, Problem (Fall::*test)()) {
+    return Simulate(m, test_.workspace,
+                    [&](mjData& d) { return (Fall(m, d, floor, test_.checks()).*test)(); });
   }
 
   Problem Sweep(const DriveResults& drives) const {
@@ -243,12 +240,11 @@ class SimReadyTests {
   }
 
   Problem Collisions(const DriveResults& drives) const {
-    const double most = reporter_.checks().joint_penetration;
+    const double most = test_.checks().joint_penetration;
     for (const InitialPenetration& initial : drives.initial_penetrations) {
       if (initial.depth > most)
         return fmt::format("bodies '{}' and '{}' are {} mm in each other",
-                           compiled::NameOf(m_, mjOBJ_BODY, initial.body1),
-                           compiled::NameOf(m_, mjOBJ_BODY, initial.body2),
+                           test_.BodyName(initial.body1), test_.BodyName(initial.body2),
                            RoundedText(1000 * initial.depth));
     }
     for (const DrivenJoint& driven : drives.joints) {
@@ -263,24 +259,20 @@ class SimReadyTests {
   /// Reports a problem; returns the verdict for result.simready.
   std::string Judge(std::string_view test, const Problem& problem) {
     if (!problem) return kPass;
-    reporter_.Error(diag::Code::kPhysicsSimReady, mark_,
-                    fmt::format("'{}' fails {}: {}", object_, test, *problem),
-                    "docs/physics.md says what the SimReady benchmark asks for");
+    test_.reporter.Error(diag::Code::kPhysicsSimReady, test_.mark,
+                         fmt::format("'{}' fails {}: {}", test_.object.name, test, *problem),
+                         "docs/physics.md says what the SimReady benchmark asks for");
     return kFail;
   }
 
+  const ModelTest& test_;
   const mjModel& m_;
-  std::string_view object_;
-  diag::SourceMark mark_;
-  Reporter& reporter_;
 };
 
 }  // namespace
 
-void CheckSimReady(const mjModel& m, Workspace& workspace, const DriveResults& drives,
-                   std::string_view object, diag::SourceMark mark, Reporter& reporter,
-                   Result& result) {
-  result.simready = SimReadyTests(m, object, mark, reporter).Check(workspace, drives);
+void CheckSimReady(const ModelTest& test, const DriveResults& drives) {
+  test.result.simready = SimReadyTests(test).Check(drives);
 }
 
 }  // namespace mjforge::physics

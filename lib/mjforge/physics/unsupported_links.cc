@@ -1,5 +1,5 @@
 // Check for bodies on hinges and slides that are far from all other bodies of their tree.
-#include "mjforge/physics/unsupported_links.h"
+#include "mjforge/physics/model_checks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,10 +12,8 @@
 
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/expr/expr.h"
-#include "mjforge/physics/element_marks.h"
 #include "mjforge/physics/joint_couplings.h"
 #include "mjforge/physics/joint_paths.h"
-#include "mjforge/physics/joint_ranges.h"
 
 namespace mjforge::physics {
 namespace {
@@ -27,13 +25,12 @@ constexpr double kFarOffOfSize = 0.25;  // such a distance, as a share of the bo
 
 class UnsupportedLinks {
  public:
-  UnsupportedLinks(const mjModel& m, mjData& d, const model::Object& object, diag::SourceMark mark,
-                   static_checks::Reporter& reporter)
-      : m_(m), d_(d), object_(object), mark_(mark), reporter_(reporter), couplings_(m) {
-    std::ranges::copy(compiled::StartOf(m), d.qpos);
-    mj_kinematics(&m, &d);
-    for (int geom = 0; geom < m.ngeom; ++geom)
-      boxes_.push_back(BoxAt(m, geom, compiled::GeomPose(d, geom)));
+  explicit UnsupportedLinks(const ModelTest& test)
+      : test_(test), m_(test.m), d_(test.workspace.For(test.m)), couplings_(test.m) {
+    std::ranges::copy(compiled::StartOf(m_), d_.qpos);
+    mj_kinematics(&m_, &d_);
+    for (int geom = 0; geom < m_.ngeom; ++geom)
+      boxes_.push_back(BoxAt(m_, geom, compiled::GeomPose(d_, geom)));
   }
 
   void Check() {
@@ -87,7 +84,7 @@ class UnsupportedLinks {
     const JointPath path = PathsOf(m_, joint, compiled::StartOf(m_)).front();
     const bool is_slide = m_.jnt_type[joint] == mjJNT_SLIDE;
     const double way = std::max(path.start - path.low, path.high - path.start);
-    const bool is_too_long = path.range() > LongestSlide(object_, reporter_.checks());
+    const bool is_too_long = path.range() > LongestSlide(test_.object, test_.checks());
     // Leaves out ranges that are too long, because these are findings by themselves
     // (physics/joint-range).
     if (is_slide && (is_too_long || DistanceAfter(joint, moved, 0) + way <= kFarOff)) return;
@@ -101,8 +98,8 @@ class UnsupportedLinks {
       if (distance <= most || distance == std::numeric_limits<double>::infinity()) continue;
       const double where = end + m_.qpos0[m_.jnt_qposadr[joint]];
       Report(joint,
-             fmt::format(" where joint '{}' is at {}", compiled::NameOf(m_, mjOBJ_JOINT, joint),
-                         expr::DistanceText(is_slide, where)),
+             fmt::format(" where joint '{}' is at {}", test_.JointName(joint),
+                         test_.Distance(joint, where)),
              distance, "use a shorter range; if it may be so, say why in `silence`");
       return;
     }
@@ -153,19 +150,16 @@ class UnsupportedLinks {
   }
 
   void Report(int joint, const std::string& where, double distance, const char* hint) {
-    reporter_.Warning(diag::Code::kPhysicsLoose,
-                      JointMark(object_, compiled::NameOf(m_, mjOBJ_JOINT, joint), mark_),
-                      fmt::format("body '{}' hangs in the air{}: {} mm from all else of '{}'",
-                                  compiled::NameOf(m_, mjOBJ_BODY, m_.jnt_bodyid[joint]), where,
-                                  expr::RoundedText(1000 * distance), object_.name),
-                      hint);
+    test_.reporter.Warning(diag::Code::kPhysicsLoose, test_.JointMark(test_.JointName(joint)),
+                           fmt::format("body '{}' hangs in the air{}: {} mm from all else of '{}'",
+                                       test_.BodyName(m_.jnt_bodyid[joint]), where,
+                                       expr::RoundedText(1000 * distance), test_.object.name),
+                           hint);
   }
 
+  const ModelTest& test_;
   const mjModel& m_;
-  const mjData& d_;
-  const model::Object& object_;
-  diag::SourceMark mark_;
-  static_checks::Reporter& reporter_;
+  mjData& d_;
   JointCouplings couplings_;
   std::vector<Box> boxes_;         // boxes of geoms at the start
   std::set<int> is_far_at_start_;  // first joints of bodies that are far off at the start
@@ -173,9 +167,6 @@ class UnsupportedLinks {
 
 }  // namespace
 
-void CheckUnsupportedLinks(const mjModel& m, mjData& d, const model::Object& object,
-                           diag::SourceMark mark, static_checks::Reporter& reporter) {
-  UnsupportedLinks(m, d, object, mark, reporter).Check();
-}
+void CheckUnsupportedLinks(const ModelTest& test) { UnsupportedLinks(test).Check(); }
 
 }  // namespace mjforge::physics

@@ -64,8 +64,7 @@ double Between(double low, double high, double u) { return low + (high - low) * 
 // Maps numbers (u, v), each from -1 to 1, to a point of a convex polygon: u to the extent of the
 // polygon along x, v to the extent along y at this x.
 Vector2d PointIn(const Polygon& polygon, const Vector2d& uv) {
-  Eigen::AlignedBox2d box;
-  for (const Vector2d& p : polygon) box.extend(p);
+  const Eigen::AlignedBox2d box = solid::BoxAround(polygon);
   // Rounding must not move the last position beyond the corners.
   const double x =
       std::clamp(Between(box.min().x(), box.max().x(), uv.x()), box.min().x(), box.max().x());

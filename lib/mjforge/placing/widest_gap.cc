@@ -33,11 +33,8 @@ struct Square {
 };
 
 Eigen::AlignedBox2d BoxOf(const model::Region& region) {
-  Eigen::AlignedBox2d box(-region.half_size, region.half_size);
-  if (region.type != model::RegionType::kPolygon) return box;
-  box.setEmpty();
-  for (const Vector2d& corner : region.corners) box.extend(corner);
-  return box;
+  if (region.type == model::RegionType::kPolygon) return solid::BoxAround(region.corners);
+  return {-region.half_size, region.half_size};
 }
 
 // Arguments of the search for discs: the region with its pose, the body's height, and the

@@ -27,12 +27,6 @@ Cell CellOf(const std::vector<Point2>& corners, const SectionPlane& plane) {
   return cell;
 }
 
-Eigen::AlignedBox3d BoxAround(const std::vector<Vector3d>& points) {
-  Eigen::AlignedBox3d box;
-  for (const Vector3d& p : points) box.extend(p);
-  return box;
-}
-
 void AddNewPoint(const Vector3d& p, double near, std::vector<Vector3d>& points) {
   const auto is_same = [&](const Vector3d& other) { return (p - other).norm() <= near; };
   if (std::ranges::none_of(points, is_same)) points.push_back(p);
@@ -82,11 +76,8 @@ void Clip(const HalfSpace& half, double near, std::vector<SpacePolygon>& faces) 
 
 std::vector<SpacePolygon> FacesOf(const Polytope& polytope) {
   std::vector<SpacePolygon> faces;
-  for (const Polytope::Face& face : polytope.faces) {
-    SpacePolygon& corners = faces.emplace_back();
-    for (const int corner : face.corners)
-      corners.push_back(polytope.vertices[static_cast<std::size_t>(corner)]);
-  }
+  for (const Polytope::Face& face : polytope.faces)
+    faces.push_back(PointsAt(polytope.vertices, face.corners));
   return faces;
 }
 

@@ -179,6 +179,13 @@ ConvexPartition PartitionOf(const Area& area) {
   return partition;
 }
 
+std::vector<std::vector<Point2>> MergedPolygonsOf(const Area& area) {
+  std::vector<std::vector<Point2>> polygons;
+  for (const std::vector<int>& polygon : PartitionOf(area).convex)
+    RemoveStraightCorners(polygons.emplace_back(PointsAt(area.corners, polygon)));
+  return polygons;
+}
+
 bool IsConvex(const std::vector<Point2>& corners) {
   const std::size_t count = corners.size();
   for (std::size_t i = 0; i < count; ++i) {

@@ -20,9 +20,12 @@ struct ConvexPartition {
 };
 ConvexPartition PartitionOf(const Area& area);
 
+/// Returns the polygons of ConvexPartition::convex without straight corners.
+std::vector<std::vector<Point2>> MergedPolygonsOf(const Area& area);
+
 /// Returns a partition of an area into convex polygons, counter-clockwise. If all sides of the area
 /// are parallel to the axes, the polygons are rectangles in rows, from below; otherwise they
-/// are those of ConvexPartition::convex.
+/// are those of MergedPolygonsOf().
 std::vector<std::vector<Point2>> ConvexPolygonsOf(const Area& area);
 
 /// Sine of the largest turn that counts as straight.

@@ -6,6 +6,7 @@
 #include "mjforge/solid/convex_cells.h"
 #include "mjforge/solid/cut_prism.h"
 #include "mjforge/solid/polytope.h"
+#include "mjforge/solid/prism_mesh.h"
 #include "mjforge/solid/render_mesh.h"
 
 namespace mjforge::solid {
@@ -51,26 +52,19 @@ std::vector<Strip> StripsOf(const Area& area, std::size_t loop, double crease) {
 
 class CutMesher {
  public:
-  CutMesher(const Prism& prism, const CutSections& sections) : prism_(prism), sections_(sections) {
+  CutMesher(const Prism& prism, const CutSections& sections)
+      : prism_(prism), sections_(sections), surface_(prism, sections[2]) {
     for (const Point2& p : sections[2].corners) {
       box_.extend(Vector3d(p.x(), p.y(), -prism.height / 2));
       box_.extend(Vector3d(p.x(), p.y(), prism.height / 2));
-      picture_.extend(OnPicture(prism.texture, p));
     }
     beside_ = kBeside * box_.diagonal().norm();
     for (std::size_t axis = 0; axis < 3; ++axis)
       cells_[axis] = CellsOf(sections[axis], kSectionPlanes[axis]);
-    cap_scale_ = prism.texture.repeat;
-    side_scale_ = prism.texture.repeat;
-    if (prism.texture.unit == TextureMapping::Unit::kMetre) return;
-    cap_scale_ = cap_scale_.cwiseQuotient(picture_.sizes());
-    const Strip last = StripsOf(sections[2], 0, prism.crease).back();
-    const double around = last.along + (last.to - last.from).norm();
-    side_scale_ = side_scale_.cwiseQuotient(Point2(around, prism.height));
   }
 
   TriangleMesh Run() {
-    AddCaps();
+    surface_.AddCaps(sections_[2]);
     for (const std::size_t axis : {2, 0, 1}) {
       // Skips loop 0 of the sections along x and y, which is the rectangle around the prism.
       for (std::size_t loop = axis == 2 ? 0 : 1; loop < sections_[axis].ends.size(); ++loop) {
@@ -78,35 +72,10 @@ class CutMesher {
           AddStrip(axis, strip);
       }
     }
-    return std::move(mesh_);
+    return std::move(surface_.mesh);
   }
 
  private:
-  int AddVertex(const Vector3d& p, const Vector3d& normal, const Point2& texcoord) {
-    mesh_.vertices.push_back(p);
-    mesh_.normals.push_back(normal);
-    mesh_.texcoords.push_back(texcoord);
-    return static_cast<int>(mesh_.vertices.size()) - 1;
-  }
-
-  void AddCaps() {
-    const Area& area = sections_[2];
-    const std::vector<std::array<int, 3>> triangles = PartitionOf(area).triangles;
-    for (const double side : {-1.0, 1.0}) {
-      const int first = static_cast<int>(mesh_.vertices.size());
-      for (const Point2& p : area.corners) {
-        const Point2 at = OnPicture(prism_.texture, p) - picture_.min();
-        AddVertex({p.x(), p.y(), side * prism_.height / 2}, {0, 0, side},
-                  at.cwiseProduct(cap_scale_));
-      }
-      for (std::array<int, 3> triangle : triangles) {
-        if (side < 0) std::swap(triangle[1], triangle[2]);
-        for (int& corner : triangle) corner += first;
-        mesh_.triangles.push_back(triangle);
-      }
-    }
-  }
-
   /// Adds the parts of a strip that are on the prism's surface, which are the parts inside of both
   /// other extrusions. If sides of several extrusions coincide, only the first of these extrusions,
   /// in the order z, x, y, adds its strip: a part of a later extrusion is left out if the space on
@@ -130,18 +99,19 @@ class CutMesher {
 
   void AddPart(const SectionPlane& plane, const Strip& strip, const SpacePolygon& corners) {
     const Point2 side = strip.to - strip.from;
-    const int first = static_cast<int>(mesh_.vertices.size());
+    const int first = static_cast<int>(surface_.mesh.vertices.size());
     for (const Vector3d& p : corners) {
       const double share =
           (Point2(p[plane.u], p[plane.v]) - strip.from).dot(side) / side.squaredNorm();
       const Point2 normal = (1 - share) * strip.normal_from + share * strip.normal_to;
-      const Point2 at(strip.along + share * side.norm(), box_.max()[plane.axis] - p[plane.axis]);
-      AddVertex(p, plane.At(normal.normalized(), 0), at.cwiseProduct(side_scale_));
+      const Point2 unrolled(strip.along + share * side.norm(),
+                            box_.max()[plane.axis] - p[plane.axis]);
+      surface_.AddSideVertex(p, plane.At(normal.normalized(), 0), unrolled);
     }
     const Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
     const bool is_reversed = normal.dot(plane.At(strip.outward, 0)) < 0;
     for (int i = 1; i + 1 < static_cast<int>(corners.size()); ++i) {
-      mesh_.triangles.push_back(
+      surface_.mesh.triangles.push_back(
           {first, first + i + (is_reversed ? 1 : 0), first + i + (is_reversed ? 0 : 1)});
     }
   }
@@ -149,12 +119,9 @@ class CutMesher {
   const Prism& prism_;
   const CutSections& sections_;
   Eigen::AlignedBox3d box_;
-  Eigen::AlignedBox2d picture_;  // bounds of the caps in the coordinates of OnPicture()
   double beside_ = 0;
   std::array<std::vector<Cell>, 3> cells_;
-  Point2 cap_scale_;
-  Point2 side_scale_;
-  TriangleMesh mesh_;
+  PrismMesh surface_;
 };
 
 }  // namespace

@@ -125,8 +125,7 @@ Mass MassOf(const std::vector<Polytope>& pieces) {
 /// contact points than meshes; otherwise a mesh.
 ConvexPiece PieceOf(const Polytope& polytope) {
   bool is_box = polytope.vertices.size() == 8 && polytope.faces.size() == 6;
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& p : polytope.vertices) box.extend(p);
+  const Eigen::AlignedBox3d box = BoxAround(polytope.vertices);
   for (const Polytope::Face& face : polytope.faces)
     is_box = is_box && face.normal.cwiseAbs().maxCoeff() >= 1 - kNear;
   if (!is_box) return {.mesh = MeshOf(polytope)};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mjforge/solid/prism_mesh.h"
 #include "mjforge/solid/render_mesh.h"
 
 namespace mjforge::solid {
@@ -11,34 +12,23 @@ namespace {
 class ExtrusionMesher {
  public:
   ExtrusionMesher(const Prism& prism, const PrismSections& sections)
-      : prism_(prism), sections_(sections) {
-    const Area& middle = sections.middle;
-    for (const Point2& p : middle.corners) picture_.extend(OnPicture(prism.texture, p));
-    cap_scale_ = prism.texture.repeat;
-    side_scale_ = prism.texture.repeat;
-    if (prism.texture.unit == TextureMapping::Unit::kMetre) return;
-    cap_scale_ = cap_scale_.cwiseQuotient(picture_.sizes());
-    double around = 0;  // length of the outline
-    const auto [first, count] = middle.Loop(0);
-    for (std::size_t i = 0; i < count; ++i)
-      around += (middle.corners[(i + 1) % count] - middle.corners[i]).norm();
-    side_scale_ = side_scale_.cwiseQuotient(Point2(around, prism.height));
-  }
+      : prism_(prism), sections_(sections), surface_(prism, sections.middle) {}
 
   TriangleMesh Run() {
     const double top = prism_.height / 2;
     const double edge = top - prism_.bevel;
     const Area& middle = sections_.middle;
     const Area& end = sections_.end;
-    AddCaps();
+    surface_.AddCaps(end);
     if (prism_.bevel > 0) {
       AddBand({end, -top}, {middle, -edge}, -std::sqrt(0.5));
       AddBand({middle, edge}, {end, top}, std::sqrt(0.5));
     }
     AddBand({middle, -edge}, {middle, edge}, 0);
     // Viewers draw translucent meshes in the order of their faces, so faces in holes come first.
-    mesh_.triangles.insert(mesh_.triangles.begin(), in_holes_.begin(), in_holes_.end());
-    return std::move(mesh_);
+    surface_.mesh.triangles.insert(surface_.mesh.triangles.begin(), in_holes_.begin(),
+                                   in_holes_.end());
+    return std::move(surface_.mesh);
   }
 
  private:
@@ -47,39 +37,15 @@ class ExtrusionMesher {
     double z;
   };
 
-  int AddVertex(const Point2& p, double z, const Eigen::Vector3d& normal, const Point2& texcoord) {
-    mesh_.vertices.emplace_back(p.x(), p.y(), z);
-    mesh_.normals.push_back(normal);
-    mesh_.texcoords.push_back(texcoord);
-    return static_cast<int>(mesh_.vertices.size()) - 1;
-  }
-
-  void AddCaps() {
-    const Area& area = sections_.end;
-    const std::vector<std::array<int, 3>> triangles = PartitionOf(area).triangles;
-    for (const double side : {-1.0, 1.0}) {
-      const int first = static_cast<int>(mesh_.vertices.size());
-      for (const Point2& p : area.corners) {
-        const Point2 at = OnPicture(prism_.texture, p) - picture_.min();
-        AddVertex(p, side * prism_.height / 2, {0, 0, side}, at.cwiseProduct(cap_scale_));
-      }
-      for (std::array<int, 3> triangle : triangles) {
-        if (side < 0) std::swap(triangle[1], triangle[2]);
-        for (int& corner : triangle) corner += first;
-        mesh_.triangles.push_back(triangle);
-      }
-    }
-  }
-
   /// Adds the sides between two sections. `up` is the z component of the normals.
   void AddBand(const Section& below, const Section& above, double up) {
     for (std::size_t loop = 0; loop < below.area.ends.size(); ++loop) {
-      const auto before = static_cast<std::ptrdiff_t>(mesh_.triangles.size());
+      const auto before = static_cast<std::ptrdiff_t>(surface_.mesh.triangles.size());
       AddLoop(below, above, up, loop);
       if (loop == 0) continue;  // loop 0 is the outline
-      const auto begin = mesh_.triangles.begin() + before;
-      in_holes_.insert(in_holes_.end(), begin, mesh_.triangles.end());
-      mesh_.triangles.erase(begin, mesh_.triangles.end());
+      const auto begin = surface_.mesh.triangles.begin() + before;
+      in_holes_.insert(in_holes_.end(), begin, surface_.mesh.triangles.end());
+      surface_.mesh.triangles.erase(begin, surface_.mesh.triangles.end());
     }
   }
 
@@ -109,9 +75,9 @@ class ExtrusionMesher {
         const Eigen::Vector3d normal(flat.x(), flat.y(), up);
         const std::size_t at = first + corner % count;
         const auto vertex = [&](const Section& section) {
-          const Point2 texcoord(along, prism_.height / 2 - section.z);
-          return AddVertex(section.area.corners[at], section.z, normal,
-                           texcoord.cwiseProduct(side_scale_));
+          const Point2 unrolled(along, prism_.height / 2 - section.z);
+          const Point2& p = section.area.corners[at];
+          return surface_.AddSideVertex({p.x(), p.y(), section.z}, normal, unrolled);
         };
         const int low = vertex(below);
         return std::pair(low, vertex(above));
@@ -120,16 +86,13 @@ class ExtrusionMesher {
       if (i == 0) very_first = from;
       along += side(i).norm();
       last = joins && i + 1 == count ? very_first : add(i + 1, i + 1);
-      AddQuad(from.first, last.first, last.second, from.second, mesh_);
+      AddQuad(from.first, last.first, last.second, from.second, surface_.mesh);
     }
   }
 
   const Prism& prism_;
   const PrismSections& sections_;
-  Eigen::AlignedBox2d picture_;  // bounds of the caps in the coordinates of OnPicture()
-  Point2 cap_scale_;
-  Point2 side_scale_;
-  TriangleMesh mesh_;
+  PrismMesh surface_;
   std::vector<std::array<int, 3>> in_holes_;
 };
 

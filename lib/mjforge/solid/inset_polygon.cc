@@ -68,9 +68,7 @@ bool BevelIsValid(const BasePolygon& base, const Prism& prism, Fault& fault) {
 /// a side.
 void RemoveRepeats(std::vector<Point2>& middle, std::vector<Point2>& end) {
   constexpr double kSame = 1e-9;
-  Eigen::AlignedBox2d box;
-  for (const Point2& point : middle) box.extend(point);
-  const double same = kSame * box.diagonal().norm();
+  const double same = kSame * BoxAround(middle).diagonal().norm();
   std::size_t kept = 0;
   for (std::size_t i = 0; i < middle.size(); ++i) {
     const Point2& before = kept > 0 ? middle[kept - 1] : middle.back();

@@ -11,13 +11,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-SpacePolygon CornersOf(const Polytope& polytope, const Polytope::Face& face) {
-  SpacePolygon corners;
-  for (const int corner : face.corners)
-    corners.push_back(polytope.vertices[static_cast<std::size_t>(corner)]);
-  return corners;
-}
-
 double LimitOf(const Polytope& polytope, const Polytope::Face& face) {
   return face.normal.dot(polytope.vertices[static_cast<std::size_t>(face.corners[0])]);
 }
@@ -27,9 +20,8 @@ struct Bounded {
   Polytope polytope;
   Eigen::AlignedBox3d box;
 
-  explicit Bounded(Polytope polyhedron) : polytope(std::move(polyhedron)) {
-    for (const Vector3d& p : polytope.vertices) box.extend(p);
-  }
+  explicit Bounded(Polytope polyhedron)
+      : polytope(std::move(polyhedron)), box(BoxAround(polytope.vertices)) {}
 };
 
 bool IsNear(const Bounded& a, const Bounded& b, double near) {
@@ -72,7 +64,7 @@ std::optional<double> AreaBetween(const Polytope& a, const Polytope& b, double n
   const auto common = CommonPlane(a, b, near);
   if (!common || !IsWithin(b, a, common->first, near) || !IsWithin(a, b, common->second, near))
     return std::nullopt;
-  return AreaOf(CornersOf(a, a.faces[common->first]));
+  return AreaOf(PointsAt(a.vertices, a.faces[common->first].corners));
 }
 
 struct Pair {
@@ -108,8 +100,8 @@ bool ShareArea(const Polytope& a, const Polytope& b, double near) {
   const auto common = CommonPlane(a, b, near);
   if (!common) return false;
   const Polytope::Face& face = b.faces[common->second];
-  const SpacePolygon around = CornersOf(b, face);
-  SpacePolygon shared = CornersOf(a, a.faces[common->first]);
+  const SpacePolygon around = PointsAt(b.vertices, face.corners);
+  SpacePolygon shared = PointsAt(a.vertices, a.faces[common->first].corners);
   for (std::size_t i = 0; i < around.size(); ++i) {
     const Vector3d& from = around[i];
     const Vector3d normal =

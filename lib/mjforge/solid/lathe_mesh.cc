@@ -66,8 +66,7 @@ class LatheMesher {
       along_ = Lengths(lathe.profile, !lathe.wall);
       around_ = MapTexture(lathe.texture, lathe.profile, along_);
     }
-    Eigen::AlignedBox2d box;
-    for (const Point2& p : outline.corners) box.extend(p);
+    const Eigen::AlignedBox2d box = BoxAround(outline.corners);
     const double half_size = std::max(box.max().x(), box.sizes().y() / 2);
     const double angle = lathe.angle;
     const double per_turn = SegmentsPerTurn(box.max().x(), ChordError(half_size), angle);
@@ -243,11 +242,7 @@ class LatheMesher {
         mesh_.normals.emplace_back(-sign * s, sign * c, 0);
         if (!along_.empty()) mesh_.texcoords.emplace_back(p);
       }
-      for (std::array<int, 3> triangle : partition.triangles) {
-        if (turn != 0) std::swap(triangle[1], triangle[2]);
-        for (int& corner : triangle) corner += first;
-        mesh_.triangles.push_back(triangle);
-      }
+      AddFace(partition.triangles, first, turn != 0, mesh_);
     }
   }
 

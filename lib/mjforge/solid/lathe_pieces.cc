@@ -85,9 +85,7 @@ class LathePieceMaker {
   bool Widen(const std::vector<Polygon>& polygons, std::vector<double>& factors) const {
     bool changed = false;
     for (std::size_t i = 0; i < polygons.size(); ++i) {
-      Polygon before;
-      for (const int corner : partition_.convex[i])
-        before.push_back(outline_.corners[static_cast<std::size_t>(corner)]);
+      const Polygon before = PointsAt(outline_.corners, partition_.convex[i]);
       if (IsConvex(polygons[i]) && AreaOf(polygons[i]) >= kLeastArea * AreaOf(before)) continue;
       for (const int corner : partition_.convex[i]) {
         double& factor = factors[static_cast<std::size_t>(corner)];
@@ -111,8 +109,7 @@ class LathePieceMaker {
 
   /// Returns a cylinder geom for a rectangle on the axis, otherwise nullopt.
   static std::optional<ConvexPiece> Cylinder(const Polygon& polygon) {
-    Eigen::AlignedBox2d box;
-    for (const Point2& p : polygon) box.extend(p);
+    const Eigen::AlignedBox2d box = BoxAround(polygon);
     const auto is_corner = [&](const Point2& p) {
       return (p.x() == 0 || p.x() == box.max().x()) &&
              (p.y() == box.min().y() || p.y() == box.max().y());

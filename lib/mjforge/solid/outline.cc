@@ -14,8 +14,7 @@ namespace {
 constexpr double kRounding = 1e-12;
 
 double SizeOf(std::span<const Point2> points) {
-  Eigen::AlignedBox2d box;
-  for (const Point2& point : points) box.extend(point);
+  const Eigen::AlignedBox2d box = BoxAround(points);
   return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 

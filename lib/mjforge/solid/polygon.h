@@ -15,6 +15,22 @@ using Point2 = Eigen::Vector2d;
 
 inline double Cross(const Point2& a, const Point2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
+/// Returns the bounding box of points in the plane or in space.
+template <typename Points>
+auto BoxAround(const Points& points) {
+  Eigen::AlignedBox<double, Points::value_type::SizeAtCompileTime> box;
+  for (const auto& p : points) box.extend(p);
+  return box;
+}
+
+/// Returns the points with these indices.
+template <typename Point>
+std::vector<Point> PointsAt(const std::vector<Point>& points, const std::vector<int>& indices) {
+  std::vector<Point> some;
+  for (const int i : indices) some.push_back(points[static_cast<std::size_t>(i)]);
+  return some;
+}
+
 /// Returns twice the signed area of the triangle, positive if it is counter-clockwise.
 inline double Turn(const Point2& a, const Point2& b, const Point2& c) {
   return Cross(b - a, c - a);

@@ -19,9 +19,8 @@ namespace {
 
 /// Returns the number of segments, in a whole turn, of the rounded corners of the render mesh.
 int CornerSegments(const Prism& prism) {
-  Eigen::AlignedBox2d box;
-  for (const Point2& p : prism.polygon) box.extend(p);
-  const double half_size = std::max(box.sizes().maxCoeff(), prism.height) / 2;
+  const Point2 sides = BoxAround(prism.polygon).sizes();
+  const double half_size = std::max(sides.maxCoeff(), prism.height) / 2;
   return SegmentsPerTurn(prism.round, ChordError(half_size), kWholeTurn);
 }
 
@@ -86,14 +85,8 @@ Extent PrismExtent(const BasePolygon& base, const Prism& prism) {
 
 /// Partitions an area into convex polygons, and adds a piece between -z and z for each polygon.
 void AddPieces(const Area& area, double z, std::vector<ConvexPiece>& pieces) {
-  for (const std::vector<int>& polygon : PartitionOf(area).convex) {
-    std::vector<Point2> corners;
-    corners.reserve(polygon.size());
-    for (const int corner : polygon)
-      corners.push_back(area.corners[static_cast<std::size_t>(corner)]);
-    RemoveStraightCorners(corners);
+  for (const std::vector<Point2>& corners : MergedPolygonsOf(area))
     pieces.push_back({.mesh = Loft({{corners, -z}, {corners, z}})});
-  }
 }
 
 std::vector<ConvexPiece> PiecesOf(const BasePolygon& base, const Prism& prism) {

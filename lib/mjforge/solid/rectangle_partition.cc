@@ -41,23 +41,13 @@ std::vector<double> CrossingsOf(const std::vector<Side>& sides, double low, doub
 }  // namespace
 
 std::vector<std::vector<Point2>> ConvexPolygonsOf(const Area& area) {
-  Eigen::AlignedBox2d box;
-  for (const Point2& p : area.corners) box.extend(p);
-  const double same = kSame * box.diagonal().norm();
+  const double same = kSame * BoxAround(area.corners).diagonal().norm();
   const std::vector<Side> sides = SidesOf(area);
-  std::vector<std::vector<Point2>> polygons;
   const auto is_level_or_upright = [&](const Side& side) {
     return (side.to - side.from).cwiseAbs().minCoeff() <= same;
   };
-  if (!std::ranges::all_of(sides, is_level_or_upright)) {
-    for (const std::vector<int>& polygon : PartitionOf(area).convex) {
-      std::vector<Point2>& corners = polygons.emplace_back();
-      for (const int corner : polygon)
-        corners.push_back(area.corners[static_cast<std::size_t>(corner)]);
-      RemoveStraightCorners(corners);
-    }
-    return polygons;
-  }
+  if (!std::ranges::all_of(sides, is_level_or_upright)) return MergedPolygonsOf(area);
+  std::vector<std::vector<Point2>> polygons;
   std::vector<double> levels;
   for (const Point2& p : area.corners) levels.push_back(p.y());
   std::ranges::sort(levels);

@@ -38,6 +38,14 @@ void AddQuad(int a, int b, int c, int d, TriangleMesh& mesh) {
   mesh.triangles.push_back({a, c, d});
 }
 
+void AddFace(const std::vector<std::array<int, 3>>& triangles, int first, bool is_reversed,
+             TriangleMesh& mesh) {
+  for (const auto& [a, b, c] : triangles) {
+    mesh.triangles.push_back(
+        {first + a, first + (is_reversed ? c : b), first + (is_reversed ? b : c)});
+  }
+}
+
 void ProjectTextureFromAbove(const TextureMapping& texture, TriangleMesh& mesh) {
   if (texture.unit == TextureMapping::Unit::kNone) return;
   Eigen::AlignedBox2d box;

@@ -24,6 +24,10 @@ int SegmentsPerTurn(double radius, double chord_error, double angle);
 /// Adds two triangles between four corners, counter-clockwise.
 void AddQuad(int a, int b, int c, int d, TriangleMesh& mesh);
 
+/// Adds the triangles of a face, whose indices are relative to the vertex `first`.
+void AddFace(const std::vector<std::array<int, 3>>& triangles, int first, bool is_reversed,
+             TriangleMesh& mesh);
+
 /// Makes the render mesh of a lathe. `outline` is its profile, closed at the axis, or, if the lathe
 /// has a wall, the outline of the wall. Outline::sources has, for each point of the outline, the
 /// index of the point of `lathe.profile` from which it was made.

@@ -40,8 +40,7 @@ TriangleMesh FlatMesh(const Polytope& polytope) {
 /// Returns the solid at the distance `round` around a core, which may be flat.
 Solid Rounded(const Polytope& core, double round, const TextureMapping& texture,
               bool is_flat = false) {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& p : core.vertices) box.extend(p);
+  const Eigen::AlignedBox3d box = BoxAround(core.vertices);
   // Allows a larger chord error, because the triangles at a corner grow with the square of the
   // segments of an edge.
   const double error = ChordError(box.sizes().maxCoeff() / 2 + round, 0.02);

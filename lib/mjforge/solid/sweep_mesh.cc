@@ -21,8 +21,7 @@ class SweepMesher {
     const TextureMapping& texture = tube.texture;
     const bool by_metre = texture.unit == TextureMapping::Unit::kMetre;
     has_texture_ = texture.unit != TextureMapping::Unit::kNone;
-    Eigen::AlignedBox3d box;
-    for (const Vector3d& p : tube.path) box.extend(p);
+    const Eigen::AlignedBox3d box = BoxAround(tube.path);
     const double radius = *std::ranges::max_element(tube.radii);
     const double error = ChordError(box.sizes().maxCoeff() / 2 + radius);
     sides_ = SegmentsPerTurn(radius, error, kWholeTurn);

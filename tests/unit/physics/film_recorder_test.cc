@@ -22,7 +22,8 @@ Film FilmOfDrop(const std::string& bodies, const model::Checks& checks, std::siz
   diag::Findings findings;
   static_checks::Reporter reporter(checks, findings);
   FilmRecorder recorder;
-  RecordDrop(*m, workspace, object, {}, reporter, recorder);
+  Result result;
+  RecordDrop({*m, workspace, object, {}, reporter, result}, recorder);
   return recorder.Finish(frames);
 }
 
