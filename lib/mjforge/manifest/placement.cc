@@ -68,14 +68,8 @@ std::string PlacementText(const Placement& placement) {
   std::string text = json.Take();
   const char* before = "{\n";
   for (const PlacedFile& object : placement.objects) {
-<<<<<<< HEAD
     Json line(AppendFileNumber, text + before);
-    line.Key(object.name);
-    PutObject(line, object);
-=======
-    Json line(AppendFlushed, text + before);
     line.Object(object.name, [&] { PutObject(line, object); });
->>>>>>> acebe76902ad8501bfd0e5c15189cf2f1c8c86c4
     text = line.Take();
     before = ",\n";
   }
