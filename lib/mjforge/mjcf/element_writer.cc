@@ -183,6 +183,10 @@ void ElementWriter::WriteAttribute(const model::Attribute& attribute) {
   // Poses of cameras and lights were transformed with their body, which leaves rounding errors.
   const bool is_place =
       attribute.name == "pos" || attribute.name == "quat" || attribute.name == "dir";
+  if (const std::string_view text = attribute.numbers.text(); !text.empty() && !is_place) {
+    WriteUnescaped(attribute.name, text, {});
+    return;
+  }
   WriteNumbers(attribute.name, {attribute.numbers.data(), attribute.numbers.size()},
                is_place ? NumberFormat::kFlushed : NumberFormat::kExact);
 }
