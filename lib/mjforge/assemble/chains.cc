@@ -52,9 +52,10 @@ std::vector<model::Joint> JointsOfLink(const Chain& chain, const std::string& li
   joint.attributes = chain.attributes;
   if (chain.range) {
     joint.range = Eigen::Vector2d(chain.is_ball ? 0 : -*chain.range, *chain.range);
-    joint.attributes.push_back({.name = "solimplimit",
-                                .numbers = {std::begin(kLimitImpedance), std::end(kLimitImpedance)},
-                                .text = {}});
+    joint.attributes.push_back(
+        {.name = "solimplimit",
+         .numbers = sample::Numbers(std::begin(kLimitImpedance), std::end(kLimitImpedance)),
+         .text = {}});
   }
   if (chain.is_ball) return {joint};
   std::vector<model::Joint> hinges(2, joint);

@@ -53,7 +53,9 @@ model::Element EqualityOf(std::string follower, std::string leader, sample::Numb
   equality.attributes.push_back({.name = "polycoef", .numbers = std::move(c), .text = {}});
   const auto& impedance = is_linear ? kImpedance : kImpedanceOfCurve;
   equality.attributes.push_back(
-      {.name = "solimp", .numbers = {std::begin(impedance), std::end(impedance)}, .text = {}});
+      {.name = "solimp",
+       .numbers = sample::Numbers(std::begin(impedance), std::end(impedance)),
+       .text = {}});
   return equality;
 }
 

@@ -55,6 +55,7 @@ void FieldReader::ReportNumber(const spec::Field& field, double number, std::siz
 }
 
 std::optional<double> FieldReader::Number(const spec::Field& field) {
+  if (field.constant) return field.constant->numbers.front();
   const double number = values_.Number(field.value, PathOf(field));
   if (spec::Holds(*field.info, number)) return number;
   ReportNumber(field, number, 0, 1);
@@ -62,6 +63,10 @@ std::optional<double> FieldReader::Number(const spec::Field& field) {
 }
 
 bool FieldReader::Numbers(const spec::Field& field, sample::Numbers& out) {
+  if (field.constant) {
+    out.assign(field.constant->numbers.begin(), field.constant->numbers.end());
+    return true;
+  }
   values_.Vector(field.value, PathOf(field), out);
   bool good = true;
   for (std::size_t i = 0; i < out.size(); ++i) {
@@ -98,12 +103,13 @@ std::optional<std::vector<sample::HoleOutline>> FieldReader::Outlines(const spec
 }
 
 std::optional<std::string> FieldReader::Text(const spec::Field& field) {
+  if (field.constant) return field.constant->text;
   return values_.Text(field.value, PathOf(field));
 }
 
 std::optional<std::string> FieldReader::Word(const spec::Field& field) {
   std::optional<std::string> word = Text(field);
-  if (!word) return std::nullopt;
+  if (!word || field.constant) return word;
   if (expr::HasWord(field.info->words, *word)) return word;
   const std::vector<std::string_view> known = expr::WordsOf(field.info->words);
   Report(Code::kModelBadValue, field,
@@ -113,6 +119,7 @@ std::optional<std::string> FieldReader::Word(const spec::Field& field) {
 }
 
 std::optional<bool> FieldReader::Boolean(const spec::Field& field) {
+  if (field.constant) return field.constant->numbers.front() != 0;
   return values_.Boolean(field.value, PathOf(field));
 }
 
@@ -120,26 +127,26 @@ bool FieldReader::ReadAttribute(const spec::Field& field, model::Attribute& out)
   out.name = field.info->key;
   out.applies = field.info->applies;
   out.refers = field.info->refers;
-  switch (field.info->kind) {
-    case spec::FieldKind::kNumber:
-    case spec::FieldKind::kInteger: {
-      const std::optional<double> number = Number(field);
-      if (number) out.numbers.push_back(*number);
-      return number.has_value();
-    }
-    case spec::FieldKind::kNumbers:
-      return Numbers(field, out.numbers);
-    case spec::FieldKind::kBoolean: {
-      const std::optional<bool> value = Boolean(field);
-      if (value) out.text = *value ? "true" : "false";
-      return value.has_value();
-    }
-    default: {
-      std::optional<std::string> text = field.info->words.empty() ? Text(field) : Word(field);
-      if (text) out.text = std::move(*text);
-      return text.has_value();
-    }
+  const spec::FieldKind kind = field.info->kind;
+  const bool has_numbers = kind == spec::FieldKind::kNumber || kind == spec::FieldKind::kInteger ||
+                           kind == spec::FieldKind::kNumbers;
+  if (has_numbers) {
+    if (!field.constant) return Numbers(field, out.numbers.Change());
+    out.numbers = model::AttributeNumbers(field.constant);
+    return true;
   }
+  if (field.constant) {
+    out.text = field.constant->text;
+    return true;
+  }
+  if (kind == spec::FieldKind::kBoolean) {
+    const std::optional<bool> value = Boolean(field);
+    if (value) out.text = *value ? "true" : "false";
+    return value.has_value();
+  }
+  std::optional<std::string> text = field.info->words.empty() ? Text(field) : Word(field);
+  if (text) out.text = std::move(*text);
+  return text.has_value();
 }
 
 }  // namespace mjforge::assemble

@@ -41,7 +41,7 @@ void SetLimited(const spec::ElementInfo& info, std::vector<model::Attribute>& at
 
 // Changes the length of a list of numbers to the length that MuJoCo 2.2 requires: appends the
 // defaults of missing numbers, and reduces equal numbers to one if MuJoCo reads only one.
-void SetLength(const spec::FieldInfo& info, sample::Numbers& numbers) {
+void SetLength(const spec::FieldInfo& info, model::AttributeNumbers& numbers) {
   if (info.default_text.empty()) return;
   std::vector<double> usual;
   for (std::string_view rest = info.default_text; !rest.empty();) {
@@ -49,9 +49,9 @@ void SetLength(const spec::FieldInfo& info, sample::Numbers& numbers) {
     usual.push_back(*expr::ParseNumber(rest.substr(0, comma)));
     rest.remove_prefix(std::min(comma + 1, rest.size()));
   }
-  for (std::size_t i = numbers.size(); i < usual.size(); ++i) numbers.push_back(usual[i]);
-  if (usual.size() == 1 && std::ranges::count(numbers, numbers[0]) == std::ssize(numbers))
-    numbers.resize(1);
+  for (std::size_t i = numbers.size(); i < usual.size(); ++i) numbers.Change().push_back(usual[i]);
+  if (usual.size() != 1 || numbers.size() == 1) return;
+  if (std::ranges::count(numbers, numbers[0]) == std::ssize(numbers)) numbers.Change().resize(1);
 }
 
 }  // namespace

@@ -44,6 +44,9 @@ struct NamedElement {
 // The named elements of an object, which are found by kind and name.
 class NameTable {
  public:
+  /// Makes room for the elements of most objects.
+  NameTable() { elements_.reserve(64); }
+
   void Add(std::string_view kind, std::string_view name, diag::SourceMark mark,
            const model::Part* part = nullptr) {
     if (name.empty()) return;

@@ -24,7 +24,7 @@ void FillInPixels(std::vector<model::Attribute>& attributes) {
     if (model::FindAttribute(attributes, name) != nullptr) continue;
     model::Attribute& attribute = attributes.emplace_back();
     attribute.name = name;
-    attribute.numbers.push_back(pixels);
+    attribute.numbers = {pixels};
   }
 }
 

@@ -25,7 +25,7 @@ void SetVector(model::Element& view, std::string_view name, const Vector& vector
   model::Attribute* attribute = model::FindAttribute(view.attributes, name);
   if (attribute == nullptr) attribute = &view.attributes.emplace_back();
   attribute->name = name;
-  attribute->numbers.assign(vector.begin(), vector.end());
+  attribute->numbers.Change().assign(vector.begin(), vector.end());
 }
 
 Eigen::Vector3d VectorOf(model::Element& view, std::string_view name,
@@ -41,14 +41,14 @@ void ToDegrees(model::Element& view) {
   for (const std::string_view name : {"fovy", "cutoff"}) {
     model::Attribute* attribute = model::FindAttribute(view.attributes, name);
     if (attribute == nullptr) continue;
-    attribute->numbers.front() *= 180 / std::numbers::pi;
+    attribute->numbers.Change().front() *= 180 / std::numbers::pi;
   }
 }
 
 Eigen::Quaterniond OrientationOf(model::Element& view) {
   const model::Attribute* attribute = model::FindAttribute(view.attributes, kQuat);
   if (attribute == nullptr) return Eigen::Quaterniond::Identity();
-  const auto& wxyz = attribute->numbers;
+  const model::AttributeNumbers& wxyz = attribute->numbers;
   return {wxyz[0], wxyz[1], wxyz[2], wxyz[3]};
 }
 

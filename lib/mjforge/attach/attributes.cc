@@ -17,7 +17,7 @@ model::Attribute& Attributes::Add(std::string_view key) {
 }
 
 void Attributes::Numbers(std::string_view key, std::span<const double> values) {
-  Add(key).numbers.assign(values.begin(), values.end());
+  Add(key).numbers.Change().assign(values.begin(), values.end());
 }
 
 void Attributes::Read(const mjModel& m, std::span<const compiled::ArrayField> fields, int id) {
@@ -45,7 +45,7 @@ void CopyAttributes(const XmlElement& element, std::span<const std::string_view>
     model::Attribute& attribute = out.emplace_back();
     attribute.name = name;
     const std::vector<double> numbers = xml::NumbersOf(*text);
-    attribute.numbers.assign(numbers.begin(), numbers.end());
+    attribute.numbers.Change().assign(numbers.begin(), numbers.end());
     if (attribute.numbers.empty()) attribute.text = *text;
   }
 }

@@ -17,10 +17,6 @@ namespace {
 
 using xml::AddError;
 
-std::vector<double> PlainOf(const sample::Numbers& numbers) {
-  return {numbers.begin(), numbers.end()};
-}
-
 template <typename Array>
 std::span<const double> SpanOf(const Array& array) {
   return {array.data(), static_cast<std::size_t>(array.size())};
@@ -64,7 +60,7 @@ class FiniteCheck {
                   std::initializer_list<Named> all = {}) {
     for (const auto& [what, numbers] : all) CheckNumbers(kind, thing, what, numbers);
     for (const model::Attribute& attribute : thing.attributes) {
-      CheckNumbers(kind, thing, attribute.name, PlainOf(attribute.numbers));
+      CheckNumbers(kind, thing, attribute.name, SpanOf(attribute.numbers));
     }
   }
 
@@ -72,7 +68,7 @@ class FiniteCheck {
     CheckThing(element.tag, element);
     for (const model::Element& child : element.children) {
       for (const model::Attribute& attribute : child.attributes) {
-        CheckNumbers(element.tag, element, attribute.name, PlainOf(attribute.numbers));
+        CheckNumbers(element.tag, element, attribute.name, SpanOf(attribute.numbers));
       }
     }
   }

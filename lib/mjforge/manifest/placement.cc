@@ -16,7 +16,7 @@ namespace {
 using diag::Json;
 
 // Writes a single number as a number, and several numbers as a list.
-void PutNumbers(Json& json, const sample::Numbers& numbers) {
+void PutNumbers(Json& json, const model::AttributeNumbers& numbers) {
   numbers.size() == 1 ? json.Value(numbers[0]) : json.Value(numbers);
 }
 

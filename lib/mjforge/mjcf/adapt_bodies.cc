@@ -18,7 +18,7 @@ namespace {
 using diag::Code;
 
 model::Attribute MakeAttribute(std::string_view name, std::initializer_list<double> numbers) {
-  return {name, model::Applies::kBoth, {numbers.begin(), numbers.end()}, {}};
+  return {name, model::Applies::kBoth, numbers, {}};
 }
 
 // Makes an invisible site, like the sites of robosuite's own objects.

@@ -110,7 +110,7 @@ class AssetWriter {
     const std::size_t hash = name.size();
     name.append(kHashDigits, '0').append(extension);
     writer_.WriteText("file", name);
-    file.hash_position = document_.text.size() - 1 - name.size() + hash;  // 1 for the closing quote
+    file.hash_position = writer_.size() - 1 - name.size() + hash;  // 1 for the closing quote
     document_.generated_files.push_back(file);
   }
 
@@ -166,7 +166,8 @@ std::string TextureElement(const model::Texture& texture) {
     if (attribute.name != "mark" || attribute.text != "random") writer.WriteAttribute(attribute);
   }
   writer.CloseEmpty();
-  return document.text;
+  writer.Finish();
+  return std::move(document.text);
 }
 
 }  // namespace mjforge::mjcf

@@ -40,22 +40,35 @@ int Micrometres(double metres) {
 }  // namespace
 
 ElementWriter::ElementWriter(MjcfDocument& document)
-    : text_(document.text), origins_(document.origins) {}
+    : text_(document.text), size_(document.text.size()), origins_(document.origins) {}
+
+void ElementWriter::MakeRoom() {
+  constexpr std::size_t kStep = 4096;  // bytes; most objects need one or two steps
+  text_.resize(size_ + kStep);
+}
+
+void ElementWriter::RepeatText(std::size_t begin, std::size_t end) {
+  char* const out = Extend(end - begin);
+  std::copy_n(text_.data() + begin, end - begin, out);
+}
 
 void ElementWriter::WriteLine(std::string_view text) {
   Indent();
-  text_ += text;
+  Append(text);
   FinishLine("\n");
 }
 
 void ElementWriter::OpenElement(std::string_view tag, diag::SourceMark mark) {
   if (mark) origins_.push_back({line_, mark});
   Indent();
-  text_ += '<';
-  text_ += tag;
+  Append("<");
+  Append(tag);
 }
 
-void ElementWriter::Indent() { text_.append(2 * std::min(depth_, kDeepest), ' '); }
+void ElementWriter::Indent() {
+  const std::size_t count = 2 * std::min(depth_, kDeepest);
+  std::fill_n(Extend(count), count, ' ');
+}
 
 void ElementWriter::BeginContent() {
   FinishLine(">\n");
@@ -65,53 +78,56 @@ void ElementWriter::BeginContent() {
 void ElementWriter::EndElement(std::string_view tag) {
   --depth_;
   Indent();
-  text_ += "</";
-  text_ += tag;
+  Append("</");
+  Append(tag);
   FinishLine(">\n");
 }
 
 void ElementWriter::FinishLine(std::string_view end) {
-  text_ += end;
+  Append(end);
   ++line_;
 }
 
-// Appends all bytes of an attribute at once, because each call of append() takes as long as a short
-// number.
 void ElementWriter::WriteText(std::string_view name, std::string_view value,
                               std::string_view suffix) {
   if (std::ranges::any_of(value, NeedsEscape)) {
-    text_ += ' ';
-    text_ += name;
-    text_ += "=\"";
+    Append(" ");
+    Append(name);
+    Append("=\"");
     AppendEscaped(value);
-    text_ += suffix;
-    text_ += '"';
-    return;
+    Append(suffix);
+    Append("\"");
+  } else {
+    WriteUnescaped(name, value, suffix);
   }
-  const std::size_t start = text_.size();
-  text_.append(name.size() + value.size() + suffix.size() + 4, '"');
-  char* out = &text_[start];
+}
+
+void ElementWriter::WriteUnescaped(std::string_view name, std::string_view value,
+                                   std::string_view suffix) {
+  char* out = Extend(name.size() + value.size() + suffix.size() + 4);
   *out++ = ' ';
   out = std::ranges::copy(name, out).out;
-  *out = '=';
-  out = std::ranges::copy(value, out + 2).out;
-  std::ranges::copy(suffix, out);
+  *out++ = '=';
+  *out++ = '"';
+  out = std::ranges::copy(value, out).out;
+  out = std::ranges::copy(suffix, out).out;
+  *out = '"';
 }
 
 void ElementWriter::AppendEscaped(std::string_view value) {
   for (const char c : value) {
     if (!NeedsEscape(c)) {
-      text_ += c;
+      Append({&c, 1});
     } else if (c == '&') {
-      text_ += "&amp;";
+      Append("&amp;");
     } else if (c == '<') {
-      text_ += "&lt;";
+      Append("&lt;");
     } else if (c == '>') {
-      text_ += "&gt;";
+      Append("&gt;");
     } else if (c == '"') {
-      text_ += "&quot;";
+      Append("&quot;");
     } else {
-      text_ += fmt::format("&#{};", static_cast<int>(c));
+      Append(fmt::format("&#{};", static_cast<int>(c)));
     }
   }
 }
@@ -142,14 +158,14 @@ void ElementWriter::WriteList(std::string_view name, std::span<const T> values,
   *out++ = '"';
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (out > full) {
-      text_.append(buffer.data(), out);
+      Append({buffer.data(), out});
       out = buffer.data();
     }
     if (i > 0) *out++ = ' ';
     out = write(out, values[i]);
   }
   *out++ = '"';
-  text_.append(buffer.data(), out);
+  Append({buffer.data(), out});
 }
 
 void ElementWriter::WritePose(const model::Pose& pose) {
@@ -167,6 +183,10 @@ void ElementWriter::WriteAttribute(const model::Attribute& attribute) {
   // Poses of cameras and lights were transformed with their body, which leaves rounding errors.
   const bool is_place =
       attribute.name == "pos" || attribute.name == "quat" || attribute.name == "dir";
+  if (const std::string_view text = attribute.numbers.text(); !text.empty() && !is_place) {
+    WriteUnescaped(attribute.name, text, {});
+    return;
+  }
   WriteNumbers(attribute.name, {attribute.numbers.data(), attribute.numbers.size()},
                is_place ? NumberFormat::kFlushed : NumberFormat::kExact);
 }

@@ -25,7 +25,7 @@ class ElementWriter {
   enum class NumberFormat { kExact, kFlushed, kMicrometres };
 
   /// The writer appends to the document's text and origins. The text must not contain a newline
-  /// yet, because lines are counted from 1.
+  /// yet, because lines are counted from 1. Finish() completes the text.
   explicit ElementWriter(MjcfDocument& document);
 
   /// Writes a line without escaping.
@@ -42,7 +42,7 @@ class ElementWriter {
   /// Writes `value` followed by `suffix`, which needs no escaping.
   void WriteText(std::string_view name, std::string_view value, std::string_view suffix);
   /// Writes attributes without escaping: ` group="3"`.
-  void WriteRaw(std::string_view attributes) { text_ += attributes; }
+  void WriteRaw(std::string_view attributes) { Append(attributes); }
   void WriteNumber(std::string_view name, double value) { WriteNumbers(name, {&value, 1}); }
   void WriteNumbers(std::string_view name, std::span<const double> values,
                     NumberFormat format = NumberFormat::kExact);
@@ -61,10 +61,24 @@ class ElementWriter {
   void WriteAttribute(const model::Attribute& attribute);
 
   /// Appends a copy of the bytes from `begin` to `end` of the text.
-  void RepeatText(std::size_t begin, std::size_t end) { text_.append(text_, begin, end - begin); }
-  std::size_t size() const { return text_.size(); }
+  void RepeatText(std::size_t begin, std::size_t end);
+  /// Returns the number of bytes written so far.
+  std::size_t size() const { return size_; }
+  /// Removes the unused end of the document's text. Nothing can be written afterwards.
+  void Finish() { text_.resize(size_); }
 
  private:
+  /// Adds `count` bytes, and returns their address, which is valid until the next call.
+  char* Extend(std::size_t count) {
+    const std::size_t begin = size_;
+    size_ += count;
+    if (size_ > text_.size()) MakeRoom();
+    return text_.data() + begin;
+  }
+  void MakeRoom();
+  void Append(std::string_view bytes) { bytes.copy(Extend(bytes.size()), bytes.size()); }
+  /// Writes an attribute whose value and suffix need no escaping.
+  void WriteUnescaped(std::string_view name, std::string_view value, std::string_view suffix);
   void Indent();
   void FinishLine(std::string_view end);
   void AppendEscaped(std::string_view value);
@@ -73,7 +87,8 @@ class ElementWriter {
   template <typename T, typename Write>
   void WriteList(std::string_view name, std::span<const T> values, const Write& write);
 
-  std::string& text_;
+  std::string& text_;  // longer than `size_`, because each call of append() takes time
+  std::size_t size_;
   std::vector<LineOrigin>& origins_;
   int line_ = 1;  // current line, 1-based
   std::size_t depth_ = 0;

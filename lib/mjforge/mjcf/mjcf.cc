@@ -46,10 +46,9 @@ void WriteMjcf(const model::Object& object, Target target, const Provenance& pro
   writer.BeginContent();
   // Compiler threads are off, because they cost more time than they save for small models.
   writer.WriteLine("<compiler angle=\"radian\" usethread=\"false\"/>");
-  document.size_position = scene ? std::string::npos : document.text.size();
+  document.size_position = scene ? std::string::npos : writer.size();
   WriteSizes(object, scene, writer);
   WriteSettings(object, writer);
-
   if (scene || rules.always_has_assets || !object.textures.empty() || !object.materials.empty() ||
       !object.meshes.empty()) {
     writer.OpenElement("asset");
@@ -60,13 +59,14 @@ void WriteMjcf(const model::Object& object, Target target, const Provenance& pro
   }
   writer.OpenElement("worldbody");
   writer.BeginContent();
-  document.world_position = scene ? std::string::npos : document.text.size();
+  document.world_position = scene ? std::string::npos : writer.size();
   document.host_adds_free_joint = !rules.has_free_joint;
   if (scene) WriteSceneWorld(object, writer);
   WriteBodies(object, rules, document.lift, writer);
   writer.EndElement("worldbody");
   WriteSections(object, document.lift, writer);
   writer.EndElement("mujoco");
+  writer.Finish();
 }
 
 }  // namespace mjforge::mjcf

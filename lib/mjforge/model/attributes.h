@@ -3,8 +3,12 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <initializer_list>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "mjforge/diag/diag.h"
@@ -15,11 +19,45 @@ namespace mjforge::model {
 
 using spec::Applies;  // alias for libraries that must not use namespace `spec`
 
+/// The numbers of an MJCF attribute. Numbers that are the same in all variants belong to the spec,
+/// which also has their text.
+class AttributeNumbers {
+ public:
+  AttributeNumbers() = default;
+  AttributeNumbers(std::initializer_list<double> numbers) : own_(numbers) {}
+  AttributeNumbers(sample::Numbers numbers) : own_(std::move(numbers)) {}  // NOLINT
+  explicit AttributeNumbers(std::shared_ptr<const spec::ConstantValue> constant)
+      : constant_(std::move(constant)) {}
+
+  std::size_t size() const { return constant_ ? constant_->numbers.size() : own_.size(); }
+  const double* data() const { return constant_ ? constant_->numbers.data() : own_.data(); }
+  bool empty() const { return size() == 0; }
+  const double* begin() const { return data(); }
+  const double* end() const { return data() + size(); }
+  double front() const { return *data(); }
+  double operator[](std::size_t i) const { return data()[i]; }
+
+  /// Returns the numbers as in MJCF: "0.5 0.5 1"; empty if they are not the same in all variants.
+  std::string_view text() const { return constant_ ? std::string_view(constant_->text) : ""; }
+  /// Returns the numbers for changes, after which they do not belong to the spec.
+  sample::Numbers& Change() {
+    if (constant_) own_.assign(begin(), end());
+    constant_.reset();
+    return own_;
+  }
+
+  bool operator==(const AttributeNumbers& other) const { return std::ranges::equal(*this, other); }
+
+ private:
+  std::shared_ptr<const spec::ConstantValue> constant_;
+  sample::Numbers own_;  // used if `constant_` is null
+};
+
 /// An MJCF attribute and its value: `numbers` or, if `numbers` is empty, `text`.
 struct Attribute {
   std::string_view name;  // refers to text in the table of fields
   Applies applies = Applies::kBoth;
-  sample::Numbers numbers;
+  AttributeNumbers numbers;
   std::string text;
   std::string_view refers = {};  // kind of element to which the text refers; see FieldInfo
 

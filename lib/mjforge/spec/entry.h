@@ -20,12 +20,21 @@ namespace mjforge::spec {
 
 struct ObjectSpec;
 
+/// A value that is the same in all variants, and that the field table allows.
+struct ConstantValue {
+  std::vector<double> numbers;  // 1 for true, 0 for false; empty for a text
+  std::string text;             // MJCF of the value: "0.5 0.5 1", "true", "box"
+};
+
 /// A key of an element with its value.
 struct Field {
+  Field(const FieldInfo* field, Value content, diag::SourceMark key);
+
   const FieldInfo* info = nullptr;
   Value value;
-  diag::SourceMark mark;    // position of the key in the text
-  bool is_default = false;  // true if the value comes from `defaults:`
+  diag::SourceMark mark;                          // position of the key in the text
+  bool is_default = false;                        // true if the value comes from `defaults:`
+  std::shared_ptr<const ConstantValue> constant;  // null if variants may have different values
 };
 
 /// A local value of an entry: `let: {gap: 1mm .. 3mm}`.

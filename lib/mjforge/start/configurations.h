@@ -20,7 +20,8 @@ inline constexpr double kRounding = 1e-12;
 template <typename Attributes>
 sample::Numbers NumbersOf(const Attributes& attributes, std::string_view name) {
   const auto* attribute = model::FindAttribute(attributes, name);
-  return attribute == nullptr ? sample::Numbers() : attribute->numbers;
+  if (attribute == nullptr) return {};
+  return {attribute->numbers.begin(), attribute->numbers.end()};
 }
 /// Returns the text of an attribute; empty if the element does not have the attribute.
 std::string_view TextOf(const model::Element& element, std::string_view name);

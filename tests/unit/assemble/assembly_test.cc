@@ -56,7 +56,7 @@ TEST_CASE("children of one element draw from streams of their own") {
     path = sample::Child(path, step);
   }
   const double u = sample::Uniforms({.seed = 1, .index = 0}, path)[0];
-  CHECK(model::FindAttribute(joints[1].attributes, "coef")->numbers.at(0) ==
+  CHECK(model::FindAttribute(joints[1].attributes, "coef")->numbers.front() ==
         sample::RoundWithin(1, 2, 1 + u));
 }
 

@@ -184,7 +184,7 @@ TEST_CASE("expectations and sections read torques and distances") {
                           "expect: [\"abs(distance(pin, zero) - 3) < 1e-9\", "
                           "torque(elbow) < torque(shoulder)]\n";
   const Assembling thing(arm);
-  CHECK(thing.object().sections.at(0).elements.at(0).attributes.at(0).numbers.at(0) ==
+  CHECK(thing.object().sections.at(0).elements.at(0).attributes.at(0).numbers.front() ==
         Approx(9.81 * 2.1));
   CHECK(Assembling(arm + "  - torque(elbow) > torque(shoulder)\n").failed());
 }

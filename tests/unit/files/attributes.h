@@ -15,7 +15,7 @@ inline model::Attribute Word(std::string_view name, std::string text) {
 }
 
 inline model::Attribute Numbers(std::string_view name, std::vector<double> numbers) {
-  return {.name = name, .numbers = {numbers.begin(), numbers.end()}, .text = {}};
+  return {.name = name, .numbers = sample::Numbers(numbers.begin(), numbers.end()), .text = {}};
 }
 
 }  // namespace mjforge::files

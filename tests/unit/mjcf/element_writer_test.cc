@@ -15,6 +15,7 @@ TEST_CASE("elements nest by two spaces and end with a line feed") {
   writer.WriteNumber("x", 0.5);
   writer.CloseEmpty();
   writer.EndElement("a");
+  writer.Finish();
   CHECK(document.text == "<a>\n  <b x=\"0.5\"/>\n</a>\n");
 }
 
@@ -25,6 +26,7 @@ TEST_CASE("a text with XML's own characters reads back as it was") {
   writer.OpenElement("a");
   writer.WriteText("name", value);
   writer.CloseEmpty();
+  writer.Finish();
   CHECK(document.text == "<a name=\"a&lt;b&gt;&amp;&quot;c'&#9;&#10;&#13;d\xc3\xbc\"/>\n");
   pugi::xml_document parsed;
   REQUIRE(parsed.load_buffer(document.text.data(), document.text.size()));
@@ -38,6 +40,7 @@ TEST_CASE("numbers stand one space apart with at most ten digits") {
   writer.OpenElement("a");
   writer.WriteNumbers("v", values);
   writer.CloseEmpty();
+  writer.Finish();
   CHECK(document.text == "<a v=\"0.3333333333 0 1e-08 250\"/>\n");
 }
 
@@ -50,6 +53,7 @@ TEST_CASE("a pose leaves out an identity quaternion and rounding noise") {
   writer.OpenElement("b");
   writer.WritePose({{0, 0, 0}, {0.6, 0.8, 0, 0}});
   writer.CloseEmpty();
+  writer.Finish();
   CHECK(document.text == "<a pos=\"0 0 2\"/>\n<b pos=\"0 0 0\" quat=\"0.6 0.8 0 0\"/>\n");
 }
 

@@ -271,7 +271,7 @@ TEST_CASE("an attached geom is one geom, with the attributes it has") {
   CHECK(SectionsAfter([](model::Object&) {}, Attached()) == Messages{});
   CHECK(SectionsAfter([](auto& o) { o.bodies[1].parts[0].as_is = false; }, Attached()) ==
         Messages{"1: MuJoCo compiled 4 geoms, not 5"});
-  CHECK(SectionsAfter([](auto& o) { o.bodies[1].parts[0].attributes[0].numbers[0] = 3; },
+  CHECK(SectionsAfter([](auto& o) { o.bodies[1].parts[0].attributes[0].numbers.Change()[0] = 3; },
                       Attached()) ==
         Messages{"21: MuJoCo compiled group of geom 'block_lid_ball' as 2, not 3"});
   CHECK(SectionsAfter([](auto& o) { o.bodies[1].parts[1].name = "x"; }, Attached()) ==
@@ -285,7 +285,8 @@ TEST_CASE("an attached geom is one geom, with the attributes it has") {
 TEST_CASE("another attribute of an attached joint is found") {
   const auto changed = [](std::size_t attribute) {
     return SectionsAfter(
-        [=](auto& o) { o.bodies[1].joints[0].attributes[attribute].numbers[0] = 0.5; }, Attached());
+        [=](auto& o) { o.bodies[1].joints[0].attributes[attribute].numbers.Change()[0] = 0.5; },
+        Attached());
   };
   CHECK(changed(0) ==
         Messages{"22: MuJoCo compiled ref of joint 'block_lid_joint' as 0.3, not 0.5"});

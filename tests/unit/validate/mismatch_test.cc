@@ -133,13 +133,13 @@ TEST_CASE("a quaternion of the other sign is the same rotation") {
 }
 
 TEST_CASE("another attribute of a geom is found where it applies") {
-  CHECK(After([](auto& o) { Root(o).parts[0].attributes[0].numbers[1] = 0.02; }) ==
+  CHECK(After([](auto& o) { Root(o).parts[0].attributes[0].numbers.Change()[1] = 0.02; }) ==
         Messages{"11: MuJoCo compiled friction 2 of geom 'mallet_handle' as 0.01, not 0.02"});
-  CHECK(After([](auto& o) { Root(o).parts[0].attributes[1].numbers[0] = 0.7; }) ==
+  CHECK(After([](auto& o) { Root(o).parts[0].attributes[1].numbers.Change()[0] = 0.7; }) ==
         Messages{"11: MuJoCo compiled rgba 1 of geom 'mallet_handle_vis' as 0.6, not 0.7"});
-  CHECK(After([](auto& o) { Root(o).parts[0].attributes[2].numbers[0] = 3; }) ==
+  CHECK(After([](auto& o) { Root(o).parts[0].attributes[2].numbers.Change()[0] = 3; }) ==
         Messages{"11: MuJoCo compiled condim of geom 'mallet_handle' as 4, not 3"});
-  CHECK(After([](auto& o) { Root(o).parts[0].attributes[3].numbers[0] = 2; }) ==
+  CHECK(After([](auto& o) { Root(o).parts[0].attributes[3].numbers.Change()[0] = 2; }) ==
         Messages{"11: MuJoCo compiled group of geom 'mallet_handle_vis' as 1, not 2"});
 }
 
@@ -164,7 +164,7 @@ TEST_CASE("another joint is found") {
   CHECK(After([&](auto& o) {
           joint(o).axis = {0, 0, -1};
         }) == Messages{"52: MuJoCo compiled axis 3 of joint 'mallet_hinge' as 1, not -1"});
-  CHECK(After([&](auto& o) { joint(o).attributes[0].numbers[0] = 1; }) ==
+  CHECK(After([&](auto& o) { joint(o).attributes[0].numbers.Change()[0] = 1; }) ==
         Messages{"52: MuJoCo compiled damping of joint 'mallet_hinge' as 0.02, not 1"});
 }
 
