@@ -35,8 +35,7 @@ class Assembly {
         repetition_(findings),
         assets_(assembler, object_, findings),
         attacher_({assembler.attachments(), object_, assets_, materials_, sections_, references_,
-                   bodies_},
-                  findings) {}
+                   bodies_, findings}) {}
 
   std::optional<model::Object> Run(sample::Evaluator& values, const Assembler::Options& options);
 

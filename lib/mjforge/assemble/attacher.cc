@@ -70,19 +70,19 @@ std::size_t Attacher::Add(Scope& scope, FieldReader& reader, const spec::Entry& 
   // Call Attach() only once per file and body, because each call adds the findings of the file
   // again.
   const auto [found, is_new] = attached_.try_emplace({path, body_name}, nullptr);
-  if (is_new && source_ == nullptr) {
+  if (is_new && context_.source == nullptr) {
     reader.Report(Code::kAttachNoBody, field,
                   "cannot be read: reading MJCF files is not enabled here");
   } else if (is_new) {
-    found->second = source_->Attach(path, body_name, asked->value.mark, findings_);
+    found->second = context_.source->Attach(path, body_name, asked->value.mark, context_.findings);
   }
   if (found->second == nullptr) return 0;
   const model::Attachment& attachment = *found->second;
-  Renamer renamer(attachment, scope.prefix + name + "_", object_.bodies[index].name);
+  Renamer renamer(attachment, scope.prefix + name + "_", context_.object.bodies[index].name);
   CopyAssets(attachment, renamer);
   const std::size_t parts = CopyBodies(attachment, renamer, index);
   for (const std::string& joint : attachment.root_joints) {
-    references_.MarkRemoved(renamer.Name(joint), fmt::format("'{}'", *file));
+    context_.references.MarkRemoved(renamer.Name(joint), fmt::format("'{}'", *file));
   }
   CopySections(attachment, renamer);
   return parts;
@@ -94,17 +94,17 @@ void Attacher::CopyAssets(const model::Attachment& attachment, Renamer& renamer)
     model::Texture texture = own;
     texture.name = renamer.Name(own.name);
     for (model::TextureFile& picture : texture.files)
-      picture.output_file = assets_.OutputName(picture.file);
-    textures.push_back(assets_.ShareTexture(own.name, std::move(texture)));
+      picture.output_file = context_.assets.OutputName(picture.file);
+    textures.push_back(context_.assets.ShareTexture(own.name, std::move(texture)));
   }
   for (const model::Material& own : attachment.materials) {
     model::Material material = own;
     material.name = renamer.Name(own.name);
     if (own.texture >= 0) material.texture = textures[static_cast<std::size_t>(own.texture)];
-    renamer.materials.push_back(materials_.Share(own.name, std::move(material)));
+    renamer.materials.push_back(context_.materials.Share(own.name, std::move(material)));
   }
   for (const auto& mesh : attachment.meshes) {
-    renamer.meshes.push_back(assets_.ShareMesh(*mesh, renamer.Name(mesh->name)));
+    renamer.meshes.push_back(context_.assets.ShareMesh(*mesh, renamer.Name(mesh->name)));
   }
 }
 
@@ -117,11 +117,11 @@ std::size_t Attacher::CopyBodies(const model::Attachment& attachment, const Rena
     body.attached = static_cast<int>(index);
     for (model::Part& part : body.parts) {
       if (part.mesh >= 0)
-        part.shape.mesh = &object_.meshes[static_cast<std::size_t>(part.mesh)]->mesh;
+        part.shape.mesh = &context_.object.meshes[static_cast<std::size_t>(part.mesh)]->mesh;
     }
     parts += body.parts.size();
     if (&own == &attachment.bodies.front()) {
-      model::Body& entry = object_.bodies[index];
+      model::Body& entry = context_.object.bodies[index];
       body.name = entry.name;
       body.parent = entry.parent;
       body.mark = entry.mark;
@@ -129,8 +129,8 @@ std::size_t Attacher::CopyBodies(const model::Attachment& attachment, const Rena
       entry = std::move(body);
     } else {
       body.parent += static_cast<int>(index);
-      bodies_.emplace(body.name, static_cast<int>(object_.bodies.size()));
-      object_.bodies.push_back(std::move(body));
+      context_.bodies.emplace(body.name, static_cast<int>(context_.object.bodies.size()));
+      context_.object.bodies.push_back(std::move(body));
     }
   }
   return parts;
@@ -138,7 +138,7 @@ std::size_t Attacher::CopyBodies(const model::Attachment& attachment, const Rena
 
 void Attacher::CopySections(const model::Attachment& attachment, const Renamer& renamer) {
   for (const model::Section& section : attachment.sections) {
-    std::vector<model::Element>& elements = sections_.ElementsOf(*section.info);
+    std::vector<model::Element>& elements = context_.sections.ElementsOf(*section.info);
     for (const model::Element& own : section.elements) {
       const References::ElementPlace place = {section.info, elements.size()};
       model::Element& element = elements.emplace_back(own);
@@ -156,8 +156,9 @@ void Attacher::AddReferences(References::ElementPlace place, const model::Elemen
   for (std::size_t i = 0; i < own.attributes.size(); ++i) {
     const model::Attribute& attribute = own.attributes[i];
     if (attribute.refers.empty()) continue;
-    references_.Add(place, KindOf(attribute, own), element.attributes[i].text, attribute.text,
-                    fmt::format("{} of {} '{}'", attribute.name, own.tag, own.name), own.mark);
+    context_.references.Add(
+        place, KindOf(attribute, own), element.attributes[i].text, attribute.text,
+        fmt::format("{} of {} '{}'", attribute.name, own.tag, own.name), own.mark);
   }
   for (std::size_t i = 0; i < own.children.size(); ++i) {
     AddReferences(place, own.children[i], element.children[i]);

@@ -27,16 +27,9 @@ class Attacher {
     Sections& sections;
     References& references;
     std::unordered_map<std::string, int>& bodies;
+    diag::Findings& findings;
   };
-  Attacher(const Context& context, diag::Findings& findings)
-      : source_(context.source),
-        object_(context.object),
-        assets_(context.assets),
-        materials_(context.materials),
-        sections_(context.sections),
-        references_(context.references),
-        bodies_(context.bodies),
-        findings_(findings) {}
+  explicit Attacher(const Context& context) : context_(context) {}
 
   /// Copies the MJCF body that the entry names into the existing body `index`, whose name in the
   /// spec is `name`. Returns the number of added parts.
@@ -51,14 +44,7 @@ class Attacher {
   void AddReferences(References::ElementPlace place, const model::Element& own,
                      const model::Element& element);
 
-  model::AttachmentSource* source_;
-  model::Object& object_;
-  Assets& assets_;
-  Materials& materials_;
-  Sections& sections_;
-  References& references_;
-  std::unordered_map<std::string, int>& bodies_;
-  diag::Findings& findings_;
+  Context context_;
   std::map<std::pair<std::filesystem::path, std::string>, const model::Attachment*> attached_;
 };
 

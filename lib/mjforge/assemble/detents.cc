@@ -25,11 +25,6 @@ constexpr double kPeriod = 0.02;
 constexpr double kEndReference[] = {0.004, 1};
 constexpr double kEndImpedance[] = {0.99, 0.999, 0.001, 0.5, 2};
 
-void SetUnlessGiven(std::string_view name, sample::Numbers numbers, model::Joint& joint) {
-  if (model::FindAttribute(joint.attributes, name) != nullptr) return;
-  joint.attributes.push_back({.name = name, .numbers = std::move(numbers), .text = {}});
-}
-
 // Returns true if the detent comes from the defaults, but the entry itself specifies a spring or a
 // screw, which replaces the detent.
 bool HasOwnSpring(const spec::Entry& entry, const spec::Field& detent) {
@@ -57,9 +52,11 @@ bool ReadDetent(FieldReader& reader, const spec::Entry& entry, model::Joint& joi
     reader.Report(Code::kModelBadValue, *field, "needs a range that is in force");
     return false;
   }
-  const double lower = (*joint.range)[0];
-  const double upper = (*joint.range)[1];
-  SetUnlessGiven("springref", {(lower + upper) / 2}, joint);
+  const auto add = [&](std::string_view name, sample::Numbers numbers) {
+    AddUnlessPresent({.name = name, .numbers = std::move(numbers), .text = {}}, joint.attributes);
+  };
+  const double lower = joint.range->x(), upper = joint.range->y();
+  add("springref", {(lower + upper) / 2});
   const double centre = model::FindAttribute(joint.attributes, "springref")->numbers.front();
   if (!(lower < centre && centre < upper)) {
     reader.Report(
@@ -74,11 +71,11 @@ bool ReadDetent(FieldReader& reader, const spec::Entry& entry, model::Joint& joi
   std::erase_if(joint.attributes, [](const model::Attribute& attribute) {
     return attribute.name == "stiffness" || attribute.name == "springdamper";
   });
-  SetUnlessGiven("stiffness", {-stiffness}, joint);
-  SetUnlessGiven("damping", {stiffness * kSnapTime}, joint);
-  SetUnlessGiven("armature", {stiffness * kPeriod * kPeriod}, joint);
-  SetUnlessGiven("solreflimit", {std::begin(kEndReference), std::end(kEndReference)}, joint);
-  SetUnlessGiven("solimplimit", {std::begin(kEndImpedance), std::end(kEndImpedance)}, joint);
+  add("stiffness", {-stiffness});
+  add("damping", {stiffness * kSnapTime});
+  add("armature", {stiffness * kPeriod * kPeriod});
+  add("solreflimit", {std::begin(kEndReference), std::end(kEndReference)});
+  add("solimplimit", {std::begin(kEndImpedance), std::end(kEndImpedance)});
   return true;
 }
 

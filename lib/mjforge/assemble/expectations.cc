@@ -72,11 +72,7 @@ void Assembly::AddExpectation(Scope& scope, const spec::Expectation& entry) {
     position.joint = scope.prefix + position.shown;
     position.mark = at.mark;
     scope.values.Vector(at.value, scope.values.root(), position.numbers);
-    const model::Joint* joint = nullptr;
-    for (const model::Body& body : object_.bodies) {
-      const auto found = std::ranges::find(body.joints, position.joint, &model::Joint::name);
-      if (found != body.joints.end()) joint = &*found;
-    }
+    const model::Joint* joint = model::FindJoint(object_, position.joint);
     if (joint == nullptr) {
       ReportUnknownJoint("at", position);
       return;

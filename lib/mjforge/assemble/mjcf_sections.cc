@@ -33,9 +33,7 @@ void SetLimited(const spec::ElementInfo& info, std::vector<model::Attribute>& at
   for (const LimitAttributes& limit : kLimits) {
     const spec::FieldInfo* limited = info.Find(limit.limited);
     if (limited == nullptr || !has(limit.range) || has(limit.limited)) continue;
-    model::Attribute& attribute = attributes.emplace_back();
-    attribute.name = limited->key;
-    attribute.text = "true";
+    attributes.push_back({.name = limited->key, .numbers = {}, .text = "true"});
   }
 }
 

@@ -38,11 +38,7 @@ bool IsAttribute(Key id) { return id == Key::kAttribute || id == Key::kRgba || i
 void HardenContacts(std::vector<model::Attribute>& attributes) {
   if (model::FindAttribute(attributes, "solref") != nullptr) return;
   const auto add = [&](std::string_view name, sample::Numbers numbers) {
-    if (model::FindAttribute(attributes, name) != nullptr) return;
-    model::Attribute& added = attributes.emplace_back();
-    added.name = name;
-    added.applies = spec::Applies::kCollision;
-    added.numbers = std::move(numbers);
+    AddUnlessPresent({name, spec::Applies::kCollision, std::move(numbers), {}}, attributes);
   };
   add("solref", {0.005, 1});
   add("solmix", {100});
@@ -78,9 +74,7 @@ bool ReadAttributes(FieldReader& reader, const spec::Entry& entry,
     }
   };
   read(false);
-  for (const model::Attribute& attribute : of_material) {
-    if (model::FindAttribute(out, attribute.name) == nullptr) out.push_back(attribute);
-  }
+  for (const model::Attribute& attribute : of_material) AddUnlessPresent(attribute, out);
   read(true);
   return good;
 }

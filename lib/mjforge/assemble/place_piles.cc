@@ -14,15 +14,6 @@ namespace {
 using diag::Code;
 using spec::Key;
 
-void AddUnlessStated(std::string_view name, sample::Numbers numbers, std::string text,
-                     std::vector<model::Attribute>& attributes) {
-  if (model::FindAttribute(attributes, name) != nullptr) return;
-  model::Attribute& attribute = attributes.emplace_back();
-  attribute.name = name;
-  attribute.numbers = std::move(numbers);
-  attribute.text = std::move(text);
-}
-
 // Adds the options with which a pile comes to rest in MuJoCo, unless the spec sets them itself.
 // With a pyramidal cone and impratio 1, bodies slide on each other forever. Without noslip
 // iterations, they creep by some millimetres per second. Without multiccd, releases of MuJoCo
@@ -36,15 +27,15 @@ void AddOptions(std::vector<model::Section>& sections) {
   }
   if (found->elements.empty()) found->elements.emplace_back().tag = info->name;
   model::Element& option = found->elements.front();
-  AddUnlessStated("cone", {}, "elliptic", option.attributes);
-  AddUnlessStated("impratio", {10}, "", option.attributes);
-  AddUnlessStated("noslip_iterations", {20}, "", option.attributes);
+  AddUnlessPresent({.name = "cone", .numbers = {}, .text = "elliptic"}, option.attributes);
+  AddUnlessPresent({.name = "impratio", .numbers = {10}, .text = {}}, option.attributes);
+  AddUnlessPresent({.name = "noslip_iterations", .numbers = {20}, .text = {}}, option.attributes);
   auto flag = std::ranges::find(option.children, "flag", &model::Element::tag);
   if (flag == option.children.end()) {
     flag = option.children.emplace(option.children.end());
     flag->tag = "flag";
   }
-  AddUnlessStated("multiccd", {}, "enable", flag->attributes);
+  AddUnlessPresent({.name = "multiccd", .numbers = {}, .text = "enable"}, flag->attributes);
 }
 
 }  // namespace

@@ -15,28 +15,13 @@ namespace {
 
 using diag::Code;
 
-double NumberOf(const model::Element& element, std::string_view name, std::size_t i,
-                double otherwise) {
-  const model::Attribute* attribute = model::FindAttribute(element.attributes, name);
-  return attribute == nullptr || attribute->numbers.size() <= i ? otherwise : attribute->numbers[i];
-}
-
-std::string_view TextOf(const model::Element& element, std::string_view name,
-                        std::string_view otherwise) {
-  const model::Attribute* attribute = model::FindAttribute(element.attributes, name);
-  return attribute == nullptr ? otherwise : std::string_view(attribute->text);
-}
-
 // Returns the hinge or slide that an actuator moves, if that joint has a start position; otherwise
 // null.
 const model::Joint* StartedJoint(const model::Object& object, const model::Element& actuator) {
   const std::string_view name =
       TextOf(actuator, "joint", TextOf(actuator, "jointinparent", std::string_view()));
-  for (const model::Body& body : object.bodies) {
-    const auto found = std::ranges::find(body.joints, name, &model::Joint::name);
-    if (found != body.joints.end()) return found->start.size() == 1 ? &*found : nullptr;
-  }
-  return nullptr;
+  const model::Joint* joint = model::FindJoint(object, name);
+  return joint != nullptr && joint->start.size() == 1 ? joint : nullptr;
 }
 
 // Returns the input at which a position servo exerts no force if the length of its transmission is

@@ -45,12 +45,6 @@ bool MayHave(const spec::ObjectSpec& spec, std::string_view joint) {
          });
 }
 
-// Removes the object's prefix from a name.
-std::string_view OwnName(const model::Object& object, std::string_view name) {
-  const std::size_t prefix = object.name.size() + 1;
-  return name.starts_with(object.name + "_") ? name.substr(prefix) : name;
-}
-
 // Returns the joint with this name or, if there is none, the joints whose names end with "_NAME".
 std::vector<std::string_view> FindJoints(std::span<const std::string_view> joints,
                                          std::string_view name) {
@@ -80,7 +74,8 @@ void CheckShownPose(const spec::ObjectSpec& spec, const model::Object& object,
     if (fitting.empty() && !MayHave(spec, position.joint)) {
       std::vector<std::string_view> names;
       names.reserve(joints.size());
-      for (const std::string_view joint : joints) names.push_back(OwnName(object, joint));
+      for (const std::string_view joint : joints)
+        names.push_back(model::OwnName(joint, object.name));
       findings.Warn(Code::kModelUnknownReference, position.mark,
                     fmt::format("view: the object has no joint {}", shown),
                     diag::DidYouMean(position.joint, names));

@@ -131,13 +131,10 @@ void Assembly::ApplySetpoint(RequestedStart& start) {
 void Assembly::ReportLostStarts() {
   for (const RequestedStart& start : lost_starts_) {
     const RequestedPosition& position = start.position;
-    const auto has_joint = [&](const model::Body& of) {
-      return std::ranges::find(of.joints, position.joint, &model::Joint::name) != of.joints.end();
-    };
     std::string_view why;
     if (references_.IsRemoved(position.joint)) {
       why = "attaching its spec removed the joint";
-    } else if (std::ranges::any_of(object_.bodies, has_joint)) {
+    } else if (model::FindJoint(object_, position.joint) != nullptr) {
       why = "a free body starts where the outer spec has it";
     }
     if (start.is_actuator) {

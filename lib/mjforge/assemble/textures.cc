@@ -17,15 +17,10 @@ using spec::Key;
 // Default width of a generated texture, in pixels. MuJoCo has no default.
 constexpr double kPixels = 64;
 
-void FillInPixels(std::vector<model::Attribute>& attributes) {
-  const model::Attribute* width = model::FindAttribute(attributes, "width");
-  const double pixels = width != nullptr ? width->numbers[0] : kPixels;
-  for (const std::string_view name : {"width", "height"}) {
-    if (model::FindAttribute(attributes, name) != nullptr) continue;
-    model::Attribute& attribute = attributes.emplace_back();
-    attribute.name = name;
-    attribute.numbers = {pixels};
-  }
+void FillInPixels(model::Texture& texture) {
+  const double pixels = NumberOf(texture, "width", 0, kPixels);
+  for (const std::string_view name : {"width", "height"})
+    AddUnlessPresent({.name = name, .numbers = {pixels}, .text = {}}, texture.attributes);
 }
 
 }  // namespace
@@ -78,18 +73,15 @@ std::optional<int> Assets::AddTexture(sample::Evaluator& values, const spec::Mat
     good &= reader.ReadAttribute(field, texture.attributes.emplace_back());
   }
   if (!good) return std::nullopt;
-  if (generated) FillInPixels(texture.attributes);
+  if (generated) FillInPixels(texture);
   return ShareTexture(material.name, std::move(texture));
 }
 
 void Assets::CheckPixels() {
-  const auto side = [](model::Texture& texture, std::string_view name) -> double {
-    const model::Attribute* attribute = model::FindAttribute(texture.attributes, name);
-    return attribute == nullptr ? 0.0 : attribute->numbers[0];
-  };
   double pixels = 0.0;
   for (model::Texture& texture : object_.textures) {
-    if (texture.files.empty()) pixels += side(texture, "width") * side(texture, "height");
+    if (texture.files.empty())
+      pixels += NumberOf(texture, "width", 0, 0) * NumberOf(texture, "height", 0, 0);
     for (const model::TextureFile& picture : texture.files) {
       const auto content = assembler_.ReadTexture(picture.file).pixels;
       pixels += static_cast<double>(content.value_or(0));

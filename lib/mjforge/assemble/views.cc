@@ -20,49 +20,28 @@ constexpr std::string_view kPos = "pos";
 constexpr std::string_view kQuat = "quat";
 constexpr std::string_view kDir = "dir";
 
-template <typename Vector>
-void SetVector(model::Element& view, std::string_view name, const Vector& vector) {
-  model::Attribute* attribute = model::FindAttribute(view.attributes, name);
-  if (attribute == nullptr) attribute = &view.attributes.emplace_back();
-  attribute->name = name;
-  attribute->numbers.Change().assign(vector.begin(), vector.end());
-}
-
-Eigen::Vector3d VectorOf(model::Element& view, std::string_view name,
-                         const Eigen::Vector3d& otherwise) {
-  const model::Attribute* attribute = model::FindAttribute(view.attributes, name);
-  if (attribute == nullptr) return otherwise;
-  return Eigen::Vector3d(attribute->numbers.data());
-}
-
 // Converts to degrees the angles that MJCF expects in degrees, regardless of the setting `angle` of
 // its element `compiler`.
 void ToDegrees(model::Element& view) {
   for (const std::string_view name : {"fovy", "cutoff"}) {
     model::Attribute* attribute = model::FindAttribute(view.attributes, name);
     if (attribute == nullptr) continue;
-    attribute->numbers.Change().front() *= 180 / std::numbers::pi;
+    attribute->numbers.front() *= 180 / std::numbers::pi;
   }
-}
-
-Eigen::Quaterniond OrientationOf(model::Element& view) {
-  const model::Attribute* attribute = model::FindAttribute(view.attributes, kQuat);
-  if (attribute == nullptr) return Eigen::Quaterniond::Identity();
-  const model::AttributeNumbers& wxyz = attribute->numbers;
-  return {wxyz[0], wxyz[1], wxyz[2], wxyz[3]};
 }
 
 }  // namespace
 
 void MoveView(const model::Pose& X_AB, model::Element& view) {
-  const model::Pose X_BV = {VectorOf(view, kPos, Eigen::Vector3d::Zero()), OrientationOf(view)};
+  const model::Pose X_BV = {VectorOf(view, kPos), QuaternionOf(view)};
   const model::Pose X_AV = X_AB * X_BV;
-  SetVector(view, kPos, X_AV.p);
+  SetNumbers(view.attributes, kPos, X_AV.p);
   if (view.tag == "camera") {
-    SetVector(view, kQuat, model::Wxyz(X_AV.q));
+    SetNumbers(view.attributes, kQuat, model::Wxyz(X_AV.q));
     return;
   }
-  SetVector(view, kDir, X_AB.q * VectorOf(view, kDir, -Eigen::Vector3d::UnitZ()));
+  SetNumbers(view.attributes, kDir,
+             Eigen::Vector3d(X_AB.q * VectorOf(view, kDir, -Eigen::Vector3d::UnitZ())));
 }
 
 void Assembly::AddViews(Scope& scope, const std::vector<spec::Entry>& entries,
@@ -88,33 +67,25 @@ void Assembly::AddView(Scope& scope, const spec::Entry& entry, sample::StreamId 
   if (good) ToDegrees(view);
   if (const spec::Field* field = entry.Find(Key::kAxis)) {
     const auto dir = ReadDirection(reader, *field);
-    if (dir) SetVector(view, kDir, *dir);
+    if (dir) SetNumbers(view.attributes, kDir, *dir);
     good &= dir.has_value();
   }
   const std::optional<model::Pose> X_SV = ReadPose(reader, entry);
   if (!good || !X_SV) return;
-  SetVector(view, kPos, X_SV->p);
-  if (view.tag == "camera") SetVector(view, kQuat, model::Wxyz(X_SV->q));
+  SetNumbers(view.attributes, kPos, X_SV->p);
+  if (view.tag == "camera") SetNumbers(view.attributes, kQuat, model::Wxyz(X_SV->q));
   MoveView(scope.X_BS, view);
   if (model::Attribute* target = model::FindAttribute(view.attributes, "target")) {
     const bool is_root = target->text == scope.values.spec().name;
     target->text = is_root ? object_.bodies[static_cast<std::size_t>(scope.body)].name
                            : scope.outer_prefix() + target->text;
-    if (model::FindAttribute(view.attributes, "mode") == nullptr) {
-      model::Attribute& mode = view.attributes.emplace_back();
-      mode.name = "mode";
-      mode.text = "targetbody";
-    }
+    AddUnlessPresent({.name = "mode", .numbers = {}, .text = "targetbody"}, view.attributes);
   }
   body().elements.push_back(std::move(view));
 }
 
 void CheckViews(const model::Object& object, diag::Findings& findings) {
-  // Returns a name without the object's prefix.
-  const auto shown = [&](std::string_view name) {
-    const bool has_prefix = name.starts_with(object.name + "_");
-    return has_prefix ? name.substr(object.name.size() + 1) : name;
-  };
+  const auto shown = [&](std::string_view name) { return model::OwnName(name, object.name); };
   std::vector<std::string_view> names;
   for (const model::Body& body : object.bodies) names.push_back(shown(body.name));
   for (const model::Body& body : object.bodies) {

@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "mjforge/diag/diag.h"
 #include "mjforge/sample/sample.h"
 #include "mjforge/spec/spec.h"
@@ -71,6 +73,27 @@ auto* FindAttribute(Attributes& attributes, std::string_view name) {
   return found == attributes.end() ? nullptr : &*found;
 }
 
+/// Adds an attribute unless there is one with its name.
+void AddUnlessPresent(Attribute attribute, std::vector<Attribute>& attributes);
+
+/// Sets the numbers of an attribute, adding it if missing. `name` must be in static storage.
+template <typename Range = sample::Numbers>
+void SetNumbers(std::vector<Attribute>& attributes, std::string_view name, const Range& numbers) {
+  Attribute* attribute = FindAttribute(attributes, name);
+  if (attribute == nullptr) attribute = &attributes.emplace_back();
+  attribute->name = name;
+  attribute->numbers.assign(numbers.begin(), numbers.end());
+}
+
+/// Returns a number of an attribute; `usual` if `owner`, an element with attributes, does not have
+/// the attribute or so many numbers.
+template <typename Owner>
+double NumberOf(const Owner& owner, std::string_view name, std::size_t position, double usual) {
+  const Attribute* attribute = FindAttribute(owner.attributes, name);
+  const bool has_number = attribute != nullptr && position < attribute->numbers.size();
+  return has_number ? attribute->numbers[position] : usual;
+}
+
 /// An MJCF element that is copied without interpretation, such as a sensor or a camera.
 struct Element {
   std::string_view tag;  // refers to text in the table of sections
@@ -79,6 +102,20 @@ struct Element {
   std::vector<Element> children;
   diag::SourceMark mark;
 };
+
+/// Returns the text of an attribute; `usual` if the element does not have the attribute.
+std::string_view TextOf(const Element& element, std::string_view name, std::string_view usual = {});
+
+/// Returns an attribute of three numbers; `usual` if the element does not have the attribute.
+Eigen::Vector3d VectorOf(const Element& element, std::string_view name,
+                         const Eigen::Vector3d& usual = Eigen::Vector3d::Zero());
+
+/// Returns the attribute `quat`; the identity if the element does not have the attribute.
+Eigen::Quaterniond QuaternionOf(const Element& element);
+
+/// Returns an element's name as written in the spec, without the prefix "OBJECT_" (the object's
+/// name).
+std::string_view OwnName(std::string_view name, std::string_view object);
 
 /// Returns the kind of element to which an attribute of `element` refers: `refers` or, if `refers`
 /// is "@objtype", the value of the attribute objtype of `element`.

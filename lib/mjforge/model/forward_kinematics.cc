@@ -24,6 +24,14 @@ std::size_t VelocityCount(const Joint& joint) {
   return joint.type == "ball" ? 3 : 1;
 }
 
+const Joint* FindJoint(const Object& object, std::string_view name) {
+  for (const Body& body : object.bodies) {
+    const auto found = std::ranges::find(body.joints, name, &Joint::name);
+    if (found != body.joints.end()) return &*found;
+  }
+  return nullptr;
+}
+
 const Joint* FreeJointOf(const Body& body) {
   const auto found = std::ranges::find(body.joints, "free", &Joint::type);
   return found == body.joints.end() ? nullptr : &*found;

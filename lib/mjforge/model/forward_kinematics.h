@@ -19,6 +19,9 @@ sample::Numbers ZeroPosition(const Joint& joint);
 /// Returns the number of a joint's values in qvel.
 std::size_t VelocityCount(const Joint& joint);
 
+/// Returns the joint with this name; null if there is none.
+const Joint* FindJoint(const Object& object, std::string_view name);
+
 /// Returns the free joint of a body; null if the body has none.
 const Joint* FreeJointOf(const Body& body);
 

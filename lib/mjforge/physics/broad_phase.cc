@@ -103,6 +103,11 @@ engine::GeomPairs& BroadPhase::Find(const mjData& d, const std::vector<double>& 
   return pairs_;
 }
 
+void BroadPhase::Collide(mjModel& m, mjData& d) {
+  if (!works_) return mj_collision(&m, &d);
+  Find(d, std::vector<double>(Index(m.nbody)), 0).Collide(m, d);
+}
+
 void BroadPhase::FindBetween(int body1, int body2) {
   const Box& around = body_boxes_[Index(body2)];
   if (!body_boxes_[Index(body1)].intersects(around)) return;

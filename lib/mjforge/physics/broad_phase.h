@@ -25,6 +25,10 @@ class BroadPhase {
   /// that mj_kinematics wrote to `d`. The result is valid until the next call.
   engine::GeomPairs& Find(const mjData& d, const std::vector<double>& allowances, int frame);
 
+  /// Finds all contacts at the poses that mj_kinematics and mj_comPos wrote to `d`, which belongs
+  /// to `m`, the model of this broad phase. Lets MuJoCo find the pairs if works() is false.
+  void Collide(mjModel& m, mjData& d);
+
   /// Ids of the bodies with colliding geoms.
   const std::vector<int>& bodies() const { return bodies_; }
   /// Radius of the sphere about a body's origin that contains the body's colliding geoms, m.

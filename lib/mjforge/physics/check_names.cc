@@ -8,7 +8,7 @@
 namespace mjforge::physics {
 
 std::string OwnName(const mjModel& m, mjtObj kind, int id, std::string_view object) {
-  return std::string(static_checks::OwnName(compiled::NameOf(m, kind, id), object));
+  return std::string(model::OwnName(compiled::NameOf(m, kind, id), object));
 }
 
 std::vector<std::string> OwnNames(const mjModel& m, mjtObj kind, std::string_view object) {

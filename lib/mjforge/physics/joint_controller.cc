@@ -258,7 +258,8 @@ Setpoint JointController::Target(const JointDrive& drive, const Setpoint& progre
 std::optional<Setpoint> JointController::SetpointOfOther(const std::vector<JointDrive>& drives,
                                                          int joint,
                                                          const Setpoint& progress) const {
-  if (!couplings_.IsCoupled(joint)) return Setpoint{StartOf(joint), 0, 0};
+  const int at = m_.jnt_qposadr[joint];
+  if (!couplings_.IsCoupled(joint)) return Setpoint{start_[Index(at)] - m_.qpos0[at], 0, 0};
   if (coupled_ == CoupledJoints::kPassive) return std::nullopt;
   for (const JointDrive& drive : drives) {
     const auto setpoint = couplings_.SetpointOf(joint, drive.path.joint, Target(drive, progress));
@@ -276,8 +277,11 @@ void JointController::Correct(int joint, int axis, const std::array<double, 3>& 
     const int dof = m_.jnt_dofadr[joint] + i;
     const double error = std::clamp(errors[Index(i)], -most, most);
     is_pushed_[Index(dof)] = true;
-    accelerations_[Index(dof)] = Acceleration(dof, error, i == axis ? setpoint.speed : 0,
-                                              i == axis ? setpoint.acceleration : 0);
+    const Setpoint at = i == axis ? setpoint : Setpoint();
+    // Critically damped feedback of the position error and the speed error.
+    accelerations_[Index(dof)] = at.acceleration +
+                                 2 * kNaturalFrequency * (at.speed - d_.qvel[dof]) +
+                                 kNaturalFrequency * kNaturalFrequency * error;
   }
 }
 
@@ -298,19 +302,6 @@ std::array<double, 3> JointController::ErrorsOfHeld(int joint, double target) co
   std::array<double, 3> errors = {};
   mju_subQuat(errors.data(), &start_[Index(at)], d_.qpos + at);
   return errors;
-}
-
-/// Returns the start position of a hinge or slide, relative to the model's reference pose.
-double JointController::StartOf(int joint) const {
-  const int at = m_.jnt_qposadr[joint];
-  return start_[Index(at)] - m_.qpos0[at];
-}
-
-double JointController::Acceleration(int dof, double error, double speed,
-                                     double acceleration) const {
-  // Critically damped feedback of the position error and the speed error.
-  return acceleration + 2 * kNaturalFrequency * (speed - d_.qvel[dof]) +
-         kNaturalFrequency * kNaturalFrequency * error;
 }
 
 /// Returns the position of the joint along the path, relative to the model's reference pose.

@@ -90,8 +90,6 @@ class JointController {
                const Setpoint& setpoint);
   std::array<double, 3> Errors(int joint, int axis, double target) const;
   std::array<double, 3> ErrorsOfHeld(int joint, double target) const;
-  double StartOf(int joint) const;
-  double Acceleration(int dof, double error, double speed, double acceleration) const;
   double Value(const JointPath& path) const;
   void Measure(std::vector<JointDrive>& drives);
   void MeasureEqualities(DrivenJoint& driven) const;

@@ -9,12 +9,12 @@
 namespace mjforge::physics {
 namespace {
 
-/// Returns the element with this name; null if there is none or the name is empty.
+/// Returns the element with this name; null if there is none.
 template <typename Elements>
 auto* ElementNamed(Elements& elements, std::string_view name) {
   const auto found =
       std::ranges::find_if(elements, [&](const auto& element) { return element.name == name; });
-  return found != elements.end() && !name.empty() ? &*found : nullptr;
+  return found != elements.end() ? &*found : nullptr;
 }
 
 template <typename Element>
@@ -48,10 +48,7 @@ diag::SourceMark ModelTest::BodyMark(std::string_view name) const {
 }
 
 diag::SourceMark ModelTest::JointMark(std::string_view name) const {
-  for (const model::Body& body : object.bodies) {
-    if (const model::Joint* joint = ElementNamed(body.joints, name)) return PlaceOf(joint, mark);
-  }
-  return mark;
+  return name.empty() ? mark : PlaceOf(model::FindJoint(object, name), mark);
 }
 
 diag::SourceMark ModelTest::ElementMark(std::string_view section, std::string_view name) const {

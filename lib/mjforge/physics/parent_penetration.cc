@@ -56,7 +56,7 @@ class UnfilteredModel {
     for (;;) {
       mj_kinematics(m_.get(), data_);
       mj_comPos(m_.get(), data_);
-      Collide();
+      broad_phase_.Collide(*m_, *data_);
       if (!IsCrowded(*data_)) break;
       const std::vector<mjtNum> qpos(data_->qpos, data_->qpos + m_->nq);
       MakeRoom(*m_);
@@ -92,19 +92,10 @@ class UnfilteredModel {
     return copy;
   }
 
-  void Collide() {
-    if (broad_phase_.works()) {
-      broad_phase_.Find(*data_, no_allowance_, 0).Collide(*m_, *data_);
-    } else {
-      mj_collision(m_.get(), data_);
-    }
-  }
-
   engine::Model m_;
   Workspace& workspace_;
   mjData* data_;
   BroadPhase broad_phase_;
-  std::vector<double> no_allowance_ = std::vector<double>(compiled::Index(m_->nbody));
 };
 
 class ParentPenetrationSearch {

@@ -132,25 +132,6 @@ void AddFileRefusal(std::string_view what, const engine::Loaded& loaded,
                std::move(hint));
 }
 
-}  // namespace
-
-struct Laboratory::Impl {
-  engine::Engine engine;
-  Workspace workspace;
-
-  /// Function that loads the model from a text to which probe bodies were added.
-  using Load = std::function<engine::Loaded(const std::string& text)>;
-
-  std::optional<Result> Examine(mjModel& m, const model::Object& object, diag::SourceMark mark,
-                                const model::Checks& checks, diag::Findings& findings,
-                                std::string_view text, const Load& load);
-  /// Loads the model of a document with its floor. If that fails, adds a finding and returns null.
-  engine::Model LoadOnFloor(const mjcf::MjcfDocument& document, diag::SourceMark mark,
-                            diag::Findings& findings);
-};
-
-namespace {
-
 /// Returns the result of a simulation. If MuJoCo fails, adds a finding and returns nullopt.
 template <typename Simulation>
 auto Guarded(const model::Object& object, diag::SourceMark mark, diag::Findings& findings,
@@ -178,51 +159,59 @@ diag::SourceMark MarkOf(const model::Object& object) {
 
 }  // namespace
 
+struct Laboratory::Impl {
+  engine::Engine engine;
+  Workspace workspace;
+
+  /// Function that loads the model from a text to which probe bodies were added.
+  using Load = std::function<engine::Loaded(const std::string& text)>;
+
+  std::optional<Result> Examine(mjModel& m, const model::Object& object, diag::SourceMark mark,
+                                const model::Checks& checks, diag::Findings& findings,
+                                std::string_view text, const Load& load) {
+    static_checks::Reporter reporter(checks, findings);
+    return Guarded(object, mark, findings, [&]() -> std::optional<Result> {
+      Result result;
+      const ModelTest test = {m, workspace, object, mark, reporter, result};
+      CheckBehaviour(test);
+      result.overlap = static_checks::CheckProportions(object, mark, reporter);
+      static_checks::CheckContacts(object, reporter);
+      CheckFrictionCones(test);
+      const std::span<const mjtNum> start = compiled::StartOf(m);
+      const auto probe = [&](const std::string& with_probes, void (*check)(const ProbeTest&)) {
+        const engine::Loaded loaded = load(with_probes);
+        if (!loaded.model) throw std::runtime_error(engine::ParseRefusal(loaded.error).reason);
+        check({{*loaded.model, workspace, object, mark, reporter, result}, start});
+      };
+      if (checks.settled) CheckSettled(test);
+      if (checks.holds) probe(WithBalls(text, *checks.holds), CheckContainment);
+      if (!checks.fits.empty()) probe(WithPegs(text, checks), CheckPegInHole);
+      if (checks.grasps) probe(WithGripper(text, *checks.grasps), CheckGrasps);
+      Round(result);
+      return result;
+    });
+  }
+
+  /// Loads the model of a document with its floor. If that fails, adds a finding and returns null.
+  engine::Model LoadOnFloor(const mjcf::MjcfDocument& document, diag::SourceMark mark,
+                            diag::Findings& findings) {
+    engine::Loaded loaded = engine.LoadText(WithSurroundings(document), document.assets);
+    if (!loaded.model) {
+      findings.Add(Code::kMujocoError, mark,
+                   fmt::format("MuJoCo refused the object on a floor: {}",
+                               engine::ParseRefusal(loaded.error).reason));
+      return nullptr;
+    }
+    // A fixed object may have free bodies, so that its floor must be below all of them, too.
+    const int floor = mj_name2id(loaded.model.get(), mjOBJ_GEOM, kFloorName.data());
+    if (floor >= 0 && !document.host_adds_free_joint && loaded.model->body_dofnum[1] == 0)
+      LevelFloor(*loaded.model, floor);
+    return std::move(loaded.model);
+  }
+};
+
 Laboratory::Laboratory() : impl_(std::make_unique<Impl>()) {}
 Laboratory::~Laboratory() = default;
-
-std::optional<Result> Laboratory::Impl::Examine(mjModel& m, const model::Object& object,
-                                                diag::SourceMark mark, const model::Checks& checks,
-                                                diag::Findings& findings, std::string_view text,
-                                                const Load& load) {
-  static_checks::Reporter reporter(checks, findings);
-  return Guarded(object, mark, findings, [&]() -> std::optional<Result> {
-    Result result;
-    const ModelTest test = {m, workspace, object, mark, reporter, result};
-    CheckBehaviour(test);
-    result.overlap = static_checks::CheckProportions(object, mark, reporter);
-    static_checks::CheckContacts(object, reporter);
-    CheckFrictionCones(test);
-    const std::span<const mjtNum> start = compiled::StartOf(m);
-    const auto probe = [&](const std::string& with_probes, void (*check)(const ProbeTest&)) {
-      const engine::Loaded loaded = load(with_probes);
-      if (!loaded.model) throw std::runtime_error(engine::ParseRefusal(loaded.error).reason);
-      check({{*loaded.model, workspace, object, mark, reporter, result}, start});
-    };
-    if (checks.settled) CheckSettled(test);
-    if (checks.holds) probe(WithBalls(text, *checks.holds), CheckContainment);
-    if (!checks.fits.empty()) probe(WithPegs(text, checks), CheckPegInHole);
-    if (checks.grasps) probe(WithGripper(text, *checks.grasps), CheckGrasps);
-    Round(result);
-    return result;
-  });
-}
-
-engine::Model Laboratory::Impl::LoadOnFloor(const mjcf::MjcfDocument& document,
-                                            diag::SourceMark mark, diag::Findings& findings) {
-  engine::Loaded loaded = engine.LoadText(WithSurroundings(document), document.assets);
-  if (!loaded.model) {
-    findings.Add(Code::kMujocoError, mark,
-                 fmt::format("MuJoCo refused the object on a floor: {}",
-                             engine::ParseRefusal(loaded.error).reason));
-    return nullptr;
-  }
-  // A fixed object may have free bodies, so that its floor must be below all of them, too.
-  const int floor = mj_name2id(loaded.model.get(), mjOBJ_GEOM, kFloorName.data());
-  if (floor >= 0 && !document.host_adds_free_joint && loaded.model->body_dofnum[1] == 0)
-    LevelFloor(*loaded.model, floor);
-  return std::move(loaded.model);
-}
 
 std::optional<Result> Laboratory::Examine(const mjcf::MjcfDocument& document,
                                           const model::Object& object, diag::Findings& findings) {

@@ -119,25 +119,6 @@ class PileReport {
   static_checks::Reporter& reporter_;
 };
 
-}  // namespace
-
-struct PileSettler::Impl {
-  engine::Engine engine;
-  Workspace workspace;
-
-  /// Tries releases until one has no fault; adds findings about the faults of the last release.
-  void Settle(model::Object& object, const model::Pile& pile, diag::Findings& findings);
-  /// Simulates one release, and makes the poses at the end of the simulation the start of the
-  /// bodies. Returns false, and changes no start, if the simulation diverges.
-  bool Try(std::size_t release, mjModel& m, const std::vector<int>& ids, model::Object& object,
-           const model::Pile& pile, static_checks::Reporter& reporter);
-};
-
-PileSettler::PileSettler() : impl_(std::make_unique<Impl>()) {}
-PileSettler::~PileSettler() = default;
-
-namespace {
-
 /// Returns the ids in MuJoCo of the bodies of an object.
 std::vector<int> IdsOf(const model::Object& object) {
   std::vector<int> ids(object.bodies.size());
@@ -200,56 +181,65 @@ void TakeStart(const mjModel& m, const mjData& d, const std::vector<int>& ids, i
 
 }  // namespace
 
-void PileSettler::Impl::Settle(model::Object& object, const model::Pile& pile,
-                               diag::Findings& findings) {
-  mjcf::MjcfDocument document;
-  mjcf::WriteMjcf(object, mjcf::Target::kMujoco, {}, document);
-  const engine::Loaded loaded = engine.LoadText(document.text, document.assets);
-  if (!loaded.model) {
-    findings.Add(Code::kMujocoError, pile.mark,
-                 fmt::format("MuJoCo refused the object with a pile: {}",
-                             engine::ParseRefusal(loaded.error).reason));
-    return;
-  }
-  const std::vector<int> ids = IdsOf(object);
-  diag::Findings faults;
-  for (std::size_t release = 0; release < std::min(kMostTries, pile.items.size()); ++release) {
-    faults.clear();
-    static_checks::Reporter reporter(object.checks, faults);
-    if (!Try(release, *loaded.model, ids, object, pile, reporter)) {
-      faults.Add(Code::kPhysicsUnstable, pile.mark,
-                 fmt::format("the simulation of the pile in '{}' diverges", pile.at),
-                 "use a smaller timestep, or softer contacts");
-    }
-    if (!faults.HasErrors()) break;
-  }
-  for (const diag::Finding& fault : faults) findings.Add(fault);
-}
+struct PileSettler::Impl {
+  engine::Engine engine;
+  Workspace workspace;
 
-bool PileSettler::Impl::Try(std::size_t release, mjModel& m, const std::vector<int>& ids,
-                            model::Object& object, const model::Pile& pile,
-                            static_checks::Reporter& reporter) {
-  std::vector<PiledBody> bodies;
-  model::Pose X_WR;
-  mjData* end = nullptr;
-  const bool rests = Simulate(m, workspace, [&](mjData& d) {
-    end = &d;
-    std::ranges::copy(compiled::StartOf(m), d.qpos);
-    mj_kinematics(&m, &d);
-    mj_comPos(&m, &d);
-    bodies = BodiesOf(m, d, pile, release, ids);
-    X_WR = compiled::PoseAt(d.xpos, d.xquat, ids[static_cast<std::size_t>(pile.support)]) *
-           pile.region.X_BR;
-    return PileSimulation(m, d, pile, bodies, X_WR).Run();
-  });
-  if (HasDiverged(*end)) return false;
-  PileReport report(m, *end, object, pile, bodies, reporter);
-  // Motion is no finding if a body left the region, because that body may still fall.
-  if (!report.AddLeft(X_WR) && !rests) report.AddMoving();
-  report.AddDeep();
-  for (const PiledBody& body : bodies) TakeStart(m, *end, ids, body.id, object);
-  return true;
-}
+  /// Tries releases until one has no fault; adds findings about the faults of the last release.
+  void Settle(model::Object& object, const model::Pile& pile, diag::Findings& findings) {
+    mjcf::MjcfDocument document;
+    mjcf::WriteMjcf(object, mjcf::Target::kMujoco, {}, document);
+    const engine::Loaded loaded = engine.LoadText(document.text, document.assets);
+    if (!loaded.model) {
+      findings.Add(Code::kMujocoError, pile.mark,
+                   fmt::format("MuJoCo refused the object with a pile: {}",
+                               engine::ParseRefusal(loaded.error).reason));
+      return;
+    }
+    const std::vector<int> ids = IdsOf(object);
+    diag::Findings faults;
+    for (std::size_t release = 0; release < std::min(kMostTries, pile.items.size()); ++release) {
+      faults.clear();
+      static_checks::Reporter reporter(object.checks, faults);
+      if (!Try(release, *loaded.model, ids, object, pile, reporter)) {
+        faults.Add(Code::kPhysicsUnstable, pile.mark,
+                   fmt::format("the simulation of the pile in '{}' diverges", pile.at),
+                   "use a smaller timestep, or softer contacts");
+      }
+      if (!faults.HasErrors()) break;
+    }
+    for (const diag::Finding& fault : faults) findings.Add(fault);
+  }
+
+  /// Simulates one release, and makes the poses at the end of the simulation the start of the
+  /// bodies. Returns false, and changes no start, if the simulation diverges.
+  bool Try(std::size_t release, mjModel& m, const std::vector<int>& ids, model::Object& object,
+           const model::Pile& pile, static_checks::Reporter& reporter) {
+    std::vector<PiledBody> bodies;
+    model::Pose X_WR;
+    mjData* end = nullptr;
+    const bool rests = Simulate(m, workspace, [&](mjData& d) {
+      end = &d;
+      std::ranges::copy(compiled::StartOf(m), d.qpos);
+      mj_kinematics(&m, &d);
+      mj_comPos(&m, &d);
+      bodies = BodiesOf(m, d, pile, release, ids);
+      X_WR = compiled::PoseAt(d.xpos, d.xquat, ids[static_cast<std::size_t>(pile.support)]) *
+             pile.region.X_BR;
+      return SimulatePile(m, d, pile, bodies, X_WR);
+    });
+    if (HasDiverged(*end)) return false;
+    PileReport report(m, *end, object, pile, bodies, reporter);
+    // Motion is no finding if a body left the region, because that body may still fall.
+    if (!report.AddLeft(X_WR) && !rests) report.AddMoving();
+    report.AddDeep();
+    for (const PiledBody& body : bodies) TakeStart(m, *end, ids, body.id, object);
+    return true;
+  }
+};
+
+PileSettler::PileSettler() : impl_(std::make_unique<Impl>()) {}
+PileSettler::~PileSettler() = default;
 
 bool PileSettler::Settle(model::Object& object, diag::Findings& findings) {
   const std::size_t before = findings.size();

@@ -17,7 +17,6 @@
 namespace mjforge::physics {
 namespace {
 
-using compiled::Index;
 using expr::RoundedText;
 
 /// Contact bits of a geom: contype and conaffinity.
@@ -100,16 +99,11 @@ engine::Model WithAllContacts(const mjModel& m) {
 Penetrations Find(mjModel& m, const IgnoredPairs& ignored, std::span<const mjtNum> qpos,
                   Workspace& workspace) {
   BroadPhase broad_phase(m);
-  const std::vector<double> no_allowance(Index(m.nbody));
   return Simulate(m, workspace, [&](mjData& d) {
     std::ranges::copy(qpos, d.qpos);
     mj_kinematics(&m, &d);
     mj_comPos(&m, &d);
-    if (broad_phase.works()) {
-      broad_phase.Find(d, no_allowance, 0).Collide(m, d);
-    } else {
-      mj_collision(&m, &d);
-    }
+    broad_phase.Collide(m, d);
     Penetrations found;
     for (int i = 0; i < d.ncon; ++i) {
       const mjContact& contact = d.contact[i];

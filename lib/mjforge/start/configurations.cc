@@ -29,17 +29,6 @@ bool AnyJoint(const model::Object& object, const Test& test) {
 
 }  // namespace
 
-std::string_view TextOf(const model::Element& element, std::string_view name) {
-  const auto* attribute = model::FindAttribute(element.attributes, name);
-  return attribute == nullptr ? std::string_view() : attribute->text;
-}
-
-Eigen::Vector3d VectorOf(const model::Element& element, std::string_view name,
-                         const Eigen::Vector3d& otherwise) {
-  const sample::Numbers numbers = NumbersOf(element.attributes, name);
-  return numbers.size() < 3 ? otherwise : Eigen::Vector3d(numbers.data());
-}
-
 sample::Numbers PolynomialOf(const model::Element& equality) {
   constexpr std::array<double, 5> kDefaults = {0, 1, 0, 0, 0};
   sample::Numbers c = NumbersOf(equality.attributes, "polycoef");

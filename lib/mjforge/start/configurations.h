@@ -23,20 +23,6 @@ sample::Numbers NumbersOf(const Attributes& attributes, std::string_view name) {
   if (attribute == nullptr) return {};
   return {attribute->numbers.begin(), attribute->numbers.end()};
 }
-/// Returns the text of an attribute; empty if the element does not have the attribute.
-std::string_view TextOf(const model::Element& element, std::string_view name);
-/// Sets the numbers of an attribute, adding it if missing. `name` must be in static storage.
-template <typename Attributes>
-void SetNumbers(Attributes& attributes, std::string_view name, const sample::Numbers& numbers) {
-  auto* attribute = model::FindAttribute(attributes, name);
-  if (attribute == nullptr) attribute = &attributes.emplace_back();
-  attribute->name = name;
-  attribute->numbers = numbers;
-}
-
-/// Returns an attribute of three numbers; `otherwise` if the element does not have the attribute.
-Eigen::Vector3d VectorOf(const model::Element& element, std::string_view name,
-                         const Eigen::Vector3d& otherwise = Eigen::Vector3d::Zero());
 /// Returns the five coefficients of an equality's polynomial (`polycoef`); MuJoCo's default for
 /// each coefficient that is missing.
 sample::Numbers PolynomialOf(const model::Element& equality);

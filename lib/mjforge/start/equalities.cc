@@ -101,7 +101,7 @@ class EqualityRewriter {
         configurations_.RelativePose(connect, configurations_.start()) * p_2A - p_1A;
     if (gap.norm() <= kRounding) return;
     connect.tag = "weld";
-    SetNumbers(connect.attributes, "anchor", {p_2A.x(), p_2A.y(), p_2A.z()});
+    SetNumbers(connect.attributes, "anchor", p_2A);
     SetRelativePose(p_1A, X_12.q, connect);
     SetNumbers(connect.attributes, "torquescale", {0.0});
   }

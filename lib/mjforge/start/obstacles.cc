@@ -36,11 +36,7 @@ class ObstacleFinder {
 
  private:
   // Returns the name without the object's prefix, as written in the spec.
-  std::string_view Shown(std::string_view name) const {
-    const bool has_prefix =
-        name.starts_with(object_.name) && name.substr(object_.name.size()).starts_with('_');
-    return has_prefix ? name.substr(object_.name.size() + 1) : name;
-  }
+  std::string_view Shown(std::string_view name) const { return model::OwnName(name, object_.name); }
 
   void Add(diag::SourceMark mark, std::string reason, std::string remedy = {}) {
     obstacles_.push_back({mark, std::move(reason), std::move(remedy)});

@@ -34,21 +34,16 @@ std::vector<Eigen::Vector3d> CentresOfMass(const std::vector<model::Body>& bodie
 void Move(const Pose& before, const Eigen::Vector3d& followed_before, const Pose& after,
           const Eigen::Vector3d& followed_after, Element& view) {
   const Eigen::Quaterniond turn = (after.q.conjugate() * before.q).normalized();
-  const Eigen::Vector3d offset =
-      before * VectorOf(view, "pos", Eigen::Vector3d::Zero()) - followed_before;
+  const Eigen::Vector3d offset = before * VectorOf(view, "pos") - followed_before;
   const Eigen::Vector3d p = after.Inverse() * Eigen::Vector3d(offset + followed_after);
-  SetNumbers(view.attributes, "pos", {p.x(), p.y(), p.z()});
+  SetNumbers(view.attributes, "pos", p);
   if (view.tag == "light") {
     const Eigen::Vector3d dir = turn * VectorOf(view, "dir", -Eigen::Vector3d::UnitZ());
-    SetNumbers(view.attributes, "dir", {dir.x(), dir.y(), dir.z()});
+    SetNumbers(view.attributes, "dir", dir);
     return;
   }
-  const sample::Numbers wxyz = NumbersOf(view.attributes, "quat");
-  const Eigen::Quaterniond own = wxyz.size() < 4
-                                     ? Eigen::Quaterniond::Identity()
-                                     : Eigen::Quaterniond(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
-  const Eigen::Quaterniond q = (turn * own).normalized();
-  SetNumbers(view.attributes, "quat", {q.w(), q.x(), q.y(), q.z()});
+  const Eigen::Quaterniond q = (turn * QuaternionOf(view)).normalized();
+  SetNumbers(view.attributes, "quat", model::Wxyz(q));
 }
 
 }  // namespace

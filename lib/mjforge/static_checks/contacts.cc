@@ -11,15 +11,8 @@ using diag::Code;
 
 constexpr double kMostHover = 0.001;  // m; things that stop farther from a part visibly hover
 
-/// Returns the first number of an attribute; `usual`, which is MJCF's default, if the part does not
-/// set it.
-double NumberOf(const model::Part& part, std::string_view name, double usual) {
-  const model::Attribute* attribute = model::FindAttribute(part.attributes, name);
-  return attribute == nullptr || attribute->numbers.empty() ? usual : attribute->numbers[0];
-}
-
 void CheckPart(const model::Part& part, Reporter& reporter) {
-  if (NumberOf(part, "contype", 1) == 0 && NumberOf(part, "conaffinity", 1) == 0) {
+  if (NumberOf(part, "contype", 0, 1) == 0 && NumberOf(part, "conaffinity", 0, 1) == 0) {
     reporter.Warning(
         Code::kPhysicsNoContact, part.mark,
         fmt::format("part '{}' has the role `{}`, but collides with nothing: contype "
@@ -27,7 +20,7 @@ void CheckPart(const model::Part& part, Reporter& reporter) {
                     part.NameInSpec(), part.role == model::Role::kBoth ? "both" : "collision"),
         "leave the two out, or use `role: visual`");
   }
-  const double hover = NumberOf(part, "margin", 0) - NumberOf(part, "gap", 0);
+  const double hover = NumberOf(part, "margin", 0, 0) - NumberOf(part, "gap", 0, 0);
   if (hover > kMostHover) {
     reporter.Warning(Code::kPhysicsMargin, part.mark,
                      fmt::format("things stop {} mm before they touch part '{}': that is its "

@@ -243,7 +243,7 @@ class ExpectationChecker {
   // Returns a name as written in the spec; the root body has the name of the object.
   std::string_view Shown(std::string_view name) const {
     return name == object_.bodies.front().name ? std::string_view(object_.name)
-                                               : OwnName(name, object_.name);
+                                               : model::OwnName(name, object_.name);
   }
 
   std::string Both() const {

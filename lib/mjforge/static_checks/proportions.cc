@@ -131,7 +131,7 @@ class Proportions {
   }
 
   std::string_view OwnName(const model::Part& part) const {
-    return static_checks::OwnName(part.NameInSpec(), object_.name);
+    return model::OwnName(part.NameInSpec(), object_.name);
   }
 
   bool IsNamed(const model::Part& part, std::string_view name) const {

@@ -1,4 +1,4 @@
-// Reporter of findings that omits silenced codes, and names without the object's prefix.
+// Reporter of findings that omits silenced codes.
 #include "mjforge/static_checks/reporter.h"
 
 #include <algorithm>
@@ -20,11 +20,6 @@ void Reporter::Error(diag::Code code, diag::SourceMark mark, std::string message
 void Reporter::Warning(diag::Code code, diag::SourceMark mark, std::string message,
                        std::string hint) {
   if (!IsSilenced(code)) findings_.Warn(code, mark, std::move(message), std::move(hint));
-}
-
-std::string_view OwnName(std::string_view name, std::string_view object) {
-  const bool has_prefix = name.starts_with(object) && name.substr(object.size()).starts_with('_');
-  return has_prefix ? name.substr(object.size() + 1) : name;
 }
 
 }  // namespace mjforge::static_checks

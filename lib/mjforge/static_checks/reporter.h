@@ -1,4 +1,4 @@
-// Reporter of findings that omits silenced codes, and names without the object's prefix.
+// Reporter of findings that omits silenced codes.
 #pragma once
 
 #include <string>
@@ -26,9 +26,5 @@ class Reporter {
   const model::Checks& checks_;
   diag::Findings& findings_;
 };
-
-/// Returns an element's name as written in the spec, without the prefix "OBJECT_" (the object's
-/// name).
-std::string_view OwnName(std::string_view name, std::string_view object);
 
 }  // namespace mjforge::static_checks

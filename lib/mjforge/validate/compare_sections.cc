@@ -18,11 +18,6 @@ namespace {
 
 using model::Element;
 
-std::string_view TextOf(const Element& element, std::string_view attribute) {
-  const auto found = std::ranges::find(element.attributes, attribute, &model::Attribute::name);
-  return found == element.attributes.end() ? std::string_view() : found->text;
-}
-
 /// An unordered pair of names.
 using Names = std::pair<std::string_view, std::string_view>;
 Names Unordered(std::string_view a, std::string_view b) { return std::minmax(a, b); }

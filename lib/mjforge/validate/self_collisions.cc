@@ -97,11 +97,7 @@ class SelfCollisions {
   /// another name.
   std::string_view BodyNameInSpec(const model::Body& body) const {
     if (InHost() && body.parent == 0) return object_.name;
-    std::string_view name = body.name;
-    if (name.starts_with(object_.name) && name.substr(object_.name.size()).starts_with('_')) {
-      name.remove_prefix(object_.name.size() + 1);
-    }
-    return name;
+    return model::OwnName(body.name, object_.name);
   }
 
   /// Returns true if both bodies are from one attached file, in which the contact may be intended.

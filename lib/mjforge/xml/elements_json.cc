@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 #include <pugixml.hpp>
 
 #include "mjforge/diag/diag.h"
+#include "mjforge/expr/expr.h"
 
 namespace mjforge::xml {
 namespace {
@@ -43,30 +45,12 @@ bool IsJsonNumber(std::string_view word) {
   return word.empty();
 }
 
-// Calls `use` for each word of a text separated by blanks, until `use` returns false. Returns the
-// number of words; 0 if `use` returned false.
-template <typename Use>
-int EachWord(std::string_view text, const Use& use) {
-  constexpr std::string_view kBlanks = " \t\r\n";
-  int count = 0;
-  for (std::size_t start = 0; (start = text.find_first_not_of(kBlanks, start)) != text.npos;) {
-    const std::size_t end = std::min(text.find_first_of(kBlanks, start), text.size());
-    if (!use(text.substr(start, end - start))) return 0;
-    start = end;
-    ++count;
-  }
-  return count;
-}
-
 void WriteValue(std::string_view value, diag::Json& json) {
-  const int numbers = EachWord(value, IsJsonNumber);
-  if (numbers == 0) return json.Value(value);
-  if (numbers > 1) json.StartArray();
-  EachWord(value, [&](std::string_view word) {
-    json.Raw(word);
-    return true;
-  });
-  if (numbers > 1) json.EndArray();
+  const std::vector<std::string_view> words = expr::WordsOf(value);
+  if (words.empty() || !std::ranges::all_of(words, IsJsonNumber)) return json.Value(value);
+  if (words.size() > 1) json.StartArray();
+  for (const std::string_view word : words) json.Raw(word);
+  if (words.size() > 1) json.EndArray();
 }
 
 // Appends an element to `json`. Returns false if elements are nested too deeply.
