@@ -63,7 +63,7 @@ class Json {
   template <typename Items>
   requires requires(const Items& items) { items.begin(); }
   void Value(const Items& items) {
-    List(items, [this](const auto& item) { Value(item); });
+    List(items, [this](const auto& item) { this->Value(item); });
   }
   template <typename T>
   void Member(std::string_view key, const T& value) {
