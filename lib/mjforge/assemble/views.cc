@@ -26,7 +26,7 @@ void ToDegrees(model::Element& view) {
   for (const std::string_view name : {"fovy", "cutoff"}) {
     model::Attribute* attribute = model::FindAttribute(view.attributes, name);
     if (attribute == nullptr) continue;
-    attribute->numbers.front() *= 180 / std::numbers::pi;
+    attribute->numbers.Change().front() *= 180 / std::numbers::pi;
   }
 }
 

@@ -82,7 +82,7 @@ void SetNumbers(std::vector<Attribute>& attributes, std::string_view name, const
   Attribute* attribute = FindAttribute(attributes, name);
   if (attribute == nullptr) attribute = &attributes.emplace_back();
   attribute->name = name;
-  attribute->numbers.assign(numbers.begin(), numbers.end());
+  attribute->numbers.Change().assign(numbers.begin(), numbers.end());
 }
 
 /// Returns a number of an attribute; `usual` if `owner`, an element with attributes, does not have

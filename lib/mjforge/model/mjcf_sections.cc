@@ -24,7 +24,7 @@ Eigen::Vector3d VectorOf(const Element& element, std::string_view name,
 Eigen::Quaterniond QuaternionOf(const Element& element) {
   const Attribute* quat = FindAttribute(element.attributes, "quat");
   if (quat == nullptr || quat->numbers.size() < 4) return Eigen::Quaterniond::Identity();
-  const sample::Numbers& wxyz = quat->numbers;
+  const AttributeNumbers& wxyz = quat->numbers;
   return {wxyz[0], wxyz[1], wxyz[2], wxyz[3]};
 }
 
