@@ -57,8 +57,9 @@ class FieldReader {
     const spec::Field* field = entry.Find(key);
     if (field == nullptr) return true;
     auto value = std::invoke(read, *this, *field);
-    if (value) out = *std::move(value);
-    return value.has_value();
+    if (!value) return false;
+    out = *std::move(value);
+    return true;
   }
 
   /// Returns the element as messages name it: "part 'head'".

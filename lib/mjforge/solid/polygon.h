@@ -27,6 +27,7 @@ auto BoxAround(const Points& points) {
 template <typename Point>
 std::vector<Point> PointsAt(const std::vector<Point>& points, const std::vector<int>& indices) {
   std::vector<Point> some;
+  some.reserve(indices.size());
   for (const int i : indices) some.push_back(points[static_cast<std::size_t>(i)]);
   return some;
 }

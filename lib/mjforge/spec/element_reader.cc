@@ -131,7 +131,7 @@ std::vector<Field> ReadFields(const ElementInfo& element, const YamlNode& map, C
   for (const auto& pair : map.pairs) {
     const FieldInfo* info = element.Find(pair.key);
     if (info == nullptr || !HoldsValue(info->kind) || info->id == Key::kName) continue;
-    fields.push_back({info, context.values.Read(*info, pair.value, motion), pair.mark});
+    fields.emplace_back(info, context.values.Read(*info, pair.value, motion), pair.mark);
   }
   for (const ExclusiveKeys& group : kExclusiveKeys) CheckOneOf(group, fields, context);
   return fields;

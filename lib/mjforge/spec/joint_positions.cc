@@ -96,8 +96,8 @@ std::vector<Entry> ReadStarts(const YamlNode& pose, Context& context) {
       start.element = &kStartElement;
       start.mark = position.mark;
       start.name = std::move(position.joint);
-      start.fields.push_back(
-          {kStartElement.Find(Key::kValue), std::move(position.value), position.mark});
+      start.fields.emplace_back(kStartElement.Find(Key::kValue), std::move(position.value),
+                                position.mark);
     }
     return starts;
   }

@@ -42,7 +42,7 @@ void ReadFacing(const YamlNode::Pair& pair, std::vector<Field>& fields, Context&
         .key = "facing", .min_count = 2, .max_count = 2, .unit = "m"};
     context.values.CheckUnits(kPoint, value);
   }
-  fields.push_back({kPlaceElement.Find(Key::kFacing), std::move(value), pair.mark});
+  fields.emplace_back(kPlaceElement.Find(Key::kFacing), std::move(value), pair.mark);
 }
 
 }  // namespace

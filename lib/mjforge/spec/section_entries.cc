@@ -77,8 +77,8 @@ class SectionEntryReader {
     }
     for (std::size_t i = 0; i < 2; ++i) {
       const FieldInfo* info = Exclude().Find(i == 0 ? "body1" : "body2");
-      entry.fields.push_back(
-          {info, context_.values.Read(*info, pair.items[i]), pair.items[i].mark});
+      entry.fields.emplace_back(info, context_.values.Read(*info, pair.items[i]),
+                                pair.items[i].mark);
     }
   }
 
