@@ -135,10 +135,6 @@ bool FieldReader::ReadAttribute(const spec::Field& field, model::Attribute& out)
     out.numbers = model::AttributeNumbers(field.constant);
     return true;
   }
-  if (field.constant) {
-    out.text = field.constant->text;
-    return true;
-  }
   if (kind == spec::FieldKind::kBoolean) {
     const std::optional<bool> value = Boolean(field);
     if (value) out.text = *value ? "true" : "false";

@@ -2,8 +2,6 @@
 
 #include "mjforge/manifest/placement.h"
 
-#include <cmath>
-
 #include "mjforge/diag/diag.h"
 #include "mjforge/expr/expr.h"
 
@@ -48,7 +46,7 @@ void PutObject(Json& json, const PlacedFile& object) {
 }  // namespace
 
 void AppendFileNumber(std::string& out, double value) {
-  expr::AppendNumber(out, std::abs(value) < 1e-15 ? 0 : value);
+  expr::AppendNumber(out, mjcf::FlushNoise(value));
 }
 
 std::string PlacementText(const Placement& placement) {

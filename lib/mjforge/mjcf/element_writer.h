@@ -3,7 +3,6 @@
 // time.
 #pragma once
 
-#include <cmath>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,10 +14,6 @@
 #include "mjforge/mjcf/mjcf.h"
 
 namespace mjforge::mjcf {
-
-/// Returns zero for values below 1e-15 (m, or a component of a unit vector), which are rounding
-/// errors of rotations and sums.
-inline double FlushNoise(double value) { return std::abs(value) < 1e-15 ? 0.0 : value; }
 
 class ElementWriter {
  public:

@@ -1,6 +1,7 @@
 // Conversion of an object to MJCF text that MuJoCo 2.2 to 3.x load with the same masses.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -54,6 +55,10 @@ constexpr std::span<const std::string_view> WordsOf(AssetForm) { return kAssetFo
 
 /// Folder of all files that an object's file refers to.
 inline constexpr std::string_view kAssetFolder = "assets/";
+
+/// Returns zero for values below 1e-15 (m, or a component of a unit vector), which are rounding
+/// errors of rotations and sums.
+inline double FlushNoise(double value) { return std::abs(value) < 1e-15 ? 0.0 : value; }
 
 /// Number of digits of the hash in the name of a generated file.
 inline constexpr std::size_t kHashDigits = 16;

@@ -19,7 +19,7 @@ constexpr double kLevel = 1e-9;
 double LowestPoint(mjModel& m) {
   // Poses need no buffers for constraints, which take most of the memory of a scene.
   const engine::BufferSizes sizes = engine::BufferSizesOf(m);
-  engine::SetBufferSizes(m, {.contacts = 0, .rows = 0, .numbers = 0});
+  engine::SetBufferSizes(m, {});
   const compiled::Data d = compiled::MakeData(m);
   engine::SetBufferSizes(m, sizes);
   mj_kinematics(&m, d.get());

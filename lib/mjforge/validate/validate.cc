@@ -263,7 +263,7 @@ bool Loader::Validate(const mjcf::MjcfDocument& document, const model::Object& o
   if (!loaded.model) return false;
   if (structure != nullptr) *structure = structure::StructureOf(*loaded.model, object.name);
   // No check below solves constraints, whose buffers take most of the memory of a scene.
-  engine::SetBufferSizes(*loaded.model, {.contacts = 0, .rows = 0, .numbers = 0});
+  engine::SetBufferSizes(*loaded.model, {});
   diag::Findings found;
   Comparison(*loaded.model, object, found).Run(document.lift);
   const bool crowded = found.empty() && FindTouching(*loaded.model, object, found);
