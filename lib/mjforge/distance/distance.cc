@@ -33,26 +33,40 @@ struct Simplex {
 // than the rest of this folder.)
 std::optional<Vector3d> NearestInside(const Simplex& simplex) {
   const Vector3d& first = simplex.corners[0];
-  Eigen::Matrix3d edges = Eigen::Matrix3d::Zero();
-  for (int i = 1; i < simplex.count; ++i)
-    edges.col(i - 1) = simplex.corners[static_cast<std::size_t>(i)] - first;
-  const Vector3d a = edges.col(0);
-  const Vector3d b = edges.col(1);
-  const Vector3d c = edges.col(2);
-  Vector3d weights = Vector3d::Zero();  // barycentric coordinates, without that of the first corner
+  if (simplex.count == 1) return first;
+  const Vector3d a = simplex.corners[1] - first;
+  // Barycentric coordinates of the nearest point, without that of the first corner.
   if (simplex.count == 2) {
-    weights.x() = -first.dot(a) / a.squaredNorm();
-  } else if (simplex.count == 3) {
-    const Vector3d normal = a.cross(b);
-    weights.x() = normal.dot(b.cross(first)) / normal.squaredNorm();
-    weights.y() = normal.dot(first.cross(a)) / normal.squaredNorm();
-  } else if (simplex.count == 4) {
-    const Vector3d normal = b.cross(c);
-    weights =
-        Vector3d(normal.dot(first), first.cross(c).dot(a), b.cross(first).dot(a)) / -normal.dot(a);
+    const double weight = -first.dot(a) / a.squaredNorm();
+    if (!(weight >= 0 && weight <= 1)) return std::nullopt;
+    return first + weight * a;
   }
-  if (!weights.allFinite() || weights.minCoeff() < 0 || weights.sum() > 1) return std::nullopt;
-  return first + edges * weights;
+  const Vector3d b = simplex.corners[2] - first;
+  if (simplex.count == 3) {
+    const Vector3d normal = a.cross(b);
+    const Eigen::Vector2d weights =
+        Eigen::Vector2d(normal.dot(b.cross(first)), normal.dot(first.cross(a))) /
+        normal.squaredNorm();
+    if (!(weights.minCoeff() >= 0 && weights.sum() <= 1)) return std::nullopt;
+    return first + (weights.x() * a + weights.y() * b);
+  }
+  const Vector3d c = simplex.corners[3] - first;
+  const Vector3d normal = b.cross(c);
+  const Vector3d weights =
+      Vector3d(normal.dot(first), first.cross(c).dot(a), b.cross(first).dot(a)) / -normal.dot(a);
+  if (!(weights.minCoeff() >= 0 && weights.sum() <= 1)) return std::nullopt;
+  return first + (weights.x() * a + weights.y() * b + weights.z() * c);
+}
+
+// Returns the simplex of the corners whose bits in `subset` are 1.
+Simplex SubsetOf(const Simplex& simplex, int subset) {
+  Simplex some;
+  for (int i = 0; i < simplex.count; ++i) {
+    if ((subset >> i & 1) != 0)
+      some.corners[static_cast<std::size_t>(some.count++)] =
+          simplex.corners[static_cast<std::size_t>(i)];
+  }
+  return some;
 }
 
 // Reduces a simplex to the corners whose hull contains the point nearest to the origin, and returns
@@ -60,21 +74,15 @@ std::optional<Vector3d> NearestInside(const Simplex& simplex) {
 Vector3d Reduce(Simplex& simplex) {
   double least = std::numeric_limits<double>::infinity();
   Vector3d nearest = Vector3d::Zero();
-  Simplex best;
+  int best = 0;
   for (int subset = 1 << (simplex.count - 1); subset < 1 << simplex.count; ++subset) {
-    Simplex some;
-    for (int i = 0; i < simplex.count; ++i) {
-      if ((subset >> i & 1) != 0)
-        some.corners[static_cast<std::size_t>(some.count++)] =
-            simplex.corners[static_cast<std::size_t>(i)];
-    }
-    const auto point = NearestInside(some);
+    const auto point = NearestInside(SubsetOf(simplex, subset));
     if (!point || point->norm() >= least) continue;
     least = point->norm();
     nearest = *point;
-    best = some;
+    best = subset;
   }
-  simplex = best;
+  simplex = SubsetOf(simplex, best);
   return nearest;
 }
 

@@ -85,12 +85,11 @@ Eigen::Vector3d SupportPoint(const Shape& shape, const Eigen::Vector3d& directio
   const Eigen::Vector3d& d = direction_G;
   const Eigen::Vector3d& s = shape.size;
   const auto towards = [](double number) { return number < 0 ? -1.0 : 1.0; };
-  const Eigen::Vector3d along = d.stableNormalized();
   switch (shape.type) {
     case GeomType::kSphere:
-      return s.x() * along;
+      return s.x() * d.stableNormalized();
     case GeomType::kCapsule:
-      return s.x() * along + Eigen::Vector3d(0, 0, s.y() * towards(d.z()));
+      return s.x() * d.stableNormalized() + Eigen::Vector3d(0, 0, s.y() * towards(d.z()));
     case GeomType::kEllipsoid:
       return s.cwiseProduct(s.cwiseProduct(d).stableNormalized());
     case GeomType::kCylinder: {
@@ -100,8 +99,17 @@ Eigen::Vector3d SupportPoint(const Shape& shape, const Eigen::Vector3d& directio
     case GeomType::kBox:
       return s.cwiseProduct(d.unaryExpr(towards));
     case GeomType::kMesh: {
-      const auto& vertices = shape.mesh->vertices;
-      return *std::ranges::max_element(vertices, {}, [&](const auto& v) { return d.dot(v); });
+      // std::ranges::max_element would compute each vertex's product twice.
+      const std::vector<Eigen::Vector3d>& vertices = shape.mesh->vertices;
+      std::size_t farthest = 0;
+      double most = d.dot(vertices[0]);
+      for (std::size_t i = 1; i < vertices.size(); ++i) {
+        const double along = d.dot(vertices[i]);
+        if (!(most < along)) continue;
+        farthest = i;
+        most = along;
+      }
+      return vertices[farthest];
     }
   }
   return Eigen::Vector3d::Zero();

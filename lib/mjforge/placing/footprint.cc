@@ -189,6 +189,13 @@ class Slicer {
 
 }  // namespace
 
+Footprint::Footprint(std::vector<Disc> discs) : discs_(std::move(discs)) {
+  for (const Disc& disc : discs_) {
+    box_.extend(Vector2d(disc.center.array() - disc.radius));
+    box_.extend(Vector2d(disc.center.array() + disc.radius));
+  }
+}
+
 Footprint Footprint::Turned(double angle) const {
   const Eigen::Rotation2Dd turn(angle);
   std::vector<Disc> discs = discs_;
@@ -203,15 +210,6 @@ double Footprint::Support(const Vector2d& direction) const {
     farthest = std::max(farthest, direction.dot(disc.center) + round);
   }
   return farthest;
-}
-
-Eigen::AlignedBox2d Footprint::Box() const {
-  Eigen::AlignedBox2d box;
-  for (const Disc& disc : discs_) {
-    box.extend(Vector2d(disc.center.array() - disc.radius));
-    box.extend(Vector2d(disc.center.array() + disc.radius));
-  }
-  return box;
 }
 
 Polygon Footprint::Outline() const {

@@ -22,19 +22,20 @@ using Polygon = std::vector<Eigen::Vector2d>;  // convex, counter-clockwise
 /// The convex hull of at least one disc.
 class Footprint {
  public:
-  explicit Footprint(std::vector<Disc> discs) : discs_(std::move(discs)) {}
+  explicit Footprint(std::vector<Disc> discs);
 
   const std::vector<Disc>& discs() const { return discs_; }
   /// Returns the footprint turned about the origin by an angle, rad.
   Footprint Turned(double angle) const;
   /// Support function: returns the largest dot(direction, point) over all points.
   double Support(const Eigen::Vector2d& direction) const;
-  Eigen::AlignedBox2d Box() const;
+  const Eigen::AlignedBox2d& Box() const { return box_; }
   /// Returns the outline as a polygon; arcs become chords.
   Polygon Outline() const;
 
  private:
   std::vector<Disc> discs_;
+  Eigen::AlignedBox2d box_;
 };
 
 constexpr double kFootprintHeight = 1e-3;  // m; a footprint contains points up to this height

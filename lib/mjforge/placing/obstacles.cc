@@ -90,6 +90,24 @@ PlacedShapes ShapesAt(std::span<const BodyShape> shapes, const model::Pose& X_WA
   return placed;
 }
 
+MovedShapes::MovedShapes(std::span<const PlacedShape> shapes_L, const model::Pose& X_WL)
+    : shapes_L_(shapes_L), X_WL_(X_WL), shapes_W_(shapes_L.size()) {
+  const Eigen::Matrix3d R_WL = X_WL.q.toRotationMatrix();
+  const Vector3d spare = Vector3d::Constant(kLengthRounding);
+  boxes_W_.reserve(shapes_L.size());
+  for (const PlacedShape& shape : shapes_L) {
+    const Vector3d center = X_WL.p + R_WL * shape.box_W.center();
+    const Vector3d half = R_WL.cwiseAbs() * (shape.box_W.sizes() / 2) + spare;
+    box_W_.extend(boxes_W_.emplace_back(center - half, center + half));
+  }
+}
+
+const PlacedShape& MovedShapes::operator[](std::size_t index) {
+  std::optional<PlacedShape>& moved = shapes_W_[index];
+  if (!moved) moved.emplace(shapes_L_[index].shape, X_WL_ * shapes_L_[index].X_WG);
+  return *moved;
+}
+
 void Obstacles::Add(const model::Object& object, int body, double clear) {
   const std::vector<BodyShape> shapes = ShapesBelow(object, body);
   const PlacedShapes placed = ShapesAt(shapes, PoseInWorld(object, body));
@@ -99,19 +117,20 @@ void Obstacles::Add(const model::Object& object, int body, double clear) {
   groups_.push_back(std::move(group));
 }
 
-std::optional<Blocker> Obstacles::FindBlocker(std::span<const PlacedShape> shapes, double clear,
+std::optional<Blocker> Obstacles::FindBlocker(MovedShapes shapes, double clear,
                                               const Support& support) const {
-  const Eigen::AlignedBox3d box_W = BoxOf(shapes);
   for (const Group& group : groups_) {
     const double asked = std::max(clear, group.clear);
-    if (AreFarther(group.box_W, box_W, asked)) continue;
+    if (AreFarther(group.box_W, shapes.box_W(), asked)) continue;
     for (const auto& [body, obstacle] : group.obstacles) {
       if (support.is_ignored && body == support.body) continue;
-      if (AreFarther(obstacle.box_W, box_W, asked)) continue;
+      if (AreFarther(obstacle.box_W, shapes.box_W(), asked)) continue;
       const bool may_touch = asked > 0 && (body == support.body || IsBelow(obstacle, support) ||
                                            std::ranges::count(support.below, body) > 0);
       const double wanted = may_touch ? 0 : asked;
-      for (const PlacedShape& placed : shapes) {
+      for (std::size_t i = 0; i < shapes.size(); ++i) {
+        if (AreFarther(obstacle.box_W, shapes.box_W(i), wanted)) continue;
+        const PlacedShape& placed = shapes[i];
         if (AreFarther(obstacle.box_W, placed.box_W, wanted)) continue;
         const double distance = distance::DistanceUpTo(wanted, placed, obstacle);
         if (distance > 0 && distance >= wanted - kLengthRounding) continue;

@@ -241,10 +241,10 @@ class RegionTry {
     X_RB.p.z() += rise;
     result.X_SupportBody = region_.X_BR * X_RB;
     const Pose X_WB = X_WR_ * X_RB;
-    const PlacedShapes shapes = ShapesAt(of_.shapes, X_WB);
     // A body that touches an obstacle above the region's plane, such as the edge of a wall, may tip
     // over.
     if (rise > kContactGap) {
+      const PlacedShapes shapes = ShapesAt(of_.shapes, X_WB);
       const std::vector<Contact> contacts = obstacles.FindContacts(shapes, kCarrying);
       if (!IsBalanced(shapes, contacts, X_WB * of_.p_BCm)) {
         result.verdict = PlaceVerdict::kBlocked;
@@ -252,14 +252,16 @@ class RegionTry {
         return;
       }
     }
+    const Pose X_WL = X_WR_ * Pose{X_RB.p, AboutZ(stance.yaw)};
     const auto blocker =
-        obstacles.FindBlocker(shapes, std::max(where_.clear, region_.clear), support);
+        obstacles.FindBlocker({of_.placed, X_WL}, std::max(where_.clear, region_.clear), support);
     if (blocker) {
       result.verdict = PlaceVerdict::kBlocked;
       result.blocker = blocker->body;
       result.distance = blocker->distance;
       return;
     }
+    const PlacedShapes shapes = ShapesAt(of_.shapes, X_WB);
     if (std::ranges::any_of(obstacles.FindContacts(shapes, kCarrying), &Contact::of_boxes)) return;
     const double drop = obstacles.Drop(shapes, support.up_W, kCarrying);
     if (drop < kCarrying) X_RB.p.z() -= drop + kContactDepth;
@@ -335,9 +337,9 @@ class ExactPlacer : public model::Placer {
                           .p_W = X_WSupport * where.X_SupportSite.p,
                           .up_W = Vector3d::UnitZ(),
                           .is_ignored = true};
-    const PlacedShapes shapes =
-        ShapesAt(ShapesBelow(*object_, body), X_WSupport * result.X_SupportBody);
-    if (const auto blocker = obstacles_.FindBlocker(shapes, where.clear, support)) {
+    const PlacedShapes shapes = ShapesAt(ShapesBelow(*object_, body), {});
+    if (const auto blocker = obstacles_.FindBlocker({shapes, X_WSupport * result.X_SupportBody},
+                                                    where.clear, support)) {
       result.verdict = PlaceVerdict::kBlocked;
       result.blocker = blocker->body;
       result.distance = blocker->distance;

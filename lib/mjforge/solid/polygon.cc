@@ -51,7 +51,9 @@ bool ConvexContains(std::span<const Point2> corners, const Point2& p) {
 
 // Source: Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979.
 std::vector<Point2> ConvexPolygonOf(std::vector<Point2> points, double straight) {
-  std::ranges::sort(points, {}, [](const Point2& p) { return std::pair(p.x(), p.y()); });
+  std::ranges::sort(points, [](const Point2& a, const Point2& b) {
+    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+  });
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 3) return points;
   std::vector<Point2> hull;
@@ -59,7 +61,8 @@ std::vector<Point2> ConvexPolygonOf(std::vector<Point2> points, double straight)
     while (hull.size() > least) {
       const Point2 edge = hull.back() - hull[hull.size() - 2];
       const Point2 next = p - hull.back();
-      if (Cross(edge, next) > straight * edge.norm() * next.norm()) break;
+      const double least_cross = straight > 0 ? straight * edge.norm() * next.norm() : 0;
+      if (Cross(edge, next) > least_cross) break;
       hull.pop_back();
     }
     hull.push_back(p);

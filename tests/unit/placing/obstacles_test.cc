@@ -45,21 +45,23 @@ TEST_CASE("shapes drop along a wall and past other things without touching them"
   CHECK(Drop(box, At(1.5, 0, 0), box, At(0, 0, 0)) == 0);
 }
 
+// Returns a random shape at a random pose, at this height.
+PlacedShape AnyShape(std::mt19937& random, double z) {
+  constexpr std::array kTypes = {GeomType::kSphere, GeomType::kCapsule, GeomType::kEllipsoid,
+                                 GeomType::kCylinder, GeomType::kBox};
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  model::Pose X = At(uniform(random), uniform(random), z);
+  X.q = Eigen::Quaterniond(uniform(random), uniform(random), uniform(random), 1.5).normalized();
+  const auto size = [&] { return 0.6 + 0.5 * uniform(random); };
+  return {ShapeOf(kTypes[random() % 5], size(), size(), size()), X};
+}
+
 TEST_CASE("random shapes touch after the drop and nowhere before") {
   std::mt19937 random(11);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  const std::array types = {GeomType::kSphere, GeomType::kCapsule, GeomType::kEllipsoid,
-                            GeomType::kCylinder, GeomType::kBox};
-  const auto any = [&](double z) {
-    model::Pose X = At(uniform(random), uniform(random), z);
-    X.q = Eigen::Quaterniond(uniform(random), uniform(random), uniform(random), 1.5).normalized();
-    const auto size = [&] { return 0.6 + 0.5 * uniform(random); };
-    return PlacedShape(ShapeOf(types[random() % 5], size(), size(), size()), X);
-  };
   int touching = 0;
   for (int i = 0; i < harness::Effort(300); ++i) {
-    const PlacedShape moving = any(6);
-    const PlacedShape fixed = any(0);
+    const PlacedShape moving = AnyShape(random, 6);
+    const PlacedShape fixed = AnyShape(random, 0);
     const double drop = Drop(moving.shape, moving.X_WG, fixed.shape, fixed.X_WG);
     const auto distance_at = [&](double way) {
       model::Pose X = moving.X_WG;
@@ -74,6 +76,23 @@ TEST_CASE("random shapes touch after the drop and nowhere before") {
   CHECK(touching > harness::Effort(100));
 }
 
+TEST_CASE("boxes of moved shapes contain the shapes, whichever is moved first") {
+  std::mt19937 random(12);
+  for (int i = 0; i < harness::Effort(100); ++i) {
+    const PlacedShapes shapes_L = {AnyShape(random, 0), AnyShape(random, 1), AnyShape(random, 2)};
+    const model::Pose X_WL = AnyShape(random, 3).X_WG;
+    MovedShapes moved(shapes_L, X_WL);
+    for (const std::size_t j : {2, 0, 1, 2}) {
+      const PlacedShape expected(shapes_L[j].shape, X_WL * shapes_L[j].X_WG);
+      CHECK(moved[j].shape.type == expected.shape.type);
+      CHECK(moved[j].X_WG.p == expected.X_WG.p);
+      CHECK(moved[j].X_WG.q.coeffs() == expected.X_WG.q.coeffs());
+      CHECK(moved.box_W(j).contains(expected.box_W));
+      CHECK(moved.box_W().contains(moved.box_W(j)));
+    }
+  }
+}
+
 TEST_CASE("a blocker overlaps, or is nearer than either body asks for") {
   Scene scene;
   const auto box = ShapeOf(GeomType::kBox, 0.1, 0.1, 0.1);
@@ -85,7 +104,8 @@ TEST_CASE("a blocker overlaps, or is nearer than either body asks for") {
   obstacles.Add(scene.object, second, 0.05);
   const Support floor{-1, Vector3d::Zero(), Vector3d::UnitZ()};
   const auto blocker = [&](double x, double clear) {
-    return obstacles.FindBlocker(std::vector{PlacedShape(box, At(x, 0, 0.1))}, clear, floor);
+    const PlacedShapes shapes_L = {PlacedShape(box, {})};
+    return obstacles.FindBlocker({shapes_L, At(x, 0, 0.1)}, clear, floor);
   };
   CHECK_FALSE(blocker(0.21, 0));
   CHECK(blocker(0.21, 0.02)->body == first);
@@ -106,8 +126,8 @@ TEST_CASE("the support and what is below it must only not overlap") {
   const auto ball = ShapeOf(GeomType::kSphere, 0.1);
   const Support support{top, Vector3d::Zero(), Vector3d::UnitZ()};
   const auto is_blocked = [&](double z) {
-    return obstacles.FindBlocker(std::vector{PlacedShape(ball, At(0, 0, z))}, 0.05, support)
-        .has_value();
+    const PlacedShapes shapes_L = {PlacedShape(ball, {})};
+    return obstacles.FindBlocker({shapes_L, At(0, 0, z)}, 0.05, support).has_value();
   };
   CHECK_FALSE(is_blocked(0.1 + 1e-6));
   CHECK(is_blocked(0.1 - 1e-6));
