@@ -53,11 +53,12 @@ def _bottom(variant: Variant, quat: Quaternion) -> float:
     """Returns the z, m, of the lowest point of the variant's bounding box at the start, turned by
     `quat`.
     """
-    box = variant.standing_box
+    x_min, y_min, z_min, x_max, y_max, z_max = variant.standing_box
     w, x, y, z = quat
-    row = (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y))  # z of the turned axes
-    return float(sum(min(factor * low, factor * high)
-                     for factor, low, high in zip(row, box[:3], box[3:])))
+    # z of the turned axes
+    along_x, along_y, along_z = 2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)
+    return (along_x * (x_max if along_x < 0 else x_min) + along_y * (y_max if along_y < 0 else y_min) +
+            along_z * (z_max if along_z < 0 else z_min))
 
 
 def _name_of_root(parent: MjsBody) -> str:
