@@ -129,7 +129,7 @@ Vector3d FarthestOfCore(const PlacedShape& placed, const Vector3d& direction_W) 
   const Vector3d& center = placed.X_WG.p;
   if (shape.type == model::GeomType::kSphere) return center;
   if (shape.type != model::GeomType::kCapsule) return FarthestPoint(placed, direction_W);
-  const Vector3d half = placed.X_WG.q * Vector3d(0, 0, shape.size.y());
+  const Vector3d half = placed.R_WG.col(2) * shape.size.y();
   return center + (half.dot(direction_W) > 0 ? 1 : -1) * half;
 }
 
@@ -244,14 +244,15 @@ Vector3d FarthestOfHull(std::span<const PlacedShape> shapes, const Vector3d& dir
 
 }  // namespace
 
-PlacedShape::PlacedShape(const model::Shape& of, const model::Pose& at) : shape(of), X_WG(at) {
+PlacedShape::PlacedShape(const model::Shape& of, const model::Pose& at)
+    : shape(of), X_WG(at), R_WG(at.q.toRotationMatrix()) {
   const model::Box3 box = model::BoundsOf(of, at);
   box_W = {box.min, box.max};
 }
 
 Vector3d FarthestPoint(const PlacedShape& placed, const Vector3d& direction_W) {
-  const Eigen::Quaterniond& q_WG = placed.X_WG.q;
-  return placed.X_WG * model::SupportPoint(placed.shape, q_WG.conjugate() * direction_W);
+  const Vector3d direction_G = placed.R_WG.transpose() * direction_W;
+  return placed.X_WG.p + placed.R_WG * model::SupportPoint(placed.shape, direction_G);
 }
 
 Vector3d Separation(const PlacedShape& a, const PlacedShape& b) {

@@ -16,6 +16,7 @@ struct PlacedShape {
 
   model::Shape shape;
   model::Pose X_WG;
+  Eigen::Matrix3d R_WG;       // rotation of X_WG
   Eigen::AlignedBox3d box_W;  // bounding box
 };
 

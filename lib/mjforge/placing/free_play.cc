@@ -93,10 +93,8 @@ std::optional<Vector2d> PositionInPolygon(const model::Region& region, const Foo
   const Eigen::AlignedBox2d box = footprint.Box();
   const double reach = 4 * (region.half_size.norm() + box.center().norm() + box.diagonal().norm());
   const Vector2d middle = model::MiddleOf(region);
-  Polygon play;
-  for (const Vector2d& corner :
-       {Vector2d(-1, -1), Vector2d(1, -1), Vector2d(1, 1), Vector2d(-1, 1)})
-    play.emplace_back(middle + reach * corner);
+  Polygon play = {middle + reach * Vector2d(-1, -1), middle + reach * Vector2d(1, -1),
+                  middle + reach * Vector2d(1, 1), middle + reach * Vector2d(-1, 1)};
   for (const HalfPlane& border : borders) {
     const double limit = border.limit - footprint.Support(border.normal);
     play = solid::Clipped(play, border.normal, limit + kFitTolerance);

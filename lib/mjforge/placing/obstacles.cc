@@ -22,12 +22,13 @@ Eigen::AlignedBox3d BoxOf(std::span<const PlacedShape> shapes) {
 }
 
 // Returns true if the boxes are farther apart than a distance.
-bool AreFarther(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b, double distance) {
+inline bool AreFarther(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b,
+                       double distance) {
   // Tests single axes first, because most boxes are far apart along one axis.
   for (Eigen::Index i = 0; i < 3; ++i) {
     if (a.min()(i) - b.max()(i) > distance || b.min()(i) - a.max()(i) > distance) return true;
   }
-  return a.squaredExteriorDistance(b) > distance * distance;
+  return distance > 0 && a.squaredExteriorDistance(b) > distance * distance;
 }
 
 // Returns true if the shape has no point above the support.
@@ -91,7 +92,7 @@ PlacedShapes ShapesAt(std::span<const BodyShape> shapes, const model::Pose& X_WA
 }
 
 MovedShapes::MovedShapes(std::span<const PlacedShape> shapes_L, const model::Pose& X_WL)
-    : shapes_L_(shapes_L), X_WL_(X_WL), shapes_W_(shapes_L.size()) {
+    : shapes_L_(shapes_L), X_WL_(X_WL) {
   const Eigen::Matrix3d R_WL = X_WL.q.toRotationMatrix();
   const Vector3d spare = Vector3d::Constant(kLengthRounding);
   boxes_W_.reserve(shapes_L.size());
@@ -102,10 +103,8 @@ MovedShapes::MovedShapes(std::span<const PlacedShape> shapes_L, const model::Pos
   }
 }
 
-const PlacedShape& MovedShapes::operator[](std::size_t index) {
-  std::optional<PlacedShape>& moved = shapes_W_[index];
-  if (!moved) moved.emplace(shapes_L_[index].shape, X_WL_ * shapes_L_[index].X_WG);
-  return *moved;
+PlacedShape MovedShapes::At(std::size_t index) const {
+  return {shapes_L_[index].shape, X_WL_ * shapes_L_[index].X_WG};
 }
 
 void Obstacles::Add(const model::Object& object, int body, double clear) {
@@ -117,7 +116,7 @@ void Obstacles::Add(const model::Object& object, int body, double clear) {
   groups_.push_back(std::move(group));
 }
 
-std::optional<Blocker> Obstacles::FindBlocker(MovedShapes shapes, double clear,
+std::optional<Blocker> Obstacles::FindBlocker(const MovedShapes& shapes, double clear,
                                               const Support& support) const {
   for (const Group& group : groups_) {
     const double asked = std::max(clear, group.clear);
@@ -130,7 +129,7 @@ std::optional<Blocker> Obstacles::FindBlocker(MovedShapes shapes, double clear,
       const double wanted = may_touch ? 0 : asked;
       for (std::size_t i = 0; i < shapes.size(); ++i) {
         if (AreFarther(obstacle.box_W, shapes.box_W(i), wanted)) continue;
-        const PlacedShape& placed = shapes[i];
+        const PlacedShape placed = shapes.At(i);
         if (AreFarther(obstacle.box_W, placed.box_W, wanted)) continue;
         const double distance = distance::DistanceUpTo(wanted, placed, obstacle);
         if (distance > 0 && distance >= wanted - kLengthRounding) continue;

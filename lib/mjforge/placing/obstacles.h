@@ -20,8 +20,8 @@ using PlacedShapes = std::vector<distance::PlacedShape>;
 /// Returns shapes of a body A at the pose X_WA.
 PlacedShapes ShapesAt(std::span<const BodyShape> shapes, const model::Pose& X_WA);
 
-/// Shapes that are moved from a frame L to a frame W, each when it is first needed: most attempts
-/// to place a body fail at one of its first shapes. The shapes in L must outlive this object.
+/// Shapes that are moved from a frame L to a frame W, each when it is needed: only shapes near an
+/// obstacle are. The shapes in L must outlive this object.
 class MovedShapes {
  public:
   MovedShapes(std::span<const distance::PlacedShape> shapes_L, const model::Pose& X_WL);
@@ -31,14 +31,13 @@ class MovedShapes {
   const Eigen::AlignedBox3d& box_W() const { return box_W_; }
   /// Returns a box that contains a shape, and may be larger than its bounding box.
   const Eigen::AlignedBox3d& box_W(std::size_t index) const { return boxes_W_[index]; }
-  const distance::PlacedShape& operator[](std::size_t index);
+  distance::PlacedShape At(std::size_t index) const;
 
  private:
   std::span<const distance::PlacedShape> shapes_L_;
   model::Pose X_WL_;
   Eigen::AlignedBox3d box_W_;
   std::vector<Eigen::AlignedBox3d> boxes_W_;
-  std::vector<std::optional<distance::PlacedShape>> shapes_W_;
 };
 
 /// A plane on which a body is placed, and the supporting body, to which the plane belongs.
@@ -75,7 +74,7 @@ class Obstacles {
   /// Returns the first obstacle that overlaps the shapes, or is nearer than `clear` or than the
   /// obstacle's own `clear`. The supporting body, the bodies under it and shapes wholly below the
   /// support may be at any distance, but must not overlap the shapes.
-  std::optional<Blocker> FindBlocker(MovedShapes shapes, double clear,
+  std::optional<Blocker> FindBlocker(const MovedShapes& shapes, double clear,
                                      const Support& support) const;
 
   /// Returns the radius to which a cylinder can be widened until it touches an obstacle, at most

@@ -23,6 +23,7 @@ Point2 OutwardNormal(std::span<const Point2> corners, std::size_t i) {
 // Source: Sutherland and Hodgman, "Reentrant polygon clipping", 1974, here for one line.
 std::vector<Point2> Clipped(std::span<const Point2> corners, const Point2& normal, double limit) {
   std::vector<Point2> rest;
+  rest.reserve(corners.size() + 1);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Point2& a = corners[i];
     const Point2& b = corners[(i + 1) % corners.size()];
