@@ -135,6 +135,7 @@ Value ValueReader::ReadWord(const ExpectedForm& expected, const YamlNode& node) 
 
 bool ValueReader::LooksLikeText(const YamlNode& node) const {
   const std::string_view text = node.text;
+  if (node.quoted && expr::ParseNumber(text)) return true;
   const auto first = static_cast<unsigned char>(text.empty() ? '0' : text.front());
   if (std::isalpha(first) == 0 && first != '_' && first < 0x80 && first != '.') return false;
   const auto is_plain = [](char c) {

@@ -23,6 +23,9 @@ TEST_CASE("a parameter's type is told from its look", "[value]") {
       "  truth: true\n"
       "  words: light-wood.png\n"
       "  quoted: 'number'\n"
+      "  digits: '12'\n"
+      "  sizes: {choice: ['8', m10, '1e1']}\n"
+      "  rows: ['1', '2']\n"
       "  sum: number + 2\n"
       "  test: number > 2\n"
       "  vector: [1, number, 3]\n"
@@ -46,6 +49,9 @@ TEST_CASE("a parameter's type is told from its look", "[value]") {
   check("truth", Type::kBoolean, 1);
   check("words", Type::kText, 1);
   check("quoted", Type::kText, 1);
+  check("digits", Type::kText, 1);
+  check("sizes", Type::kText, 1);
+  check("rows", Type::kText, 1);
   check("sum", Type::kNumber, 1);
   check("test", Type::kBoolean, 1);
   check("vector", Type::kNumber, 3);
