@@ -26,7 +26,7 @@ void AdaptGeoms(model::Object& object, const TargetRules& rules, diag::Findings&
 
 // adapt_start.cc
 /// Moves the zero configuration (qpos0) to the start state of the object if the spec or the target
-/// requires this. Drops start positions and velocities if the host reads no keyframes.
+/// requires this. Drops start positions and velocities if the host reads or needs no keyframe.
 void AdaptStart(model::Object& object, const TargetRules& rules, diag::Findings& findings);
 
 // adapt_bodies.cc

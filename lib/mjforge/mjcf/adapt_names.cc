@@ -86,8 +86,7 @@ void CheckNames(const model::Object& object, const TargetRules& rules, diag::Fin
       if (!is_dropped) checker.Check("joint", "joint", joint.name, joint.mark);
     }
     for (const model::Site& site : body.sites) checker.Check("site", "site", site.name, site.mark);
-    std::string_view
-        last;  // name of the part before, so that two parts from SplitRoles() get one finding
+    std::string_view last;  // previous name, because parts split by role get one finding
     for (const model::Part& part : body.parts) {
       if (part.name != last) checker.Check("part", "geom", part.name, part.mark);
       last = part.name;

@@ -98,9 +98,9 @@ struct MjcfDocument {
 
 /// Suffix of the start keyframe's name, which begins with the object's name.
 inline constexpr std::string_view kStartSuffix = "_start";
-/// The start state in MuJoCo's order. If the whole state is MuJoCo's default, all vectors are
-/// empty. Otherwise only qvel, act and ctrl may be, if all their numbers are defaults, and qpos if
-/// the object has no joints.
+/// The start state in MuJoCo's order. All vectors are empty if the whole state is MuJoCo's default.
+/// Otherwise, qvel, act and ctrl are empty if all their numbers are defaults, and qpos is empty
+/// only if the object has no joints.
 struct StartState {
   std::vector<double> qpos;
   std::vector<double> qvel;

@@ -46,7 +46,7 @@ struct TargetRules {
   bool keeps_groups = true;             // a part's own `group` takes precedence
   bool shows_collision_copies = false;  // the host shows copies of collision geoms
   bool writes_mass = false;  // write geoms with a mass, because the host overwrites densities
-  int sphere_sizes = 1;      // how many numbers the size of a sphere has
+  int sphere_sizes = 1;      // count of the numbers in a sphere's size
   bool supports_round_shapes = true;  // cylinders and ellipsoids collide with boxes and meshes
   bool supports_margins = true;       // geoms may have a margin
 
