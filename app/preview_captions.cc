@@ -23,8 +23,8 @@ using sample::ParameterValue;
 constexpr std::size_t kMaxParameters = 4;
 constexpr std::size_t kMaxLetters = 36;  // letters of a line that fits below a tile of 320 pixels
 
-// Last words of parameter names that are left out because the value implies them: "steel" for
-// "material steel".
+// Last words of parameter names that captions leave out, because the value implies them: a caption
+// has "steel" for a parameter `material` with this value.
 constexpr std::array<std::string_view, 15> kEmptyWords = {
     "color", "colour", "finish", "kind", "look",  "make", "material", "metal",
     "model", "name",   "shape",  "size", "style", "type", "wood"};

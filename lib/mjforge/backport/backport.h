@@ -1,5 +1,4 @@
-// Backport of MJCF to an older MuJoCo: rewrites elements, files, and masses of meshes with the same
-// meaning.
+// Backport of MJCF: rewrites files so that they have the same meaning in an older MuJoCo.
 #pragma once
 
 #include "mjforge/backport/key_limits.h"

@@ -68,7 +68,7 @@ class MeshInertia {
     if (!boxes.model) return false;
     for (xml::XmlElement& section : root_.children) {
       if (section.tag == "worldbody") AddInertials(section, *boxes.model);
-      // With `inertiafromgeom="true"` MuJoCo would replace the inertias by its own.
+      // Sets `auto`, because MuJoCo replaces `<inertial>` elements if the setting is "true".
       if (section.tag == "compiler" && replaces_) section.Set("inertiafromgeom", "auto");
     }
     return true;

@@ -1,4 +1,5 @@
-// Checks of meshes and skins before MuJoCo reads them: indices of faces, and numbers of vertices.
+// Checks of meshes and skins before MuJoCo reads them: indices of faces are in range, and numbers
+// are finite.
 //
 // MuJoCo 2.2 reads memory outside a mesh if an index is out of range, and wraps indices of OBJ
 // files at 2^32. MuJoCo reads memory outside a skin when it draws the skin.

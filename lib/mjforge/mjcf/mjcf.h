@@ -1,4 +1,4 @@
-// Conversion of an object to MJCF text that MuJoCo 2.2 to 3.x load with the same masses.
+// Conversion of an object to MJCF text that MuJoCo 2.2 to 4.0 load with the same masses.
 #pragma once
 
 #include <cmath>
