@@ -13,8 +13,9 @@ namespace {
 
 ::pid_t program_process = 0;
 
-// Ends the process if an allocation failed, because many C libraries use the memory unchecked. The
-// parent of a child process reports the child's failure.
+// Ends the process if an allocation failed, because many C libraries use memory without checking
+// the allocation. Prints the reason unless the process is a child, whose failure its parent
+// reports.
 void OnAllocationError(int error, void*) {
   if (error != ENOMEM) return;
   if (::getpid() == program_process) ExplainNoMemory();

@@ -37,8 +37,8 @@ customize::Start StartOf(const CustomizeOptions& options) {
   return start;
 }
 
-// Returns true if the spec exists, even with errors, which can be corrected while its page is open;
-// otherwise adds findings.
+// Returns true if the spec exists. A spec with errors counts, because errors can be corrected while
+// its page is open. Otherwise adds findings and returns false.
 bool SpecExists(const CustomizeOptions& options, Console& console) {
   Console silent{MessageOptions()};
   SpecOptions bare;
@@ -58,7 +58,8 @@ WorkerMaker MakeWorkerOf(const CustomizeOptions& options) {
 }
 
 // Writes an HTML file that redirects a browser to `address`, which contains a secret token. The
-// browser gets the file, because other users can read a program's arguments but not this file.
+// browser is started with this file, because other users can read the arguments of a program but
+// not the file.
 bool WriteRedirect(const std::filesystem::path& file, const std::string& address,
                    diag::Findings& findings) {
   return output::WriteFile(file,

@@ -168,7 +168,7 @@ void AddGenerateOptions(CLI::App& command, GenerateOptions& options) {
   command.add_flag("-v,--verbose", options.verbose, "Print a line per variant");
 }
 
-// Converts the options to a request; the folder is set later if its name comes from the spec.
+// Converts the options to a request. The caller sets the folder, because the spec may name it.
 // Returns nullopt and sets `why_not` if options contradict each other.
 std::optional<batch::Request> RequestOf(const GenerateOptions& options, std::string& why_not) {
   batch::Request request = RequestOf(static_cast<const BatchOptions&>(options));
@@ -264,8 +264,8 @@ class Generation {
   }
 
  private:
-  // Keeps freed memory in the process: every chunk allocates buffers of some hundred kilobytes, and
-  // mapping their pages again costs as much time as filling them.
+  // Keeps freed memory in the process, because every chunk of variants allocates buffers of some
+  // hundred kilobytes, and mapping their pages again costs as much time as filling them.
   static void KeepMemory() {
     constexpr int kKept = 64 << 20;
     ::mallopt(M_MMAP_THRESHOLD, kKept);
@@ -360,7 +360,7 @@ class Generation {
       console_.PrintLine("  hint: the same command with --resume continues from there");
   }
 
-  // Prints the fields in which variants of a batch differ, and the parameters that separate them.
+  // Prints the fields in which compiled variants differ, and the parameters that separate them.
   void PrintDifferences(const std::filesystem::path& manifest) {
     diag::Sources sources;
     diag::Findings ignored;

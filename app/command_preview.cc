@@ -63,8 +63,8 @@ class Preview {
         console_(console),
         findings_(console.findings) {}
 
-  /// Makes the picture. Writes the names of the files that the picture depends on to `files`,
-  /// unless `files` is null.
+  /// Makes the picture. If `files` is not null, writes the names of all files that the picture
+  /// depends on to `files`.
   ExitStatus operator()(std::FILE* files) {
     const std::optional<std::string> bytes = Make();
     if (files != nullptr) WriteFiles(files);
@@ -264,8 +264,8 @@ ExitStatus DrawInChild(const PreviewOptions& options, Console& console,
                     [&] { return Preview(options, console)(files); });
 }
 
-// Returns the files of a preview that are known without a variant: MJCF files, or the files that a
-// spec is read from.
+// Returns the files to watch that can be found without generating a variant: the MJCF files, or the
+// files that are read to load the spec.
 std::vector<std::filesystem::path> FilesOf(const PreviewOptions& options) {
   std::vector<std::filesystem::path> files(options.whats.begin(), options.whats.end());
   if (options.is_file) return files;

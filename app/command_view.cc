@@ -56,7 +56,7 @@ sigset_t WatchedSignals() {
 }
 
 // Waits until the process ends and returns its wait status. Passes signals on to the process; sets
-// `interrupted` if a signal was passed on.
+// `interrupted` if a signal was passed on. The second signal becomes SIGKILL.
 int WaitFor(pid_t process, const sigset_t& watched, bool& interrupted) {
   int status = 0;
   while (::waitpid(process, &status, WNOHANG) == 0) {

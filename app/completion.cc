@@ -19,8 +19,8 @@
 namespace mjforge::app {
 namespace {
 
-// Prefix of the names of validators that declare completions. (The descriptions of validators
-// appear in error messages.)
+// Prefix of the names of validators that declare completions. Declarations are not in the
+// descriptions of validators, because these appear in error messages.
 constexpr std::string_view kOffered = "offered: ";
 
 std::vector<std::string_view> OfferedBy(CLI::Option& option) {
@@ -145,7 +145,8 @@ std::unique_ptr<spec::ObjectSpec> LoadQuietly(const std::string& name) {
   return spec::LoadSpec(name, load, sources, findings);
 }
 
-// Adds catalogue names that begin with `start`, and last parts of names ("hammer") that do.
+// Adds the names of specs in the catalogue that begin with `start`, and last parts of names
+// ("hammer") that begin with `start`. `before` is the part of the word before the value: "--spec=".
 void AddSpecs(const std::string& before, const std::string& start, Completions& completions) {
   std::set<std::string> names;
   for (const std::filesystem::path& folder : forge::SearchPath()) {
@@ -164,7 +165,7 @@ void AddSpecs(const std::string& before, const std::string& start, Completions& 
   }
 }
 
-// Returns the texts among which a parameter is chosen; empty for other parameters.
+// Returns the texts among which a random parameter is chosen; empty for other parameters.
 std::vector<std::string> ChoicesOf(const spec::Value& value) {
   std::vector<std::string> choices;
   const auto* draw = std::get_if<spec::Draw>(&value.form);

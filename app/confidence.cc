@@ -8,9 +8,10 @@
 namespace mjforge::app {
 
 double LargestFailingShare(std::uint64_t passed) {
-  // A share p of failures leaves n variants without a failure with a probability of (1 - p)^n. The
-  // bound is the p at which this is 5 %; see Clopper and Pearson, "The use of confidence or
-  // fiducial limits illustrated in the case of the binomial", Biometrika 26 (1934).
+  // With a share p of failing variants, the probability of no failure among n random variants is
+  // (1 - p)^n. The bound is the p for which this probability is 5 %; see Clopper and Pearson, "The
+  // use of confidence or fiducial limits illustrated in the case of the binomial", Biometrika 26
+  // (1934).
   constexpr double kDoubt = 0.05;
   return -std::expm1(std::log(kDoubt) / static_cast<double>(passed));
 }

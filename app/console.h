@@ -34,7 +34,7 @@ inline ExitStatus StatusOf(const diag::Findings& findings) {
   return status;
 }
 
-/// Format of messages.
+/// Options for the format of messages.
 struct MessageOptions {
   std::string findings = "text";  // text, json
   std::string color = "auto";     // auto, always, never

@@ -49,7 +49,8 @@ std::optional<report::Thumbnail> Draw(picture::Renderer& renderer, picture::Subj
   return image ? std::optional(Encode(*image)) : std::nullopt;
 }
 
-// Returns a joint's name without the number at its end, so that equal joints have one film.
+// Returns a joint's name without the number at its end, so that joints whose names differ only in
+// this number get one film.
 std::string_view WithoutNumber(std::string_view name) {
   while (!name.empty() && std::string_view("0123456789_").find(name.back()) != name.npos)
     name.remove_suffix(1);
@@ -66,7 +67,7 @@ const diag::Finding& FirstError(const diag::Findings& findings) {
 // MuJoCo 2.2 may need most of the memory for a scene.
 class PageMaker {
  public:
-  /// `open` opens the renderer, or returns null.
+  /// `open` opens the renderer; returns null if there is no renderer.
   PageMaker(std::string name, forge::Recipe recipe, diag::Sources& sources,
             std::function<picture::Renderer*()> open)
       : name_(std::move(name)),
@@ -105,7 +106,7 @@ class PageMaker {
     return true;
   }
 
-  /// Draws the variant of the large picture, and its joints.
+  /// Draws the variant of the large picture, and films of its joints.
   void DrawTypical(report::GalleryCard& card) {
     if (renderer_ == nullptr) return;
     const std::uint64_t index = typical_.record.index;

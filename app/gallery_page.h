@@ -25,7 +25,7 @@ struct GalleryResult {
 /// Makes variants of specs, draws them, and writes a page for each spec.
 class GalleryPages {
  public:
-  /// Makes an object that writes pages to `folder`.
+  /// `folder` is the folder of the gallery.
   explicit GalleryPages(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   /// Makes the page of a spec in the search path. The card in the result has no description.

@@ -1,4 +1,4 @@
-// Results for the specs of a gallery as bytes, which child processes send.
+// Encoding of results for the specs of a gallery, which child processes send to their parent.
 #include <stdexcept>
 #include <string_view>
 #include <tuple>

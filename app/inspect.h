@@ -10,14 +10,14 @@
 
 namespace mjforge::app {
 
-/// Returns tables about a variant, which must have an object, and about the sweep of its joints
-/// through their ranges if a sweep was requested.
+/// Returns tables about a variant, which must have an object. `sweep` is the result of moving its
+/// joints through their ranges, for --sweep.
 std::string InspectTables(const forge::Recipe& recipe, const forge::Variant& variant,
                           const std::optional<validate::Sweep>& sweep);
 std::string InspectJson(const forge::Recipe& recipe, const forge::Variant& variant,
                         const std::optional<validate::Sweep>& sweep);
 
-/// Returns tables about the model of an MJCF file, and about the sweep of its joints if requested.
+/// Returns tables about the model of an MJCF file. `sweep` is as above.
 std::string InspectTables(const validate::CompiledModel& model,
                           const std::optional<validate::Sweep>& sweep);
 std::string InspectJson(const validate::CompiledModel& model,

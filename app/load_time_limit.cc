@@ -32,7 +32,8 @@ extern "C" void OnSecond(int) {
   if (wall_seconds_left <= 0) End(wall_time_message);
 }
 
-// Sets a timer of the process, which is repeated every `interval` seconds; 0 stops it.
+// Sets a timer of the process that expires after `first` seconds, and then every `interval` seconds
+// (0: only once). The timer is stopped if `first` is 0.
 void SetTimer(decltype(ITIMER_REAL) which, double first, ::time_t interval) {
   ::itimerval timer = {};
   timer.it_interval.tv_sec = interval;

@@ -38,9 +38,9 @@ std::string NameForMake(const std::filesystem::path& file, bool absolute) {
   return (absolute || !below ? whole : relative).string();
 }
 
-constexpr std::size_t kRuleStart = std::size_t{64} << 10;  // limit of the length of the targets
+constexpr std::size_t kRuleStart = std::size_t{64} << 10;  // limit of the targets' line, bytes
 
-// Returns true if a file with this start is empty or has the form of WriteDependencies.
+// Returns true if a file with this start is empty or has the form that WriteDependencies() writes.
 bool IsRule(std::string_view start) {
   const std::string_view line = start.substr(0, start.find('\n'));
   return start.empty() || line.ends_with(": \\") || line.ends_with(':');

@@ -40,7 +40,7 @@ std::optional<forge::Recipe> LoadRecipe(const std::string& what, const SpecOptio
 /// standard input ("-") by the first character; standard input can still be read afterwards.
 bool IsMjcf(const std::string& what);
 
-/// Returns true for the name of a manifest, complete or partial.
+/// Returns true for the file name of a manifest, complete or partial (".part").
 inline bool IsManifest(std::string_view name) {
   constexpr std::string_view kPart = ".part";
   if (name.ends_with(kPart)) name.remove_suffix(kPart.size());
@@ -93,7 +93,7 @@ CLI::Option* AddTimeLimit(CLI::App& command, Seconds& limit,
 /// Adds --quiet, --findings and --color.
 void AddMessageOptions(CLI::App& command, MessageOptions& options);
 
-/// Adds an option for a decimal number from `least` to 2^64 - 1.
+/// Adds an option for a whole number from `least` to 2^64 - 1.
 CLI::Option* AddWholeNumber(CLI::App& command, const std::string& flags, std::uint64_t& value,
                             const std::string& doc, std::uint64_t least = 0);
 /// Adds an option for a number from `least` to `most`; `what` describes the number in errors.

@@ -1,4 +1,4 @@
-// A browser's connection to the server.
+// Connection of a browser to the server of `mjforge customize`.
 #include "page_connection.h"
 
 #include <boost/beast/core/flat_buffer.hpp>
@@ -22,8 +22,8 @@ using boost::system::error_code;
 
 constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 20;  // size limit of a request
 constexpr std::chrono::seconds kPatience(30);  // time limit for a request or a response
-// Shorter time limit for the first request, because programs of other users, which do not know the
-// token, can connect, too.
+// Shorter time limit for the first request, because programs of other users can connect, too. These
+// programs do not know the token (the secret part of the page's address).
 constexpr std::chrono::seconds kFirstPatience(5);
 
 class Connection : public std::enable_shared_from_this<Connection> {
@@ -31,7 +31,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   Connection(boost::asio::ip::tcp::socket socket, PageServer& server, std::uint64_t number)
       : stream_(std::move(socket)), server_(server), number_(number) {}
 
-  /// Reads a request, which must begin within this time.
+  /// Reads a request, which must arrive within `patience`.
   void Read(std::chrono::seconds patience) {
     parser_.emplace();
     parser_->body_limit(kMostBytes);

@@ -1,4 +1,4 @@
-// A browser's connection to the server.
+// Connection of a browser to the server of `mjforge customize`.
 #pragma once
 
 #include <boost/asio/ip/tcp.hpp>

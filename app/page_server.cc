@@ -20,9 +20,9 @@ namespace http = boost::beast::http;
 using boost::system::error_code;
 using tcp = asio::ip::tcp;
 
-// Limit of connections that have not yet sent a request with the token. If there are more, the
-// oldest one is closed, so that connections of other users' programs cannot keep out a browser,
-// whose request arrives at once.
+// Limit of connections that have not yet sent a request with the token (the secret part of the
+// page's address). If there are more, the oldest one is closed, so that connections of other users'
+// programs cannot keep out a browser, whose request arrives at once.
 constexpr std::size_t kMostStrangers = 64;
 constexpr std::chrono::milliseconds kInterval(100);  // interval between looks at the spec's files
 constexpr std::chrono::seconds kLongestWait(15);     // time limit of a page that waits for a change

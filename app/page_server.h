@@ -47,7 +47,7 @@ class PageServer {
   void Trust(std::uint64_t number) { strangers_.erase(number); }
 
  private:
-  // A page that waits for a change of the spec's files.
+  // Request of a page that waits for a change of the spec's files.
   struct Waiting {
     std::uint64_t revision = 0;
     std::chrono::steady_clock::time_point end;
@@ -66,7 +66,7 @@ class PageServer {
   boost::asio::ip::tcp::acceptor acceptor_;
   boost::asio::steady_timer timer_;
   RequestQueue queue_;
-  RequestQueue slow_queue_;  // films and physical checks, so that pictures need not wait for them
+  RequestQueue slow_queue_;  // films and physical checks, for which pictures need not wait
   std::string token_;
   std::uint64_t revision_ = 0;
   WatchedFiles watched_;
@@ -76,7 +76,8 @@ class PageServer {
   std::uint64_t accepted_ = 0;  // number of the last accepted connection
 };
 
-/// Encodes an answer of the worker for AnswerOf: the files to watch, and the body of the response.
+/// Encodes an answer of the worker for AnswerOf(): the names of the files to watch, and the body of
+/// the HTTP response.
 std::string EncodeAnswer(const std::vector<std::filesystem::path>& files, std::string_view json,
                          std::string_view picture);
 

@@ -22,7 +22,8 @@
 namespace mjforge::app {
 namespace {
 
-// Size limit of a message in bytes; the kernel accepts longer messages by default.
+// Size limit of a message in bytes. The kernel accepts longer messages by default, so that no
+// message is too long.
 constexpr std::size_t kMaxMessage = 160'000;
 
 // Index of the next step, in memory that all processes share.
@@ -39,7 +40,8 @@ void Send(int socket, std::size_t step, const std::string& result) {
   }
 }
 
-// Runs steps until none is left. `current` is the running step, shared with child processes.
+// Runs steps in child processes until none is left. `current` is the index of the running step, in
+// memory that the child processes share.
 ExitStatus RunSome(const ParallelSteps& steps, int socket, Counter& next, Counter& current) {
   return RunInChild(
       steps.count, steps.time_limit,

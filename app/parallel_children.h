@@ -22,8 +22,8 @@ struct ParallelSteps {
   std::function<void(std::size_t, std::string)> receive;
 };
 
-/// Runs the steps in `jobs` child processes (0: one per core); results have at most 150 kB. Returns
-/// kInputOutput if a step needed too much memory. The caller must have no other threads.
+/// Runs the steps in `jobs` child processes (0: one per core). Results are cut off at about 160 kB.
+/// Returns kInputOutput if a step needed too much memory. The caller must have no other threads.
 ExitStatus RunInChildren(const ParallelSteps& steps, std::uint64_t jobs);
 
 }  // namespace mjforge::app

@@ -23,12 +23,12 @@ using sample::ParameterValue;
 constexpr std::size_t kMaxParameters = 4;
 constexpr std::size_t kMaxLetters = 36;  // letters of a line that fits below a tile of 320 pixels
 
-// Last words of parameter names that are left out because the value implies them: "steel" for
-// "material steel".
+// Last words of parameter names that captions leave out, because the value implies them: a caption
+// has "steel" for a parameter `material` with this value.
 constexpr std::array<std::string_view, 15> kEmptyWords = {
     "color", "colour", "finish", "kind", "look",  "make", "material", "metal",
     "model", "name",   "shape",  "size", "style", "type", "wood"};
-// Quantities without a unit that are not visible in a picture.
+// Words in the names of quantities without a unit that are not visible in a picture.
 constexpr std::array<std::string_view, 9> kUnseen = {"armature", "clearance", "damping",
                                                      "density",  "friction",  "margin",
                                                      "mass",     "play",      "stiffness"};
@@ -124,8 +124,9 @@ bool IsSeen(std::string_view name, std::string_view unit) {
   });
 }
 
-// Visibility of a parameter's differences. Ranks: 0 for words, 1 for counts, 2 for lengths, 3 for
-// angles, 4 for other numbers without a unit. Lists are too long for captions and have no spread.
+// Visibility of the differences between variants in one parameter. Captions show low ranks first: 0
+// for words, 1 for counts, 2 for lengths, 3 for angles, 4 for other numbers without a unit. Lists
+// are too long for captions and have no spread.
 struct Difference {
   int rank = 0;
   double spread = 0;  // orders parameters of one rank; 0: no difference is visible in a picture

@@ -61,7 +61,8 @@ std::string CheckBackground(const std::string& text) {
   return fmt::format("'{}' is not one of studio, transparent, white, gray, black, #rrggbb", text);
 }
 
-// Returns the message for a file name whose ending does not match the picture's format.
+// Returns the error message for a file name whose ending does not match the picture's format; empty
+// if the ending matches.
 std::string CheckFileName(const PreviewOptions& options) {
   const std::string ending = std::filesystem::path(options.output).extension().string();
   if (options.output == "-" || ending.empty() || ending == (options.sweep ? ".gif" : ".png"))
@@ -82,7 +83,8 @@ std::string CheckPixels(const PreviewOptions& options) {
   return {};
 }
 
-// Returns the message for the first of several WHATs that is not a file; empty if all are files.
+// Returns the error message for the first argument WHAT that does not name an MJCF file; empty if
+// all do. Standard input ("-") does not count as a file here.
 std::string FindNoFile(const std::vector<std::string>& whats) {
   for (const std::string& what : whats) {
     if (what == "-" || !IsMjcf(what))

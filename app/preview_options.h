@@ -36,8 +36,8 @@ struct PreviewOptions {
 
 void AddPreviewOptions(CLI::App& command, PreviewOptions& options);
 
-/// Parses the texts of the options. Returns the message for a wrong option or for options that
-/// contradict each other; empty if there are no such options.
+/// Parses the texts of the options. Returns the error message for a wrong option or for options
+/// that contradict each other; an empty text if there are none.
 std::string ResolvePreviewOptions(PreviewOptions& options);
 
 }  // namespace mjforge::app

@@ -1,4 +1,4 @@
-// Requests that wait for a worker process.
+// Queue of requests to a worker process.
 #include "request_queue.h"
 
 #include <fmt/format.h>

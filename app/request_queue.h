@@ -25,8 +25,8 @@ class RequestQueue {
   };
   using Done = std::function<void(Outcome)>;
 
-  /// Requests that a newer request of the same client replaces. kWaiting: only waiting requests.
-  /// kRunning: also the request that the worker is answering, which ends the worker; useful if
+  /// Requests that a newer request of the same client replaces. kWaiting: only requests that wait.
+  /// kRunning: also the request that the worker is answering; the worker is killed. Use kRunning if
   /// answers take longer than the start of a worker.
   enum class Replace { kWaiting, kRunning };
 

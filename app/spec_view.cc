@@ -1,4 +1,4 @@
-// The view of a spec in pictures: directions and pose.
+// Camera directions and pose that a spec chooses for its pictures (`view:`).
 #include "spec_view.h"
 
 namespace mjforge::app {

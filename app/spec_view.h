@@ -1,4 +1,4 @@
-// The view of a spec in pictures.
+// Camera directions and pose that a spec chooses for its pictures (`view:`).
 #pragma once
 
 #include "mjforge/picture/picture.h"
@@ -6,11 +6,12 @@
 
 namespace mjforge::app {
 
-/// Returns the camera view `chosen`, with the spec's `view:` for directions that were not chosen.
+/// Returns the camera view `chosen`; directions that were not chosen come from the spec's `view:`.
 picture::View ViewOf(const spec::ObjectSpec& spec, picture::View chosen = {});
 
-/// Moves joints into the pose of the spec's `view:`. Adds a warning for a joint that does not reach
-/// its position. Ignores joints that the variant does not have, which `assemble` reports.
+/// Moves joints into the pose of the spec's `view:`. Adds a warning for a joint that cannot reach
+/// its position. Ignores joints that the variant does not have, because the library `assemble`
+/// reports them.
 void SetPoseOf(const spec::ObjectSpec& spec, picture::Subject& subject, diag::Findings& findings);
 
 }  // namespace mjforge::app

@@ -23,15 +23,16 @@ struct DifferingField {
 };
 
 struct BatchStructures {
-  /// Limit of structures whose fields are compared, because a variant of each is generated again.
+  /// Largest number of structures whose fields are compared, because comparing regenerates a
+  /// variant of each structure.
   static constexpr std::size_t kMaxCompared = 100;
 
   std::vector<report::StructureTally> structures;
   std::uint64_t variants = 0;  // number of variants whose structure is known
   std::uint64_t more = 0;      // number of variants whose structures are not in the list
   std::vector<DifferingField> fields;
-  std::string why_unknown;  // reason why fields are not compared; empty: they are
-  /// Parameters that separate structures, if no fields are compared.
+  std::string why_unknown;  // reason why fields could not be compared; empty if they were
+  /// Parameters that separate structures, if fields could not be compared.
   std::vector<report::Separator> separators;
 };
 
@@ -44,7 +45,7 @@ BatchStructures CompareStructures(const report::ManifestSummary& batch,
 std::vector<std::string> DifferencesText(const BatchStructures& batch);
 /// Returns a table of the structures and the lines about fields; empty if there are no structures.
 std::string StructuresText(const BatchStructures& batch);
-/// Writes the members `structures` and `differences` of a JSON object.
+/// Writes the members of a JSON object about structures and their differences.
 void WriteStructures(diag::Json& json, const BatchStructures& batch);
 
 }  // namespace mjforge::app

@@ -10,7 +10,7 @@
 namespace mjforge::app {
 namespace {
 
-// Width in pixels, larger than on the page, for screens of high resolution.
+// Width in pixels, larger than the picture on the page, for screens of high resolution.
 constexpr int kWidth = 320;
 constexpr int kHeight = 240;
 constexpr int kQuality = 75;  // about 5 kB; lower qualities have visible blocks
@@ -56,7 +56,8 @@ std::unique_ptr<picture::Subject> Thumbnails::Load(const manifest::Record& recor
   return loader_.LoadFile(file, why_not);
 }
 
-// Makes the object again, because that is faster than reading all earlier members of the archive.
+// Makes the object again from the spec, because that is faster than reading all earlier members of
+// the archive. Reads the archive if the object is not the same.
 std::unique_ptr<picture::Subject> Thumbnails::LoadFromArchive(const manifest::Record& record) {
   std::error_code error;
   const std::filesystem::path archive = manifest_.parent_path() / record.archive;

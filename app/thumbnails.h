@@ -13,8 +13,8 @@
 
 namespace mjforge::app {
 
-/// Small WebP pictures of the variants of a batch. Variants without a file, such as failed
-/// variants, are made again from the spec.
+/// Small WebP pictures of the variants of a batch. Variants without a file of their own, such as
+/// failed variants and members of archives, are made again from the spec.
 class Thumbnails {
  public:
   /// Draws the variants of this manifest. `spec` replaces the spec named in the records, unless
@@ -24,7 +24,8 @@ class Thumbnails {
   /// Draws the variant of a record; returns nullopt if its file is missing or cannot be drawn.
   std::optional<report::Thumbnail> Draw(const manifest::Record& record);
 
-  /// Returns the reason for which no pictures can be drawn at all; empty if pictures can be drawn.
+  /// Returns the reason, as warnings, why no pictures can be drawn at all; empty if pictures can be
+  /// drawn.
   diag::Findings TakeFindings() { return std::move(findings_); }
 
  private:
@@ -34,8 +35,8 @@ class Thumbnails {
   /// Returns the recipe of the batch, which is loaded for the first record; null if the record
   /// belongs to another spec.
   const forge::Recipe* RecipeOf(const manifest::Record& record);
-  /// Makes the object of a record again. Returns null on failure, or if the file of the object does
-  /// not have the hash `sha256` (unless `sha256` is empty).
+  /// Makes the object of a record again. Returns null on failure, or if `sha256` is not empty and
+  /// differs from the hash of the new text.
   std::unique_ptr<picture::Subject> MakeAgain(const manifest::Record& record,
                                               const std::string& sha256);
 

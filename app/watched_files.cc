@@ -1,4 +1,4 @@
-// Files that are watched for changes, as editors make them.
+// Watch for changes of files, by polling.
 #include "watched_files.h"
 
 #include <sys/stat.h>

@@ -1,4 +1,4 @@
-// Files that are watched for changes, as editors make them.
+// Watch for changes of files, by polling.
 #pragma once
 
 #include <ctime>
@@ -15,15 +15,17 @@ class WatchedFiles {
  public:
   explicit WatchedFiles(const std::vector<std::filesystem::path>& files = {});
 
-  /// Waits until a file was changed, made or removed since the constructor ran, and then until no
-  /// file changes for a moment, because an editor may write a file in several steps.
+  /// Waits until a file is changed, made or removed (since the constructor, or since HasChanged()
+  /// last returned true), and then until no file changes for a moment, because an editor may write
+  /// a file in several steps.
   void Wait();
 
   /// Watches another file from now on, unless it is watched already.
   void Add(const std::filesystem::path& file);
 
   /// Returns true if a file was changed, made or removed since the constructor ran or this function
-  /// last returned true, and no file has changed since the last call. To be called at intervals.
+  /// last returned true, and no file has changed since the last call. Call this function at
+  /// intervals.
   bool HasChanged();
 
  private:

@@ -1,4 +1,4 @@
-// A child process that answers requests, and is replaced when one of them makes it crash or hang.
+// A child process that answers requests, and is replaced when a request makes it crash or hang.
 #include "worker_process.h"
 
 #include <sys/socket.h>
@@ -20,7 +20,7 @@
 namespace mjforge::app {
 namespace {
 
-// Closes all files but standard input, output and error, and `kept`, so that the process does not
+// Closes all files except standard input, output, error, and `kept`, so that the process does not
 // hold the connections of browsers open.
 void CloseOtherFiles(int kept) {
   const auto file = static_cast<unsigned>(kept);

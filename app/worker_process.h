@@ -1,4 +1,4 @@
-// A child process that answers requests, and is replaced when one of them makes it crash or hang.
+// A child process that answers requests, and is replaced when a request makes it crash or hang.
 #pragma once
 
 #include <sys/types.h>
@@ -15,8 +15,8 @@ using Worker = std::function<std::string(std::string_view request)>;
 using WorkerMaker = std::function<Worker()>;
 
 /// The child process and a socket to it. Requests and answers are preceded by their length, 8 bytes
-/// in the machine's order. The process has at most 8 GiB of memory, ignores Ctrl-C, and ends with
-/// this process or when the socket is closed.
+/// in the machine's byte order. The process has at most 8 GiB of memory, ignores Ctrl-C, and ends
+/// with this process or when the socket is closed.
 class WorkerProcess {
  public:
   static constexpr std::size_t kHeadBytes = 8;

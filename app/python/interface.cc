@@ -69,7 +69,8 @@ struct MjforgeArchive {
 
 namespace {
 
-// Returns find(word); throws an exception with the known words if it finds nothing.
+// Returns the value that `find` finds for `word`; throws an exception that lists the known words if
+// `find` finds nothing.
 template <typename Find, typename Words>
 auto FindWord(std::string_view option, std::string_view word, const Find& find,
               const Words& words) {

@@ -88,17 +88,18 @@ MjforgeTable* MjforgeOpenTable(const char* const* members, std::size_t count);
 void MjforgeCloseTable(MjforgeTable* table);
 /// Makes at most `count` variants with the indices index, index + step, ... and stops at the first
 /// variant that fails. Adds the records of the variants before the failure to a table, and returns
-/// the number of these records. `inputs` is as in MjforgeVariant.
+/// the number of these records. Sets `inputs` like MjforgeVariant::inputs.
 std::size_t MjforgeMakeRows(MjforgeMaker* maker, std::uint64_t index, std::uint64_t step,
                             std::size_t count, MjforgeTable* table, MjforgeText* inputs);
 /// Adds a record, a line of a manifest. Returns 0 on success, 1 if it is not a JSON object, 2 if
 /// there is not enough memory.
 int MjforgeAddRecord(MjforgeTable* table, const char* record, std::size_t size);
-/// Returns [number of rows, texts, columns] as JSON, where a column is [key, kinds, inner columns],
-/// with the kinds of manifest::Column; empty if there is not enough memory. Columns are numbered,
+/// Returns [number of rows, texts, columns] as JSON; empty if there is not enough memory. A column
+/// is [key, kinds, inner columns], with the kinds of manifest::Column. Columns are numbered from 0,
 /// each before its inner columns.
 MjforgeText MjforgeLayout(MjforgeTable* table);
-/// Return the kinds and the values of a column of the last layout, one for each row.
+/// Return the kinds and the values of column number `column` in the last MjforgeLayout, one for
+/// each row.
 const char* MjforgeKinds(MjforgeTable* table, std::size_t column);
 const std::uint64_t* MjforgeValues(MjforgeTable* table, std::size_t column);
 
@@ -123,9 +124,9 @@ void MjforgeCloseLines(MjforgeLines* lines);
 /// frame.
 int MjforgeNextLine(MjforgeLines* lines, MjforgeText* line);
 
-/// Returns the elements of an MJCF text as JSON: [tag, {attribute: value}, [child, ...]]; numbers
-/// are numbers or lists of them. Empty if the text is not XML. Valid until the next call in this
-/// thread.
+/// Returns the elements of an MJCF text as JSON: [tag, {attribute: value}, [child, ...]].
+/// Attributes that consist of numbers become numbers or lists of numbers. Empty if the text is not
+/// XML. Valid until the next call in this thread.
 MjforgeText MjforgeElements(const char* mjcf, std::size_t size);
 /// Returns the specs in the search path, whose last folder is `catalogue`, as JSON: [[name, path],
 /// ...]. The text is valid until the next call in this thread.

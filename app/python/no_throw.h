@@ -1,4 +1,4 @@
-// Calls that throw no exception, for C.
+// Calls that turn exceptions into return values, for functions that C code calls.
 #pragma once
 
 #include <exception>

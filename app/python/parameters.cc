@@ -1,4 +1,4 @@
-// Description of a spec's parameters: type, distribution, bounds and choices.
+// Description of a spec's parameters as JSON: type, distribution, bounds and choices.
 #include "parameters.h"
 
 #include <algorithm>
@@ -38,7 +38,8 @@ void WriteBounds(diag::Json& json, const Value& value) {
   }
 }
 
-// Writes the key of the distribution that a value is drawn from; null if it is no draw by itself.
+// Writes the name of the distribution from which a value is drawn; null if the value is not a draw
+// itself (an expression, for example).
 void WriteDistribution(diag::Json& json, const Value& value) {
   const auto* draw = std::get_if<spec::Draw>(&value.form);
   if (draw == nullptr) {

@@ -6,10 +6,10 @@
 
 namespace mjforge::python {
 
-/// Writes a list of objects with the members name, unit, doc, spec (the value as written), type,
-/// components, distribution, low, high and choices. `low` and `high` are numbers, or lists for
-/// vectors. A member is null if it does not apply to the parameter, or if only a variant determines
-/// its value.
+/// Writes a list of objects with the members name, unit, section, doc, spec (the value as written),
+/// type, components (0 for a list), distribution, distributions (of a vector's components), low,
+/// high and choices. `low` and `high` are numbers, or lists for vectors. A member is null if it
+/// does not apply to the parameter, or if only a variant determines its value.
 void WriteParameters(diag::Json& json, const spec::ObjectSpec& spec);
 
 }  // namespace mjforge::python

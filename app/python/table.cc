@@ -1,4 +1,4 @@
-// C interface: tables of records.
+// C interface: tables whose rows are records of variants.
 #include "table.h"
 
 #include <set>

@@ -1,4 +1,4 @@
-// Tables behind the C interface.
+// Tables of records behind the C interface.
 #pragma once
 
 #include <string>

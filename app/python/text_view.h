@@ -1,4 +1,4 @@
-// Texts that the C interface returns.
+// Conversion of texts for the C interface.
 #pragma once
 
 #include <string_view>

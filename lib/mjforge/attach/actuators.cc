@@ -14,8 +14,8 @@ std::string WordOf(int number) {
   return std::string(engine::WordOf(static_cast<Type>(number)));
 }
 
-/// Returns the numbers without zeros at the end, which are MuJoCo's defaults. Keeps the first
-/// number, whose default is not 0.
+/// Returns the numbers without zeros at the end, because MuJoCo's default of these numbers is 0.
+/// Keeps the first number, whose default is not 0.
 std::span<const mjtNum> WithoutZeros(std::span<const mjtNum> numbers) {
   while (numbers.size() > 1 && numbers.back() == 0) numbers = numbers.first(numbers.size() - 1);
   return numbers;

@@ -15,8 +15,8 @@ namespace mjforge::attach {
 
 using xml::XmlElement;
 
-/// Appends attributes to an element, in the form that spec::ElementInfo states for the element.
-/// Omits attributes that are equal to their defaults.
+/// Appends attributes to an element, with the keys and properties that spec::ElementInfo gives for
+/// the element. Read() omits attributes that are equal to their defaults.
 class Attributes {
  public:
   Attributes(const spec::ElementInfo& info, std::vector<model::Attribute>& out)
@@ -43,7 +43,7 @@ class Attributes {
 void CopyAttributes(const XmlElement& element, std::span<const std::string_view> names,
                     std::vector<model::Attribute>& out);
 
-/// Returns the id-th group of `count` numbers in an array of mjModel.
+/// Returns row `id` of an array of mjModel that has `count` numbers per row.
 inline std::span<const mjtNum> Row(const mjtNum* array, int id, int count) {
   return {array + static_cast<std::ptrdiff_t>(id) * count, static_cast<std::size_t>(count)};
 }

@@ -1,4 +1,5 @@
-// Reads the meshes of an MJCF file in the frames of their assets.
+// Reads the meshes of an MJCF file in the frames of the mesh assets, before MuJoCo moved them into
+// inertial frames.
 #include "mjforge/attach/mesh_reader.h"
 
 #include <optional>
@@ -43,7 +44,8 @@ void CopyMeshes(const XmlElement& from, XmlElement& to) {
   }
 }
 
-/// Returns the attribute `scale`; nullopt if the attribute is not three numbers.
+/// Returns the attribute `scale` of a mesh; nullopt if the attribute is missing or is not three
+/// numbers.
 std::optional<Eigen::Vector3d> ParseScale(const XmlElement& mesh) {
   const std::string* text = mesh.Find("scale");
   if (text == nullptr) return std::nullopt;

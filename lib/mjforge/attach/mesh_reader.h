@@ -1,4 +1,5 @@
-// Reads the meshes of an MJCF file in the frames of their assets.
+// Reads the meshes of an MJCF file in the frames of the mesh assets, before MuJoCo moved them into
+// inertial frames.
 #pragma once
 
 #include <map>

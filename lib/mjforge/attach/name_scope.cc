@@ -1,4 +1,4 @@
-// Chooses the bodies of an attachment and makes their names valid and unique.
+// Chooses the bodies and elements of an attachment, and makes their names valid and unique.
 #include "mjforge/attach/name_scope.h"
 
 #include <fmt/format.h>

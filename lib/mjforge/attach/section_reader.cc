@@ -1,4 +1,5 @@
-// Copies contacts and equalities into an attachment, and references of all sections.
+// Copies contacts and equalities from a compiled model into an attachment, and the references of
+// elements in all sections.
 #include "mjforge/attach/section_reader.h"
 
 #include <algorithm>

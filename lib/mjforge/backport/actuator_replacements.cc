@@ -13,11 +13,12 @@ bool IsServo(const xml::XmlElement& element) {
   return element.tag == "position" || element.tag == "intvelocity";
 }
 
-/// The gains of a servo, set by the servo itself or by its default classes.
+/// The gains of a servo (an actuator `position` or `intvelocity`), set by the servo itself or by
+/// its default classes.
 struct Gains {
   std::string kp = "1";
   std::string kv;
-  bool mixed = false;  // true: default classes also set gains of actuators that are no servos
+  bool mixed = false;  // true: default classes also set gains of actuators that are not servos
 };
 
 void ReadGains(const xml::XmlElement& element, Gains& gains) {
@@ -41,7 +42,8 @@ std::string Negative(const std::string& number) {
 
 bool IsNumber(const std::string& text) { return xml::NumbersOf(text).size() == 1; }
 
-/// Returns the attribute that names the target of an actuator: "joint", "tendon", ...
+/// Returns the attribute that names the target of an actuator ("joint", "tendon", ...); an empty
+/// text if the actuator has none.
 std::string_view TransmissionOf(const xml::XmlElement& actuator) {
   for (const std::string_view attribute :
        {"joint", "jointinparent", "tendon", "site", "cranksite", "slidersite", "body"}) {
@@ -79,7 +81,8 @@ void Replacements::ReplaceDamping(ClassedElement& servo) {
   MarkReplaced(servo, "kv");
 }
 
-// Replaces `inheritrange` by the range of the joint or tendon, scaled about the range's middle.
+// Replaces `inheritrange` of a servo by the control or activation range that it stands for: the
+// range of the joint or tendon, scaled about its middle.
 void Replacements::ReplaceInheritedRange(ClassedElement& actuator) {
   const std::string* inherit = FindMissing(actuator, "inheritrange");
   if (inherit == nullptr || !IsNumber(*inherit)) return;
@@ -131,8 +134,9 @@ std::optional<std::vector<ClassedElement*>> Replacements::ActuatorsOf(const std:
   return drivers;
 }
 
-// Replaces the force range of a joint by a force range of its actuator, if exactly one actuator
-// moves the joint.
+// Replaces the force range of a joint by a force range of its actuator if exactly one actuator
+// moves the joint. Marks the attributes as without effect if the limit is off or no actuator moves
+// the joint.
 void Replacements::ReplaceJointForceRange(ClassedElement& joint, std::string_view range,
                                           std::string_view limited) {
   const bool has_limited = FindMissing(joint, limited) != nullptr;

@@ -1,5 +1,5 @@
-// Backports a tree of MJCF: applies legacy rules and replacements, and removes or reports what an
-// older MuJoCo lacks.
+// Backports a tree of MJCF elements: applies legacy rules and replacements, and removes or reports
+// elements and attributes that an older MuJoCo does not have.
 #include "mjforge/backport/backport.h"
 
 #include <algorithm>
@@ -27,7 +27,8 @@ namespace {
 
 using diag::Code;
 
-/// Returns the reason why a feature can be removed; an empty text if the feature changes the model.
+/// Returns the reason, for a warning, why a feature can be removed; an empty text if removal would
+/// change the model.
 std::string_view ReasonOf(Effect effect) {
   switch (effect) {
     case Effect::kLooks:
@@ -55,8 +56,8 @@ bool IsNeutral(const MjcfFeature& feature, const std::string& value) {
   return !usual.empty() && std::ranges::all_of(numbers, [&](double n) { return n == usual[0]; });
 }
 
-/// Returns an equivalent list with the length that the older release requires; nullopt if there is
-/// none.
+/// Returns a list with the same meaning and the length that the older release requires; nullopt if
+/// there is none.
 std::optional<std::vector<double>> Resized(const MjcfList& list, std::vector<double> numbers) {
   const std::vector<double> usual = xml::NumbersOf(list.usual);
   const double neutral = list.beyond.empty() ? numbers[0] : xml::NumbersOf(list.beyond)[0];
@@ -103,8 +104,8 @@ class Backporter {
   }
 
  private:
-  /// Writes lists of numbers in the lengths that the release requires, and reports each list that
-  /// no list of the required length can express. Returns true if the tree changed.
+  /// Writes lists of numbers in the lengths that the release requires. Reports each list that has
+  /// no equivalent of the required length. Returns true if the tree changed.
   bool ResizeLists(xml::XmlElement& parent) {
     bool changed = false;
     for (xml::XmlElement& child : parent.children) {
@@ -167,8 +168,9 @@ class Backporter {
     });
   }
 
-  /// Adds an error for each attribute of `element`, which is in `<default>`, that the release lacks
-  /// and without which `classed`, an element that inherits the attribute, would change its meaning.
+  /// Adds an error for each attribute of `element`, an element in `<default>`, that the release
+  /// lacks and that cannot be removed because `classed` inherits the attribute and would change its
+  /// meaning.
   void CheckInherited(const ClassedElement& classed, const xml::XmlElement& element) {
     for (const auto& [name, value] : element.attributes) {
       const MjcfFeature* feature = FindMissing("default", element.tag, name, value);
@@ -184,7 +186,8 @@ class Backporter {
     }
   }
 
-  /// Removes all elements and attributes that the release lacks, and reports them if `reported`.
+  /// Removes all elements and attributes that the release lacks. Warns of them or reports them as
+  /// errors if `reported` is true.
   void RemoveMissing(xml::XmlElement& parent, bool reported) {
     for (xml::XmlElement& child : parent.children) {
       const bool is_reported = reported && !IsUnused(parent, child);
@@ -204,15 +207,16 @@ class Backporter {
     });
   }
 
-  /// Returns true for attributes that AddMeshInertia() applies and removes.
+  /// Returns true for an attribute `inertia` of a mesh that stays in the tree, because
+  /// AddMeshInertia() applies and removes it.
   bool IsDeferred(const xml::XmlElement& parent, const xml::XmlElement& element,
                   const std::string& attribute) const {
     return parent.tag == "asset" && element.tag == "mesh" && attribute == "inertia" &&
            replacements_->Find(&element, attribute) == "";
   }
 
-  /// Returns true if only the bodies of the file are used, and the section only sets options of the
-  /// whole model.
+  /// Returns true if only the bodies of the file are used (Use::kBodies), and `section` only sets
+  /// options of the whole model.
   bool IsUnused(const xml::XmlElement& parent, const xml::XmlElement& section) const {
     constexpr std::string_view kOfModel[] = {"option", "size", "visual", "statistic", "keyframe"};
     return use_ == Use::kBodies && parent.tag == "mujoco" &&
@@ -275,9 +279,9 @@ class Backporter {
                              engine::Version());
   }
 
-  /// Returns a shell command that writes a copy of the file without frames, replicates and
-  /// attachments beside the file. MuJoCo 3.3.7 keeps only frames with a name or a class; MuJoCo 4.0
-  /// keeps all frames.
+  /// Returns a shell command that writes a copy of the file, without frames, replicates and
+  /// attachments, into the same folder. MuJoCo 3.3.7 keeps only frames with a name or a class;
+  /// MuJoCo 4.0 keeps all frames.
   std::string ConversionCommand() const {
     std::string file = sources_.Name(root_.mark.file);
     if (file.starts_with('<')) file = "FILE.xml";  // standard input has no file name
@@ -296,8 +300,8 @@ class Backporter {
     return only_value ? attribute + "=" + *value : attribute;
   }
 
-  /// Returns true, and stores the name, if no attribute of this name (no element of this tag, if
-  /// `attribute` is empty) was reported in the element's file before.
+  /// Returns true when this attribute is reported for the first time in the element's file, by
+  /// name; if `attribute` is empty, when an element with this tag is. Stores the name.
   bool IsNew(const xml::XmlElement& element, const std::string& attribute) {
     const std::string& name = attribute.empty() ? '<' + element.tag : attribute;
     return reported_.emplace(element.mark.file, name).second;

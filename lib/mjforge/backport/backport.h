@@ -1,4 +1,4 @@
-// Rewords MJCF for an older MuJoCo: trees of elements, files, and masses of meshes.
+// Backport of MJCF: rewrites files so that they have the same meaning in an older MuJoCo.
 #pragma once
 
 #include "mjforge/backport/key_limits.h"
@@ -22,11 +22,11 @@ enum class Use {
 
 /// Changes the tree so that it means the same in release `version` (a mjVERSION_HEADER), and
 /// returns true if the tree changed. Ranges apply without `limited`, as in MuJoCo 3.0 and later.
-/// Elements and attributes of later releases are replaced by equivalent older ones. If there are
-/// none, a feature that affects only pictures or how a model is computed is removed with a warning;
-/// any other feature is an error. Each attribute is reported once per file, at its first place.
-/// With kWholeModel, warns of attributes that releases after `version` reject. With kBodies, frames
-/// and replicates stay in the tree if the MuJoCo of this build expands them.
+/// Replaces elements and attributes of later releases by equivalent older ones. If there are none,
+/// removes features that affect only pictures or how a model is computed, with a warning; any other
+/// feature is an error. Reports each attribute once per file, at its first place. With kWholeModel,
+/// warns of attributes that releases after `version` reject. With kBodies, frames and replicates
+/// stay in the tree if the MuJoCo of this build expands them.
 bool BackportMjcf(xml::XmlElement& root, int version, Use use, const diag::Sources& sources,
                   diag::Findings& findings);
 

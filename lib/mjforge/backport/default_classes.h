@@ -14,7 +14,7 @@ namespace mjforge::backport {
 struct ClassedElement {
   xml::XmlElement* element = nullptr;
   const xml::XmlElement* parent = nullptr;
-  std::string_view kind;      // from ElementKindOf(); empty if the element has no defaults
+  std::string_view kind;      // from ElementKindOf(); empty if no defaults apply
   std::string default_class;  // empty for the main class
 };
 
@@ -32,7 +32,8 @@ class DefaultClasses {
   /// for "joint".
   std::vector<ClassedElement*> In(std::string_view kind);
 
-  /// Returns an attribute of the element, or else of its default class; null if neither has it.
+  /// Returns an attribute of the element, or else of the default classes that apply to it; null if
+  /// none of them sets the attribute.
   const std::string* Find(const ClassedElement& classed, std::string_view attribute) const;
   std::string Get(const ClassedElement& classed, std::string_view attribute,
                   std::string_view otherwise) const;

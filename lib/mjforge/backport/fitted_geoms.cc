@@ -1,4 +1,5 @@
-// Loads the meshes in geoms of type mesh, and reads their frames and bounding boxes.
+// Fitting of geoms to meshes (`fitaabb`): lets MuJoCo load the meshes, and computes sizes and poses
+// of the shapes from their bounding boxes.
 #include "mjforge/backport/fitted_geoms.h"
 
 #include <algorithm>
@@ -64,8 +65,9 @@ class GeomFitter {
  private:
   static std::string NameOf(std::size_t i) { return fmt::format("geom{}", i); }
 
-  /// Returns true for geoms that can be replaced. An orientation of a default class would have
-  /// precedence over the geom's `quat`, and `fromto` is an error that MuJoCo reports.
+  /// Returns true for primitive geoms with a mesh that can be replaced: geoms without `fromto`,
+  /// which is an error that MuJoCo reports, and without an orientation from a default class, which
+  /// would have precedence over the geom's `quat`.
   bool IsFitted(const ClassedElement& geom) const {
     const std::string& parent = geom.parent->tag;
     if (parent != "body" && parent != "worldbody" && parent != "frame") return false;
@@ -92,7 +94,7 @@ class GeomFitter {
   }
 
   /// Returns a model that has only the meshes: each fitted geom becomes a massless geom of type
-  /// mesh, at the same pose.
+  /// mesh at the same pose, in the world body.
   xml::XmlElement MeshModel() {
     xml::XmlElement model = Element("mujoco");
     xml::XmlElement assets = Element("asset");

@@ -14,8 +14,8 @@ namespace mjforge::backport {
 /// axis-aligned bounding box contains that of the mesh. Older releases fit a sphere, capsule or
 /// cylinder around all vertices, and rotate the centre of the box wrongly; MuJoCo 2.2 also ignores
 /// the mesh's centre of mass. `load` loads an MJCF text as if it were the content of the file.
-/// Changes nothing if MuJoCo rejects the meshes. Returns the place of the first changed geom; no
-/// place if there is none.
+/// Changes nothing if MuJoCo rejects the meshes, or follows this rule itself. Returns the place of
+/// the first changed geom; an empty mark if there is none.
 diag::SourceMark FitGeoms(xml::XmlElement& root,
                           const std::function<engine::Loaded(const std::string&)>& load);
 

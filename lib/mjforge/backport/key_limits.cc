@@ -1,4 +1,4 @@
-// Removes attributes of keys that are too long for older MuJoCo releases.
+// Removes attributes of `<key>` elements that are too long for older MuJoCo releases.
 #include "mjforge/backport/key_limits.h"
 
 #include <algorithm>

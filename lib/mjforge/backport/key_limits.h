@@ -1,4 +1,4 @@
-// Limit on the numbers of a keyframe in older MuJoCo releases.
+// Limit of older MuJoCo releases on the number of values in a keyframe.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,8 @@ namespace mjforge::backport {
 inline constexpr std::size_t kMaxKeyNumbers = 1000;
 
 /// Removes attributes with more than kMaxKeyNumbers numbers from all keys if the release `version`
-/// has this limit, and returns true if the tree changed. Warns of each key that is changed, unless
-/// `findings` is null.
+/// (a mjVERSION_HEADER) has this limit, and returns true if the tree changed. Warns of each removed
+/// attribute, unless `findings` is null.
 bool RemoveLongKeys(xml::XmlElement& root, int version, const diag::Sources& sources,
                     diag::Findings* findings);
 

@@ -1,4 +1,4 @@
-// Applies the rules of later releases in the order in which they depend on each other.
+// Applies the rules of later MuJoCo releases in the order in which they depend on each other.
 #include "mjforge/backport/later_rules.h"
 
 #include "mjforge/backport/fitted_geoms.h"
@@ -11,7 +11,7 @@ RuleDifferences ApplyLaterRules(xml::XmlElement& root,
                                 const std::function<engine::Loaded(const std::string&)>& load) {
   RuleDifferences rules;
   rules.fitted = FitGeoms(root, load);
-  rules.mass = AddMeshInertia(root, load);  // also the masses of fitted and of discarded geoms
+  rules.mass = AddMeshInertia(root, load);  // before the next step, which removes geoms with mass
   rules.visible = KeepReferencedGeoms(root);
   return rules;
 }

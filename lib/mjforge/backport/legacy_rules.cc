@@ -19,7 +19,7 @@ constexpr std::pair<std::string_view, std::string_view> kLimits[] = {{"range", "
                                                                      {"forcerange", "forcelimited"},
                                                                      {"actrange", "actlimited"}};
 
-/// Returns true if any descendant of the element has a range without the attribute that enables it.
+/// Returns true if the element or any descendant has a range without the attribute that enables it.
 bool NeedsLimits(const xml::XmlElement& element) {
   const auto lacks = [&](const auto& limit) {
     return element.Find(limit.first) != nullptr && element.Find(limit.second) == nullptr;
@@ -51,8 +51,8 @@ bool HasState(const DefaultClasses& elements, const ClassedElement& actuator) {
   return tag == "general" && elements.Get(actuator, "dyntype", "none") != "none";
 }
 
-/// Moves actuators with an activation state behind all other actuators; keeps the order of the file
-/// otherwise.
+/// Moves actuators with an activation state behind all other actuators; otherwise keeps the order
+/// of the file. Returns true if the order changed.
 bool OrderActuators(xml::XmlElement& root) {
   std::set<const xml::XmlElement*> stateful;
   DefaultClasses elements(root);
@@ -75,7 +75,8 @@ bool OrderActuators(xml::XmlElement& root) {
   return changed;
 }
 
-/// Copies `ctrlrange` from default classes into adhesion and damper actuators, which must have it.
+/// Copies `ctrlrange` from default classes into adhesion and damper actuators, because older
+/// releases require the attribute in the actuator itself.
 bool CopyRanges(xml::XmlElement& root) {
   bool changed = false;
   DefaultClasses elements(root);

@@ -1,4 +1,5 @@
-// Loads copies of a model in which boxes replace meshes, and reads the inertia of their bodies.
+// Inertia of bodies with meshes, which MuJoCo computes from copies of the model in which boxes
+// replace the meshes.
 #include "mjforge/backport/mesh_inertia.h"
 
 #include <algorithm>
@@ -41,7 +42,8 @@ class MeshInertia {
       RemoveInertiaAttributes(root_);
       return first_;
     }
-    // If MuJoCo rejects the file for another reason, remove `inertia`, which would hide the reason.
+    // If MuJoCo rejects the file even without `inertia`, removes this attribute, because MuJoCo's
+    // error about it would hide the reason.
     xml::XmlElement without_inertia = root_;
     RemoveInertiaAttributes(without_inertia);
     if (!load(xml::Flatten(without_inertia).text).model) RemoveInertiaAttributes(root_);
@@ -66,7 +68,7 @@ class MeshInertia {
     if (!boxes.model) return false;
     for (xml::XmlElement& section : root_.children) {
       if (section.tag == "worldbody") AddInertials(section, *boxes.model);
-      // With `inertiafromgeom="true"` MuJoCo would replace the inertias by its own.
+      // Sets `auto`, because MuJoCo replaces `<inertial>` elements if the setting is "true".
       if (section.tag == "compiler" && replaces_) section.Set("inertiafromgeom", "auto");
     }
     return true;
@@ -111,8 +113,8 @@ class MeshInertia {
   }
   static bool HasInertial(const xml::XmlElement& body) { return HasChild(body, "inertial"); }
 
-  /// Adds the geom to geoms_ and returns true if it is a mesh with a mass; returns false for other
-  /// geoms.
+  /// Returns true if the geom is a mesh with a mass, unless it is a shell, and adds the geom to
+  /// geoms_; returns false for other geoms.
   bool AddMesh(DefaultClasses& elements, const ClassedElement& geom) {
     if (elements.Get(geom, "type", "") != "mesh") return false;
     if (elements.Get(geom, "shellinertia", "false") != "false") return false;
@@ -133,8 +135,8 @@ class MeshInertia {
     return MeshInertiaKind::kLegacy;
   }
 
-  /// Copies only the bodies: with massless meshes or, if `meshes` is the compiled model of such a
-  /// copy, with boxes of the same inertia in their places.
+  /// Copies only the bodies: with massless meshes if `meshes` is null. If `meshes` is the compiled
+  /// model of such a copy, boxes of the same inertia replace the meshes.
   xml::XmlElement Copy(const mjModel* meshes) const {
     xml::XmlElement copy;
     copy.tag = root_.tag;
@@ -147,7 +149,7 @@ class MeshInertia {
     return copy;
   }
 
-  /// Copies a compiler section without the settings that move or scale masses.
+  /// Copies a compiler section without the settings that change, merge or discard masses.
   xml::XmlElement CopyCompiler(const xml::XmlElement& section, const mjModel* meshes) const {
     xml::XmlElement copy = section;
     for (const char* name : {"settotalmass", "fusestatic", "discardvisual"}) copy.Remove(name);

@@ -125,9 +125,9 @@ std::optional<MeshInertiaKind> KindNamed(std::string_view word) {
 
 MeshMeasure Measure(const mjModel& m, int mesh, MeshInertiaKind kind) {
   MeshMeasure measured;
-  // Follows MuJoCo's steps, because the sums over an open mesh depend on the apex of the pyramids.
-  // The apex is the centroid of the surface for the centre of mass, then the centre of mass for
-  // mass and inertia.
+  // Uses MuJoCo's apex for the pyramids, because the sums over an open mesh depend on it: the
+  // centroid of the surface for the centre of mass, and then the centre of mass for mass and
+  // inertia.
   if (kind != MeshInertiaKind::kLegacy) {
     Vector apex = {};
     for (const MeshInertiaKind step : {MeshInertiaKind::kShell, kind}) {

@@ -18,7 +18,7 @@ enum class MeshInertiaKind {
   kShell,   // the faces themselves; densities are masses per area
 };
 
-/// Returns the kind that a keyword of MJCF names; nullopt for other words.
+/// Returns the kind for a value of the MJCF attribute `inertia`; nullopt for other words.
 std::optional<MeshInertiaKind> KindNamed(std::string_view word);
 
 /// A box with the inertia of a mesh, in the frame of the compiled mesh.

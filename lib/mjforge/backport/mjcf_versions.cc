@@ -1,4 +1,5 @@
-// Table of the elements and attributes that MJCF gained after MuJoCo 2.2.2, and of its lists.
+// Tables of the elements and attributes that MJCF gained after MuJoCo 2.2.2, and of lists of
+// numbers whose lengths changed.
 #include "mjforge/backport/mjcf_versions.h"
 
 #include <algorithm>

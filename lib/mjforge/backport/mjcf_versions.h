@@ -51,12 +51,15 @@ struct MjcfList {
   std::string_view beyond = {};
 };
 
-/// Returns the row of a list of numbers; null if all releases require the same length.
+/// Returns the row of the table of lists (MjcfList) for an attribute of the element `tag` below
+/// `parent`; null if the table has no such row.
 const MjcfList* FindList(std::string_view parent, std::string_view tag, std::string_view attribute);
 
-/// Returns the row of an element; null if MuJoCo 2.2.2 has the element, or no release has it.
+/// Returns the row of the table of features for the element `tag` below `parent`; null if MuJoCo
+/// 2.2.2 has the element, or no release has it.
 const MjcfFeature* FindFeature(std::string_view parent, std::string_view tag);
-/// Returns the row of an element's attribute with this value; null if there is none.
+/// Returns the row for an attribute of the element `tag` below `parent`, with this value; null if
+/// the table has no such row.
 const MjcfFeature* FindFeature(std::string_view parent, std::string_view tag,
                                std::string_view attribute, std::string_view value);
 

@@ -27,7 +27,7 @@ struct BackportedTree {
 /// Returns the backported tree of a file; nullopt if the file needs no change, or after an error.
 std::optional<BackportedTree> BackportFile(const std::filesystem::path& file,
                                            diag::Sources& sources, diag::Findings& findings) {
-  diag::Findings of_includes;  // ignored: MuJoCo reports problems of includes itself
+  diag::Findings of_includes;  // ignored, because MuJoCo reports problems of includes itself
   std::optional<xml::XmlElement> root = xml::ReadXml(file, sources, of_includes);
   if (!root) return std::nullopt;
   const bool is_later = BackportMjcf(*root, mjVERSION_HEADER, Use::kWholeModel, sources, findings);

@@ -12,7 +12,7 @@
 
 namespace mjforge::backport {
 
-/// An MJCF file that was read.
+/// An MJCF file that was read by ReadModelFile().
 struct ModelFile {
   std::uint32_t source = 0;  // the file's number in Sources
   bool has_includes = false;

@@ -1,4 +1,4 @@
-// The table of attributes and values that later MuJoCo releases reject.
+// Table of attributes and values that later MuJoCo releases reject, and warnings about them.
 #include "mjforge/backport/refused_attributes.h"
 
 #include <algorithm>

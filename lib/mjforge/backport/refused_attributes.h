@@ -23,7 +23,8 @@ std::optional<AttributeRefusal> FindRefusal(std::string_view parent, std::string
                                             std::string_view attribute, std::string_view value,
                                             int version);
 
-/// Returns the end of a warning: "has 'znear=0'; MuJoCo 2.3.0 and later require ...".
+/// Returns the end of a warning, which follows the name of an element: "has 'znear=0'; MuJoCo 2.3.0
+/// and later require ...".
 std::string RefusalText(const AttributeRefusal& refusal, std::string_view attribute,
                         std::string_view value);
 

@@ -72,7 +72,8 @@ void Replacements::ReplaceLightType(ClassedElement& light) {
   MarkReplaced(light, "type");
 }
 
-// Replaces the sensor size of a pinhole camera by `fovy`, computed from focal length and height.
+// Replaces the sensor size of a pinhole camera by `fovy`, computed from the focal length and the
+// height of the sensor.
 void Replacements::ReplaceSensorSize(ClassedElement& camera) {
   if (FindMissing(camera, "sensorsize") == nullptr) return;
   const auto vertical = [&](std::string_view attribute) {

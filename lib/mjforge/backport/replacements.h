@@ -12,24 +12,24 @@
 
 namespace mjforge::backport {
 
-/// Replaces attributes that releases after `version` added by older attributes with exactly the
-/// same meaning, where such attributes exist.
+/// Replaces attributes that are newer than the release `version` (a mjVERSION_HEADER) by older
+/// attributes with exactly the same meaning, where such attributes exist.
 class Replacements {
  public:
   Replacements(DefaultClasses& elements, int version) : elements_(elements), version_(version) {}
 
   /// Makes all replacements.
   void Run();
-  /// Returns an empty text if the attribute was replaced (the element, if `attribute` is empty). If
-  /// the attribute has no effect in this file, returns the reason. Otherwise returns nullopt.
+  /// Returns an empty text if the attribute (or the element, if `attribute` is empty) was replaced.
+  /// If the attribute has no effect in this file, returns the reason. Otherwise returns nullopt.
   std::optional<std::string_view> Find(const xml::XmlElement* element,
                                        std::string_view attribute) const;
 
  private:
-  /// Returns an attribute of the element or its default class; null if the release has the
-  /// attribute, or if neither the element nor the class sets the attribute.
+  /// Returns the value of an attribute that `version` lacks, set by the element or its default
+  /// classes; null if the release has the attribute, or if it is not set.
   const std::string* FindMissing(const ClassedElement& classed, std::string_view attribute) const;
-  /// Marks an attribute as replaced or, with `why_neutral`, as one that changes nothing for this
+  /// Marks an attribute as replaced or, if `why_neutral` is not empty, as without effect for this
   /// reason.
   void MarkReplaced(ClassedElement& classed, std::string_view attribute,
                     std::string_view why_neutral = {});

@@ -1,4 +1,4 @@
-// Checks the names that a sensor refers to.
+// Check that the elements to which a sensor refers exist.
 #include "mjforge/backport/sensor_references.h"
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 namespace mjforge::backport {
 namespace {
 
-/// Attributes of sensors that name an element, and the element's kind. "@objtype" stands for the
-/// kind that the attribute `objtype` names.
+/// Attributes of sensors that name another element, and the kind of that element. "@objtype": the
+/// attribute `objtype` has the kind.
 constexpr std::pair<std::string_view, std::string_view> kReferences[] = {
     {"site", "site"},     {"joint", "joint"},      {"tendon", "tendon"},   {"actuator", "actuator"},
     {"camera", "camera"}, {"mesh", "mesh"},        {"geom", "geom"},       {"geom1", "geom"},

@@ -1,4 +1,5 @@
-// Removes visual geoms to which nothing refers, in the place of `discardvisual`.
+// Removes visual geoms to which nothing refers, as the compiler setting `discardvisual` does in
+// later MuJoCo releases.
 #include "mjforge/backport/visual_geoms.h"
 
 #include <algorithm>

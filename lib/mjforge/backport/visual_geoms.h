@@ -9,7 +9,7 @@
 
 namespace mjforge::backport {
 
-/// Returns true if the text of a number is zero.
+/// Returns true if the text of a number means zero.
 bool IsZero(const std::string& text);
 /// Returns true for geoms with a `contype` and `conaffinity` of 0.
 bool IsVisual(const DefaultClasses& elements, const ClassedElement& geom);

@@ -1,5 +1,5 @@
-// Capture of stderr: replaces it by a stream of the C library that passes text to the capturing
-// thread.
+// Capture of stderr: replaces `stderr` by a stream of the C library whose text is appended to the
+// CapturedStderr of the printing thread.
 #include "mjforge/engine/captured_stderr.h"
 
 #include <unistd.h>

@@ -1,4 +1,4 @@
-// Loads MJCF in MuJoCo: handlers for errors and warnings, files in memory.
+// Loads MJCF in MuJoCo, with handlers for errors and warnings, and with files in memory.
 #include "mjforge/engine/engine.h"
 
 #include <algorithm>
@@ -37,8 +37,8 @@ bool IsOutOfMemory(std::string_view message) {
 }
 void StoreWarning(const char* message) { thread_warnings.emplace_back(message); }
 
-// Inserts Qhull's reason into MuJoCo's "qhull error". If the model was loaded all the same, adds
-// Qhull's messages to the warnings instead.
+// Inserts Qhull's reason into MuJoCo's error message "qhull error". If the model was loaded in
+// spite of Qhull's messages, adds these to the warnings instead.
 void AddQhullMessages(const std::vector<std::string>& messages, Loaded& loaded) {
   constexpr std::string_view kError = "qhull error";
   const std::size_t at = loaded.error.find(kError);
@@ -50,8 +50,8 @@ void AddQhullMessages(const std::vector<std::string>& messages, Loaded& loaded) 
   }
 }
 
-/// Enlarges a model's stack to the size that MuJoCo 2.2 reserves for models without `nstack`, plus
-/// room for a list of all pairs of bodies.
+/// Enlarges a model's stack, in MuJoCo 2.2, to the size that MuJoCo reserves for models without
+/// `nstack`, plus room for a list of all pairs of bodies.
 void ReserveStack(mjModel& m) {
   if (!kHasFixedBuffers) return;
   BufferSizes sizes = BufferSizesOf(m);
@@ -85,7 +85,7 @@ Loaded Load(const char* file, const mjVFS* vfs) {
   return loaded;
 }
 
-// Words in MuJoCo's warnings and errors, with the shortage that each reports.
+// Parts of MuJoCo's warnings and errors, and the shortage that each part identifies.
 constexpr std::pair<std::string_view, Shortage> kShortages[] = {
     {"contact buffer is full", {"ignores contacts that exceed its buffer", "a larger `nconmax`"}},
     {"constraint buffer is full",

@@ -61,26 +61,26 @@ class Engine {
     diag::Code code = diag::Code::kMujocoError;
     std::string message;
   };
-  /// Puts the files into memory under the names that the text uses. Each file is read at most once;
-  /// generated files must live until the text is loaded. Returns the first problem; nullopt if
-  /// there is none.
+  /// Puts the files into memory under the names that the MJCF text uses. Reads each file at most
+  /// once; the bytes of generated files must live until the text is loaded. Returns the first
+  /// problem; nullopt if there is none.
   std::optional<AssetProblem> SetAssets(const bytes::Assets& assets);
 
-  /// Puts the files into memory, and loads a text that may refer to them. If a file cannot be put
-  /// into memory, the reason is in Loaded::error.
+  /// Puts the files into memory, and loads an MJCF text that may refer to them. If a file cannot be
+  /// put into memory, the reason is in Loaded::error.
   Loaded LoadText(const std::string& text, const bytes::Assets& assets);
-  /// Loads a text that may refer to the files of the last SetAssets().
+  /// Loads an MJCF text that may refer to the files of the last SetAssets().
   Loaded LoadText(const std::string& text);
-  /// Loads a text as if it were a file in `folder`; reads the files that the text names from the
-  /// disk.
+  /// Loads an MJCF text as if it were a file in `folder`; reads the files that the text names from
+  /// the disk.
   Loaded LoadTextIn(const std::filesystem::path& folder, const std::string& text);
   /// Loads an MJCF file or standard input, unchanged; reads the files that the MJCF names from the
   /// disk.
   Loaded LoadFile(const std::filesystem::path& file);
 
  private:
-  /// Returns a file's content, which is read at most once; null if the file cannot be read, or is a
-  /// mesh with an index out of range or a number that is not finite.
+  /// Returns a file's content, which is read at most once. Returns null, and sets `code` and
+  /// `why_not`, if the file cannot be read or is a faulty mesh (mesh_data::CheckFile).
   const std::string* ReadOnce(const std::filesystem::path& file, diag::Code& code,
                               std::string& why_not);
 

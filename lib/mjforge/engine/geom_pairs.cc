@@ -50,7 +50,8 @@ void Append(std::vector<mjtNum>& list, const Array& row) {
 
 }  // namespace
 
-/// Makes a model use only the pairs of a GeomPairs during the lifetime of this object.
+/// Makes a model use only the pairs of a GeomPairs during the lifetime of this object; does nothing
+/// if `kTaken` is false.
 template <class Model, bool kTaken>
 class GeomPairs::ScopedPairs {
  public:

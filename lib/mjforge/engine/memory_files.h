@@ -38,8 +38,8 @@ class MemoryFiles {
   struct Delete {
     void operator()(mjVFS* vfs) const;
   };
-  /// Files that MuJoCo has copied into its file system, by name. Clear() only marks them; Get()
-  /// removes those that were not added again.
+  /// Files that MuJoCo has copied into its file system, by name. Clear() only marks files as not
+  /// wanted; Get() removes the files that were not added again.
   std::map<std::string, Entry> files_;
 #else
   // MuJoCo's functions are not used here, because they copy files and touch all of the 2 MB

@@ -1,4 +1,4 @@
-// Checks the kinds, sizes and pixels of the files that an MJCF text refers to, and its meshes.
+// Checks the files to which an MJCF text refers (kinds, sizes, pixels), and its meshes.
 #include "mjforge/engine/referenced_files.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The files to which a text, or a file that the text includes, refers. MuJoCo 2.2 finds all files
+/// The files to which an MJCF text, or a file that it includes, refers. MuJoCo 2.2 finds all files
 /// relative to the folder of the text.
 class FileScan {
  public:

@@ -1,4 +1,5 @@
-// Contents and names of OBJ and PNG files for meshes and textures.
+// Generation of the OBJ and PNG files of meshes and textures, whose names contain hashes of their
+// contents.
 
 #include "mjforge/files/files.h"
 

@@ -1,5 +1,5 @@
-// Statuses of variants and choices that a whole batch makes, with their names in records and
-// options.
+// Statuses of variants, and options of a whole batch (validation, invalid variants, layout), with
+// their names in records and on the command line.
 
 #pragma once
 
@@ -22,7 +22,8 @@ enum class OnInvalid {
   kSkip,      // a warning is reported, and the other variants are made
   kResample,  // the variant is drawn again, up to forge::kMaxResamples times, then treated as kFail
 };
-/// Requirement on the structures (structure.h) of a batch's variants.
+/// Requirement on the structures of a batch's variants. Variants with one structure have compiled
+/// models with equal elements and types (structure.h).
 enum class Layout {
   kAny,    // a variant may have any structure
   kOne,    // a variant is invalid if its structure differs from that of the first valid variant

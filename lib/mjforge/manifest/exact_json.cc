@@ -1,5 +1,5 @@
-// A JSON parser whose numbers are correctly rounded: RapidJSON reads the structure, expr the
-// numbers.
+// A JSON parser whose numbers are correctly rounded: RapidJSON reads the structure, and the library
+// `expr` reads the numbers.
 
 #include "mjforge/manifest/exact_json.h"
 

@@ -25,7 +25,8 @@ std::optional<std::uint64_t> IndexAfter(const Path& file, std::uint64_t cut) {
   return outcome == Outcome::kRecord ? std::optional(record.index) : std::nullopt;
 }
 
-// Returns, by bisection, the section that contains the record if the manifest is in index order.
+// Returns the section between two of `cuts` that contains the record if the manifest is in index
+// order. Finds the section by bisection.
 bytes::FileSection SectionOf(const Path& file, std::uint64_t index,
                              const std::vector<std::uint64_t>& cuts) {
   const auto is_before = [&](std::uint64_t cut) {

@@ -71,8 +71,8 @@ struct Record : mjcf::Provenance {
   std::string structure;  // key of the structure (structure.h); empty: not loaded in MuJoCo
   Layout layout = Layout::kAny;
   std::optional<std::uint64_t> layout_first;  // Layout::kOne: index of the batch's first variant
-  /// Padding of a family (--pad): every variant has all geoms and sites of this number of variants
-  /// from layout_first on; 0: no padding.
+  /// Padding of a family (--pad): number of variants, from layout_first on, whose geoms and sites
+  /// every variant of the family has; 0: no padding.
   std::uint64_t pad = 0;
   bool mocap = false;  // in the family's base model, fixed bodies are mocap bodies
   std::optional<physics::Result> physics;  // empty if not requested or not measurable

@@ -13,7 +13,8 @@ namespace mjforge::manifest {
 namespace {
 
 // Returns the value of each field in the table; null if the object does not have the field. Members
-// usually have the order of the table, so the search for a key begins after the previous one.
+// usually have the order of the table, so that the search for a key begins behind the field of the
+// previous key.
 std::vector<const rapidjson::Value*> ValuesOf(const rapidjson::Document& object) {
   const std::span<const RecordField> fields = RecordFields();
   std::vector<const rapidjson::Value*> values(fields.size());

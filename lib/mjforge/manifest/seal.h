@@ -40,7 +40,7 @@ struct Seal {
   std::uint64_t records = 0;
   SealedFile manifest;
   std::vector<SealedFile> archives;
-  /// Assets of the objects: name in the objects' files, SHA-256 of the asset.
+  /// SHA-256 of each asset, by the name that the asset has in the objects' MJCF.
   std::map<std::string, std::string> assets;
 };
 
@@ -54,7 +54,7 @@ inline constexpr std::uint64_t kMaxSeal = std::uint64_t{64} << 20;
 
 /// Returns the seal as one line of JSON, with the line end.
 std::string SealText(const Seal& seal);
-/// Parses a seal; returns nullopt, and the reason in `why_not`, if the text is not a valid one.
+/// Parses a seal; returns nullopt, and the reason in `why_not`, if the text is not a valid seal.
 std::optional<Seal> ReadSeal(std::string_view text, std::string& why_not);
 
 /// Returns the seal beside a manifest; nullopt, and the reason in `why_not`, if the seal is missing

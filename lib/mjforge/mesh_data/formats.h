@@ -15,8 +15,7 @@ Check CheckSkn(std::string_view content);
 /// Returns true for numbers that are finite as float.
 bool IsFiniteFloat(double number);
 
-/// Returns the number that a word of digits, with or without a sign, expresses; nullopt for other
-/// words.
+/// Parses an integer, with or without a sign; returns nullopt for other words.
 std::optional<double> ParseInteger(std::string_view word);
 
 }  // namespace mjforge::mesh_data

@@ -1,4 +1,4 @@
-// Checks of the numbers of meshes and skins in MJCF files.
+// Checks of the numbers of meshes and skins whose data is in the MJCF file.
 #include <fmt/format.h>
 
 #include "mjforge/expr/expr.h"

@@ -1,4 +1,4 @@
-// Formats of mesh and skin files, and numbers of their contents.
+// Formats of mesh and skin files, and parsing of the numbers in them.
 #include "mjforge/mesh_data/mesh_data.h"
 
 #include <algorithm>

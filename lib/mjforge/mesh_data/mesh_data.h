@@ -1,4 +1,5 @@
-// Checks of meshes and skins before MuJoCo reads them: indices of faces, and numbers of vertices.
+// Checks of meshes and skins before MuJoCo reads them: indices of faces are in range, and numbers
+// are finite.
 //
 // MuJoCo 2.2 reads memory outside a mesh if an index is out of range, and wraps indices of OBJ
 // files at 2^32. MuJoCo reads memory outside a skin when it draws the skin.
@@ -25,9 +26,9 @@ struct Check {
   std::size_t vertices = 0;  // number of vertices
 };
 
-/// Checks the content of a file. Reports an index out of range, and a number that is not
-/// finite in the precision of MuJoCo's meshes (float). Accepts content that is not in the format at
-/// all, because MuJoCo rejects it with a reason.
+/// Checks the content of a file. Reports an index out of range, and a number that is not finite as
+/// a float, the precision of MuJoCo's meshes. Reports no fault for content that is not in the
+/// format at all, because MuJoCo rejects such content with a reason.
 Check CheckFile(Format format, std::string_view content);
 
 /// Layout of binary STL: a header of 84 bytes, the last four of which are the number of triangles,
@@ -38,7 +39,7 @@ inline constexpr std::size_t kStlTriangle = 50;
 /// Returns true if the size of the content matches the number of triangles in its header.
 bool IsBinaryStl(std::string_view content);
 
-/// Attributes of an element `mesh` or `skin`, empty if it does not have them.
+/// Attributes of an MJCF element `mesh` or `skin`; empty if the element does not have them.
 struct InlineMesh {
   std::string_view vertex = {};
   std::string_view normal = {};

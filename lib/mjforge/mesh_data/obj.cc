@@ -77,8 +77,9 @@ class ObjCheck {
     if (!rest.empty()) Report(line_, fmt::format("'{}' is not a corner of a face", word));
   }
 
-  // Checks an index of a face. A negative index counts back from the last line before the face. An
-  // index above the number of lines before the face is valid if later lines have the data.
+  // Checks an index of a face. A negative index counts back from the last line, before the face,
+  // with data of this kind. An index above the number of lines before the face is checked at the
+  // end, because later lines may have the data.
   void CheckIndex(std::size_t kind, std::string_view word) {
     Data& data = data_[kind];
     const std::optional<double> index = ParseInteger(word);
@@ -93,8 +94,9 @@ class ObjCheck {
     if (*index == 0 || -*index > static_cast<double>(data.count)) ReportIndex(kind, word, line_);
   }
 
-  // Reports the greatest index if it is out of range. MuJoCo does not read the indices of texture
-  // coordinates and normals if the file has none.
+  // Reports the greatest index by which faces refer to this kind of data if it is out of range.
+  // MuJoCo does not read the indices of texture coordinates and normals if the file has no such
+  // data.
   void CheckGreatest(std::size_t kind) {
     const Data& data = data_[kind];
     if (kind > 0 && data.count == 0) return;

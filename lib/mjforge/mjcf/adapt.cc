@@ -1,4 +1,4 @@
-// Adaptation of an object to its target: the order of the steps.
+// Adaptation of an object to its target, the program that loads the file: the order of the steps.
 
 #include "mjforge/mjcf/adapt.h"
 
@@ -22,7 +22,8 @@ std::string JoinNames(std::span<const std::string_view> names) {
 void Adapt(model::Object& object, Target target, diag::Findings& findings) {
   const TargetRules& rules = RulesOf(target);
   if (object.bodies.empty()) return;
-  // Drops sections first, because dropped elements cannot prevent a start at zero.
+  // Drops sections first, so that elements that are dropped anyway do not prevent AdaptStart() from
+  // making the start state the zero configuration (qpos0).
   AdaptSections(object, rules, findings);
   AdaptStart(object, rules, findings);
   if (!rules.adapts()) return;

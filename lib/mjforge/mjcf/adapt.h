@@ -1,5 +1,5 @@
 // Steps of adapting an object to its target, the host program that loads the file. Each step reads
-// its own columns of TargetRules and does nothing if these columns require nothing.
+// its own fields of TargetRules, and changes nothing if these fields require no change.
 #pragma once
 
 #include <span>
@@ -12,11 +12,12 @@
 
 namespace mjforge::mjcf {
 
-/// Returns "a, b, c, d, e and 3 more": at most five names.
+/// Joins names for a message. Lists at most five names: "a, b, c, d, e and 3 more".
 std::string JoinNames(std::span<const std::string_view> names);
 
 // adapt_names.cc
-/// Reports names that would clash with names of the host.
+/// Reports names of elements that the host program uses itself, or to which it gives a special
+/// meaning by a prefix or suffix.
 void CheckNames(const model::Object& object, const TargetRules& rules, diag::Findings& findings);
 
 // adapt_geoms.cc
@@ -24,8 +25,8 @@ void CheckNames(const model::Object& object, const TargetRules& rules, diag::Fin
 void AdaptGeoms(model::Object& object, const TargetRules& rules, diag::Findings& findings);
 
 // adapt_start.cc
-/// Moves the zero configuration (qpos0) to the start of the object if the spec or the target
-/// requires this. Otherwise drops start positions if the host reads no keyframes.
+/// Moves the zero configuration (qpos0) to the start state of the object if the spec or the target
+/// requires this. Drops start positions and velocities if the host reads or needs no keyframe.
 void AdaptStart(model::Object& object, const TargetRules& rules, diag::Findings& findings);
 
 // adapt_bodies.cc
@@ -33,7 +34,8 @@ void AdaptStart(model::Object& object, const TargetRules& rules, diag::Findings&
 void AdaptBodies(model::Object& object, const TargetRules& rules, diag::Findings& findings);
 
 // adapt_shapes.cc
-/// Replaces round shapes that do not collide with every other shape by convex meshes.
+/// Replaces colliding cylinders and ellipsoids by convex meshes if the host cannot collide these
+/// shapes with boxes and meshes.
 void AdaptShapes(model::Object& object, const TargetRules& rules, diag::Findings& findings);
 
 // adapt_sections.cc

@@ -69,10 +69,10 @@ void AddRegionBox(model::Object& object) {
                 {.p = (box.min + box.max) / 2}, root.mark, root);
 }
 
-// Adds a geom for the space above each region, which is how robocasa describes regions. robocasa
-// calls the interior of a fixture or a bowl `int`.
+// Adds a geom for the space above each region, because robocasa reads regions from such geoms: the
+// area of the region, extruded by its height. robocasa's name of the region `inside` is `int`.
 void AddRegionSpaces(model::Object& object, const TargetRules& rules, diag::Findings& findings) {
-  constexpr double kOpenHeight = 0.5;                   // m, for regions open above
+  constexpr double kOpenHeight = 0.5;                   // m, for regions without an upper limit
   std::set<std::string, std::less<>> names = {"bbox"};  // names of geoms so far
   for (model::Body& body : object.bodies) {
     for (const model::Region& region : body.regions) {
@@ -96,7 +96,8 @@ void AddRegionSpaces(model::Object& object, const TargetRules& rules, diag::Find
   }
 }
 
-// Drops the free joint of the root, because the host adds a free joint without other attributes.
+// Drops the free joint of the root, because the host adds its own. Warns if attributes of the joint
+// are lost.
 void DropFreeJoint(model::Body& root, const TargetRules& rules, diag::Findings& findings) {
   const auto free = std::ranges::find(root.joints, "free", &model::Joint::type);
   if (free == root.joints.end()) return;

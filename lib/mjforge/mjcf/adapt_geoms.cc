@@ -25,7 +25,8 @@ struct AffectedParts {
   }
 };
 
-// Returns true if the part's own group differs from the groups of the target.
+// Returns true if `group`, the group that the spec gives the part, differs from the group that the
+// target requires for a geom of this part.
 bool Contradicts(const Part& part, const model::Attribute& group, const TargetRules& rules) {
   const double number = group.numbers.empty() ? -1 : group.numbers[0];
   const bool on_collision = part.role != Role::kVisual && group.applies != Applies::kVisual;
@@ -58,8 +59,9 @@ void DropMargins(Part& part, AffectedParts& affected) {
   std::erase_if(part.attributes, is_margin);
 }
 
-// Splits parts with both roles into a collision part and a visual part. The collision part keeps
-// its material and color, because the host shows a copy of it.
+// Splits each part that both collides and is visible into a collision part and a visual part. The
+// collision part keeps its material and color, because the host also shows a copy of each collision
+// geom.
 void SplitRoles(std::vector<Part>& parts) {
   std::vector<Part> split;
   split.reserve(2 * parts.size());

@@ -1,4 +1,4 @@
-// Checks for names that clash with names of the host.
+// Checks for names that clash with names, prefixes or suffixes of the host.
 
 #include <set>
 
@@ -17,7 +17,8 @@ class HostNameChecker {
   HostNameChecker(const model::Object& object, const TargetRules& rules, diag::Findings& findings)
       : rules_(rules), prefix_(object.name + "_"), findings_(findings) {}
 
-  /// Checks the name of an element; `word` is its kind in a spec, `kind` its kind in MJCF.
+  /// Checks the name of an element. `word` is what a spec calls the element ("part"); `kind` is its
+  /// MJCF tag ("geom").
   void Check(std::string_view word, std::string_view kind, std::string_view name,
              diag::SourceMark mark) {
     if (!rules_.has_prefix && name.starts_with(prefix_)) {
@@ -43,7 +44,8 @@ class HostNameChecker {
     }
   }
 
-  /// Reports parts with the name of a visual copy that the host makes of a collision geom.
+  /// Reports parts whose name equals the name of the visual copy that the host makes of a collision
+  /// geom.
   void CheckVisualCopies(const model::Object& object) {
     if (rules_.visual_copy_suffix.empty()) return;
     std::set<std::string, std::less<>> colliding;
@@ -84,7 +86,7 @@ void CheckNames(const model::Object& object, const TargetRules& rules, diag::Fin
       if (!is_dropped) checker.Check("joint", "joint", joint.name, joint.mark);
     }
     for (const model::Site& site : body.sites) checker.Check("site", "site", site.name, site.mark);
-    std::string_view last;  // previous name: the two parts from SplitRoles get one finding
+    std::string_view last;  // previous name, because parts split by role get one finding
     for (const model::Part& part : body.parts) {
       if (part.name != last) checker.Check("part", "geom", part.name, part.mark);
       last = part.name;

@@ -17,7 +17,8 @@ using model::Element;
 using model::Section;
 
 // Returns the quoted name of an element, or, if it has no name, its tag and references: "exclude of
-// 'base' and 'lid'". A reference to the body `root`, which the host names, is shown as `object`.
+// 'base' and 'lid'". `root` is the host's name of the root body; the text has `object`, the name
+// that the user knows, in its place.
 std::string Describe(const Element& element, std::string_view root = {},
                      std::string_view object = {}) {
   if (!element.name.empty()) return fmt::format("'{}'", element.name);
@@ -155,7 +156,7 @@ class UnsupportedFilter {
 
   const TargetRules& rules_;
   diag::Findings& findings_;
-  std::set<std::pair<std::string, std::string>> dropped_;  // kind and name of each
+  std::set<std::pair<std::string, std::string>> dropped_;  // kind and name of each dropped element
 };
 
 // Drops texture files for single sides of a cube, because the host resolves only the attribute

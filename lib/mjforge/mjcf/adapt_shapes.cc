@@ -24,10 +24,10 @@ using model::Part;
 using model::Role;
 using model::TriangleMesh;
 
-// Number of sides of the prism that replaces a cylinder; MJX drops half of the corners of faces
-// with 20 or more. All corners are on the cylinder, some of them on the x and y axes, so the prism
-// is inside the cylinder and has equal extents along the axes. The middle of a side is 2 % of the
-// radius inside the cylinder.
+// Number of sides of the prism that replaces a cylinder. Fewer than 20, because MJX drops half of
+// the corners of faces with 20 or more corners. All corners are on the cylinder, some of them on
+// the x and y axes, so that the prism is inside the cylinder and has equal extents along the axes.
+// The middle of a side is 2 % of the radius inside the cylinder.
 constexpr int kSides = 16;
 
 TriangleMesh MakePrism(const Eigen::Vector3d& size) {
@@ -39,8 +39,8 @@ TriangleMesh MakePrism(const Eigen::Vector3d& size) {
   return solid::MakeConvexPrism(polygon, 2 * size.y()).value_or(TriangleMesh());
 }
 
-// Midpoints of edges, added to the vertices once per edge. Stores the sum of an edge's two ends in
-// place of their midpoint, because UnitIcosphere normalizes all vertices.
+// Adds one vertex per edge to a mesh: the sum of the edge's two ends. UnitIcosphere() normalizes
+// all vertices, which turns this sum into the projection of the edge's midpoint onto the sphere.
 class EdgeMidpoints {
  public:
   explicit EdgeMidpoints(std::vector<Eigen::Vector3d>& vertices) : vertices_(vertices) {}

@@ -1,4 +1,4 @@
-// The start state of an object: as MuJoCo's zero configuration, as a keyframe, or as both.
+// The start state of an object: as MuJoCo's zero configuration (qpos0), as a keyframe, or as both.
 
 #include <algorithm>
 #include <utility>
@@ -14,10 +14,11 @@ namespace {
 
 using diag::Code;
 
-// Returns true if the zero configuration should be the start of the object, unless elements depend
-// on qpos0 (obstacles). Reasons: a keyframe has poses of free bodies in the world frame, which are
-// wrong if the file is attached to another frame; placed bodies would overlap at any other zero
-// configuration; some hosts read no keyframes.
+// Returns true if the start of the object should become its zero configuration (qpos0), unless
+// elements depend on qpos0 (obstacles). The spec may choose. Otherwise there are three reasons: a
+// keyframe has poses of free bodies in the world frame, which are wrong if the file is attached to
+// another frame; placed bodies would overlap at any other zero configuration; some hosts read no
+// keyframes.
 bool WantsStartAtZero(const model::Object& object, const TargetRules& rules) {
   if (object.start_form) return *object.start_form == model::StartForm::kZero;
   const auto needs_zero = [](const model::Body& body) {
@@ -26,8 +27,8 @@ bool WantsStartAtZero(const model::Object& object, const TargetRules& rules) {
   return std::ranges::any_of(object.bodies, needs_zero) || !rules.supports_sections;
 }
 
-// Reports elements that prevent a start at zero, as errors if the spec asks for such a start;
-// otherwise as warnings.
+// Reports elements that prevent the start from becoming the zero configuration: as errors if the
+// spec asks for such a start (`is_asked`), otherwise as warnings.
 void ReportObstacles(std::vector<start::Obstacle> obstacles, bool is_asked,
                      diag::Findings& findings) {
   for (start::Obstacle& obstacle : obstacles) {
@@ -53,7 +54,8 @@ bool HasMotion(const model::Object& object) {
          });
 }
 
-// Reports velocities and setpoints, which the zero configuration does not have.
+// Warns of velocities and setpoints, which a simulation that begins at the zero configuration does
+// not have.
 void WarnOfMotion(const model::Object& object, diag::Findings& findings) {
   const auto warn = [&](diag::SourceMark mark, std::string message) {
     findings.Warn(Code::kStartNotZero, mark, std::move(message),
@@ -93,7 +95,8 @@ bool MoveZero(model::Object& object, const TargetRules& rules, diag::Findings& f
   return true;
 }
 
-// Drops start positions and velocities. Warns of each joint whose start the file loses.
+// Drops start positions and velocities. Warns of each joint whose start the file loses; positions
+// are not lost if the start is the zero configuration (`is_zero`).
 void DropStart(bool is_zero, model::Object& object, const TargetRules& rules,
                diag::Findings& findings) {
   for (model::Body& body : object.bodies) {

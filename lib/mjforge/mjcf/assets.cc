@@ -10,7 +10,7 @@
 namespace mjforge::mjcf {
 namespace {
 
-// Attributes with the data of a mesh, which are left out if the mesh is in a file.
+// Attributes with the data of a mesh, which are not written if the data is in a generated file.
 constexpr std::string_view kMeshData[] = {"vertex", "normal", "texcoord", "face"};
 
 using NumberFormat = ElementWriter::NumberFormat;
@@ -28,9 +28,9 @@ void WriteInline(const model::MeshAsset& asset, ElementWriter& writer) {
   if (mesh.in_micrometres) writer.WriteRaw(" scale=\"1e-06 1e-06 1e-06\"");
   WriteVectors("vertex", mesh.vertices, writer,
                mesh.in_micrometres ? NumberFormat::kMicrometres : NumberFormat::kExact);
-  // MuJoCo computes almost the same normals from the triangles that share a vertex. Its result is
-  // wrong at the seam of a texture, where triangles share no vertex, and for triangles below a
-  // square micrometre, whose area it treats as zero.
+  // Lets MuJoCo compute the normals, from the triangles that share a vertex, if they will be almost
+  // the same. MuJoCo's normals are wrong at the seam of a texture, where triangles share no vertex,
+  // and for triangles below a square micrometre, whose area it treats as zero.
   const bool are_computed = mesh.in_micrometres && mesh.texcoords.empty();
   if (are_computed)
     writer.WriteRaw(" smoothnormal=\"true\"");
@@ -129,7 +129,8 @@ class AssetWriter {
     if (type != "2d") writer_.WriteRaw(" gridsize=\"6 1\" gridlayout=\"RLUDFB\"");
   }
 
-  // Returns a file name without the object's name, which may differ between variants.
+  // Returns a lower-case file name for an asset without the object's name, which may differ between
+  // variants.
   std::string StemOf(std::string_view label) const {
     if (label.starts_with(object_.name + '_')) label.remove_prefix(object_.name.size() + 1);
     constexpr std::size_t kLongest = 60;  // names in archives have at most 100 bytes

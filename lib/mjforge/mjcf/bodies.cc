@@ -33,11 +33,11 @@ PrincipalInertia Diagonalize(const Eigen::Matrix3d& inertia) {
   return {Eigen::Quaterniond(axes), solver.eigenvalues()};
 }
 
-/// Returns the number that is written for `value`, which has ten digits.
+/// Returns `value` rounded to the ten significant digits with which it is written.
 double Written(double value) { return expr::ParseNumber(expr::NumberText(value)).value_or(value); }
 
-/// Reduces the largest moment of a flat body, A + B = C, by a rounding error if the moments as
-/// written do not satisfy A + B >= C, because MuJoCo rejects such a body.
+/// Reduces the largest moment C of a flat body (A + B = C) by a rounding error if the moments, as
+/// written, violate A + B >= C, because MuJoCo rejects such a body.
 void KeepRealizable(Eigen::Vector3d& moments) {
   constexpr double kRounding = 2e-9;  // relative
   const double sum = moments[0] + moments[1];
@@ -51,7 +51,8 @@ class BodyWriter {
   BodyWriter(const model::Object& object, const TargetRules& rules, ElementWriter& writer)
       : object_(object), rules_(rules), writer_(writer) {}
 
-  /// Writes the start tag of a body and its content without child bodies.
+  /// Writes the start tag of a body and its content without child bodies. `lift`, m, is added to
+  /// the height of a child of the world.
   void Begin(const model::Body& body, double lift) {
     writer_.OpenElement("body", body.mark);
     if (!body.name.empty()) writer_.WriteText("name", body.name);
@@ -139,8 +140,8 @@ class BodyWriter {
     writer_.CloseEmpty();
   }
 
-  // Writes a geom without mass: the region box, or a geom of an attached file, whose body has an
-  // <inertial> element.
+  // Writes a geom whose attributes need no completion (`as_is`), without mass: a region of
+  // robocasa, or a geom of an attached file, whose body has an <inertial> element.
   void WriteAttachedGeom(const model::Part& part) {
     writer_.OpenElement("geom", part.mark);
     writer_.WriteText("name", part.name);

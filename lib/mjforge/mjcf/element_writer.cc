@@ -15,7 +15,8 @@
 namespace mjforge::mjcf {
 namespace {
 
-// Maximum number of indentation levels; without it, deep kinematic chains would be mostly blanks.
+// Maximum number of indentation levels, because deeper kinematic chains would consist mostly of
+// blanks.
 constexpr std::size_t kDeepest = 24;
 
 // Table of the bytes that must be escaped, for speed: every character of every text is looked up.
@@ -32,7 +33,7 @@ char* WriteInteger(char* out, int number) {
   return std::to_chars(out, out + expr::kLongestNumber, number).ptr;
 }
 
-// Rounds to whole micrometres, for meshes of at most 10 m. (std::round is not inlined.)
+// Rounds to whole micrometres, for meshes of at most 10 m. Avoids std::round, which is not inlined.
 int Micrometres(double metres) {
   return static_cast<int>(metres * 1e6 + std::copysign(0.5, metres));
 }
@@ -144,8 +145,8 @@ void ElementWriter::WriteIntegers(std::string_view name, std::span<const int> va
   WriteList(name, values, WriteInteger);
 }
 
-// Uses a buffer, because appending each number to the string takes a third of the time of a mesh.
-// The name, a word of MJCF, always fits into the buffer.
+// Uses a buffer, because appending each number to the string would take a third of the time of
+// writing a mesh. The name, a word of MJCF, always fits into the buffer.
 template <typename T, typename Write>
 void ElementWriter::WriteList(std::string_view name, std::span<const T> values,
                               const Write& write) {
@@ -180,7 +181,7 @@ void ElementWriter::WriteAttribute(const model::Attribute& attribute) {
     WriteText(attribute.name, attribute.text);
     return;
   }
-  // Poses of cameras and lights were transformed with their body, which leaves rounding errors.
+  // Flushes rounding errors of cameras and lights, whose poses were transformed with their body.
   const bool is_place =
       attribute.name == "pos" || attribute.name == "quat" || attribute.name == "dir";
   if (const std::string_view text = attribute.numbers.text(); !text.empty() && !is_place) {

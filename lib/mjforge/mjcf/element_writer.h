@@ -17,6 +17,8 @@ namespace mjforge::mjcf {
 
 class ElementWriter {
  public:
+  /// Formats of numbers: ten significant digits; ten digits, with rounding errors replaced by
+  /// zero (FlushNoise); integers in micrometres.
   enum class NumberFormat { kExact, kFlushed, kMicrometres };
 
   /// The writer appends to the document's text and origins. The text must not contain a newline
@@ -63,7 +65,8 @@ class ElementWriter {
   void Finish() { text_.resize(size_); }
 
  private:
-  /// Adds `count` bytes, and returns their address, which is valid until the next call.
+  /// Extends the text by `count` bytes, and returns their address, which is valid until the next
+  /// call.
   char* Extend(std::size_t count) {
     const std::size_t begin = size_;
     size_ += count;

@@ -1,4 +1,5 @@
-// MJCF file of an object: the order of its sections; look-up of line origins; size of meshes.
+// MJCF file of an object: the order of its sections, the origins of its lines, the size of its
+// meshes.
 
 #include "mjforge/mjcf/mjcf.h"
 

@@ -1,4 +1,4 @@
-// Conversion of an object to MJCF text that MuJoCo 2.2 to 3.x load with the same masses.
+// Conversion of an object to MJCF text that MuJoCo 2.2 to 4.0 load with the same masses.
 #pragma once
 
 #include <cmath>
@@ -18,7 +18,8 @@
 
 namespace mjforge::mjcf {
 
-/// Content of the opening comment of a generated file: enough to regenerate the file.
+/// Content of the comment at the beginning of a generated file, which is enough to regenerate the
+/// file.
 struct Provenance {
   std::string version;
   std::string spec;  // name or path of the spec, as given on the command line
@@ -34,10 +35,11 @@ struct Provenance {
   std::string sampler;      // empty: random
   std::uint64_t batch = 0;  // variants in the batch; 0: variants do not depend on their number
 };
-/// Reads the opening comment of a generated file; returns nullopt if the file has no such comment.
+/// Reads the opening comment of a generated file; returns nullopt if the file has no such comment
+/// or the comment is malformed.
 std::optional<Provenance> ReadProvenance(std::string_view mjcf);
 
-/// Place in the spec that produced a line of the text.
+/// A line of the MJCF text and the place in the spec that produced it.
 struct LineOrigin {
   int line = 0;  // 1-based
   diag::SourceMark mark;
@@ -53,11 +55,11 @@ enum class AssetForm {
 inline constexpr std::string_view kAssetForms[] = {"inline", "files"};
 constexpr std::span<const std::string_view> WordsOf(AssetForm) { return kAssetForms; }
 
-/// Folder of all files that an object's file refers to.
+/// Folder beside an MJCF file with all files to which it refers.
 inline constexpr std::string_view kAssetFolder = "assets/";
 
-/// Returns zero for values below 1e-15 (m, or a component of a unit vector), which are rounding
-/// errors of rotations and sums.
+/// Returns zero for values whose magnitude is below 1e-15 (m, or a component of a unit vector),
+/// which are rounding errors of rotations and sums.
 inline double FlushNoise(double value) { return std::abs(value) < 1e-15 ? 0.0 : value; }
 
 /// Number of digits of the hash in the name of a generated file.
@@ -75,28 +77,30 @@ struct GeneratedFile {
 struct MjcfDocument {
   std::string text;
   std::vector<LineOrigin> origins;  // sorted by line
-  /// Offset at which a <size> element may be inserted, bytes; npos if MuJoCo must get the text
-  /// unchanged (a scene has contacts).
+  /// Offset, in bytes, at which validation may insert a <size> element with small buffers, which
+  /// makes loading faster; npos for a scene, because contacts with the floor need larger buffers.
   std::size_t size_position = 0;
-  /// Offset at which a child element of <worldbody> may be inserted, right before the root body,
-  /// bytes; npos if the file has its own floor.
+  /// Offset, in bytes, at which a child element of <worldbody> may be inserted, right before the
+  /// root body; npos for a scene, which has its own floor.
   std::size_t world_position = 0;
   /// True if the host adds a free joint to the root body, so that the file must not have one.
   bool host_adds_free_joint = false;
-  double lift = 0;  // m, added to the height of the root body
+  double lift = 0;  // m, added to the height of the children of the world
   /// Existing files that the text refers to.
   bytes::Assets assets;
   /// Files that the text refers to and that do not exist yet.
   std::vector<GeneratedFile> generated_files;
 
-  /// Returns the place in the spec that produced a line (1-based); an empty mark if none did.
+  /// Returns the place in the spec that produced a line (1-based) of the text; an empty mark if
+  /// there is none.
   diag::SourceMark Origin(int line) const;
 };
 
 /// Suffix of the start keyframe's name, which begins with the object's name.
 inline constexpr std::string_view kStartSuffix = "_start";
-/// The start state in MuJoCo's order. A vector is empty if all its numbers are MuJoCo's defaults;
-/// qpos is empty only if all four vectors are.
+/// The start state in MuJoCo's order. All vectors are empty if the whole state is MuJoCo's default.
+/// Otherwise, qvel, act and ctrl are empty if all their numbers are defaults, and qpos is empty
+/// only if the object has no joints.
 struct StartState {
   std::vector<double> qpos;
   std::vector<double> qvel;
@@ -106,16 +110,18 @@ struct StartState {
 /// Returns the start state of an object. `lift`, m, is added to the height of free bodies.
 StartState StartStateOf(const model::Object& object, double lift);
 
-/// Returns the indices of Object::bodies in depth-first order, which the text and MuJoCo use.
+/// Returns the indices of Object::bodies in depth-first order, the order of bodies in the text and
+/// in MuJoCo's models.
 std::vector<int> DepthFirstOrder(const model::Object& object);
 
 /// Adapts the object to the program that will load it (TargetRules). Drops elements that this
 /// program ignores, with a warning, and reports elements that it cannot load as errors. Moves the
-/// zero configuration to the object's start if the spec or the program requires this. Not a part of
-/// WriteMjcf, because the adapted object is compared with the compiled model.
+/// zero configuration to the object's start if the spec or the program requires this. Call before
+/// WriteMjcf(), which does not adapt, because the adapted object is also compared with the compiled
+/// model.
 void Adapt(model::Object& object, Target target, diag::Findings& findings);
 
-/// Returns the size of all <mesh> elements of the text, bytes.
+/// Returns the total size of all <mesh> elements of an MJCF text, bytes.
 std::size_t MeshBytes(std::string_view text);
 
 /// Returns a <texture> element without mark="random", because random marks differ between releases

@@ -1,4 +1,4 @@
-// Writing and reading of the comment that a generated file begins with.
+// Writing and reading of the comment at the beginning of a generated file.
 
 #include "mjforge/mjcf/provenance.h"
 
@@ -18,8 +18,8 @@ namespace {
 constexpr std::string_view kOpening = " mjforge ";
 constexpr std::string_view kSetting = "set:";
 
-// Appends whole texts between escaped characters, because appending each character took a twentieth
-// of the time of a small variant.
+// Appends a value with escapes. Copies the characters between two escaped characters at once,
+// because appending each character would take a twentieth of the time of a small variant.
 void AppendEncoded(std::string_view value, std::string& out) {
   constexpr std::string_view kDigits = "0123456789ABCDEF";
   std::size_t copied = 0;  // characters of `value` that have been appended

@@ -9,7 +9,8 @@
 namespace mjforge::mjcf {
 namespace {
 
-// Names of the floor, light and camera contain a hyphen, which names of the object cannot contain.
+// Names of the floor, light and camera contain a hyphen, so that they never clash with names of the
+// object, which cannot contain a hyphen.
 
 bool IsFinite(const model::Box3& box) { return box.min.allFinite() && box.max.allFinite(); }
 

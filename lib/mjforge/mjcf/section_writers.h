@@ -13,9 +13,9 @@ namespace mjforge::mjcf {
 void WriteAssets(const model::Object& object, bool as_files, ElementWriter& writer,
                  MjcfDocument& document);
 
-/// Returns the attribute of a geom in this group (0 to 3): ` group="3"`.
+/// Returns the attribute that puts a geom into `group` (0 to 3): ` group="3"`.
 std::string_view GroupAttribute(int group);
-/// Writes the tree of bodies. `lift`, m, is added to the height of root bodies.
+/// Writes the tree of bodies. `lift`, m, is added to the height of children of the world.
 void WriteBodies(const model::Object& object, const TargetRules& rules, double lift,
                  ElementWriter& writer);
 
@@ -30,10 +30,10 @@ void WriteSections(const model::Object& object, double lift, ElementWriter& writ
 /// Writes a keyframe with the start state, unless the start state is MuJoCo's default.
 void WriteKeyframe(const model::Object& object, double lift, ElementWriter& writer);
 
-/// Returns the height added to the object so that it rests on the floor at z = 0, m.
+/// Returns the height, m, by which the object must be raised to rest on the floor at z = 0.
 double LiftOntoFloor(const model::Object& object);
-/// Writes a <size> element for the contacts and constraints of a large object if MuJoCo's default
-/// sizes might not be enough.
+/// Writes a <size> element with room for the contacts and constraints of a large object if the
+/// default sizes of MuJoCo 2.2 might not be enough. `scene` is true if the file has a floor.
 void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer);
 /// Writes texture and material of the floor.
 void WriteSceneAssets(ElementWriter& writer);

@@ -17,30 +17,32 @@ namespace {
 // floor makes at most four.
 constexpr std::size_t kGeomsThatFit = 24;
 constexpr double kContactsThatFit = 100;
-// Contacts of a box that lies on a box, or of two convex geoms with the flag multiccd. Boxes can
-// have up to eight; in the bundled scenes, a pair has at most 4.2 on average.
+// Assumed number of contacts of a box that rests on a box, or of two convex geoms with the flag
+// multiccd. Boxes can have up to eight contacts; in the bundled scenes, a pair has at most 4.2 on
+// average.
 constexpr double kContactsOfFaces = 4;
-// Limit of the contacts of flat geoms for each child of the world, in addition to one contact per
-// geom.
+// Maximum number of contacts that are allocated for flat geoms in addition to one contact per geom:
+// for each child of the world, or for each pair of touching children.
 constexpr double kFlatContacts = 24;
-// Contacts come and go while placed bodies settle: in the bundled scenes, there are at most 1.1
-// times as many contacts as at the start.
+// Factor by which the number of contacts at the start is multiplied, because contacts come and go
+// while placed bodies settle. In the bundled scenes, there are at most 1.1 times as many contacts
+// as at the start.
 constexpr double kSpareShare = 1.5;
 constexpr double kSpareContacts = 50;
 // Number of constraints, without contacts, for which MuJoCo's default njmax of 500 is enough.
 constexpr std::size_t kRowsThatFit = 300;
-// Number of bodies for which MuJoCo's default stack is enough. The stack has a list of pairs of
-// bodies that might touch, but its size grows with the square of the constraints, not of the
-// bodies: 1,600 bodies fit, 1,700 do not.
+// Number of bodies for which MuJoCo's default stack is enough. The stack contains a list of pairs
+// of bodies that might touch, but its default size grows with the square of the constraints, not of
+// the bodies: 1,600 bodies fit, 1,700 do not.
 constexpr std::size_t kBodiesThatFit = 1'000;
-// Largest size of MuJoCo's constraint matrices, which have 12 bytes for each pair of rows and 24
-// bytes for each row and degree of freedom. MuJoCo counts bytes in an int; a tenth of its range is
-// left for other arrays.
+// Largest total size of MuJoCo's constraint matrices, bytes. The matrices have 12 bytes for each
+// pair of rows and 24 bytes for each row and degree of freedom. MuJoCo counts bytes in an int; a
+// tenth of its range is left for other arrays.
 constexpr double kMatrixBytes = 1.9e9;
 constexpr double kMostStack = 1.2e8;  // numbers of 8 bytes; 1 GB
 
-/// Returns for each body the index of its tree: the child of the world that is the body itself or
-/// its ancestor.
+/// Returns the tree of each body, as the index of the body or its ancestor that is a child of the
+/// world.
 std::vector<std::size_t> TreesOf(const model::Object& object) {
   std::vector<std::size_t> trees(object.bodies.size());
   for (std::size_t i = 0; i < trees.size(); ++i) {
@@ -50,9 +52,9 @@ std::vector<std::size_t> TreesOf(const model::Object& object) {
   return trees;
 }
 
-/// Returns, for each child of the world, the number of colliding geoms that can lie on other geoms.
-/// The geoms of the first child, the root, count only in a scene, which has a floor. Bodies that
-/// were placed have none, because CountContactsAtStart() counts their contacts.
+/// Returns, for each child of the world, the number of colliding geoms of its tree that can lie on
+/// other geoms. The geoms of the first child, the root, count only in a scene, which has a floor.
+/// Placed bodies get 0, because CountContactsAtStart() counts their contacts.
 std::vector<std::size_t> CountLyingGeoms(const model::Object& object, bool scene) {
   const std::vector<std::size_t> trees = TreesOf(object);
   std::vector<std::size_t> geoms(trees.size());
@@ -65,9 +67,10 @@ std::vector<std::size_t> CountLyingGeoms(const model::Object& object, bool scene
   return geoms;
 }
 
-/// Returns the number of contacts to allocate: four for each geom that lies flat, up to a limit for
-/// each child of the world, and one for each further geom. Few of the many pieces of a dish or a
-/// drawer lie flat; in a stack of bowls each piece has about one contact.
+/// Returns the number of contacts to allocate for the geoms that can lie on others
+/// (CountLyingGeoms): four for each geom that lies flat, up to a limit for each child of the world,
+/// and one for each further geom. Few of the many pieces of a dish or a drawer lie flat; in a stack
+/// of bowls each piece has about one contact.
 double ContactsOf(const std::vector<std::size_t>& geoms) {
   constexpr double kFlatContactsOfRoot = 300;  // larger, because the root may be large
   double contacts = 0;
@@ -110,13 +113,14 @@ bool AreNear(const model::Box3& a, const model::Box3& b) {
          (b.min.array() <= a.max.array() + kNear).all();
 }
 
-// Returns true if the geoms' bounding boxes in the frame of `a` touch.
+// Returns true if the geoms' bounding boxes, aligned with the frame of `a`, touch.
 bool AreNearInFrameOf(const PlacedGeom& a, const PlacedGeom& b) {
   return AreNear(model::BoundsOf(*a.shape, {}),
                  model::BoundsOf(*b.shape, a.X_WG.Inverse() * b.X_WG));
 }
 
-// Returns true if the object sets the flag with which two convex geoms have several contacts.
+// Returns true if the object sets the flag multiccd, with which two convex geoms have several
+// contacts.
 bool HasMultipleContacts(const model::Object& object) {
   for (const model::Element& option : model::ElementsOf(object, "option")) {
     for (const model::Element& flag : option.children) {
@@ -129,7 +133,7 @@ bool HasMultipleContacts(const model::Object& object) {
 
 // Geoms of two children of the world that may touch each other.
 struct TouchingGeoms {
-  std::vector<std::size_t> of_first, of_second;  // indices, once for each pair
+  std::vector<std::size_t> of_first, of_second;  // indices of geoms, once for each pair
   double flat_pairs = 0;                         // pairs that may have several contacts
 };
 
@@ -138,10 +142,11 @@ std::size_t CountDistinct(std::vector<std::size_t> indices) {
   return static_cast<std::size_t>(std::unique(indices.begin(), indices.end()) - indices.begin());
 }
 
-/// Returns the number of contacts between different children of the world at the start: the sum
-/// over pairs of geoms whose bounding boxes touch. Boxes around the pieces of nested bowls touch
-/// many boxes, although each piece touches about one piece; therefore two children of the world
-/// count at most as many pairs as either of them has geoms that touch the other.
+/// Estimates the number of contacts between different children of the world at the start. Counts
+/// pairs of geoms whose bounding boxes touch, and further contacts for pairs of boxes. Bounding
+/// boxes around the pieces of nested bowls touch many others, although each piece touches about one
+/// piece; therefore two children of the world have at most as many counted pairs as the larger
+/// number of their geoms that touch the other child.
 double CountContactsAtStart(const model::Object& object) {
   const bool many = HasMultipleContacts(object);
   const std::vector<PlacedGeom> geoms = PlaceGeoms(object);
@@ -170,7 +175,7 @@ double CountContactsAtStart(const model::Object& object) {
   return sum;
 }
 
-// Returns the maximum number of constraints without contacts.
+// Returns the maximum number of constraint rows, without contacts.
 std::size_t CountConstraints(const model::Object& object) {
   std::size_t rows = 0;
   for (const model::Body& body : object.bodies) {
@@ -195,13 +200,15 @@ double CountDofs(const model::Object& object) {
   return dofs;
 }
 
-/// Returns the largest njmax, a multiple of four, with which MuJoCo 2.2 accepts a model.
+/// Returns the largest multiple of four for njmax with which MuJoCo 2.2 accepts a model with `dofs`
+/// degrees of freedom.
 double MostRows(double dofs) {
   const double rows = std::sqrt(dofs * dofs + kMatrixBytes / 12) - dofs;
   return 4 * std::floor(rows / 4);
 }
 
-/// Returns the number of contacts that bodies placed on others need, which touch at the start.
+/// Returns the number of contacts to allocate for bodies that are placed on others and therefore
+/// touch them at the start; 0 if there are no such bodies.
 double ContactsOfPlacedBodies(const model::Object& object) {
   const bool any = std::ranges::any_of(
       object.bodies, [](const model::Body& body) { return !body.place_name.empty(); });
@@ -232,7 +239,8 @@ void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer) 
   if (contacts_fit && rows <= kRowsThatFit && bodies <= kBodiesThatFit) return;
   const double dofs = CountDofs(object);
   const double most = MostRows(dofs);
-  // Number of contacts. A contact needs four constraint rows, its pyramid edges (condim 3).
+  // Value of nconmax; 0 for MuJoCo's default. A contact needs four constraint rows, its pyramid
+  // edges (condim 3).
   double contacts = scene ? kContactsThatFit : 0;
   if (!contacts_fit) contacts = std::min(needed, most / 4);
   const double njmax = std::min(4 * contacts + static_cast<double>(rows) + (scene ? 0 : 500), most);
@@ -240,8 +248,8 @@ void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer) 
   const double standard = 5 * (njmax + dofs) * (njmax + dofs);
   double nstack = 0;  // 0: MuJoCo's default
   if (bodies == 1) {
-    // Numbers of 8 bytes; linear in the contacts, because a body has at most six degrees of
-    // freedom.
+    // nstack counts numbers of 8 bytes, and is linear in the contacts here, because a single body
+    // has at most six degrees of freedom.
     nstack = 400 * contacts + 1e6;
   } else if (bodies > kBodiesThatFit || standard > kMostStack) {
     // Adds one number for each pair of bodies, because MuJoCo's stack has a list of pairs.

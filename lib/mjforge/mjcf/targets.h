@@ -17,13 +17,15 @@ enum class Target {
   kMjx,        // MuJoCo XLA, only with shapes that can collide there
 };
 
-/// Name of an element that the host adds.
+/// Name of an element that the host adds itself.
 struct HostName {
   std::string_view kind;  // body, joint, site
   std::string_view name;
 };
 
-/// An element or attribute that the host does not accept. Empty fields match any text.
+/// An element or attribute that the host does not accept. An empty `element` matches all elements
+/// of the section. An empty `attribute` matches the whole element; an empty `text` matches all
+/// values except 0 and "disable".
 struct UnsupportedFeature {
   std::string_view section;
   std::string_view element = {};
@@ -43,10 +45,10 @@ struct TargetRules {
   int visual_group = 2;
   bool keeps_groups = true;             // a part's own `group` takes precedence
   bool shows_collision_copies = false;  // the host shows copies of collision geoms
-  bool writes_mass = false;             // mass in place of density, which the host overwrites
-  int sphere_sizes = 1;                 // numbers in a sphere's size
-  bool supports_round_shapes = true;    // cylinders and ellipsoids collide with boxes and meshes
-  bool supports_margins = true;         // geoms may have a margin
+  bool writes_mass = false;  // write geoms with a mass, because the host overwrites densities
+  int sphere_sizes = 1;      // count of the numbers in a sphere's size
+  bool supports_round_shapes = true;  // cylinders and ellipsoids collide with boxes and meshes
+  bool supports_margins = true;       // geoms may have a margin
 
   // Elements of the file around the object.
   bool has_scene = false;          // floor, light and camera
@@ -62,7 +64,7 @@ struct TargetRules {
   std::string_view region_prefix = {};       // prefix of geoms that the host reads as regions
   std::span<const HostName> host_names = {};
 
-  /// File name in a folder for each object of a scene (--each); empty: OBJECT.xml.
+  /// Returns true if geoms, bodies and names may have to change for this target.
   std::string_view file_in_folder = {};
 
   bool repeats_start = false;  // the file has a keyframe even if the start is at zero

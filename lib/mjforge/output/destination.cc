@@ -40,7 +40,8 @@ std::string WithoutEnding(std::string_view name) {
   return std::string(name);
 }
 
-// Returns the name that the archives of a series have in common: "x" for "x_%05d.tar".
+// Returns the name that the archives of a series, or the families of a split batch, have in common:
+// "x" for "x_%05d.tar" and "x_%s.npz".
 std::string StemOf(const Destination& destination) {
   std::string stem = WithoutEnding(destination.path.filename().string());
   std::optional<NumberPlaceholder> place = FindNumberPlaceholder(stem);

@@ -48,8 +48,9 @@ struct Destination {
   /// Returns the path of the family for the structure with this key; if there is a single family,
   /// its path.
   std::filesystem::path Family(std::string_view key) const;
-  /// Returns the path of the rows of a family, one row per variant: NAME-00003-of-00008.rows for a
-  /// shard, which `merge` joins with the others, or NAME.rows while a whole family is made.
+  /// Returns the path of the file of a family's rows, one row per variant: NAME-00003-of-00008.rows
+  /// for a shard, which `mjforge merge` joins with the other shards, or NAME.rows while a whole
+  /// family is made.
   std::filesystem::path Rows(const Shard& shard) const;
   /// Returns the path of the manifest: DIR/manifest.jsonl for a folder, STEM.manifest.jsonl beside
   /// archives, STEM.manifest.jsonl.zst beside compressed archives; with "-00003-of-00008" before

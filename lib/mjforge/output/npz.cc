@@ -1,4 +1,4 @@
-// NumPy's archives of arrays: zip members without compression, headers of arrays.
+// Writer of NumPy's archives of arrays (.npz): zip members without compression, headers of arrays.
 //
 // libarchive's writer of zip files is not used, because it links a library of ciphers.
 
@@ -20,8 +20,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "arrays are written as they are");
 
-// NumPy's word and the bytes of each type, in the order of ArrayType; of a text, for each code
-// point.
+// NumPy's code for a type, and the size of a value in bytes, in the order of ArrayType. The size of
+// a text is that of one code point.
 struct TypeInfo {
   std::string_view word;
   std::uint64_t bytes;

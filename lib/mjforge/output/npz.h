@@ -17,8 +17,8 @@ namespace mjforge::output {
 /// Types of NumPy's arrays, little-endian. A text has a constant number of code points.
 enum class ArrayType { kFloat64, kInt32, kUint64, kBool, kByte, kText };
 
-/// Returns the UTF-8 text as `length` code points of four bytes, as NumPy stores it; the code
-/// points after its end are zero.
+/// Converts a UTF-8 text to `length` code points of four bytes each, as NumPy stores texts. A
+/// shorter text is filled with zeros; a longer text is cut off.
 std::string Utf32Of(std::string_view text, std::size_t length);
 /// Returns the number of code points of a UTF-8 text.
 std::size_t CodePoints(std::string_view text);

@@ -46,8 +46,8 @@ bool IsStructureFolder(std::string_view name) {
   return name.size() == kDigits && name.find_first_not_of("0123456789abcdef") == name.npos;
 }
 
-// Removes the temporary files in a folder that killed processes left; `is_ours` selects them by
-// their final names.
+// Removes the temporary files that killed processes left in a folder. `is_ours` decides by the
+// final name of each temporary file.
 void RemoveAbandonedIn(const std::filesystem::path& folder,
                        const std::function<bool(const std::string&)>& is_ours) {
   std::error_code ignored;

@@ -40,7 +40,8 @@ struct OverwritePolicy {
 
 /// Writes a temporary file beside `file` and renames it. On failure, removes the temporary file,
 /// adds a finding and returns false. The folder must exist. With `if_changed`, a file that already
-/// has these bytes stays untouched.
+/// has these bytes stays untouched. With Durability::kBatch, waits until the bytes and the name are
+/// on the disk.
 bool WriteFile(const std::filesystem::path& file, std::string_view bytes, bool if_changed,
                diag::Findings& findings, Durability durability = Durability::kNone);
 
@@ -76,9 +77,11 @@ class MadeFolders {
   MadeFolders& operator=(const MadeFolders&) = delete;
   ~MadeFolders();
 
-  /// Makes the folder and all missing folders above it.
+  /// Makes the folder and all missing folders above it. Returns false, after adding a finding, if
+  /// that fails.
   bool Make(const std::filesystem::path& folder, diag::Findings& findings);
-  /// Makes `folder` below the existing `base`; below `base`, symbolic links are rejected.
+  /// Makes `folder` below the existing folder `base`. Below `base`, symbolic links are rejected.
+  /// Returns false, after adding a finding, if that fails.
   bool MakeBelow(const std::filesystem::path& base, const std::filesystem::path& folder,
                  diag::Findings& findings);
 
@@ -156,7 +159,7 @@ std::string MakeRule(std::span<const std::string> targets, const std::set<std::s
 /// Escapes a name for use in a Make rule.
 std::string EscapeForMake(std::string_view name);
 
-/// Returns a name as a word of a command line for a shell, in quotation marks if it needs them.
+/// Returns a text as one word of a shell's command line, quoted if necessary.
 std::string ShellWord(std::string_view word);
 
 }  // namespace mjforge::output

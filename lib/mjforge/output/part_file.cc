@@ -25,15 +25,16 @@ namespace {
 // are made, so that the final synchronization has little left to do.
 constexpr std::uint64_t kWritebackBytes = std::uint64_t{8} << 20;
 
-// Disk space reserved in advance, which saves a third of the system's work for each write. None is
-// reserved if less than kEnoughRoom is free, because the manifest beside an archive needs space,
+// Disk space reserved in advance, which saves a third of the system's work for each write. No space
+// is reserved if less than kEnoughRoom is free, because the manifest beside an archive needs space,
 // too.
 constexpr std::uint64_t kReserve = std::uint64_t{8} << 20;
 constexpr std::uint64_t kEnoughRoom = std::uint64_t{1} << 30;
 
 constexpr std::uint64_t kCopyBytes = std::uint64_t{1} << 20;
 
-// Attempts to lock a part: a killed process and its workers may need some time to release the lock.
+// Number of attempts to lock a part, because a killed process and its workers may need some time to
+// release the lock.
 constexpr int kLockTries = 20;
 constexpr auto kLockPause = std::chrono::milliseconds(50);
 

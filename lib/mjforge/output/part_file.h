@@ -33,8 +33,8 @@ class PartFile {
   ~PartFile();
 
   std::uint64_t size() const { return size_; }
-  /// Returns the checksum of all bytes. If the part had bytes when it was opened, call Truncate
-  /// first.
+  /// Returns the checksum of all bytes. If the part had bytes when it was opened, call Truncate()
+  /// first, because Open() does not read the bytes.
   std::string checksum() const { return checksum_.Text(); }
   const std::filesystem::path& final_path() const { return file_; }
   const std::filesystem::path& temporary() const { return temporary_; }
