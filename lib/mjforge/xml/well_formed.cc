@@ -37,7 +37,13 @@ std::optional<XmlFault> FindMjcfFault(std::string_view text, bool* has_includes)
   pugi::xml_document document;
   auto fault = FaultOf(document.load_buffer(text.data(), text.size()));
   if (fault) return fault;
-  if (has_includes != nullptr) *has_includes = !document.select_node("//include").node().empty();
+  if (has_includes != nullptr) {
+    // MuJoCo compares this name, unlike others, without regard to case.
+    const auto is_include = [](const pugi::xml_node& node) {
+      return diag::LowerCase(node.name()) == "include";
+    };
+    *has_includes = !document.find_node(is_include).empty();
+  }
   const pugi::xml_node root = document.document_element();
   const std::string_view name = root.name();
   if (name == "mujoco") return std::nullopt;

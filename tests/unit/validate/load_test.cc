@@ -206,9 +206,12 @@ TEST_CASE("a line may be one of an included file") {
   const TemporaryFolder folder;
   std::ofstream(folder.path() / "bad.xml")
       << "<mujoco>\n<worldbody>\n<geom/>\n</worldbody></mujoco>";
-  const Result result = LoadText(folder, "<mujoco>\n  <include file=\"bad.xml\"/>\n\n</mujoco>\n");
-  REQUIRE(result.findings.size() == 1);
-  CHECK(result.findings[0].hint == "the line may be in an included file");
+  for (const std::string name : {"include", "Include"}) {
+    const Result result =
+        LoadText(folder, "<mujoco>\n  <" + name + " file=\"bad.xml\"/>\n\n</mujoco>\n");
+    REQUIRE(result.findings.size() == 1);
+    CHECK(result.findings[0].hint == "the line may be in an included file");
+  }
 }
 
 TEST_CASE("numbers that are not finite are found in a file that MuJoCo takes") {
