@@ -56,8 +56,9 @@ class Assets {
   Assets(Assembler& assembler, model::Object& object, diag::Findings& findings)
       : assembler_(assembler), object_(object), findings_(findings) {}
 
-  /// Makes a shape with the library `solid`. Sets the part's render mesh and exact mass, and
-  /// returns the convex pieces, with poses in the part's frame.
+  /// Makes a shape with the library `solid`. Sets the part's mesh and, unless the part is a single
+  /// convex mesh, its exact mass properties. Returns the convex pieces that collide, with poses in
+  /// the part's frame; none for a single convex mesh. Returns nullopt after adding a finding.
   std::optional<std::vector<model::Part>> AddShape(const FieldReader& reader,
                                                    const SolidInput& input, model::Part& part);
   /// Sets the part's mesh and shape from `file` and `scale`. File names are relative to `folder`.
@@ -97,8 +98,8 @@ class Assets {
   void Report(const FieldReader& reader, const SolidInput& input, const solid::Fault& fault);
   std::vector<model::Part> AddSolid(const std::shared_ptr<const solid::Solid>& made,
                                     model::Part& part);
-  /// Adds a mesh that MJCF contains inline. If the mesh has no normals, MuJoCo computes its
-  /// triangles as the convex hull of its vertices.
+  /// Sets the part's mesh to an inline mesh (MJCF attributes `vertex`, `face`). If the mesh has no
+  /// normals, MuJoCo computes its triangles as the convex hull of its vertices.
   void AddInline(const model::TriangleMesh& mesh, model::Part& part);
   void AddFile(const std::filesystem::path& file, const Eigen::Vector3d& scale,
                const Assembler::CachedMesh& content, model::Part& part);

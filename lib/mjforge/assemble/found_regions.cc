@@ -15,7 +15,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Minimum area, m^2, and free height, m, of faces that the message about an empty search mentions.
+// Minimum area, m^2, and minimum free height, m, of the faces among which the message about a
+// search without a result names the largest.
 constexpr double kAnyArea = 1e-8;
 constexpr double kAnyHeight = 1e-5;
 

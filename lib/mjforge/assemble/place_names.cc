@@ -29,7 +29,8 @@ bool HasName(const std::vector<std::string>& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-// Returns the region or site of a body whose name is one of the full names.
+// Returns the region and the site of a body whose full name is in `names`; nullopt if there is
+// neither.
 std::optional<PlaceTarget> FindOn(const model::Object& object, int body,
                                   const std::vector<std::string>& names) {
   const model::Body& owner = object.bodies[static_cast<std::size_t>(body)];

@@ -17,9 +17,9 @@ namespace mjforge::assemble {
 struct MaterialState {
   bool is_evaluated = false;
   int index = -1;  // index in Object::materials; -1 if it has only a density or contact attributes
-  std::optional<double> density;
+  std::optional<double> density;  // kg/m^3
   const spec::Field* density_field = nullptr;
-  std::vector<model::Attribute> contact;
+  std::vector<model::Attribute> contact;  // attributes of colliding geoms, such as friction
 };
 
 /// State of one spec in the object: of the outermost spec, of a spec used as a part (welded), or of
@@ -40,7 +40,7 @@ struct Scope {
   /// replaces it.
   Scope* outer = nullptr;
   std::vector<std::pair<std::string, std::string>> substitutes;
-  std::optional<Eigen::Vector3d> total_size;
+  std::optional<Eigen::Vector3d> total_size;  // half sizes of the declared bounding box, m
   /// A body with a list of joints: its entry, its index, and the values of its entry's variables.
   struct Jointed {
     const spec::BodyEntry* entry;
