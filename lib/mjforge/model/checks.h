@@ -60,10 +60,10 @@ struct FittingCheck {
 
 /// Grasps: a gripper with two parallel jaws must hold the object.
 struct GraspingCheck {
-  std::vector<std::string> sites = {};  // grasp sites; empty: the sites that the manual lists
+  std::vector<std::string> sites = {};  // grasp sites; empty: those whose names begin with "grasp"
   double width = 0.08;                  // m, largest distance between the jaws
   double force = 30;                    // N, closing force
-  double pull = 5;                      // N, force of a joint on the jaws that hold its moving part
+  double pull = 5;                      // N, force at the jaws with which a joint is moved
   int tries = 3;                        // number of attempts at each site
   diag::SourceMark mark = {};
 
