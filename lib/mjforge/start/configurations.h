@@ -40,6 +40,7 @@ inline bool IsScalar(const model::Joint& joint) {
 /// the frame of the body: the product D_(k+1) ... D_n of the joints' motions.
 model::Pose MotionOfLaterJoints(const model::Body& body, std::size_t joint);
 
+/// Poses of an object at its zero configuration and at its start, and lookup of its elements.
 class Configurations {
  public:
   /// Stores a reference to the object. The object's names and joints must not change while this
@@ -59,7 +60,8 @@ class Configurations {
   model::Pose RelativePose(const model::Element& equality, const Poses& X_WB) const;
   /// Returns the joint with that name; null if there is none.
   const model::Joint* FindJoint(std::string_view name) const;
-  /// Returns the distance of a hinge or slide from its zero to its start, rad or m.
+  /// Returns the displacement of a hinge or slide from its zero to its start, rad or m; 0 for any
+  /// other name, and if the joint has no start position.
   double Displacement(std::string_view name) const;
   /// Returns the element of the section `tendon` with that name; null if there is none.
   const model::Element* FindTendon(std::string_view name) const;
