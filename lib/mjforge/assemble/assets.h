@@ -24,15 +24,15 @@ inline sample::StreamId MaterialPath(const sample::Evaluator& values,
   return sample::Child(sample::Child(values.root(), "materials"), material.name);
 }
 
-/// Name of a shape's outline (the outer polygon or a hole), and places of the outline's points in
-/// the spec, for findings.
+/// Name of a shape's outline (the outer polygon or a hole), and positions of the outline's points
+/// in the text of the spec, for findings.
 struct OutlinePlace {
   std::string name = {};                     // "hole 1 along x"; empty for the outer outline
-  std::vector<diag::SourceMark> marks = {};  // places of the outline's points; may be empty
+  std::vector<diag::SourceMark> marks = {};  // one per point of the outline; may be empty
 };
 
-/// A shape (lathe, prism, ...) that the library `solid` makes, and its places in the spec, for
-/// findings.
+/// A shape (lathe, prism, ...) that the library `solid` makes, and its positions in the text of the
+/// spec, for findings.
 struct SolidInput {
   const solid::SolidShape& shape;
   const spec::Field& field;  // field that contains the outer outline, the path or the size
@@ -87,7 +87,7 @@ class Assets {
   std::string OutputName(const std::filesystem::path& file);
 
  private:
-  /// Origin of a mesh; meshes with equal origins are equal.
+  /// File and scale from which a mesh was made, and properties of the mesh.
   struct MeshSource {
     std::filesystem::path file;  // empty for inline meshes
     Eigen::Vector3d scale = Eigen::Vector3d::Ones();

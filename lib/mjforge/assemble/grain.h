@@ -1,4 +1,5 @@
-// Direction of a part's texture: along the axis that the spec specifies, or along the longest edge.
+// Grain of a part, the direction of its texture: along an axis that the spec specifies, or along
+// the longest edge.
 
 #pragma once
 

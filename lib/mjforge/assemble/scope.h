@@ -32,7 +32,7 @@ struct Scope {
   std::string prefix;  // prefix of the full names of all elements of the spec; ends with `link`
   std::string link;    // name of the current link of a chain, and "_"; otherwise empty
   int body;          // index in Object::bodies of the body to which the spec's root elements belong
-  model::Pose X_BS;  // pose of the spec's root S in the current body B
+  model::Pose X_BS;  // pose of the spec's frame S in the current body B
   sample::StreamId parts;                // random stream of the current list of parts
   std::vector<MaterialState> materials;  // parallel to values.spec().materials
   /// Scope of the spec that contains this spec; null for the outermost spec. `substitutes` contains
