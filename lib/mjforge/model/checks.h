@@ -134,7 +134,7 @@ struct Checks {
   std::vector<PartCheck> parts;
   Eigen::Vector2d density = {20, 22'000};      // kg/m^3, lowest and highest density of a part
   Eigen::Vector2d bulk_density = {1, 22'000};  // kg/m^3, lowest and highest: mass / box volume
-  double overlap = 0.05;                       // largest mass counted twice / mass of the body
+  double overlap = 0.05;                       // largest mass of overlaps of parts / body's mass
   double thickness = 0.001;                    // m, least thickness of a part
   double aspect = 100;  // largest ratio of a part's longest and shortest side
   double gap = 0.0005;  // m, largest gap between parts that are connected

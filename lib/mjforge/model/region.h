@@ -49,8 +49,8 @@ double TiltOf(const Pose& X_WR);
 /// origin.
 Eigen::Vector2d MiddleOf(const Region& region);
 
-/// Returns the centre, in the plane of R, of a disc of this radius that is inside the region and
-/// outside its margin. In a box, `uv` (two numbers from -1 to 1) spans all such centres. In a disc,
+/// Returns the centre, in the plane of R, of a disc of this radius that is inside the region, at
+/// least the margin away from its edge. In a box, `uv` (-1 to 1) spans all such centres. In a disc,
 /// and in the largest disc about the middle of a polygon, `uv` is a point of the unit disc. If the
 /// disc is too large, returns the middle of the region.
 Eigen::Vector2d PositionOfDisc(const Region& region, double radius, const Eigen::Vector2d& uv);
