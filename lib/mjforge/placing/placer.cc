@@ -233,7 +233,7 @@ class RegionTry {
   }
 
   // Puts the body onto the region, and stores its pose in `result`. If the body would tip over or
-  // is too near to an obstacle, stores the blocking body and the distance instead.
+  // is too near to an obstacle, also stores the verdict kBlocked and the blocking body.
   void Put(const Stance& stance, const Obstacles& obstacles, PlaceResult& result) const {
     const Support support = SupportPlane();
     Pose X_RB{{stance.at->x(), stance.at->y(), kContactGap - of_.bottom},
