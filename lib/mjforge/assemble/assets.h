@@ -28,7 +28,7 @@ inline sample::StreamId MaterialPath(const sample::Evaluator& values,
 /// in the text of the spec, for findings.
 struct OutlinePlace {
   std::string name = {};                     // "hole 1 along x"; empty for the outer outline
-  std::vector<diag::SourceMark> marks = {};  // one per point of the outline; may be empty
+  std::vector<diag::SourceMark> marks = {};  // a mark per point of the outline; may be empty
 };
 
 /// A shape (lathe, prism, ...) that the library `solid` makes, and its positions in the text of the

@@ -42,7 +42,7 @@ class Placements {
     std::string name;  // name in the spec
     int body = -1;
   };
-  // One attempt to place a body: the name in `at:`, its region or site, and the drawn values.
+  // An attempt to place a body: the name in `at:`, its region or site, and the drawn values.
   struct Trial {
     std::string at;
     PlaceTarget target;
