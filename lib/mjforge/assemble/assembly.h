@@ -53,8 +53,8 @@ class Assembly {
   /// Multiplies poses by X_BC from the left. Applies to the elements added after the counts `from`:
   /// parts, sites, regions and views of the current body, and bodies whose parent is `parent`.
   void Move(const model::Pose& X_BC, const ElementCounts& from, int parent);
-  /// Returns true if `count` is less than kMaxParts. Otherwise reports that the object has too many
-  /// `what` ("bodies"), and returns false, as in every later call.
+  /// Returns true if `count` is less than kMaxParts. Otherwise returns false, now and in all later
+  /// calls, and reports once that the object has too many `what` ("bodies").
   bool HasRoomFor(std::string_view what, std::size_t count, diag::SourceMark mark);
   void ReadTotalSize(Scope& scope);
   void ReadStartForm(Scope& scope);

@@ -56,9 +56,10 @@ class Assets {
   Assets(Assembler& assembler, model::Object& object, diag::Findings& findings)
       : assembler_(assembler), object_(object), findings_(findings) {}
 
-  /// Makes a shape with the library `solid`. Sets the part's mesh and, unless the part is a single
-  /// convex mesh, its exact mass properties. Returns the convex pieces that collide, with poses in
-  /// the part's frame; none for a single convex mesh. Returns nullopt after adding a finding.
+  /// Makes a shape with the library `solid`. Sets the part's render mesh (unless it only collides)
+  /// and exact mass, and returns the colliding convex pieces, with poses in the part's frame. If
+  /// the shape is a single convex mesh, sets this mesh, and returns no pieces. Returns nullopt
+  /// after adding a finding.
   std::optional<std::vector<model::Part>> AddShape(const FieldReader& reader,
                                                    const SolidInput& input, model::Part& part);
   /// Sets the part's mesh and shape from `file` and `scale`. File names are relative to `folder`.

@@ -63,7 +63,7 @@ struct GraspingCheck {
   std::vector<std::string> sites = {};  // grasp sites; empty: those whose names begin with "grasp"
   double width = 0.08;                  // m, largest distance between the jaws
   double force = 30;                    // N, closing force
-  double pull = 5;                      // N, force at the jaws with which a joint is moved
+  double pull = 5;                      // N, force at the jaws when a joint pulls the held part
   int tries = 3;                        // number of attempts at each site
   diag::SourceMark mark = {};
 
