@@ -9,9 +9,9 @@
 
 namespace mjforge::assemble {
 
-// Assembles the object, again if no place is found for an optional body: the next assembly leaves
-// this body out, and all other draws keep their values. Stops after an error, because another
-// assembly would not report the failed values again.
+// Assembles the object. If no place is found for an optional body (`fewer: true`), assembles the
+// object again without this body; all other draws keep their values. Stops after an error, because
+// the evaluator reports each failed value only once.
 std::optional<model::Object> Assembler::Assemble(sample::Evaluator& values, const Options& options,
                                                  diag::Findings& findings) {
   const std::size_t before = findings.size();

@@ -1,4 +1,4 @@
-// Assembly of a spec: its parts, frames and welded specs, in order.
+// Assembly of a spec: order of the steps, and the entries of `parts:` (parts, frames and specs).
 
 #include "mjforge/assemble/assembly.h"
 

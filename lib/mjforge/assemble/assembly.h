@@ -40,7 +40,7 @@ class Assembly {
   std::optional<model::Object> Run(sample::Evaluator& values, const Assembler::Options& options);
 
  private:
-  // assembly.cc
+  // assembly.cc. X_SF: pose, in the spec's frame S, of the frame F in which the entries are given.
   void AddSpec(Scope& scope);
   void AddParts(Scope& scope, const std::vector<spec::Entry>& entries, const model::Pose& X_SF);
   void AddFrame(Scope& scope, const spec::Entry& entry, const model::Pose& X_SF);
@@ -50,11 +50,11 @@ class Assembly {
     std::size_t parts, sites, regions, views, bodies;
   };
   ElementCounts CountElements();
-  /// Moves the elements that were added after the counts `from`: parts, sites, regions and views of
-  /// the current body, and bodies whose parent is `parent`.
+  /// Multiplies poses by X_BC from the left. Applies to the elements added after the counts `from`:
+  /// parts, sites, regions and views of the current body, and bodies whose parent is `parent`.
   void Move(const model::Pose& X_BC, const ElementCounts& from, int parent);
-  /// Returns true if `count` is less than kMaxParts. Otherwise returns false, and reports once that
-  /// the object has too many `what` ("bodies").
+  /// Returns true if `count` is less than kMaxParts. Otherwise returns false, now and in all later
+  /// calls, and reports once that the object has too many `what` ("bodies").
   bool HasRoomFor(std::string_view what, std::size_t count, diag::SourceMark mark);
   void ReadTotalSize(Scope& scope);
   void ReadStartForm(Scope& scope);
@@ -88,7 +88,7 @@ class Assembly {
   void SetBodyPose(Scope& scope, FieldReader& reader, const spec::Entry& entry,
                    const model::Bounds& bounds, model::Body& body);
   int ParentOf(Scope& scope, FieldReader& reader, const spec::Entry& entry);
-  /// Returns the angle of a spec's `front:`, in rad, counter-clockwise about z from -y.
+  /// Returns the angle of a spec's `front:`, rad, counter-clockwise about z from -y; 0 if missing.
   double FrontOf(Scope& scope);
   using JointedVisitor = std::function<void(const spec::BodyEntry&, std::size_t body)>;
   /// For each body with a list of joints: sets the loop variables of its entry, then calls `visit`.
@@ -138,8 +138,8 @@ class Assembly {
 
   // parts.cc
   void AddPart(Scope& scope, const spec::Entry& entry, const model::Pose& X_SF);
-  /// Adds the part to the current body. If the part has convex pieces, given with poses in its
-  /// frame, the part becomes visual and the pieces collide.
+  /// Adds the part to the current body. If it has convex pieces (poses in its frame), the pieces
+  /// collide, and the part becomes visual; a part with `role: collision` is then left out.
   void AddWithPieces(model::Part part, std::vector<model::Part> pieces);
   bool ReadMaterial(Scope& scope, FieldReader& reader, const spec::Entry& entry, model::Part& part,
                     const MaterialState*& material);
@@ -157,7 +157,7 @@ class Assembly {
   void AddSites(Scope& scope, const std::vector<spec::Entry>& entries, sample::StreamId sites);
   void AddSite(Scope& scope, const spec::Entry& entry, sample::StreamId sites);
   // regions.cc
-  /// Adds regions, whose names in the spec begin with `owner` (empty: root), to the current body.
+  /// Adds regions to the current body. The names of their sites begin with `owner`: "BODY_" or "".
   void AddRegions(Scope& scope, const std::vector<spec::Entry>& entries, std::string_view owner,
                   sample::StreamId regions);
   void AddRegion(Scope& scope, const spec::Entry& entry, std::string_view owner,

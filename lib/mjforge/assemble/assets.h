@@ -24,15 +24,15 @@ inline sample::StreamId MaterialPath(const sample::Evaluator& values,
   return sample::Child(sample::Child(values.root(), "materials"), material.name);
 }
 
-/// Name of a shape's outline (the outer polygon or a hole), and places of the outline's points in
-/// the spec, for findings.
+/// Name of a shape's outline (the outer polygon or a hole), and positions of the outline's points
+/// in the text of the spec, for findings.
 struct OutlinePlace {
   std::string name = {};                     // "hole 1 along x"; empty for the outer outline
-  std::vector<diag::SourceMark> marks = {};  // places of the outline's points; may be empty
+  std::vector<diag::SourceMark> marks = {};  // a mark per point of the outline; may be empty
 };
 
-/// A shape (lathe, prism, ...) that the library `solid` makes, and its places in the spec, for
-/// findings.
+/// A shape (lathe, prism, ...) that the library `solid` makes, and its positions in the text of the
+/// spec, for findings.
 struct SolidInput {
   const solid::SolidShape& shape;
   const spec::Field& field;  // field that contains the outer outline, the path or the size
@@ -56,8 +56,10 @@ class Assets {
   Assets(Assembler& assembler, model::Object& object, diag::Findings& findings)
       : assembler_(assembler), object_(object), findings_(findings) {}
 
-  /// Makes a shape with the library `solid`. Sets the part's render mesh and exact mass, and
-  /// returns the convex pieces, with poses in the part's frame.
+  /// Makes a shape with the library `solid`. Sets the part's render mesh (unless it only collides)
+  /// and exact mass, and returns the colliding convex pieces, with poses in the part's frame. If
+  /// the shape is a single convex mesh, sets this mesh, and returns no pieces. Returns nullopt
+  /// after adding a finding.
   std::optional<std::vector<model::Part>> AddShape(const FieldReader& reader,
                                                    const SolidInput& input, model::Part& part);
   /// Sets the part's mesh and shape from `file` and `scale`. File names are relative to `folder`.
@@ -86,7 +88,7 @@ class Assets {
   std::string OutputName(const std::filesystem::path& file);
 
  private:
-  /// Origin of a mesh; meshes with equal origins are equal.
+  /// File and scale from which a mesh was made, and properties of the mesh.
   struct MeshSource {
     std::filesystem::path file;  // empty for inline meshes
     Eigen::Vector3d scale = Eigen::Vector3d::Ones();
@@ -97,8 +99,8 @@ class Assets {
   void Report(const FieldReader& reader, const SolidInput& input, const solid::Fault& fault);
   std::vector<model::Part> AddSolid(const std::shared_ptr<const solid::Solid>& made,
                                     model::Part& part);
-  /// Adds a mesh that MJCF contains inline. If the mesh has no normals, MuJoCo computes its
-  /// triangles as the convex hull of its vertices.
+  /// Sets the part's mesh to an inline mesh (MJCF attributes `vertex`, `face`). If the mesh has no
+  /// normals, MuJoCo computes its triangles as the convex hull of its vertices.
   void AddInline(const model::TriangleMesh& mesh, model::Part& part);
   void AddFile(const std::filesystem::path& file, const Eigen::Vector3d& scale,
                const Assembler::CachedMesh& content, model::Part& part);

@@ -27,9 +27,9 @@ void ClearProperties(const spec::BodyEntry& entry, sample::Evaluator& values) {
   }
 }
 
-// Returns the position of a body's origin for `placement: corner`. `p` is the position of the lower
-// corner of the body's rotated bounding box, relative to the lower corner of the box that the spec
-// declares by `total_size:`.
+// Returns the position of a body's origin for `placement: corner`. `p` is the required position of
+// the lower corner of the body's rotated bounding box, relative to the lower corner of the box that
+// the spec declares by `total_size:` (half sizes). `min` and `max` bound the body in its own frame.
 Eigen::Vector3d OriginFromCorner(const Eigen::Vector3d& p, const Eigen::Quaterniond& q,
                                  const Eigen::Vector3d& total_size, const Eigen::Vector3d& min,
                                  const Eigen::Vector3d& max) {

@@ -21,8 +21,8 @@ struct Chain {
   std::vector<model::Attribute> attributes = {};  // MJCF attributes of the joints
 };
 
-/// A link of a chain: its chain and number, and the index of the body of the previous link. For a
-/// body that is not a link, `chain` is null.
+/// A link of a chain: its chain, its number (from 0), and the index of the body of the previous
+/// link, -1 for the first link. For a body that is not a link, `chain` is null.
 struct Link {
   const Chain* chain = nullptr;
   int number = 0;

@@ -33,9 +33,9 @@ bool IsLinear(const sample::Numbers& c) {
   return std::all_of(c.begin() + 2, c.end(), [](double x) { return x == 0; });
 }
 
-// Returns the equality that keeps `follower` at c[0] + c[1] x + ... if `leader` is at x. The joint
-// that moves farther becomes joint 1. The reason is that MuJoCo scales the softness of an equality
-// by the sum of the inverse inertias of its joints, without the slope of the polynomial
+// Returns the equality that keeps `follower` at c[0] + c[1] x + ... when `leader` is at x. If the
+// polynomial is linear, the joint that moves farther becomes joint 1. The reason is that MuJoCo
+// scales the softness by the sum of the joints' inverse inertias, without the polynomial's slope
 // (mj_diagApprox in src/engine/engine_core_constraint.c). If joint 2 is light and the slope is
 // below 1, the sum is too large, and the equality too soft.
 model::Element EqualityOf(std::string follower, std::string leader, sample::Numbers c) {

@@ -65,8 +65,8 @@ bool ReadDetent(FieldReader& reader, const spec::Entry& entry, model::Joint& joi
                     expr::NumberText(lower), expr::NumberText(upper), expr::NumberText(centre)));
     return false;
   }
-  // Makes the end that is farther from the dead centre hold the joint with `holding`. The other end
-  // holds with less.
+  // At the end of the range that is farther from the dead centre, the spring holds the joint with
+  // the force (N) or torque (Nm) `holding`. At the other end, the spring holds with less.
   const double stiffness = *holding / std::max(upper - centre, centre - lower);
   std::erase_if(joint.attributes, [](const model::Attribute& attribute) {
     return attribute.name == "stiffness" || attribute.name == "springdamper";

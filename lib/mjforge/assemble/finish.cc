@@ -22,8 +22,8 @@ using diag::Code;
 // MuJoCo's mjMINVAL: a body that moves must have a larger mass.
 constexpr double kSmallestMass = 1e-15;
 
-// Reports bodies with joints that have no mass, also not from ShareMass(), which moves mass from
-// fixed children to such bodies.
+// Reports bodies that have joints but no mass. Requires an earlier call of ShareMass(), which gives
+// such bodies mass from children that are fixed to them.
 void CheckMass(const model::Object& object, diag::Findings& findings) {
   for (const model::Body& body : object.bodies) {
     if (body.joints.empty() || body.mass_properties.mass > kSmallestMass) continue;

@@ -15,7 +15,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Minimum area, m^2, and free height, m, of faces that the message about an empty search mentions.
+// Limits for the message about a search without a result, which gives the size of the largest level
+// face that has at least this area, m^2, and this free height, m.
 constexpr double kAnyArea = 1e-8;
 constexpr double kAnyHeight = 1e-5;
 

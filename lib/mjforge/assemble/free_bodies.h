@@ -9,7 +9,8 @@
 namespace mjforge::assemble {
 
 /// Makes each body with a free joint a child of the world, without changing its pose in the world.
-/// Adds a finding if the body has further joints, or if a joint moves one of its ancestors.
+/// If the body has further joints, or an ancestor has joints but no free joint, adds a finding
+/// instead. Only bodies with `place:` may have such an ancestor.
 void ReleaseFreeBodies(std::vector<model::Body>& bodies, diag::Findings& findings);
 
 }  // namespace mjforge::assemble

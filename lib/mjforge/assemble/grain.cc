@@ -12,7 +12,8 @@ namespace {
 
 using Unit = solid::TextureMapping::Unit;
 
-// A box is a post, not a board, if the ratio of the sides of its cross section is above this value.
+// A box is a post, not a board, if the ratio of the shorter to the longer side of its cross section
+// (perpendicular to the grain) is above this value.
 constexpr double kPost = 0.5;
 
 }  // namespace

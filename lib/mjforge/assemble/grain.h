@@ -1,4 +1,5 @@
-// Direction of a part's texture: along the axis that the spec specifies, or along the longest edge.
+// Grain of a part, the direction of its texture: along an axis that the spec specifies, or along
+// the longest edge.
 
 #pragma once
 
@@ -16,8 +17,8 @@ namespace mjforge::assemble {
 /// from x and y in the geom's frame.
 struct PartTexture {
   solid::TextureMapping mapping = {.unit = solid::TextureMapping::Unit::kNone};
-  /// True if the grain is along the longest edge. Only for generated textures, because a picture
-  /// has a top edge.
+  /// True if the grain follows the longest edge of the part. False for image files, because a
+  /// picture has a definite top edge.
   bool is_turned = false;
   std::optional<int> grain = std::nullopt;  // axis that the spec specifies: 0, 1 or 2
 };
@@ -30,8 +31,9 @@ PartTexture TextureOf(const model::Object& object, int material);
 bool ReadGrain(FieldReader& reader, const spec::Entry& entry, std::string_view type,
                PartTexture& texture);
 
-/// Returns the orientation q_FG of the frame G in which a box is written. In a board (flat box), y
-/// of G is along the grain; in a post, z of G is. Converts the half sizes `half` from F to G.
+/// Returns the orientation q_FG of the box geom's frame G relative to the frame F, in which the
+/// spec gives the box. In a board (flat box), y of G is along the grain; in a post, z of G is.
+/// Converts the half sizes `half` from F to G.
 Eigen::Quaterniond TurnToGrain(const PartTexture& texture, Eigen::Vector3d& half);
 
 /// Returns the mapping of a texture that is projected from above onto a shape of this size in x and

@@ -62,7 +62,7 @@ bool ReadRange(FieldReader& reader, const spec::Entry& entry, model::Joint& join
   return true;
 }
 
-// Returns the suffixes of the names of the joints that an entry makes.
+// Returns the suffixes of the joints that an entry makes: two for a screw, otherwise an empty one.
 std::span<const std::string_view> JointEndings(bool is_screw) {
   static constexpr std::string_view kOfScrew[] = {kRiseEnding, kTurnEnding};
   static constexpr std::string_view kOfJoint[] = {""};

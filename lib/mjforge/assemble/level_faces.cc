@@ -141,6 +141,8 @@ void CutOff(const PlacedShape& placed, LevelFace& face) {
   face.corners = std::move(best);
 }
 
+// Reduces the face to an area above which at least `height` is free, and sets the face's free
+// height. Stops if less than `area` remains.
 void CutBack(std::span<const PlacedShape> shapes, double height, double area, LevelFace& face) {
   for (const PlacedShape& placed : shapes) {
     const double low = placed.box.min.z() - face.z;

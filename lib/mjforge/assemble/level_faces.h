@@ -36,8 +36,8 @@ struct LevelFace {
 double AreaOfFace(const LevelFace& face);
 
 /// Returns the level upper faces of the shapes `own`, the largest first, that have at least the
-/// area `area`, m^2, and at least the free height `height`, m, below the shapes `all`. A face on
-/// which another shape stands is reduced to the largest free part.
+/// area `area`, m^2, and at least the free height `height`, m, below the shapes `all`. A partly
+/// covered face is cut parallel to its edges until the rest is free.
 std::vector<LevelFace> FindLevelFaces(std::span<const PlacedShape> own,
                                       std::span<const PlacedShape> all, double area, double height);
 

@@ -17,9 +17,9 @@ class Sections {
            diag::Findings& findings)
       : object_(object), repetition_(repetition), references_(references), findings_(findings) {}
 
-  /// Adds the sections of a spec, all of whose bodies must exist. A section with settings of the
-  /// whole model (`option`) is added only if the spec is the outermost one; otherwise a warning is
-  /// added.
+  /// Adds the MJCF sections of a spec, whose bodies must all exist already. Adds sections with
+  /// settings of the whole model (`option`) only if the spec is the outermost one; otherwise adds a
+  /// warning.
   void Add(Scope& scope, bool outermost);
   /// Returns the elements of a section. Adds the section to the object if the object does not have
   /// it.

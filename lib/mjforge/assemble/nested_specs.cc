@@ -1,5 +1,5 @@
-// Nested specs: sampling of their parameters, and the materials of the outer spec that replace
-// theirs.
+// Nested specs: sampling of their parameters, and replacement of their materials by materials of
+// the outer spec.
 
 #include "mjforge/assemble/assembly.h"
 
@@ -16,8 +16,8 @@ std::optional<sample::Evaluator> Assembly::SampleNested(Scope& scope, const spec
     if (given) overrides.emplace_back(parameter, *std::move(given));
   }
   if (!is_good) return std::nullopt;
-  // If the requirements of the nested spec fail, only the nested spec is drawn again. Its first
-  // attempt has the attempt number of the outer spec.
+  // If drawn values violate the requirements of the nested spec, only the nested spec is drawn
+  // again. Its attempts are numbered from the attempt number of the outer spec.
   return sample::Sample(*entry.nested, scope.values.key(), path, overrides, findings_,
                         scope.values.sampler());
 }

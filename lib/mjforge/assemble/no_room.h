@@ -35,8 +35,8 @@ struct NoRoom {
   std::optional<double> widest_gap;       // Placer::WidestGap, m; nullopt with `uv:` or `beside:`
   std::size_t standing = 0;               // count of instances of the same entry that have a place
   std::size_t instances = 0;              // count of all instances of the entry; 0 if unknown
-  diag::SourceMark mark;                  // place of `at:` in the spec
-  diag::SourceMark target;                // place of the region or site in the spec
+  diag::SourceMark mark;                  // position of `at:` in the text of the spec
+  diag::SourceMark target;                // position of the region or site in the text of the spec
 };
 
 /// Adds a finding with the reason, the sizes and the blocking bodies.

@@ -44,7 +44,8 @@ void HardenContacts(std::vector<model::Attribute>& attributes) {
   add("solmix", {100});
 }
 
-// Returns the bounding box of a part or, if it has convex pieces, of its pieces.
+// Returns the bounding box, in frame F, of a part with the pose X_FG. The box is computed from the
+// convex pieces if there are any and the part has no extent (exact curves).
 model::Box3 BoxOf(const model::Part& part, const std::vector<model::Part>& pieces,
                   const model::Pose& X_FG) {
   if (pieces.empty() || part.extent) return model::BoundsOf(part, X_FG);

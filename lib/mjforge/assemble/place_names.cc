@@ -29,7 +29,8 @@ bool HasName(const std::vector<std::string>& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-// Returns the region or site of a body whose name is one of the full names.
+// Returns the region and the site of a body whose full name is in `names`; nullopt if there is
+// neither.
 std::optional<PlaceTarget> FindOn(const model::Object& object, int body,
                                   const std::vector<std::string>& names) {
   const model::Body& owner = object.bodies[static_cast<std::size_t>(body)];
@@ -64,8 +65,8 @@ const spec::Entry* FindElement(const std::vector<spec::Entry>& regions,
   return region != nullptr ? region : FindElement(sites, name);
 }
 
-// Finds the body whose entry is at the place `body`, in the spec or in a nested spec. Returns the
-// entry of this body's region or site with this name; null if there is none.
+// Finds the body whose entry has the position `body` in the text of the spec or of a nested spec.
+// Returns the entry of this body's region or site with this name; null if there is none.
 const spec::Entry* FindDeclared(const spec::ObjectSpec& spec, diag::SourceMark body,
                                 std::string_view name) {
   for (const spec::BodyEntry& entry : spec.bodies) {

@@ -18,6 +18,7 @@ struct PlaceTarget {
   const model::Region* region = nullptr;
   const model::Site* site = nullptr;
 
+  /// Returns the pose of the region or site in its body's frame B.
   const model::Pose& X_BT() const { return region != nullptr ? region->X_BR : site->X_BS; }
   diag::SourceMark mark() const { return region != nullptr ? region->mark : site->mark; }
 };
@@ -57,7 +58,8 @@ class PlaceNames {
   /// Returns the names of the regions and sites of a body, without the name of the body.
   std::vector<std::string_view> TargetsOn(int index) const;
 
-  /// Splits the name at its dots. Removes the first part if it is the name of the scope's spec.
+  /// Splits the name at its dots. Removes the first of several parts if it is the name of the
+  /// scope's spec.
   std::vector<std::string_view> PathOf(std::string_view name) const;
 
   const model::Object& object_;

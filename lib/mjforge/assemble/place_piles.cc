@@ -1,4 +1,5 @@
-// Bodies with `pile:`: the random poses at their release, and options that let piles come to rest.
+// Bodies with `pile:`, which fall onto a region: random poses at their release, and MuJoCo options
+// that let piles come to rest.
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,5 @@
-// Reader of `place:`: draws the values of one try, and checks the bodies that they name.
+// Reads `place:` for one attempt to place a body: draws position, yaw and stable pose, and checks
+// that the bodies to which `place:` refers already have places.
 
 #include <algorithm>
 #include <array>
@@ -32,7 +33,8 @@ const spec::BodyEntry* FindEntry(const spec::ObjectSpec& spec, std::string_view 
   return found == spec.bodies.end() ? nullptr : &*found;
 }
 
-// Returns a field of `place:` that has no meaning if the place is a site; null if there is none.
+// Returns a key of `place:` or `beside:` that has no meaning if the place is a site; null if there
+// is none.
 const spec::Field* WithoutMeaningAtSites(const spec::PlaceEntry& place) {
   constexpr Key kOfSites[] = {Key::kAt, Key::kBy, Key::kYaw, Key::kClear};
   if (!place.beside.empty()) return &place.beside.front();

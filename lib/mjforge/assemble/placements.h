@@ -1,4 +1,4 @@
-// Search for the places of a spec's bodies with `place:`: draws the tries, and applies the results.
+// Search for places of a spec's bodies with `place:`: draws poses, and stores the first free pose.
 
 #pragma once
 
@@ -42,7 +42,7 @@ class Placements {
     std::string name;  // name in the spec
     int body = -1;
   };
-  // A drawn place, at which the body is tried.
+  // An attempt to place a body: the name in `at:`, its region or site, and the drawn values.
   struct Trial {
     std::string at;
     PlaceTarget target;
@@ -69,8 +69,8 @@ class Placements {
   /// the direction to this point would be a rounding error.
   bool HasHeading(const Request& request, const Trial& trial, const model::PlaceResult& result);
   void GiveUp(const Request& request, const Trial& trial, const Misses& misses);
-  /// Returns false unless the entry has `fewer: true`. Otherwise inserts the body into
-  /// PlacementContext::left_out, so that the next assembly leaves the body out.
+  /// If the entry has `fewer: true`, inserts the body into PlacementContext::left_out, so that the
+  /// next assembly leaves the body out, and returns true. Otherwise returns false.
   bool LeaveOut(const Request& request);
 
   // place_tries.cc
@@ -89,8 +89,8 @@ class Placements {
   bool ReadLying(const Request& request, FieldReader& reader, sample::StreamId path, Trial& trial);
   /// Returns the stable poses of the body to place, computed at the first call for this body.
   const std::vector<model::StablePose>& StablePosesOf(const Request& request);
-  /// Returns the index of the body that a field names; nullopt if that body does not have its place
-  /// yet.
+  /// Returns the index of the body that a field names. Returns nullopt, and adds a finding, if the
+  /// body does not exist or does not have its place yet (see CheckPlaced()).
   std::optional<int> ReadBody(const Request& request, FieldReader& reader,
                               const spec::Field& field);
   /// Returns true if the body, which `field` names, already has its place. Otherwise adds a
@@ -108,7 +108,7 @@ class Placements {
   Scope& scope_;
   PlacementContext context_;
   PlaceNames names_;
-  std::vector<model::Pose> X_WB_;  // present poses of all bodies
+  std::vector<model::Pose> X_WB_;  // poses of all bodies in the world, updated by Settle()
   int posed_body_ = -1;            // index of the body whose poses are in `stable_poses_`
   std::vector<model::StablePose> stable_poses_;
   // Count of instances of the current entry; 0 if unknown because of `if`.

@@ -12,8 +12,8 @@ namespace mjforge::assemble {
 /// Returns nullopt, and adds a finding, if a field is invalid.
 std::optional<model::Pose> ReadPose(FieldReader& reader, const spec::Entry& entry);
 
-/// The segment between the two points of `fromto`: the pose of its middle, with z along the
-/// segment, and half its length in m.
+/// The segment between the two points of `fromto`: the pose of a frame in its middle, whose z axis
+/// points from the second point to the first, and half its length in m.
 struct Segment {
   model::Pose pose;
   double half_length = 0;

@@ -10,8 +10,8 @@
 
 namespace mjforge::assemble {
 
-/// Largest angle, in rad, between a region and the horizontal plane. At this angle, an object 30 cm
-/// long has a height difference of less than 0.1 mm between its ends.
+/// A region is level if its angle to the horizontal plane, in rad, is at most this value. At this
+/// angle, the ends of an object 30 cm long differ in height by less than 0.1 mm.
 inline constexpr double kLevelAngle = 3e-4;
 
 /// A request to find regions on a body: an entry of `regions:` with `type: auto`.

@@ -14,9 +14,9 @@ class Repetition {
  public:
   explicit Repetition(diag::Findings& findings) : findings_(findings) {}
 
-  /// Returns the number of instances without regard to conditions. Returns nullopt, and adds a
-  /// finding, if a loop is invalid or if there are too many instances together with `existing`
-  /// elements.
+  /// Returns the number of instances, including those that `if` leaves out. Returns nullopt if a
+  /// loop is invalid, or if the object would have too many elements, of which `existing` are in the
+  /// same list already. Adds a finding unless the limit was reported before.
   std::optional<std::size_t> Count(const spec::Entry& entry, sample::Evaluator& values,
                                    std::size_t existing);
   /// Calls `visit` for each instance that exists, after setting its loop variables and local
@@ -30,8 +30,8 @@ class Repetition {
   }
 
  private:
-  /// Returns the number of instances of the loops from index `depth` on, without regard to
-  /// conditions; -1 after adding a finding.
+  /// Returns the number of instances of the loops from index `depth` on, including those that `if`
+  /// leaves out. Stops counting above `limit`. Returns -1 after adding a finding.
   long CountInstances(const spec::Entry& entry, std::size_t depth, sample::Evaluator& values,
                       long limit);
   bool Walk(const spec::Entry& entry, std::size_t depth, sample::Evaluator& values,

@@ -17,9 +17,9 @@ namespace mjforge::assemble {
 struct MaterialState {
   bool is_evaluated = false;
   int index = -1;  // index in Object::materials; -1 if it has only a density or contact attributes
-  std::optional<double> density;
+  std::optional<double> density;  // kg/m^3
   const spec::Field* density_field = nullptr;
-  std::vector<model::Attribute> contact;
+  std::vector<model::Attribute> contact;  // attributes of colliding geoms, such as friction
 };
 
 /// State of one spec in the object: of the outermost spec, of a spec used as a part (welded), or of
@@ -32,7 +32,7 @@ struct Scope {
   std::string prefix;  // prefix of the full names of all elements of the spec; ends with `link`
   std::string link;    // name of the current link of a chain, and "_"; otherwise empty
   int body;          // index in Object::bodies of the body to which the spec's root elements belong
-  model::Pose X_BS;  // pose of the spec's root S in the current body B
+  model::Pose X_BS;  // pose of the spec's frame S in the current body B
   sample::StreamId parts;                // random stream of the current list of parts
   std::vector<MaterialState> materials;  // parallel to values.spec().materials
   /// Scope of the spec that contains this spec; null for the outermost spec. `substitutes` contains
@@ -40,7 +40,7 @@ struct Scope {
   /// replaces it.
   Scope* outer = nullptr;
   std::vector<std::pair<std::string, std::string>> substitutes;
-  std::optional<Eigen::Vector3d> total_size;
+  std::optional<Eigen::Vector3d> total_size;  // half sizes of the declared bounding box, m
   /// A body with a list of joints: its entry, its index, and the values of its entry's variables.
   struct Jointed {
     const spec::BodyEntry* entry;

@@ -12,8 +12,9 @@
 
 namespace mjforge::assemble {
 
-/// Pose of a part's shape, whose frame is G. `pieces` contains convex pieces, with poses in G, if
-/// the library `solid` makes the shape.
+/// Pose X_FG of a part's shape. G is the frame of the shape; F is the frame in which the spec gives
+/// the part's pose. `pieces` contains the convex pieces that collide in place of the part, with
+/// poses in G. The list is empty for MuJoCo's own shapes, single convex meshes and mesh files.
 struct ShapePlacement {
   model::Pose X_FG;
   std::vector<model::Part> pieces;

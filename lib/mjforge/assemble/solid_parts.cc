@@ -25,9 +25,9 @@ model::MassProperties PropertiesOf(const solid::Mass& mass) {
   return {.mass = mass.volume, .p_FCm = mass.center, .I_Cm_F = mass.inertia};
 }
 
-/// Assigns the extent of the solid (curves with the same convex hull) to the part and to one of its
-/// pieces, and an empty extent to the other pieces. Prefers a piece whose pose equals the part's
-/// pose, because inverse poses have rounding errors.
+/// Assigns the extent of the solid (curves with the same convex hull, for exact bounds) to the part
+/// and to one of its pieces, and an empty extent to the other pieces. Prefers a piece whose pose
+/// equals the part's pose, because inverse poses have rounding errors.
 void SetExtents(const std::shared_ptr<const solid::Solid>& made, model::Part& part,
                 std::vector<model::Part>& pieces) {
   if (made->extent.empty()) return;

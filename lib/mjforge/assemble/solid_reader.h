@@ -13,8 +13,9 @@ namespace mjforge::assemble {
 bool IsSolid(std::string_view type, const spec::Entry& entry);
 
 /// Reads a part that the library `solid` makes, and adds its shape with Assets::AddShape(). Sets
-/// the convex pieces in `placed`, and turns the part's frame to the grain of the texture.
-/// `half_length` (m) has a value only for a box or cylinder with `fromto`.
+/// the convex pieces in `placed`, and turns the frame of a rounded box to the grain of its texture.
+/// `half_length` (m) has a value only for a box or cylinder with `fromto`. Returns false after
+/// adding a finding.
 bool ReadSolid(FieldReader& reader, const spec::Entry& entry, std::string_view type,
                const std::optional<double>& half_length, const PartTexture& texture, Assets& assets,
                model::Part& part, ShapePlacement& placed);

@@ -1,4 +1,4 @@
-// Cameras and lights: poses, orientations, degrees and targets.
+// Readers of cameras and lights, and the check of the bodies at which they look.
 
 #include "mjforge/assemble/views.h"
 

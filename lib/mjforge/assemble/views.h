@@ -1,4 +1,4 @@
-// Poses and targets of cameras and lights.
+// Poses of cameras and lights, and the check of the bodies at which they look.
 
 #pragma once
 

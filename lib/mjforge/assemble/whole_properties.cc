@@ -1,5 +1,5 @@
-// Properties that depend on all bodies of a spec: of subtrees, positions of sites, torques of
-// joints.
+// Variables of expressions that depend on all bodies of a spec: properties of subtrees, positions
+// of sites, and torques of gravity on joints.
 
 #include "mjforge/assemble/whole_properties.h"
 

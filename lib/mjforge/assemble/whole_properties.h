@@ -1,5 +1,5 @@
-// Properties that depend on all bodies of a spec: of subtrees, positions of sites, torques of
-// joints.
+// Variables of expressions that depend on all bodies of a spec: properties of subtrees, positions
+// of sites, and torques of gravity on joints.
 
 #pragma once
 
@@ -9,11 +9,11 @@
 
 namespace mjforge::assemble {
 
-/// Removes the values of `count` variables, starting with the variable at index `slot` of the
-/// evaluator. Does nothing if `slot` is negative.
+/// Removes the values of `count` consecutive variables of the evaluator; `slot` is the index of the
+/// first. Does nothing if `slot` is negative.
 void ClearSlots(int slot, std::size_t count, sample::Evaluator& values);
-/// Sets the variables from slot `slot` on to the properties of a body, in the order of
-/// spec::BodyProperty. `mass` is in kg.
+/// Sets consecutive variables of the evaluator to the properties of a body, in the order of
+/// spec::BodyProperty. `slot` is the index of the first variable, `mass` is in kg.
 void SetMeasures(const model::Bounds& bounds, double mass, int slot, sample::Evaluator& values);
 
 }  // namespace mjforge::assemble

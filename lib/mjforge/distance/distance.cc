@@ -87,9 +87,10 @@ Vector3d Reduce(Simplex& simplex) {
 }
 
 // Returns the point of a convex set that is nearest to the origin, or any point of the set if all
-// points are farther than `limit`, m. `farthest` is the set's support function, `middle` its
-// approximate centre, `size` its size, m. Source: Gilbert, Johnson and Keerthi, "A fast procedure
-// for computing the distance between complex objects in three-dimensional space", 1988.
+// points are farther than `limit`, m. `farthest` returns the point of the set that is farthest in a
+// direction; `middle` is the approximate centre of the set, `size` its size, m. Source: Gilbert,
+// Johnson and Keerthi, "A fast procedure for computing the distance between complex objects in
+// three-dimensional space", 1988.
 template <typename Farthest>
 Vector3d NearestToOrigin(Farthest farthest, const Vector3d& middle, double size,
                          double limit = std::numeric_limits<double>::infinity()) {
@@ -123,7 +124,7 @@ double RadiusOf(const PlacedShape& placed) {
   return is_round ? shape.size.x() : 0;
 }
 
-// Support function of the core of a shape.
+// Returns a point of the core of a shape that is farthest in a direction (see RadiusOf()).
 Vector3d FarthestOfCore(const PlacedShape& placed, const Vector3d& direction_W) {
   const model::Shape& shape = placed.shape;
   const Vector3d& center = placed.X_WG.p;
@@ -229,7 +230,7 @@ double SizeOf(const PlacedShape& a, const PlacedShape& b) {
   return a.box_W.merged(b.box_W).diagonal().norm();
 }
 
-// Support function of the convex hull of several shapes.
+// Returns a point of several shapes that is farthest in a direction.
 Vector3d FarthestOfHull(std::span<const PlacedShape> shapes, const Vector3d& direction_W) {
   Vector3d farthest = Vector3d::Zero();
   double way = -std::numeric_limits<double>::infinity();

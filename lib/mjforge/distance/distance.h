@@ -1,4 +1,5 @@
-// Distances of convex shapes and of their convex hulls. Meshes count as their convex hulls.
+// Distances between convex shapes, and of points from the convex hull of several shapes. A mesh
+// counts as its convex hull.
 #pragma once
 
 #include <span>

@@ -12,9 +12,9 @@
 
 namespace mjforge::model {
 
-/// A body of an MJCF file and everything below it, with the numbers that MuJoCo compiled, in which
-/// autolimits, classes, angles and inertia options are resolved. Names come from the file.
-/// Characters that a spec does not allow in names are replaced, also in references.
+/// A body of an MJCF file, and everything below it. The numbers come from MuJoCo's compiler:
+/// autolimits, default classes, angle units and inertia options are already applied. The names are
+/// those of the file. Characters that specs do not allow in names are replaced, also in references.
 struct Attachment {
   /// The requested body comes first, with parent -1, and parents come before children. Every body
   /// has an explicit inertia (explicit_inertial, mass_properties).

@@ -21,8 +21,8 @@ namespace mjforge::model {
 
 using spec::Applies;  // alias for libraries that must not use namespace `spec`
 
-/// The numbers of an MJCF attribute. Numbers that are the same in all variants belong to the spec,
-/// which also has their text.
+/// The numbers of an MJCF attribute. Numbers that are the same in all variants are shared with the
+/// spec, which also stores them as text.
 class AttributeNumbers {
  public:
   AttributeNumbers() = default;
@@ -39,9 +39,9 @@ class AttributeNumbers {
   double front() const { return *data(); }
   double operator[](std::size_t i) const { return data()[i]; }
 
-  /// Returns the numbers as in MJCF: "0.5 0.5 1"; empty if they are not the same in all variants.
+  /// Returns shared numbers as MJCF text: "0.5 0.5 1". Returns an empty text for other numbers.
   std::string_view text() const { return constant_ ? std::string_view(constant_->text) : ""; }
-  /// Returns the numbers for changes, after which they do not belong to the spec.
+  /// Returns the numbers for modification. Copies numbers that are shared with the spec first.
   sample::Numbers& Change() {
     if (constant_) own_.assign(begin(), end());
     constant_.reset();
@@ -85,8 +85,8 @@ void SetNumbers(std::vector<Attribute>& attributes, std::string_view name, const
   attribute->numbers.Change().assign(numbers.begin(), numbers.end());
 }
 
-/// Returns a number of an attribute; `usual` if `owner`, an element with attributes, does not have
-/// the attribute or so many numbers.
+/// Returns the number at index `position` of an attribute of `owner`, an element with attributes.
+/// Returns `usual` if the attribute is missing or has too few numbers.
 template <typename Owner>
 double NumberOf(const Owner& owner, std::string_view name, std::size_t position, double usual) {
   const Attribute* attribute = FindAttribute(owner.attributes, name);

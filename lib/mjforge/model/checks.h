@@ -60,10 +60,10 @@ struct FittingCheck {
 
 /// Grasps: a gripper with two parallel jaws must hold the object.
 struct GraspingCheck {
-  std::vector<std::string> sites = {};  // grasp sites; empty: the sites that the manual lists
+  std::vector<std::string> sites = {};  // grasp sites; empty: those whose names begin with "grasp"
   double width = 0.08;                  // m, largest distance between the jaws
   double force = 30;                    // N, closing force
-  double pull = 5;                      // N, force of a joint on the jaws that hold its moving part
+  double pull = 5;                      // N, force at the jaws when a joint pulls the held part
   int tries = 3;                        // number of attempts at each site
   diag::SourceMark mark = {};
 
@@ -134,7 +134,7 @@ struct Checks {
   std::vector<PartCheck> parts;
   Eigen::Vector2d density = {20, 22'000};      // kg/m^3, lowest and highest density of a part
   Eigen::Vector2d bulk_density = {1, 22'000};  // kg/m^3, lowest and highest: mass / box volume
-  double overlap = 0.05;                       // largest mass counted twice / mass of the body
+  double overlap = 0.05;                       // largest mass of overlaps of parts / body's mass
   double thickness = 0.001;                    // m, least thickness of a part
   double aspect = 100;  // largest ratio of a part's longest and shortest side
   double gap = 0.0005;  // m, largest gap between parts that are connected

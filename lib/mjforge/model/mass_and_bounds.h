@@ -29,8 +29,8 @@ void MeasureAtStart(Object& object);
 /// the masses of all bodies from index `first_body` on.
 void ScaleMass(double factor, std::vector<Body>& bodies, std::size_t body, std::size_t first_part,
                std::size_t first_body);
-/// Moves half the mass of a fixed child to each massless body with joints; the child is the first
-/// descendant that is fixed to the body and has mass.
+/// Gives each body with joints but without mass half the mass of the first descendant that is fixed
+/// to the body and has mass.
 void ShareMass(std::vector<Body>& bodies);
 
 }  // namespace mjforge::model

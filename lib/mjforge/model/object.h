@@ -152,7 +152,7 @@ struct Body {
   /// whose geoms differ from the exact solid; and for attached bodies, which have the inertia of
   /// their file.
   bool explicit_inertial = false;
-  /// Index of the first body of the same attached file; -1 for bodies that are not attached.
+  /// Index of the body whose `mjcf:` adds this body (maybe itself); -1 if not from an MJCF file.
   int attached = -1;
   diag::SourceMark mark;
 };
@@ -175,7 +175,7 @@ struct Object {
   std::vector<Setpoint> setpoints;  // in the order of actuators; empty if all actuators start at 0
   Bounds bounds;
   MassProperties mass_properties;       // in W, at the start state
-  std::optional<StartForm> start_form;  // nullopt: depends on the target
+  std::optional<StartForm> start_form;  // nullopt: depends on the bodies and the output format
   diag::SourceMark start_mark;          // first entry of `pose:`, or else `start:`; may be empty
   Checks checks;
   std::vector<Expectation> expectations;

@@ -49,14 +49,14 @@ double TiltOf(const Pose& X_WR);
 /// origin.
 Eigen::Vector2d MiddleOf(const Region& region);
 
-/// Returns the centre, in the plane of R, of a disc of this radius inside the region. In a box,
-/// `uv` (two numbers from -1 to 1) spans all such centres. In a disc, and in the largest disc about
-/// the middle of a polygon, `uv` is a point of the unit disc. Returns the middle of the region if
-/// the disc is too large.
+/// Returns the centre, in the plane of R, of a disc of this radius that is inside the region, at
+/// least the margin away from its edge. In a box, `uv` (-1 to 1) spans all such centres. In a disc,
+/// and in the largest disc about the middle of a polygon, `uv` is a point of the unit disc. If the
+/// disc is too large, returns the middle of the region.
 Eigen::Vector2d PositionOfDisc(const Region& region, double radius, const Eigen::Vector2d& uv);
 
-/// Returns the distance, m, by which a point in the plane of R is outside of the region; 0 or
-/// negative if the point is inside.
+/// Returns the largest distance, m, by which a point in the plane of R is beyond the line of any
+/// edge of the region, or beyond the circle of a disc; 0 or negative if the point is inside.
 double DistanceOutside(const Region& region, const Eigen::Vector2d& p);
 
 }  // namespace mjforge::model

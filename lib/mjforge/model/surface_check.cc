@@ -1,4 +1,4 @@
-// Check for closed surfaces: every edge of a mesh must belong to two triangles with opposite
+// Check for closed surfaces: the triangles of a mesh must run along each edge equally often in both
 // directions.
 
 #include <cstdint>

@@ -14,9 +14,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A shape and its pose in the object's frame, with all joints at zero. The box around swept shapes
-// is parallel to the axes of that frame, because a box along other axes would need a larger box
-// around itself.
+// A shape and its pose in the object's frame W, with all joints at zero. SweepJoint() replaces
+// shapes by a box along the axes of W, because the final result is also a box along these axes.
 struct PlacedShape {
   Shape shape;
   Pose X;
@@ -70,14 +69,15 @@ Turns TurnsOf(const Vector3d& axis, const Eigen::Vector2d& angles) {
   return turns;
 }
 
-// Returns an upper bound of the support function in `direction` while the shapes turn about an axis
-// through their origin.
+// Returns an upper bound of the support function in `direction` over all angles of a hinge whose
+// axis passes through the origin.
 //
-// If shapes turn by an angle, their support is that of the fixed shapes in the direction turned
-// back by this angle. The direction turned back moves on a cone. A direction d on an arc of angle w
-// is a d1 + b d2 - (a + b - 1) c, where d1 and d2 are the ends of the arc, c is the part of d along
-// the axis, and 1 <= a + b <= 1 / cos(w / 2). The support function h is convex and homogeneous, so
-// that h(d) <= a h(d1) + b h(d2) + (a + b - 1) h(-c).
+// Turning the shapes has the same effect as turning `direction` by the opposite angle. The turned
+// direction moves on a cone about the axis. The range is divided into arcs of angle w. Let d1 and
+// d2 be the directions at the ends of an arc, and c their common component along the axis. Every
+// direction on the arc is d = a d1 + b d2 - (a + b - 1) c with a, b >= 0 and
+// 1 <= a + b <= 1 / cos(w / 2). The support function h is convex and positively homogeneous;
+// therefore h(d) <= a h(d1) + b h(d2) + (a + b - 1) h(-c).
 double SweptSupport(const Shapes& shapes, const Vector3d& axis, const Turns& turns,
                     const Vector3d& direction) {
   const Vector3d along = axis * axis.dot(direction);
@@ -89,7 +89,8 @@ double SweptSupport(const Shapes& shapes, const Vector3d& axis, const Turns& tur
          turns.excess * (std::max(largest, 0.0) + std::max(SupportOf(shapes, -along), 0.0));
 }
 
-// Returns the range of a hinge or slide as displacements from the joint's zero.
+// Returns the range of a hinge or slide as displacements from the joint's zero. An unlimited hinge
+// makes a full turn; an unlimited slide stays at its start.
 Eigen::Vector2d DisplacementsOf(const Joint& joint) {
   constexpr double kHalfTurn = std::numbers::pi;
   const double zero = ZeroPosition(joint)[0];

@@ -27,8 +27,9 @@ Eigen::Vector3d CenterOf(const model::Part& part) {
 
 // MuJoCo up to 3.4 takes the larger of two geoms' margins and gaps, m, and has no force at
 // distances above margin - gap; later releases add both margins and both gaps, and find contacts
-// below margin + gap. With these numbers no release has a force. Collision masks cannot be zero,
-// because parallel worlds share them.
+// below margin + gap. With these numbers, null geoms have no contact force in any release. The
+// attributes `contype` and `conaffinity` are not set to zero instead, because all worlds of a
+// parallel simulation share them.
 constexpr double kNullMargin = -2000;
 constexpr double kNullGap = 1000;
 

@@ -15,8 +15,9 @@ Eigen::Vector3d MiddleOf(const model::Body& body);
 /// Returns a tiny copy of a mesh, with as many vertices and triangles.
 std::unique_ptr<model::MeshAsset> NullMesh(const model::MeshAsset& mesh);
 
-/// Makes a part null, with its centre at a point of the body. The mesh of a part, if any, must
-/// already be a NullMesh().
+/// Make a part or site null (tiny, invisible, without mass and contact forces), with its centre at
+/// the point `center`, m, in the body's frame. The mesh of a part, if any, must already be a
+/// NullMesh().
 void MakeNull(const Eigen::Vector3d& center, model::Part& part);
 void MakeNull(const Eigen::Vector3d& center, model::Site& site);
 

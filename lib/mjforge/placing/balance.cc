@@ -15,9 +15,9 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kFaces = 0.99;   // least z of the normal of a contact of level faces
-constexpr double kCarries = 0.1;  // least z of the normal of a contact that carries the body
-constexpr double kTolerance = 0.05;
+constexpr double kFaces = 0.99;      // least z of the normal of a contact of level faces
+constexpr double kCarries = 0.1;     // least z of the normal of a contact that carries the body
+constexpr double kTolerance = 0.05;  // largest distance from the hull, as a share of the width
 
 // Returns the points of the contacts that carry the body, seen from above. A shape that lies on a
 // level face touches it with all of its lowest points, other shapes touch with a single point.

@@ -38,7 +38,7 @@ class Footprint {
   Eigen::AlignedBox2d box_;
 };
 
-constexpr double kFootprintHeight = 1e-3;  // m; a footprint contains points up to this height
+constexpr double kFootprintHeight = 1e-3;  // default height of FootprintOf(), m
 
 /// Returns the footprint of shapes in a frame whose z axis points up: the points at most `height`,
 /// m, above the lowest point. Boxes, meshes, spheres, upright cylinders and level capsules are

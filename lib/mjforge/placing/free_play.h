@@ -13,9 +13,9 @@ namespace mjforge::placing {
 /// Maps two random numbers `uv` to a translation of the footprint in the region's frame. Each
 /// number is from -1 to 1; in a round region, `uv` is a point of the unit disc. The result can be
 /// any translation that keeps the footprint in the region, at least the region's margin away from
-/// its border (Minkowski erosion of the region by the footprint). With an `overhang`, the share of
-/// the footprint's area that may be outside, the result can be any translation that keeps this
-/// share. Returns nullopt if there is no such translation.
+/// its border (Minkowski erosion of the region by the footprint). `overhang` is the share of the
+/// footprint's area that may be outside; if it is positive, the result can be any translation with
+/// at most this share outside. Returns nullopt if there is no such translation.
 std::optional<Eigen::Vector2d> PositionIn(const model::Region& region, const Footprint& footprint,
                                           const Eigen::Vector2d& uv, double overhang);
 

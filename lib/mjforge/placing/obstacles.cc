@@ -1,4 +1,5 @@
-// Broad phase by boxes of bodies and of their parts, and conservative advancement.
+// Distances to obstacles: broad phase by bounding boxes of bodies and parts, and conservative
+// advancement.
 
 #include "mjforge/placing/obstacles.h"
 

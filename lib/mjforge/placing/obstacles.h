@@ -20,8 +20,9 @@ using PlacedShapes = std::vector<distance::PlacedShape>;
 /// Returns shapes of a body A at the pose X_WA.
 PlacedShapes ShapesAt(std::span<const BodyShape> shapes, const model::Pose& X_WA);
 
-/// Shapes that are moved from a frame L to a frame W, each when it is needed: only shapes near an
-/// obstacle are. The shapes in L must outlive this object.
+/// Shapes that are given in a frame L, and boxes around them in a frame W. At() computes the pose
+/// of a single shape in W on demand, because only shapes near an obstacle are needed. The shapes in
+/// L must outlive this object.
 class MovedShapes {
  public:
   MovedShapes(std::span<const distance::PlacedShape> shapes_L, const model::Pose& X_WL);
@@ -31,6 +32,7 @@ class MovedShapes {
   const Eigen::AlignedBox3d& box_W() const { return box_W_; }
   /// Returns a box that contains a shape, and may be larger than its bounding box.
   const Eigen::AlignedBox3d& box_W(std::size_t index) const { return boxes_W_[index]; }
+  /// Returns a shape with its pose in W.
   distance::PlacedShape At(std::size_t index) const;
 
  private:
@@ -46,7 +48,8 @@ struct Support {
   Eigen::Vector3d p_W;      // a point of the plane
   Eigen::Vector3d up_W;     // normal of the plane
   bool is_ignored = false;  // true: the supporting body is no obstacle
-  /// The supporting body and the placed bodies under it, such as the lower bowls of a stack.
+  /// The supporting body if it was placed itself, and the placed bodies that carry it, such as the
+  /// lower bowls of a stack.
   std::vector<int> below = {};
 };
 
@@ -64,6 +67,7 @@ struct Contact {
   Eigen::Vector3d normal_W;  // unit vector from the obstacle to the shape
 };
 
+/// The bodies that have places already, with the bodies below them.
 class Obstacles {
  public:
   void Clear() { groups_.clear(); }
@@ -72,8 +76,8 @@ class Obstacles {
   void Add(const model::Object& object, int body, double clear);
 
   /// Returns the first obstacle that overlaps the shapes, or is nearer than `clear` or than the
-  /// obstacle's own `clear`. The supporting body, the bodies under it and shapes wholly below the
-  /// support may be at any distance, but must not overlap the shapes.
+  /// obstacle's own `clear`. The bodies in Support, and shapes wholly below the supporting plane,
+  /// may be at any distance, but must not overlap the shapes. Returns nullopt if there is none.
   std::optional<Blocker> FindBlocker(const MovedShapes& shapes, double clear,
                                      const Support& support) const;
 
@@ -100,7 +104,7 @@ class Obstacles {
     int body;
     distance::PlacedShape shape;
   };
-  // A body and the bodies below it.
+  // A body and the bodies below it in the tree.
   struct Group {
     double clear;
     Eigen::AlignedBox3d box_W;

@@ -232,7 +232,8 @@ class RegionTry {
     return distance * away + (along_other.Middle() - along_own.Middle() + shift) * across;
   }
 
-  // Puts the body onto the region, and stores the first obstacle that is too near in `result`.
+  // Puts the body onto the region, and stores its pose in `result`. If the body would tip over or
+  // is too near to an obstacle, also stores the verdict kBlocked and the blocking body.
   void Put(const Stance& stance, const Obstacles& obstacles, PlaceResult& result) const {
     const Support support = SupportPlane();
     Pose X_RB{{stance.at->x(), stance.at->y(), kContactGap - of_.bottom},

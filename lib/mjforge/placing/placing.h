@@ -1,4 +1,5 @@
-// The geometry of placing bodies: footprints, free play in regions, contact, overlap, stable poses.
+// Geometry for placing bodies: footprints and their positions in regions, contact, overlap, stable
+// poses.
 
 #pragma once
 
@@ -13,15 +14,14 @@ namespace mjforge::placing {
 /// MuJoCo makes contacts without force, is ignored.
 inline constexpr double kContactGap = 5e-5;
 
-/// Depth in its support to which a placed object is lowered in the end, m, so that MuJoCo's
-/// contacts carry the object from the first step on. An object that starts above its support
-/// strikes it with the speed of two steps. At the depth of such a stroke, libccd may return a
-/// horizontal normal for two meshes whose faces are level: it returns the direction to the nearest
-/// point of one triangle of the Minkowski difference, and the depth decides if that triangle is
-/// above the contact. The depth here is larger than rounding errors of meshes (float), and a
-/// fiftieth of `self_collision`. A box on a box stays at the height `kContactGap`: if their faces
-/// are parallel to the last digit and less than 2 um in each other, MuJoCo 2.2 finds deep contacts
-/// far outside of the smaller box.
+/// Depth, m, by which a placed object overlaps its support in the end, so that MuJoCo's contacts
+/// carry the object from the first step on. An object that starts above its support falls for about
+/// two steps and penetrates deeper. At that depth, libccd may return a horizontal normal for two
+/// meshes with level faces, because it returns the direction to the nearest point of one triangle
+/// of the Minkowski difference. `kContactDepth` is larger than the rounding errors of meshes
+/// (float), and a fiftieth of the default of `self_collision`. Exception: a box on a box stays at
+/// the height `kContactGap`. If their faces are parallel to the last digit and overlap by less than
+/// 2 um, MuJoCo 2.2 finds deep contacts far outside of the smaller box.
 inline constexpr double kContactDepth = 2e-7;
 
 /// Returns a placer. Distances are exact: colliding parts are convex, because MuJoCo replaces a

@@ -1,4 +1,4 @@
-// Widest gap in a region between the bodies that stand there already.
+// Largest free disc in a region between the bodies that were placed there already.
 
 #pragma once
 

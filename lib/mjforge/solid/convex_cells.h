@@ -33,6 +33,7 @@ struct SectionPlane {
   int v = 1;
   int axis = 2;
 
+  /// Returns the point with the coordinates `p` in the plane and `along` on the third axis.
   Eigen::Vector3d At(const Point2& p, double along) const;
 };
 /// Planes of the cross sections of holes along x, y and z.
@@ -64,12 +65,13 @@ std::vector<SpacePolygon> ClippedByCells(const std::vector<SpacePolygon>& polygo
 /// m, are dropped. Returns false if there are more than `most` parts.
 bool Subtract(const Cell& cell, std::vector<Polytope>& polyhedra, double near, std::size_t most);
 
-/// Joins two polyhedra with a common face if the union is convex, largest faces first, until there
-/// are no more such pairs.
+/// Joins pairs of polyhedra whose union is convex until there are no more such pairs. Pairs with
+/// the largest common faces come first. `near`, m, is the tolerance for points on a plane.
 void JoinPolyhedra(std::vector<Polytope>& polyhedra, double near);
 
-/// Returns the number of connected components, where polyhedra are connected if faces of them
-/// overlap in an area.
+/// Returns the number of connected components. Two polyhedra are connected if two of their faces
+/// share an area, not only an edge or a point. Points up to `near`, m, from a plane count as on the
+/// plane.
 std::size_t CountSeparateParts(const std::vector<Polytope>& polyhedra, double near);
 
 }  // namespace mjforge::solid

@@ -14,7 +14,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Distance at which a point inside or outside of a face is tested, as a share of the prism's size.
+// Distance from a face, as a share of the prism's size, at which the space on the inner or outer
+// side of the face is tested.
 constexpr double kBeside = 1e-8;
 
 /// Rectangle that one side of an outline sweeps when the outline is extruded along its axis.

@@ -19,7 +19,8 @@ using CutSections = std::array<Area, 3>;
 /// a hole is faulty, or if the holes leave several parts that do not touch.
 std::optional<Solid> MakeCutPrism(const Prism& prism, const BasePolygon& base, Fault& fault);
 
-/// Makes the render mesh of a prism with these cross sections.
+/// Makes the render mesh of a prism with holes: the intersection of the three extrusions whose
+/// cross sections are `sections`.
 TriangleMesh MakeCutMesh(const Prism& prism, const CutSections& sections);
 
 }  // namespace mjforge::solid

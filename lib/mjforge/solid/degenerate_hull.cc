@@ -1,4 +1,5 @@
-// Hulls without volume, as the cores of rounded slabs, capsules and balls.
+// Hulls of points in a plane, on a line or at one place: the cores of rounded slabs, capsules and
+// balls.
 
 #include <algorithm>
 #include <map>
@@ -10,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kFlat = 1e-9;  // distance from a point, line or plane, relative to the size
+constexpr double kFlat = 1e-9;  // tolerance for points in one plane or line, relative to the size
 
 /// Returns the first of the points at which `measure` is largest, up to rounding, so that the
 /// choice does not depend on the processor.

@@ -15,6 +15,7 @@ struct PrismSections {
   Area end;
 };
 
+/// The cross section of a prism before it is bevelled: outline and holes.
 struct BasePolygon {
   /// The outline counter-clockwise, before its corners are rounded, then the holes clockwise.
   std::vector<Outline> loops;

@@ -1,4 +1,5 @@
-// Convex polyhedra that share faces: joining of pairs with a convex union, separate groups.
+// Convex polyhedra that share faces: joining of pairs with a convex union, and the number of
+// connected components.
 
 #include <algorithm>
 #include <numeric>

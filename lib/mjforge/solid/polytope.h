@@ -16,7 +16,7 @@ Polytope BoxOf(const Eigen::Vector3d& half_sizes);
 /// without area. Vertices of both faces coincide.
 struct FlatHull {
   Polytope core;
-  /// Ends of the hull, which may be equal, if all points are on a line.
+  /// If all points are on a line: both ends of the hull, which are equal if all points are equal.
   std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> line;
 };
 /// Returns the flat hull of at least one point. Points beside the hull's plane are projected onto

@@ -25,7 +25,8 @@ int CornerSegments(const Prism& prism) {
 }
 
 Mass MassOf(const BasePolygon& base, double height, double bevel) {
-  // In each layer all integrands are polynomials in z of degree 6 at most.
+  // Gauss rule for one layer, with vertical walls or one bevel, in which all integrands are
+  // polynomials in z of degree 6 at most.
   using Rule = boost::math::quadrature::gauss<double, 7>;
   const std::vector<std::vector<ArcDirections>> directions = base.Directions();
   const auto slice_at = [&](double inset) { return MomentsOf(base.BoundaryAt(inset, directions)); };

@@ -1,5 +1,5 @@
-// Render meshes of lathes and prisms, and what all render meshes share: number of segments, texture
-// projection, rounding of coordinates.
+// Render meshes of lathes and prisms, and functions for all render meshes: number of segments,
+// texture projection, rounding of coordinates.
 
 #pragma once
 
@@ -12,8 +12,8 @@ namespace mjforge::solid {
 
 inline constexpr double kWholeTurn = 2 * std::numbers::pi;
 
-/// Returns the maximum chord error (sagitta) of the render mesh of a shape with this half size, m.
-/// `share` is the limit relative to the half size.
+/// Returns the maximum chord error (sagitta), m, of the render mesh of a shape with this half size,
+/// m: `share` times the half size, but at most 0.25 mm.
 double ChordError(double half_size, double share = 0.005);
 
 /// Returns the number of segments in a whole turn for this chord error: 16, 32, 64 and so on, so
@@ -37,8 +37,8 @@ TriangleMesh MakeLatheMesh(const Lathe& lathe, const Outline& outline,
 /// Makes the render mesh of a prism with these cross sections.
 TriangleMesh MakeExtrusionMesh(const Prism& prism, const PrismSections& sections);
 
-/// Returns the position of a point in the picture of a texture that is projected from above: to the
-/// picture's right, and down.
+/// Returns the position of a point in a picture that is projected from above, m: the first
+/// coordinate is to the right in the picture, the second is down.
 inline Point2 OnPicture(const TextureMapping& texture, const Point2& p) {
   return texture.is_turned ? Point2(p.y(), p.x()) : Point2(p.x(), -p.y());
 }
@@ -47,8 +47,9 @@ inline Point2 OnPicture(const TextureMapping& texture, const Point2& p) {
 /// sections.
 void ProjectTextureFromAbove(const TextureMapping& texture, TriangleMesh& mesh);
 
-/// Rounds positions to a micrometre (in shapes below 2 mm or above 10 m to a millionth of the
-/// size) and normals to a ten-thousandth. The error is invisible, and MJCF gets shorter.
+/// Rounds positions to a micrometre (in shapes below 2 mm or above 10 m to about a millionth of the
+/// size), normals to 1e-4, and texture coordinates to 1e-5. The error is invisible, and the MJCF
+/// file gets shorter.
 void RoundCoordinates(TriangleMesh& mesh);
 
 }  // namespace mjforge::solid

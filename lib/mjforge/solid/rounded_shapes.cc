@@ -37,7 +37,7 @@ TriangleMesh FlatMesh(const Polytope& polytope) {
   return mesh;
 }
 
-/// Returns the solid at the distance `round` around a core, which may be flat.
+/// Returns the Minkowski sum of a core, which may be flat, and a ball of the radius `round`, m.
 Solid Rounded(const Polytope& core, double round, const TextureMapping& texture,
               bool is_flat = false) {
   const Eigen::AlignedBox3d box = BoxAround(core.vertices);
@@ -57,8 +57,8 @@ Solid Rounded(const Polytope& core, double round, const TextureMapping& texture,
   return solid;
 }
 
-/// Returns the solid around points in a plane (a rounded slab), on a line (a capsule) or at one
-/// place (a ball).
+/// Returns the Minkowski sum of a ball and the hull of points in a plane (a rounded slab), on a
+/// line (a capsule) or at one place (a ball).
 Solid RoundedFlat(const ConvexHull& hull) {
   const FlatHull flat = FlatHullOf(hull.points);
   Solid solid = Rounded(flat.core, hull.round, hull.texture, true);

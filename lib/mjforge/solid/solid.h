@@ -72,8 +72,8 @@ struct TextureMapping {
   /// one metre. With kNone the mesh has no texture coordinates.
   Unit unit = Unit::kWhole;
   Eigen::Vector2d repeat = Eigen::Vector2d::Ones();  // repetitions around and along
-  /// Turns a picture that is projected from above by 90 degrees: its upper edge is at the lowest x
-  /// in place of the highest y.
+  /// True: a picture that is projected from above is turned by 90 degrees, so that its upper edge
+  /// is at the lowest x instead of the highest y.
   bool is_turned = false;
 
   bool operator==(const TextureMapping&) const = default;

@@ -84,6 +84,7 @@ class SweepMesher {
            std::abs(end.slope - start.slope) < 0.5;
   }
 
+  /// Adds the outer side (less = 0), or the inner side of a wall with the thickness `less`, m.
   void AddSide(double less) {
     const int first = static_cast<int>(mesh_.vertices.size());
     const bool closes = tube_.closed && !has_texture_ && IsSmooth(frames_.back(), frames_.front());

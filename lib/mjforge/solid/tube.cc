@@ -17,10 +17,11 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using std::numbers::pi;
 
-/// Adds the volume swept by a disc along the segment. The disc's centre follows the path, so that
-/// the volume of a slice of thickness ds is the disc's area times ds. The slice's centre of mass is
-/// off the path by the curvature times r^2 / 4 (Goodman and Goodman, "Generalizations of the
-/// theorems of Pappus", 1969).
+/// Adds the moments of the volume swept by a disc along the segment, multiplied by `sign`. The
+/// radius of the disc is that of the segment minus `less`. The disc's centre follows the path, so
+/// that the volume of a slice of thickness ds is the disc's area times ds. The slice's centre of
+/// mass is off the path by the curvature times r^2 / 4 (Goodman and Goodman, "Generalizations of
+/// the theorems of Pappus", 1969).
 void AddSegment(const PathSegment& segment, double less, double sign, Moments& sum) {
   using Rule = boost::math::quadrature::gauss<double, 20>;
   const auto add = [&](double t, double weight) {
@@ -46,8 +47,9 @@ void AddSegment(const PathSegment& segment, double less, double sign, Moments& s
 }
 
 /// Adds the moments of the volume between the disc at a segment's end p and the plane that cuts the
-/// tube at the corner; `cut` is the plane's normal. For a segment's start, `sign` is -1. The plane
-/// is at the distance dot(g, u) from a point u of the disc. The volume is 0 by symmetry.
+/// tube at the corner; `cut` is the plane's normal. `sign` is negated for a segment's start. Let u
+/// be the vector from p to a point of the disc. Along the tangent, the plane is at the distance
+/// dot(g, u) from this point. The volume is 0 by symmetry.
 void AddCut(const Vector3d& p, const Vector3d& tangent, const Vector3d& cut, double r, double sign,
             Moments& sum) {
   const Vector3d g = -(cut - cut.dot(tangent) * tangent) / cut.dot(tangent);

@@ -11,7 +11,7 @@
 
 namespace mjforge::split {
 
-/// Results in place of an object's index if an element does not belong to exactly one object.
+/// Values in place of an object's index for an element that does not belong to exactly one object.
 inline constexpr int kNoOwner = -1;   // the empty root, or a reference to several objects
 inline constexpr int kAnyOwner = -2;  // the element refers to no element of an object
 
@@ -32,7 +32,8 @@ class Owners {
  private:
   void AddRoots();
   void AddNames();
-  /// Returns the index of the object that has the element of this kind and name.
+  /// Returns the index of the object that has the element of this kind and name; kAnyOwner if no
+  /// object has such an element. A tendon or actuator belongs to the objects to which it refers.
   int Find(std::string_view kind, const std::string& name) const;
 
   const model::Object& scene_;

@@ -40,6 +40,7 @@ inline bool IsScalar(const model::Joint& joint) {
 /// the frame of the body: the product D_(k+1) ... D_n of the joints' motions.
 model::Pose MotionOfLaterJoints(const model::Body& body, std::size_t joint);
 
+/// Poses of an object at its zero configuration and at its start, and lookup of its elements.
 class Configurations {
  public:
   /// Stores a reference to the object. The object's names and joints must not change while this
@@ -57,11 +58,12 @@ class Configurations {
   model::Pose PoseOf(std::string_view body, const Poses& X_WB) const;
   /// Returns X_12, the pose of body 2 in the frame of body 1, for the bodies of an equality.
   model::Pose RelativePose(const model::Element& equality, const Poses& X_WB) const;
-  /// Returns the joint with that name; null if there is none.
+  /// Returns the joint with this name; null if there is none.
   const model::Joint* FindJoint(std::string_view name) const;
-  /// Returns the distance of a hinge or slide from its zero to its start, rad or m.
+  /// Returns the displacement of a hinge or slide from its zero to its start, rad or m; 0 for any
+  /// other name, and if the joint has no start position.
   double Displacement(std::string_view name) const;
-  /// Returns the element of the section `tendon` with that name; null if there is none.
+  /// Returns the element of the section `tendon` with this name; null if there is none.
   const model::Element* FindTendon(std::string_view name) const;
 
   /// Returns true if the tendon wraps around a geom, so that only MuJoCo computes its length.
