@@ -20,8 +20,9 @@ namespace {
 
 using compiled::Index;
 
-constexpr double kFarOff = 0.03;        // m, distance from which a body hangs in the air
-constexpr double kFarOffOfSize = 0.25;  // such a distance, as a share of the body's size
+constexpr double kFarOff = 0.03;  // m; a body farther than this from all others hangs in the air
+constexpr double kFarOffOfSize =
+    0.25;  // the same limit as a share of the body's size (diagonal of its box)
 
 class UnsupportedLinks {
  public:
