@@ -44,7 +44,8 @@ struct MovedJoint {
   std::size_t dimensions() const { return ball ? 3 : 1; }
 };
 
-/// Returns the joints with a range; adds the names of the other slides to `unlimited_slides`.
+/// Returns the joints that the sweep moves: hinges, ball joints, and slides with a range. Adds the
+/// names of the other slides to `unlimited_slides`.
 std::vector<MovedJoint> JointsToMove(const mjModel& m, std::vector<std::string>& unlimited_slides) {
   std::vector<MovedJoint> joints;
   for (int i = 0; i < m.njnt; ++i) {
