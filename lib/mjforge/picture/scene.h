@@ -51,7 +51,7 @@ class Scene {
   /// another geom fixed to the world.
   Camera Frame(const PlacedShapes& shapes, double floor_height, const Options& options) const;
 
-  /// Adds light and, if there are shadows, a floor at the given height, unless the model has a
+  /// Adds lights and, if `has_shadows` is true, a floor at the given height, unless the model has a
   /// ground or the camera is below the floor. A scene with translucent geoms also gets a backdrop.
   void Light(const Camera& camera, double floor_height, bool has_shadows);
   /// Returns true if no geom is translucent.
