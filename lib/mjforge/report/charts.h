@@ -26,7 +26,8 @@ inline constexpr PlotArea kHistogramArea;
 inline constexpr PlotArea kScatterArea = {.bottom = 220};
 inline constexpr PlotArea kBarArea = {.left = 120, .right = 300, .top = 4};
 
-/// Fills in an axis: AXIS_TICK sections with AT and LABEL, and AXIS_LABEL, where `axis` is X or Y.
+/// Fills in the ticks and the label of an axis in the template of a chart: sections X_TICK with AT
+/// and LABEL, and the value X_LABEL, if `axis` is "X"; Y_TICK and Y_LABEL if it is "Y".
 void AddAxis(Dictionary& chart, const std::string& axis, const std::vector<Axis::Tick>& ticks,
              std::string_view label);
 

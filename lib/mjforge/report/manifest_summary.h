@@ -84,7 +84,7 @@ class ManifestSummary {
   TestTallies tests;
   RandomSample<Point> points;
   std::string
-      other_batch;  // difference of the first record of another batch; empty if there is none
+      other_batch;  // difference of the first record from another batch; empty if there is none
 
  private:
   void AddFindings(const manifest::Record& record);

@@ -15,8 +15,8 @@ namespace {
 
 using Path = std::filesystem::path;
 
-// Least size of a section. Constant, because rounding errors of means and variances depend on the
-// sections.
+// Least size of a section, bytes. It does not depend on the number of cores, because rounding
+// errors of means and variances depend on the sections.
 constexpr std::uint64_t kSectionBytes = std::uint64_t{8} << 20;
 
 struct SectionSummary {
