@@ -1,4 +1,4 @@
-// The page of `mjforge customize`: its files, the answers to its requests, and who may send them.
+// The page of `mjforge customize`: its files, and the answers to its requests.
 //
 //   customize::Studio studio({.reference = "hammer"});
 //   customize::Reply reply = studio.Answer(R"({"action": "draw", "settings": []})");
