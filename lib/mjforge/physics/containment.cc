@@ -64,7 +64,7 @@ double RadiusOf(const model::HoldingCheck& holding, int ball) {
 /// Balls that a containment test found at the wrong place.
 struct ContainmentResult {
   bool has_diverged = false;
-  std::vector<Ball> lost;    // balls that left while they had to stay inside
+  std::vector<Ball> lost;    // balls that were not inside after kStay
   std::vector<Ball> leaked;  // balls that went through the wall while the object was turned over
   std::vector<Ball> kept;    // balls that were still inside after the object was turned over
 };

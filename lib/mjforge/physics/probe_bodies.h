@@ -22,7 +22,8 @@ struct ProbeTest : ModelTest {
 };
 
 /// Returns an MJCF text with `bodies` added at the end of the world, and `equalities` added; both
-/// are MJCF. Removes keyframes, because their number of positions would be wrong.
+/// arguments are MJCF elements. Removes keyframes, because their number of positions would be
+/// wrong.
 std::string WithBodies(std::string_view text, std::string_view bodies,
                        std::string_view equalities = {});
 
