@@ -63,7 +63,7 @@ class Sweeper {
   Sweeper(mjModel& m, int frame)
       : m_(m), finder_(m), joints_(JointsToMove(m, sweep_.unlimited_slides)) {
     X_AW_ = compiled::PoseAt(finder_.data().xpos, finder_.data().xquat, frame).Inverse();
-    // Without any colliding geom, bounds include visual geoms, like model::Bounds.
+    // If no geom collides, the bounds include visual geoms, like those in model::Bounds.
     for (int i = 0; i < m.ngeom; ++i) {
       any_collides_ |= m.geom_bodyid[i] != 0 && compiled::Collides(m, i);
     }
