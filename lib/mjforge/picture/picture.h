@@ -56,7 +56,7 @@ inline constexpr int kMinSize = 16;
 inline constexpr int kMaxSize = 4096;
 
 /// Position of the camera, in the terms of MuJoCo's mjvCamera. The default camera looks from the
-/// front, right and above, and is as close as it can be with all shapes in the picture.
+/// front, right and above, and is as close as possible with all shapes in the picture.
 struct View {
   std::optional<double> azimuth;    // deg, viewing direction about z; 0: along x, 90: along y
   std::optional<double> elevation;  // deg, viewing direction; -90: down, 90: up

@@ -107,7 +107,9 @@ class Scene {
   std::vector<Label> labels_;
   std::vector<Line> legend_;
   bool has_ground_ = false;  // the model has a plane, a height field or a geom of the world
-  std::vector<mjvGeom> translucent_;  // translucent geoms; and a black floor if it hides marks
+  // Translucent geoms. If these include marks, also a black floor, which hides marks below the
+  // floor.
+  std::vector<mjvGeom> translucent_;
   double floor_height_ = 0;
   std::optional<double> level_above_floor_;  // nullopt: there is no floor
 };
