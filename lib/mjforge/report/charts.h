@@ -1,4 +1,4 @@
-// Charts of a page, as SVG that is 360 units wide.
+// Charts of a report or gallery, as SVG that is 360 units wide.
 
 #pragma once
 
@@ -37,7 +37,7 @@ struct HistogramChart {
   std::string x_label;  // "m"
   const NumberTally* drawn = nullptr;
   const NumberTally* expected = nullptr;  // null: the distribution is not known
-  bool whole = false;                     // whole numbers, with the edges of bins between them
+  bool whole = false;  // the values are whole numbers; bins end halfway between them
 };
 /// Adds bars for the drawn values, in which failed variants are marked, and a line for the expected
 /// values, scaled to the same total.

@@ -1,4 +1,4 @@
-// Sections of a page: findings, parameters, mass and size, physics.
+// Sections of a report: findings, parameters, mass and size, physics.
 
 #include "mjforge/report/page_sections.h"
 

@@ -1,4 +1,4 @@
-// Sections of a page about the whole batch, which fill the template page.html.
+// Sections of a report about the whole batch, which fill the template page.html.
 
 #pragma once
 

@@ -1,4 +1,5 @@
-// Reading a manifest in sections, which all cores share.
+// Reader of a manifest: splits the file into sections, which all cores read in parallel, and joins
+// the summaries of the sections.
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// Rows of the table of variants.
+// Rows of the table of variants in a report.
 
 #pragma once
 
