@@ -204,8 +204,7 @@
     for (const control of controls.values()) control.showPin();
   }
 
-  // Sets a parameter. A change is not complete while a slider moves or a text is typed; the picture
-  // is then drawn quickly.
+  // Sets a parameter. A change is incomplete while a slider moves or a text is typed.
   function set(name, value, isComplete) {
     pins[name] = value;
     if (isComplete) commit();
@@ -521,8 +520,7 @@
   const save = (name, type, content) =>
     make("a", { href: URL.createObjectURL(new Blob([content], { type })), download: name }).click();
 
-  // Reads the spec again and shows its controls. Keeps set values, but requests leave out the
-  // values of parameters that the spec no longer has.
+  // Reads the spec again. Requests leave out set values of parameters that were removed.
   async function open() {
     const reply = await ask(request("open", { settings: [] }));
     if (reply.error) return showError(reply.error);

@@ -1,4 +1,4 @@
-// A request of the page, read from JSON.
+// Request of the page of `mjforge customize`, read from JSON.
 
 #pragma once
 

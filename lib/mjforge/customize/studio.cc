@@ -1,4 +1,4 @@
-// Answers to the requests of the page.
+// Answers to the requests of the page of `mjforge customize`.
 
 #include <fmt/format.h>
 
