@@ -83,7 +83,7 @@ class ManifestSummary {
   std::vector<NumberTally> measures;  // in the order of Measures()
   TestTallies tests;
   RandomSample<Point> points;
-  /// Difference of the first record from another batch; empty if there is none.
+  /// Difference between this batch and the first record of another batch; empty if there is none.
   std::string other_batch;
 
  private:
