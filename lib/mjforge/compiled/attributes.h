@@ -38,9 +38,9 @@ struct ArrayField {
   bool IsFloat() const { return std::holds_alternative<float * mjModel::*>(array); }
 };
 
-/// Returns the attributes of an element kind, in file order: of geoms, joints, sites, cameras,
-/// lights, tendons, actuators, pairs, equalities, sensors, materials and bodies; empty for other
-/// kinds.
+/// Returns the attributes of geoms, joints, sites, cameras, lights, tendons, actuators, pairs,
+/// equalities, sensors, materials or bodies, in the order of the table; empty for other kinds of
+/// elements.
 std::span<const ArrayField> ArrayFields(mjtObj kind);
 
 /// Returns the numbers of an attribute; empty if the attribute does not apply to this element. A

@@ -43,7 +43,7 @@ Eigen::Quaterniond QuaternionAt(const mjtNum* array, int id);
 Eigen::Matrix3d MatrixAt(const mjtNum* array, int id);
 /// Returns pose `id` from an array of positions and an array of quaternions.
 model::Pose PoseAt(const mjtNum* pos, const mjtNum* quat, int id);
-/// Writes a position and a quaternion.
+/// Writes the pose X to `pos` (3 numbers) and `quat` (4 numbers, w first).
 void WritePose(const model::Pose& X, mjtNum* pos, mjtNum* quat);
 
 /// Converts an mjtGeom; nullopt for planes and height fields, which belong to scenes.
@@ -63,15 +63,17 @@ model::TriangleMesh MeshOf(const mjModel& m, int mesh);
 /// planes and height fields.
 model::Box3 GeomBox(const mjModel& m, int geom, const model::Pose& X_AG);
 
-/// Bounding box, in the world frame, of all colliding geoms at the poses that mj_kinematics
-/// computed. If `root` is not the world (0), only geoms in the tree of the body `root` count.
+/// Returns the bounding box, in the world frame, of all colliding geoms at the poses that
+/// mj_kinematics computed. If `root` is not the world (0), only geoms in the tree of the body
+/// `root` count.
 model::Box3 CollidingBox(const mjModel& m, const mjData& d, int root);
 
 /// Returns true for hinges and slides, whose position is one number of qpos.
 bool HasOneNumber(const mjModel& m, int joint);
 
 /// Possible positions of a joint, as in qpos, rad or m: the joint's range, or a full turn about the
-/// zero of an unlimited hinge. For a ball joint, the angle from the joint's zero; `low` is 0.
+/// reference position (qpos0) of an unlimited hinge. For a ball joint, `low` is 0, and `high` is
+/// the largest angle from the reference orientation (qpos0).
 struct JointRange {
   bool limited = false;
   double low = 0;
@@ -87,7 +89,8 @@ std::span<const mjtNum> StartOf(const mjModel& m);
 /// Copies positions, velocities, activations and controls at the start to `d`.
 void CopyStart(const mjModel& m, mjData& d);
 
-/// Returns the qpos of a ball joint that is rotated from its zero by an angle about an axis.
+/// Returns the qpos of a ball joint that is rotated from its reference orientation (qpos0) by an
+/// angle, rad, about a unit vector.
 std::array<mjtNum, 4> BallAt(const mjModel& m, int joint, const Eigen::Vector3d& axis,
                              double angle);
 

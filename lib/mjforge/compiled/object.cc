@@ -19,8 +19,9 @@ void AddMass(const model::MassProperties& mass_W, model::MassProperties& sum) {
   sum = sum.mass > 0 ? model::Combine(sum, mass_W) : mass_W;
 }
 
-// Copies a joint's start position, and its `ref`, to the last joint of `body`, if the model has a
-// start keyframe. `id` is MuJoCo's id of the joint.
+// If the model has a start keyframe, copies the start position of a joint to the last joint of
+// `body`: for a hinge or slide also `ref`, for a free joint to the body's pose. `id` is MuJoCo's id
+// of the joint.
 void SetStart(const mjModel& m, int id, model::Body& body) {
   const mjtNum* start = StartOf(m).data();
   if (start == m.qpos0) return;

@@ -1,4 +1,5 @@
-// Access to the page: a secret token, and rejection of requests from other pages.
+// Access to the page of `mjforge customize`: a secret token, and rejection of requests from other
+// pages.
 
 #pragma once
 

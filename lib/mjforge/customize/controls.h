@@ -1,4 +1,4 @@
-// Controls of the page: one for each parameter of a spec.
+// Controls of the page of `mjforge customize`: one for each parameter of a spec.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-// The page of `mjforge customize`: its files, the answers to its requests, and who may send them.
+// The page of `mjforge customize`: its files, and the answers to its requests.
 //
 //   customize::Studio studio({.reference = "hammer"});
 //   customize::Reply reply = studio.Answer(R"({"action": "draw", "settings": []})");
@@ -39,7 +39,8 @@ struct Start {
 struct Reply {
   std::string json;     // a JSON object
   std::string picture;  // WebP, PNG or a tar archive; empty: no picture
-  /// Files that the spec was read from; the page asks again when one of them changes.
+  /// Files that the spec was read from; the page repeats its request when one of these files
+  /// changes.
   std::vector<std::filesystem::path> files;
 };
 

@@ -1,4 +1,4 @@
-// Findings as JSON for the page.
+// Findings as JSON for the page of `mjforge customize`.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-// Positions of the joints in the picture of the page.
+// Positions of the joints in the picture on the page of `mjforge customize`.
 #include "mjforge/customize/moved_joints.h"
 
 #include <algorithm>

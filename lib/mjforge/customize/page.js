@@ -104,7 +104,7 @@
     return reply.error ? null : reply;
   }
 
-  // Shows the findings of the physical checks, which are made once for each variant, with the others.
+  // Runs the physical checks, once for each variant, and shows all findings.
   async function check() {
     if (checked.version !== version()) {
       const mine = checked = { version: version() };
@@ -204,7 +204,7 @@
     for (const control of controls.values()) control.showPin();
   }
 
-  // Sets a parameter; a change that is not complete draws quickly.
+  // Sets a parameter. A change is incomplete while a slider moves or a text is typed.
   function set(name, value, isComplete) {
     pins[name] = value;
     if (isComplete) commit();
@@ -272,7 +272,7 @@
     return { row, show, focus: () => field.focus() };
   }
 
-  // A control of one element, whose changes are complete.
+  // Makes a control of one element; each of its changes is complete.
   function makeSingle(control, element, read, show) {
     element.addEventListener("change", () => set(control.name, read(), true));
     return { rows: [make("div", { className: "row single" }, element)], show, focus: () => element.focus() };
@@ -471,7 +471,7 @@
     if (place) place.click();
   }
 
-  // Shows the one of nine variants at a place of the picture.
+  // Shows only the variant, of nine variants, at the place of the pointer.
   function chooseOfNine(event) {
     const { x, y } = placeOf(event);
     byId("nine").checked = false;
@@ -498,7 +498,7 @@
     change(() => { pins = Object.fromEntries(reply.settings.map(({ name, text }) => [name, { yaml: text }])); });
   }
 
-  // Texts and files to take away.
+  // Exports: texts to copy and files to save.
   async function take(form) {
     const reply = await ask(request("export", { name: form, count: byId("count").value || "1",
       ...(form === "png" ? { width: 1280, height: 960 } : {}) }));
@@ -520,7 +520,7 @@
   const save = (name, type, content) =>
     make("a", { href: URL.createObjectURL(new Blob([content], { type })), download: name }).click();
 
-  // Shows the spec, as it is now in its file. Set values stay; a parameter that is gone has none in requests.
+  // Reads the spec again. Requests leave out set values of parameters that were removed.
   async function open() {
     const reply = await ask(request("open", { settings: [] }));
     if (reply.error) return showError(reply.error);
@@ -550,7 +550,7 @@
     byId("state").textContent = "outdated: see the findings";
   }
 
-  // Waits for changes of the spec's files, and notices when the program stops.
+  // Waits for changes of the spec's files, and shows a message if the program has stopped.
   async function watch() {
     for (;;) {
       // A hidden tab does not wait, because browsers allow a host only six connections.

@@ -1,4 +1,4 @@
-// The compiled-in files of the page.
+// Files of the page of `mjforge customize`, which are compiled into the program.
 
 #include <array>
 

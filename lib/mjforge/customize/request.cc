@@ -1,4 +1,4 @@
-// A request of the page, read from JSON.
+// Request of the page of `mjforge customize`, read from JSON.
 
 #include "mjforge/customize/request.h"
 
@@ -73,7 +73,8 @@ class Reader {
     out = static_cast<Number>(number);
   }
 
-  /// Reads a word; `find` returns its meaning.
+  /// Reads a word and converts it by `find`. `wanted` describes the valid words for the error
+  /// message.
   template <typename T>
   void Word(const char* key, std::optional<T> (*find)(std::string_view), std::string_view wanted,
             T& out) {

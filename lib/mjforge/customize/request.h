@@ -1,4 +1,4 @@
-// A request of the page, read from JSON.
+// Request of the page of `mjforge customize`, read from JSON.
 
 #pragma once
 
@@ -29,7 +29,8 @@ struct Request {
   std::string name;            // name of a parameter, joint, preset, file or form of export
   std::uint64_t revision = 0;  // number of the changes of the spec's files so far
   std::vector<spec::Setting> settings;
-  // Indices of settings whose `text` is a value, not YAML; VariantCache::QuoteTexts() quotes it.
+  // Indices of settings whose `text` is the plain value of a text parameter, not YAML;
+  // VariantCache::QuoteTexts() converts these texts to YAML.
   std::vector<std::size_t> values = {};
   std::uint64_t seed = 0;
   std::uint64_t index = 0;
@@ -42,9 +43,9 @@ struct Request {
   picture::Options picture = {.width = 640, .height = 480};
 };
 
-/// Reads a request. Returns nullopt, and the reason in `why_not`, if a member has a wrong type or
-/// is out of range. Seed and index are texts of digits, because numbers of JavaScript have only 53
-/// bits.
+/// Reads a request. Returns nullopt, and sets `why_not` to the reason, if a member has a wrong type
+/// or is out of range. Seed and index are texts of digits, because numbers of JavaScript have only
+/// 53 bits.
 std::optional<Request> ReadRequest(std::string_view json, std::string& why_not);
 
 }  // namespace mjforge::customize

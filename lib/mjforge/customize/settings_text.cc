@@ -1,4 +1,4 @@
-// Chosen values as texts: for a shell, and for files that --params reads.
+// Conversion of parameter values to text: a shell command, and YAML for --params.
 
 #include "mjforge/customize/settings_text.h"
 

@@ -1,4 +1,4 @@
-// Answers to the requests of the page.
+// Answers to the requests of the page of `mjforge customize`.
 
 #include <fmt/format.h>
 
@@ -213,9 +213,9 @@ std::optional<picture::Image> Studio::State::DrawPicture(const Request& request,
   return renderer->Draw(*shown.subject, request.picture, findings);
 }
 
-// Draws nine variants from `index` on, three in a row. `texts` becomes the reason for each variant
-// that has no picture, and an empty text for each other variant. Draws the variant of `index` last,
-// so that this variant stays in the cache.
+// Draws nine variants from `index` on, three in a row. Sets `texts` to nine texts: the reason why a
+// variant has no picture, or an empty text if the variant has a picture. Draws the variant of
+// `index` last, so that this variant stays in the cache.
 std::optional<picture::Image> Studio::State::DrawNine(const Request& request,
                                                       std::vector<std::string>& texts) {
   texts.assign(9, "");

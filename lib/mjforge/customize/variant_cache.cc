@@ -1,4 +1,5 @@
-// The variant that the page shows, kept between its requests.
+// Cache of `mjforge customize`: the texts of the spec's files, and the last variant, kept from one
+// request of the page to the next.
 
 #include "mjforge/customize/variant_cache.h"
 
@@ -30,7 +31,7 @@ diag::Findings ShownVariant::Findings() const {
   return all;
 }
 
-// Forgets files that were read before the revision changed.
+// Discards the cached files of the spec if the revision has changed.
 void VariantCache::Renew(std::uint64_t revision) {
   if (std::exchange(revision_, revision) == revision) return;
   snapshot_ = {};

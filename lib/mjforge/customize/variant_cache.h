@@ -1,4 +1,5 @@
-// The variant that the page shows, kept between its requests.
+// Cache of `mjforge customize`: the texts of the spec's files, and the last variant, kept from one
+// request of the page to the next.
 
 #pragma once
 
@@ -44,7 +45,8 @@ class VariantCache {
   /// Converts the values of a request that are texts to YAML. A text that the spec would read as an
   /// expression, such as `pi` or `a + b`, becomes an expression of this text: `${'a + b'}`.
   void QuoteTexts(Request& request);
-  /// Returns the spec with the settings of the request, without making a variant.
+  /// Returns the spec with the settings of the request, without making a variant. The recipe is
+  /// nullopt if the spec or a setting has errors.
   ShownVariant& LoadSpec(const Request& request);
   /// Returns the variant of the request, with at least the checks of `level`.
   ShownVariant& Make(const Request& request, CheckLevel level);

@@ -1,4 +1,4 @@
-// Description of a variant as JSON for the page.
+// Description of a variant as JSON for the page of `mjforge customize`.
 
 #pragma once
 

@@ -7,8 +7,9 @@
 namespace mjforge::physics {
 
 /// Runs the simulations that the spec's `checks` ask for and reports their findings. Fills in all
-/// members of `test.result` except the overlap and those of the tests with probe bodies (balls,
-/// pegs, grippers). May enlarge the model's buffers for contacts. May throw std::exception.
+/// members of `test.result` except `overlap`, `settled`, and those of the tests with probe bodies
+/// (`holds`, `fits`, `grasps`). May enlarge the model's buffers for contacts. May throw
+/// std::exception.
 void CheckBehaviour(const ModelTest& test);
 
 /// Records the drop of the model. If a nudge (an initial tilt and speed) topples the object, also

@@ -60,7 +60,7 @@ void BroadPhase::ListBodies() {
   }
 }
 
-/// Returns false for bodies that MuJoCo does not let collide: those fixed to each other, a parent
+/// Returns false for bodies that MuJoCo does not let collide: those welded to each other, a parent
 /// and its child (unless the model turns `filterparent` off, or the parent is the world), and the
 /// bodies of an <exclude> element.
 bool BroadPhase::MayCollide(int body1, int body2) const {

@@ -147,7 +147,8 @@ bool IsFloor(const mjModel& m, int geom) {
   return m.geom_bodyid[geom] == 0 && m.geom_type[geom] == mjGEOM_PLANE;
 }
 
-// Returns the deepest penetration of two geoms at the start; nullopt if none exceeds kDeepStart.
+// Returns the two geoms that penetrate each other deepest at the start, as the cause of a
+// divergence; nullopt if no depth exceeds kDeepStart.
 std::optional<Divergence> DeepStart(const mjModel& m, Workspace& workspace) {
   mjData& d = workspace.For(m);
   compiled::CopyStart(m, d);

@@ -34,7 +34,7 @@ constexpr double kOffAxis = 0.1;
 // Depth of a ball's lowest point below the object's top, m, up to which the ball counts as above
 // the object, because contacts are soft.
 constexpr double kSoft = 0.001;
-// Longest time in which a ball falls from the rim to beside the object.
+// Longest time that a ball which leaves over the rim needs until it is beside the object.
 constexpr double kFall = 0.3;                       // s
 constexpr double kGoldenAngle = 2.399963229728653;  // rad, pi (3 - sqrt(5))
 
@@ -54,7 +54,8 @@ struct Ball {
 };
 
 /// Returns the radius of a ball, m. Radii decrease from ball to ball by equal ratios. The largest
-/// ball is dropped first, because on top of smaller balls it would hammer them through the wall.
+/// ball is dropped first, because a large ball that falls on smaller balls would push them through
+/// the wall.
 double RadiusOf(const model::HoldingCheck& holding, int ball) {
   const double share = holding.balls > 1 ? static_cast<double>(ball) / (holding.balls - 1) : 0;
   return holding.ball.y() / 2 * std::pow(holding.ball.x() / holding.ball.y(), share);
@@ -63,7 +64,7 @@ double RadiusOf(const model::HoldingCheck& holding, int ball) {
 /// Balls that a containment test found at the wrong place.
 struct ContainmentResult {
   bool has_diverged = false;
-  std::vector<Ball> lost;    // balls that left while they had to stay inside
+  std::vector<Ball> lost;    // balls that were not inside after kStay
   std::vector<Ball> leaked;  // balls that went through the wall while the object was turned over
   std::vector<Ball> kept;    // balls that were still inside after the object was turned over
 };

@@ -13,8 +13,8 @@ namespace mjforge::physics {
 /// Returns the MJCF text of an object with the balls of checks.holds added.
 std::string WithBalls(std::string_view text, const model::HoldingCheck& holding);
 
-/// Drops the balls into the object, which is held in place, and then turns gravity around if
-/// checks.holds demands that the balls leave. Reports balls that the object loses or keeps, and
+/// Drops the balls into the object, which is held in place, and then turns gravity by 180 degrees
+/// if checks.holds demands that the balls leave. Reports balls that the object loses or keeps, and
 /// fills in result.holds. `test.m` must be loaded from a text of WithBalls(). May throw
 /// std::exception.
 void CheckContainment(const ProbeTest& test);

@@ -68,7 +68,8 @@ class DropSimulation {
   struct Root {
     int body = 0;
     Eigen::Vector3d start = Eigen::Vector3d::Zero();  // m, centre of mass of the tree
-    Eigen::Vector3d up_B = Eigen::Vector3d::UnitZ();  // world's up direction before the nudge
+    Eigen::Vector3d up_B =
+        Eigen::Vector3d::UnitZ();  // world's z axis in the body's frame B, before the nudge
   };
 
   bool IsNudged() const { return nudge_.tilt != 0 || nudge_.speed != 0; }

@@ -1,4 +1,4 @@
-// Drop test: an object falls 2 mm onto a floor, optionally nudged, and comes to rest.
+// Drop test: an object falls 2 mm onto a floor, or is nudged on the floor, and comes to rest.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ struct DropOutcome {
   double way = 0;                     // m, displacement of the fastest body's centre of mass
 };
 
-/// Initial disturbance of free bodies: they lean, and move along the floor.
+/// Initial disturbance of free bodies: a tilt, and a speed along the floor.
 struct Nudge {
   double tilt = 0;     // rad
   double speed = 0;    // m/s
@@ -29,12 +29,13 @@ struct Nudge {
 };
 
 /// Simulates a drop with the model's own options until everything rests or checks.settle_time is
-/// over; if an entry of checks.joints has `rests`, always until checks.settle_time is over. If the
-/// model has a level plane and nothing else to lie on, the free bodies start DropHeight() above the
-/// plane. `d` is the model's data at its initial state, and holds the final state afterwards; the
-/// model is unchanged. Fills in the members of `result` that a drop measures, and records the drop
-/// unless `recorder` is null. `result.tilt` is relative to the orientation before the nudge. May
-/// throw std::exception.
+/// over. Without a nudge, the drop always lasts for checks.settle_time if an entry of checks.joints
+/// has `rests`. With a nudge, the object counts as at rest only if it leans by at most half of
+/// checks.nudge. If the only fixed colliding geom is a level plane, the free bodies start
+/// DropHeight() above the plane, or LargestMargin() above the plane with a nudge. `d` is the
+/// model's data at its initial state, and holds the final state afterwards; the model is unchanged.
+/// Fills in the members of `result` that a drop measures, and records the drop unless `recorder` is
+/// null. `result.tilt` is relative to the orientation before the nudge. May throw std::exception.
 DropOutcome SimulateDrop(mjModel& m, mjData& d, const model::Checks& checks, const Nudge& nudge,
                          Result& result, FilmRecorder* recorder = nullptr);
 

@@ -25,10 +25,11 @@ struct EqualityDrive {
   bool is_reversed = false;
 };
 
-/// Drives the joints that test active equalities: each limited joint that an equality couples, and
-/// both joints of an equality of two joints. The drives are like those of DriveJoints(), but with
-/// gravity and with the friction of all other joints, which only the equalities move. `object` is
-/// the object's name, `d` the model's data. May throw std::exception.
+/// Drives the joints that test active equalities: for an equality of two joints, joint 2, and also
+/// joint 1 if the polynomial is linear; for other equalities, each limited joint that the equality
+/// couples. The drives are like those of DriveJoints(), but with gravity and with the friction of
+/// all other joints. Only the equalities move the coupled joints. `object` is the object's name,
+/// `d` the model's data. May throw std::exception.
 std::vector<EqualityDrive> DriveEqualities(const mjModel& m, mjData& d, std::string_view object,
                                            const model::Checks& checks);
 

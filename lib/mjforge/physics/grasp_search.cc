@@ -25,7 +25,7 @@ constexpr double kFriction = 1;     // tangent of the half-angle of the jaws' fr
 constexpr double kSeam = 2e-5;      // m, offset of rays, so that they miss the seams between pieces
 constexpr double kThinnest = 5e-4;  // m, least distance between the two faces
 constexpr double kOffset = 0.008;   // m, distance from a site to the points beside it
-constexpr double kPerOffset = 20;   // 1/m, cost per distance from a site; a slope of 1 costs 1
+constexpr double kPerOffset = 20;   // cost per metre of distance from a site; a slope of 1 costs 1
 constexpr int kApproaches = 8;  // number of directions of the fingers about a line between faces
 constexpr int kPoints = 48;     // number of points tried in the box of an object without sites
 
@@ -44,7 +44,7 @@ std::vector<Vector3d> Directions() {
   return directions;
 }
 
-/// Returns two directions perpendicular to `way`.
+/// Returns two unit vectors perpendicular to `way` and to each other.
 std::pair<Vector3d, Vector3d> Across(const Vector3d& way) {
   const Vector3d one = way.unitOrthogonal();
   return {one, way.cross(one)};

@@ -52,7 +52,7 @@ constexpr std::string_view kSitePrefix = "grasp";
 
 enum class GraspOutcome { kHeld, kMissed, kSlipped, kStuck, kDiverged };
 
-/// Damps free bodies heavily during its lifetime.
+/// Damps free bodies heavily until this object is destroyed.
 class DampedRoots {
  public:
   DampedRoots(mjModel& m, double force) : m_(m), damping_(m.dof_damping, m.dof_damping + m.nv) {
@@ -71,7 +71,8 @@ class DampedRoots {
   std::vector<mjtNum> damping_;
 };
 
-/// Returns the nearest hinge or slide that moves the body; nullopt if there is none.
+/// Returns the first hinge or slide of the body, or of its nearest ancestor that has one; nullopt
+/// if there is none.
 std::optional<int> JointAbove(const mjModel& m, int body) {
   for (; body > 0; body = m.body_parentid[body]) {
     for (int i = 0; i < m.body_jntnum[body]; ++i) {

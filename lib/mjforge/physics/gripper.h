@@ -1,5 +1,5 @@
-// Gripper with two parallel jaws. The origin of its frame is the midpoint between the jaws; they
-// close along y, and the fingers point along z.
+// Gripper with two parallel jaws. The origin of its frame is the midpoint between the jaws; the
+// jaws close along y, and the fingers point along z.
 #pragma once
 
 #include <span>

@@ -35,7 +35,7 @@ class JointChecks {
   /// actuator. Free joints and slides without a range cannot be moved.
   bool CanBeDriven(int joint) const;
 
-  /// Returns true if an entry of checks.joints names a joint.
+  /// Returns true if `check`, an entry of checks.joints, names the joint.
   bool Names(const model::JointCheck& check, int joint) const;
 
   /// Returns the qpos from which the joints of an entry of checks.joints are driven.

@@ -32,7 +32,7 @@ constexpr double kMostError = 0.1;
 constexpr double kMostHeldError = 0.1;  // rad or m
 
 /// Returns the duration of a move, s. A hinge turns at most at kFastest unless the move would take
-/// longer than kLongestMove, so that a screw does not hit the end of its range like a flywheel.
+/// longer than kLongestMove, so that a screw does not reach the end of its range at a high speed.
 double TimeOf(double angle) {
   return std::clamp(std::numbers::pi / 2 * std::abs(angle) / kFastest, kMoveTime, kLongestMove);
 }

@@ -41,7 +41,7 @@ class Efforts {
   }
 
  private:
-  /// Forces, N or Nm, in the two directions of a joint.
+  /// Largest forces on a joint in its negative (`down`) and positive (`up`) direction, N or Nm.
   struct Force {
     double down = 0;
     double up = 0;

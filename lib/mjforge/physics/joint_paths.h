@@ -39,8 +39,9 @@ bool IsOnTendon(const mjModel& m, int joint, int tendon);
 std::vector<bool> BodiesMovedBy(const mjModel& m, int joint);
 
 /// Returns groups of joints that can be driven at the same time, because bodies moved by one joint
-/// of a group do not come near bodies moved by another joint of the group. `d` has the positions at
-/// which the joints start, and results of mj_kinematics.
+/// of a group do not come near bodies moved by another joint of the group. Ball joints and coupled
+/// joints are alone in their groups. `d` has the positions at which the joints start, and results
+/// of mj_kinematics.
 std::vector<std::vector<int>> IndependentGroups(const mjModel& m, const mjData& d,
                                                 const JointCouplings& couplings,
                                                 std::span<const int> joints);

@@ -1,5 +1,4 @@
-// Checks of a model: one function per check, in the order in which CheckBehaviour() and
-// Laboratory::Examine() call them.
+// Checks of the feet, joints, equalities, contacts and settling of a model: one function per check.
 #pragma once
 
 #include <span>
@@ -18,8 +17,9 @@ namespace mjforge::physics {
 void CheckFeet(const ModelTest& test, const mjData& d, int root, double height);
 
 /// Reports joints whose positions in `d` are beyond their ranges, or outside `rests` of
-/// checks.joints. Joints may exceed their range by the share `joint_overshoot` plus 1 mm or 0.02
-/// rad, and must stay within `rests` for 10 s at their present speed.
+/// checks.joints. Joints may exceed their range by the share `joint_overshoot` of the range, plus 1
+/// mm (slides) or 0.02 rad (hinges). Joints must stay within `rests` for another 10 s if they keep
+/// their present speed.
 void CheckJointRests(const ModelTest& test, const mjData& d);
 
 /// Warns of two bodies whose contact is ignored because of `exclude` or their contact bits, and
@@ -55,9 +55,9 @@ void CheckUnsupportedLinks(const ModelTest& test);
 void CheckEqualities(const ModelTest& test);
 
 /// Runs the tests ground_drop 3.0.0, slope_drop, and full_range_sweep 1.4.0 of the families FET003
-/// and FET022 of the SimReady Foundation's benchmark, and fills in result.simready. Skips the drops
-/// if the model has no free bodies or no floor. `drives` has the results of DriveJoints(). May
-/// throw std::exception.
+/// and FET022 of the SimReady Foundation's benchmark, and mjforge's own test self_collision. Fills
+/// in result.simready. Skips the drops if the model has no free bodies or no floor. `drives` has
+/// the results of DriveJoints(). May throw std::exception.
 void CheckSimReady(const ModelTest& test, const DriveResults& drives);
 
 /// Warns of the colliding geom with the most sliding friction, if that friction is above 2 and the

@@ -29,11 +29,12 @@ using expr::RoundedText;
 // would push it sideways, into the hole.
 constexpr double kStartDistance = 0.0002;
 constexpr double kSteel = 7850;           // kg/m^3, density of a peg
-constexpr double kLengthPerDepth = 1.5;   // length of a peg per depth of its hole
+constexpr double kLengthPerDepth = 1.5;   // length of a peg, as a multiple of the required depth
 constexpr double kLongestFall = 2;        // s; a free fall of 1 m takes 0.45 s
 constexpr double kDepthTolerance = 1e-4;  // m, tolerance of depths, because contacts are soft
-constexpr double kNoHole = 0.001;         // m, least distance of a geom behind the mouth of a hole
-constexpr double kPushTime = 2;  // time of a sideways push, as a multiple of that of a free fall
+constexpr double kNoHole = 0.001;  // m; a geom nearer than this behind the site closes the hole
+constexpr double kPushTime =
+    2;  // duration of a sideways push, in times of a free fall over the peg's width
 // Least cosine of the angle between a push and the normal of a contact that resists the push.
 constexpr double kLeastCosine = 0.3;
 

@@ -192,7 +192,8 @@ struct Laboratory::Impl {
     });
   }
 
-  /// Loads the model of a document with its floor. If that fails, adds a finding and returns null.
+  /// Loads the model of a document with a floor. If MuJoCo rejects the model, adds a finding and
+  /// returns null.
   engine::Model LoadOnFloor(const mjcf::MjcfDocument& document, diag::SourceMark mark,
                             diag::Findings& findings) {
     engine::Loaded loaded = engine.LoadText(WithSurroundings(document), document.assets);

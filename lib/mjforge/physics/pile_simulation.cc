@@ -16,7 +16,7 @@ namespace {
 
 using compiled::VectorAt;
 
-constexpr double kClearance = 0.005;  // m, gap between a body at its release and all below it
+constexpr double kClearance = 0.005;  // m, gap between a released body and everything below it
 // While bodies fall into their places, all bodies are damped and steps are short, because MuJoCo
 // 2.2 computes a wrong normal for a deep contact of convex geoms off the middle of a thin plate,
 // and then throws a body through a wall. A damped body falls at most at 1 m/s.

@@ -22,15 +22,16 @@ struct ProbeTest : ModelTest {
 };
 
 /// Returns an MJCF text with `bodies` added at the end of the world, and `equalities` added; both
-/// are MJCF. Removes keyframes, because their number of positions would be wrong.
+/// arguments are MJCF elements. Removes keyframes, because their number of positions would be
+/// wrong.
 std::string WithBodies(std::string_view text, std::string_view bodies,
                        std::string_view equalities = {});
 
 constexpr std::string_view kUsualContact = R"(condim="3" friction="1 0.005 0.0001")";
 
-/// Returns the MJCF of a geom for a probe body. The geom collides with everything that collides,
-/// and has all attributes that a file's defaults could change. `shape` is the geom's type and size,
-/// `mass` in kg, `contact` the geom's condim and friction.
+/// Returns the MJCF of a geom for a probe body. The geom collides with every colliding geom, and
+/// sets all contact attributes, so that the defaults of the file do not change them. `shape` is the
+/// geom's type and size, `mass` in kg, `contact` the geom's condim and friction.
 std::string ProbeGeom(std::string_view shape, double mass,
                       std::string_view contact = kUsualContact);
 
@@ -41,8 +42,8 @@ void PlaceObject(const mjModel& m, mjData& d, std::span<const mjtNum> start, int
 /// Makes a degree of freedom so heavy that nothing moves it.
 void HoldDof(mjModel& m, int dof);
 
-/// Makes degrees of freedom so heavy that nothing moves them, all except the `count` ones from
-/// number `first` on. Disables equalities, limits, springs, dampers and actuators.
+/// Makes all degrees of freedom so heavy that nothing moves them, except `count` degrees of freedom
+/// from number `first` on. Disables equalities, limits, springs, dampers and actuators.
 void HoldOthers(mjModel& m, int first, int count);
 
 }  // namespace mjforge::physics

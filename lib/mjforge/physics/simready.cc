@@ -178,7 +178,7 @@ class Fall {
   const model::Checks& checks_;
   Vector3d normal_ = Vector3d::UnitZ();   // normal of the floor or slope
   Vector3d on_floor_ = Vector3d::Zero();  // m, a point of the floor or slope
-  double size_ = 0;                       // m
+  double size_ = 0;                       // m, Extent() at the start
   Stepper stepper_;
 };
 

@@ -23,7 +23,8 @@ class Workspace {
   std::vector<std::byte> sizes_;  // sizes in the mjModel for which `data_` was allocated
 };
 
-/// Exception: the contacts of a model need more memory than kMostContacts or kMostBytes allow.
+/// Exception: the contacts of a model need a buffer for more than 10,000 contacts or, in releases
+/// of MuJoCo with fixed buffers, constraint matrices of more than 1 GB.
 struct NoRoom : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -52,8 +53,8 @@ struct FastestBody {
   double speed = 0;  // m/s
   int body = 0;
 };
-/// Returns the fastest body; assumes that each geom has a point at its bounding radius from its
-/// centre.
+/// Returns the fastest body, without bodies fixed to the world. Assumes that each geom has a point
+/// at its bounding radius from its centre.
 FastestBody FindFastestBody(const mjModel& m, const mjData& d);
 
 /// Returns the ids of the bodies with free joints.

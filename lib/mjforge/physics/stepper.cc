@@ -1,5 +1,5 @@
-// Simulation steps with the results of mj_step: finds pairs of geoms ahead, and repeats a step if a
-// body moved farther than expected.
+// Simulation steps with the results of mj_step: finds the pairs of near geoms for several steps
+// ahead, and repeats a step if a body moved farther than expected.
 #include "mjforge/physics/stepper.h"
 
 #include <algorithm>
@@ -32,8 +32,8 @@ Stepper::Stepper(mjModel& m, mjData& d)
       moved_(Index(m.nbody)) {}
 
 /// Returns the root of the only tree with joints, because the bodies of a falling tree stay near
-/// each other; 0 (the world) if colliding geoms other than planes are outside of that tree. Planes
-/// do not matter, because planes are near everything.
+/// each other; 0 (the world) if several trees have joints, or if colliding geoms other than planes
+/// are outside of that tree. Planes do not matter, because planes are near everything.
 int Stepper::FrameOf() const {
   int root = -1;
   for (int dof = 0; dof < m_.nv; ++dof) {

@@ -54,7 +54,7 @@ class Stepper {
   bool is_stale_ = true;            // true if pairs must be found before the next step
   int steps_ = 0;                   // number of steps since pairs were found
   std::vector<BodyPose> poses_;     // poses of bodies when pairs were found
-  std::vector<double> allowances_;  // m, motion of each body for which the pairs are complete
+  std::vector<double> allowances_;  // m, largest motions up to which no pair is missing
   std::vector<double> moved_;       // m, motion of each body since pairs were found
   Snapshot before_;
 };

@@ -20,8 +20,9 @@ namespace {
 
 using compiled::Index;
 
-constexpr double kFarOff = 0.03;        // m, distance from which a body hangs in the air
-constexpr double kFarOffOfSize = 0.25;  // such a distance, as a share of the body's size
+constexpr double kFarOff = 0.03;  // m; a body farther than this from all others hangs in the air
+constexpr double kFarOffOfSize =
+    0.25;  // the same limit as a share of the body's size (diagonal of its box)
 
 class UnsupportedLinks {
  public:
@@ -113,7 +114,7 @@ class UnsupportedLinks {
   }
 
   /// Returns true if a slide moves its body up, less than 45 degrees from the vertical. A lifted
-  /// body, such as a lid, need not be near others, because a hand holds it.
+  /// body, such as a lid, need not be near other bodies, because a hand holds the lifted body.
   bool Lifts(int joint, double way) const {
     const Eigen::Map<const Eigen::Vector3d> gravity(m_.opt.gravity);
     const double up = -way * compiled::VectorAt(d_.xaxis, joint).dot(gravity);

@@ -24,9 +24,9 @@ constexpr double kShadowMargin = 0.04;
 // Minimum radius of the shapes' bounding sphere, so that a single point can be framed.
 constexpr double kSmallest = 1e-9;  // m
 
-// Returns the position of the eye along `across` that centres the silhouette: from the given depth
-// along `forward`, both edges of the silhouette are seen under the same angle. Bisection finds the
-// tangent of this angle, the smallest one that contains the shapes; `most` is its upper bound.
+// Returns the coordinate of the eye along `across`, an axis of the picture, from which both edges
+// of the silhouette appear at the same angle to `forward`. `depth` is the coordinate of the eye
+// along `forward`. Bisection finds the tangent of this angle; `most` is its upper bound.
 double CenterEye(const PlacedShapes& shapes, const Eigen::Vector3d& across,
                  const Eigen::Vector3d& forward, double depth, double most) {
   constexpr int kSteps = 40;
@@ -153,8 +153,9 @@ Eigen::Vector2d Camera::Project(const Eigen::Vector3d& point, int width, int hei
           (1 - p.dot(up) / (depth * tan_y)) * height / 2};
 }
 
-// For a viewing ray of slope dz, the inverse of the plane's distance along `forward` is dz / (level
-// - z), where z is the height of the eye. This inverse is linear in the place in the picture.
+// Consider a viewing ray whose direction has the component 1 along `forward` and dz along z. The
+// inverse of the plane's distance along `forward` is dz / (level - z), where z is the height of the
+// eye. Because dz is linear in the position in the picture, the inverse is, too.
 LevelDepth DepthOfLevel(const Camera& camera, double level, int width, int height) {
   const double scale = camera.far / (camera.far - camera.near);
   const double to_depth = -scale * camera.near / (level - camera.eye.z());

@@ -21,15 +21,15 @@ struct Image {
 /// Keys and values of the text comments in a picture's file.
 using Texts = std::vector<std::pair<std::string, std::string>>;
 std::string EncodePng(const Image& image, const Texts& texts);
-/// Makes an endless animation in 255 colors, whose pixels are either opaque or transparent. Each
-/// frame is shown for `delay` ms, rounded down to a multiple of 10 ms.
+/// Encodes images as an endless GIF animation in 255 colors, whose pixels are either opaque or
+/// transparent. Each frame is shown for `delay` ms, rounded down to a multiple of 10 ms.
 std::string EncodeGif(std::span<const Image> frames, int delay, const Texts& texts);
-/// Encodes an image as WebP with losses; `quality` is from 0 to 100.
+/// Encodes an image as lossy WebP; `quality` is from 0 to 100.
 std::string EncodeWebp(const Image& image, int quality);
 /// Encodes an image five times as fast as EncodeWebp, to a file that is a third larger.
 std::string EncodeWebpFast(const Image& image, int quality);
-/// Makes an endless WebP animation of opaque images of one size, with losses. Each image is shown
-/// for `delay` ms; images that are equal become one frame.
+/// Encodes opaque images of one size as an endless, lossy WebP animation. Each image is shown for
+/// `delay` ms; images that are equal become one frame.
 std::string EncodeWebpFilm(std::span<const Image> frames, int delay, int quality);
 
 }  // namespace mjforge::picture

@@ -13,7 +13,7 @@ namespace {
 constexpr int kFramesPerWay = 12;  // frames of a motion between two positions
 
 // Appends poses that move a joint from `from` to `to`, with a lower speed towards both ends. Omits
-// `to`, with which the next motion starts.
+// `to`, because the next motion starts with that position.
 void AppendWay(int joint, double from, double to, std::vector<JointPositions>& poses) {
   if (from == to) return;
   for (int i = 0; i < kFramesPerWay; ++i) {

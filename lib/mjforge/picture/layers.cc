@@ -1,5 +1,5 @@
-// Layers of a picture: their names, and the marks of bounds, inertia, joints and regions on the
-// faded object.
+// Names of the layers of a picture, and drawing of the marks (boxes, axes, labels) of bounds,
+// inertia, joints and regions.
 
 #include "mjforge/picture/layers.h"
 

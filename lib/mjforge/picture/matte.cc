@@ -136,7 +136,7 @@ void Matte::Add(const RenderedBand& drawn, int top, int bottom) {
 }
 
 // Replaces the shadow on each floor pixel by the mean over the floor pixels around it. Pixels of
-// the object have no weight, so that the shadow stays dark next to it.
+// the object have no weight, so that the shadow stays dark next to the object.
 void Matte::Soften() {
   const int radius = static_cast<int>(std::lround(kSoftness * std::min(width_, height_)));
   if (radius < 1 || std::none_of(shade_.begin(), shade_.end(), [](float s) { return s > 0; }))

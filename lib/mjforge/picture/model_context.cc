@@ -1,4 +1,5 @@
-// OpenGL objects: making and freeing.
+// Creation and deletion of OpenGL objects: the shared buffers, and the meshes and textures of a
+// model.
 
 #include "mjforge/picture/model_context.h"
 

@@ -56,7 +56,7 @@ inline constexpr int kMinSize = 16;
 inline constexpr int kMaxSize = 4096;
 
 /// Position of the camera, in the terms of MuJoCo's mjvCamera. The default camera looks from the
-/// front, right and above, and is as close as it can be with all shapes in the picture.
+/// front, right and above, and is as close as possible with all shapes in the picture.
 struct View {
   std::optional<double> azimuth;    // deg, viewing direction about z; 0: along x, 90: along y
   std::optional<double> elevation;  // deg, viewing direction; -90: down, 90: up
@@ -129,8 +129,8 @@ class Loader {
  public:
   Loader();
   ~Loader();
-  /// Loads a text that refers to `assets` by their names, or a file. Returns null, and the reason,
-  /// if MuJoCo rejects the model; ignores MuJoCo's warnings.
+  /// Loads an MJCF text that refers to `assets` by their names, or an MJCF file. Returns null, and
+  /// sets `why_not`, if the model cannot be loaded. Ignores MuJoCo's warnings.
   std::unique_ptr<Subject> LoadText(const std::string& mjcf, const bytes::Assets& assets,
                                     std::string& why_not);
   std::unique_ptr<Subject> LoadFile(const std::filesystem::path& file, std::string& why_not);
@@ -177,9 +177,9 @@ class Renderer {
   std::unique_ptr<State> state_;
 };
 
-/// Returns the name of the geom at a place of the picture that Draw makes of the visible geoms; x
-/// goes from 0 at the left to 1 at the right, and y from 0 at the top to 1 at the bottom. Returns
-/// an empty text if there is no geom.
+/// Returns the name of the geom that Renderer::Draw() shows at a place of the picture with
+/// Layer::kVisual; empty if there is no geom or the geom has no name. `x` is 0 at the left edge and
+/// 1 at the right edge; `y` is 0 at the top and 1 at the bottom.
 std::string GeomAt(Subject& subject, const Options& options, double x, double y);
 
 /// An image in a contact sheet, and the lines of text below it.

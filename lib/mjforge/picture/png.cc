@@ -1,4 +1,4 @@
-// PNG of an image: RGB if it is opaque, otherwise RGBA.
+// PNG encoder for images: RGB if the image is opaque, otherwise RGBA.
 
 #include "mjforge/picture/picture.h"
 

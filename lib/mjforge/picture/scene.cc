@@ -1,4 +1,4 @@
-// MuJoCo's list of geoms for a layer, with lights, floor and backdrop.
+// Scene of a picture: MuJoCo's list of geoms for a layer, with lights, floor and backdrop.
 
 #include "mjforge/picture/scene.h"
 
@@ -15,7 +15,8 @@ namespace {
 
 using diag::Code;
 
-// Room for geoms besides the model's: floor, boxes, axes.
+// Numbers of geoms for which MuJoCo's list has space in addition to the geoms of the model: for the
+// floor, boxes and axes, and for the marks of each joint.
 constexpr int kExtraGeoms = 64;
 constexpr int kExtraPerJoint = 64;
 

@@ -51,7 +51,7 @@ class Scene {
   /// another geom fixed to the world.
   Camera Frame(const PlacedShapes& shapes, double floor_height, const Options& options) const;
 
-  /// Adds light and, if there are shadows, a floor at the given height, unless the model has a
+  /// Adds lights and, if `has_shadows` is true, a floor at the given height, unless the model has a
   /// ground or the camera is below the floor. A scene with translucent geoms also gets a backdrop.
   void Light(const Camera& camera, double floor_height, bool has_shadows);
   /// Returns true if no geom is translucent.
@@ -107,7 +107,9 @@ class Scene {
   std::vector<Label> labels_;
   std::vector<Line> legend_;
   bool has_ground_ = false;  // the model has a plane, a height field or a geom of the world
-  std::vector<mjvGeom> translucent_;  // translucent geoms; and a black floor if it hides marks
+  // Translucent geoms. If these include marks, also a black floor, which hides marks below the
+  // floor.
+  std::vector<mjvGeom> translucent_;
   double floor_height_ = 0;
   std::optional<double> level_above_floor_;  // nullopt: there is no floor
 };

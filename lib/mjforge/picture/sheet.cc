@@ -1,4 +1,5 @@
-// Composition of images: contact sheets, labels, and an image over another.
+// Composition of images: sheets of several pictures with captions, labels, and overlays of one
+// image on another.
 
 #include "mjforge/picture/sheet.h"
 

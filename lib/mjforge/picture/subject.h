@@ -12,11 +12,11 @@ struct Subject::State {
   engine::Model model;
   compiled::Data data;
 
-  /// Brings poses, centres of mass and tendons up to date with qpos.
+  /// Computes the poses, centres of mass, cameras, lights and tendons for the present qpos.
   void Update();
-  /// Sets the positions of joints, and updates.
+  /// Sets the positions of some joints, and calls Update().
   void Move(const JointPositions& pose);
-  /// Sets all positions (nq), and updates.
+  /// Sets all positions (qpos, nq numbers), and calls Update().
   void Move(const std::vector<double>& positions);
 };
 

@@ -34,14 +34,14 @@ class PlacedShapes {
   bool empty() const { return shapes_.empty(); }
 
   double Support(const Eigen::Vector3d& direction) const;
-  /// Returns the support of the shadow that light in this direction, downwards, casts on a level
-  /// plane.
+  /// Returns the support function of the shadow that the shapes cast on the plane z = `level`, m.
+  /// `light` is the direction of the light, downwards.
   double ShadowSupport(const Eigen::Vector3d& direction, const Eigen::Vector3d& light,
                        double level) const;
   Eigen::Vector3d Min() const;
   Eigen::Vector3d Max() const;
-  /// Returns the largest distance from the vertical line through `axis`, with a relative error of
-  /// 1e-5.
+  /// Returns the largest horizontal distance of the shapes from the vertical line through the point
+  /// `axis`, m, with a relative error of 1e-5.
   double HorizontalRadius(const Eigen::Vector3d& axis) const;
 
  private:

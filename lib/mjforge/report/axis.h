@@ -26,7 +26,8 @@ class Axis {
   };
   /// Returns about `count` ticks, at most twice as many.
   std::vector<Tick> Ticks(int count) const;
-  /// Extends a linear axis so that it starts and ends at a tick, and a logarithmic one by a factor.
+  /// Extends a linear axis so that it starts and ends at a tick, and a logarithmic axis by a
+  /// factor. `count` is the approximate number of ticks.
   void Round(int count);
 
  private:
@@ -44,7 +45,8 @@ class Axis {
 /// and most of them are much closer to lo than to hi.
 bool WantsLogarithm(double lo, double hi, double median);
 
-/// Returns a number with up to four significant digits: "0.25", "12000", "3.1e-07".
+/// Returns a number with up to four significant digits ("0.25", "3.1e-07"), or rounded to a whole
+/// number if its absolute value is from 1,000 to 10 million ("12345").
 std::string ShortNumber(double value);
 
 }  // namespace mjforge::report

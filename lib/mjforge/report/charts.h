@@ -1,4 +1,4 @@
-// Charts of a page, as SVG that is 360 units wide.
+// Charts of a report or gallery, as SVG that is 360 units wide.
 
 #pragma once
 
@@ -26,7 +26,8 @@ inline constexpr PlotArea kHistogramArea;
 inline constexpr PlotArea kScatterArea = {.bottom = 220};
 inline constexpr PlotArea kBarArea = {.left = 120, .right = 300, .top = 4};
 
-/// Fills in an axis: AXIS_TICK sections with AT and LABEL, and AXIS_LABEL, where `axis` is X or Y.
+/// Fills in the ticks and the label of an axis in the template of a chart: sections X_TICK with AT
+/// and LABEL, and the value X_LABEL, if `axis` is "X"; Y_TICK and Y_LABEL if it is "Y".
 void AddAxis(Dictionary& chart, const std::string& axis, const std::vector<Axis::Tick>& ticks,
              std::string_view label);
 
@@ -36,7 +37,7 @@ struct HistogramChart {
   std::string x_label;  // "m"
   const NumberTally* drawn = nullptr;
   const NumberTally* expected = nullptr;  // null: the distribution is not known
-  bool whole = false;                     // whole numbers, with the edges of bins between them
+  bool whole = false;  // the values are whole numbers; bins end halfway between them
 };
 /// Adds bars for the drawn values, in which failed variants are marked, and a line for the expected
 /// values, scaled to the same total.

@@ -1,4 +1,4 @@
-// Search for colours among the parameters of a spec.
+// Parameters that are colours, and conversion of their values to colours of a page.
 
 #include "mjforge/report/colors.h"
 

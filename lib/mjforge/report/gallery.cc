@@ -1,4 +1,4 @@
-// The index of a gallery: cards by kind.
+// Index page of a gallery: a card for each spec, grouped by kind (folder of the spec).
 
 #include "mjforge/report/gallery.h"
 
@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::size_t kMaxWords = 20'000;  // bytes
 
-// Returns the folder in a spec's name: "tools" of "tools/hammer"; empty if it has none.
+// Returns the first folder in a spec's name: "tools" of "tools/hammer"; empty if the name has no
+// folder.
 std::string KindOf(const std::string& name) {
   const std::size_t slash = name.find('/');
   return slash == name.npos ? "" : name.substr(0, slash);

@@ -32,7 +32,7 @@ struct Film {
 /// A property of an object: name and value.
 using Fact = std::pair<std::string, std::string>;
 
-/// A table of what an object can do, such as its joints.
+/// A table of features of an object, such as its joints.
 struct FeatureTable {
   std::string title;
   std::vector<Fact> rows;
@@ -63,8 +63,8 @@ struct GalleryCard {
   bool has_page = false;
   std::optional<Thumbnail> picture;
 };
-/// Makes the HTML of the index. Cards of one kind must be adjacent; the kind is the folder in the
-/// name.
+/// Makes the HTML of the index. Cards of one kind must be adjacent; the kind is the first folder in
+/// the name.
 std::string MakeGalleryIndex(std::span<const GalleryCard> cards);
 
 /// Returns the file of the page of a spec, relative to the folder of the index:
@@ -72,7 +72,8 @@ std::string MakeGalleryIndex(std::span<const GalleryCard> cards);
 std::string GalleryPageFile(const std::string& name);
 
 /// Returns true if the spec `a` is listed before `b` in galleries. Kinds (folders of specs) are in
-/// alphabetical order; reference objects, shapes and primitives are last.
+/// alphabetical order; the kinds robosuite, shapes and primitives come after all other kinds, and
+/// specs without a folder come last.
 bool IsBeforeInGallery(const std::string& a, const std::string& b);
 
 }  // namespace mjforge::report

@@ -1,5 +1,5 @@
-// The head of the pages of a gallery: style, script, and the Content Security Policy that allows
-// only these two.
+// Head of the HTML pages of a gallery: style, script, and the Content Security Policy that allows
+// only this style and this script.
 
 #pragma once
 

@@ -38,8 +38,8 @@ std::size_t BinsFor(std::uint64_t count) {
   return static_cast<std::size_t>(std::clamp(std::round(bins), 5.0, 32.0));
 }
 
-// Returns the range of the expected values, without tails (0.1 % of the values at each end) if they
-// are long.
+// Returns the range of the expected values, without the tails (0.1 % of the values at each end) if
+// the tails are long.
 std::pair<double, double> Bulk(const Histogram& expected) {
   const double lo = expected.Quantile(0.001);
   const double hi = expected.Quantile(0.999);

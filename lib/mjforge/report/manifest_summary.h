@@ -83,8 +83,8 @@ class ManifestSummary {
   std::vector<NumberTally> measures;  // in the order of Measures()
   TestTallies tests;
   RandomSample<Point> points;
-  std::string
-      other_batch;  // difference of the first record of another batch; empty if there is none
+  /// Difference between this batch and the first record of another batch; empty if there is none.
+  std::string other_batch;
 
  private:
   void AddFindings(const manifest::Record& record);

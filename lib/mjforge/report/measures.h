@@ -10,7 +10,7 @@
 
 namespace mjforge::report {
 
-/// A number in a record that describes the object.
+/// Identifiers of the measures, which are numbers in a record that describe the object.
 enum class MeasureId {
   kMass,
   kSize,

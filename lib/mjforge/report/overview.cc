@@ -1,4 +1,4 @@
-// Overview of a batch: title, statuses, facts and notices.
+// Overview of a batch in a report: title, statuses, facts and notices.
 
 #include <fmt/format.h>
 

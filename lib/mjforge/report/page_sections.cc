@@ -1,4 +1,4 @@
-// Sections of a page: findings, parameters, mass and size, physics.
+// Sections of a report: findings, parameters, mass and size, physics.
 
 #include "mjforge/report/page_sections.h"
 
@@ -174,7 +174,8 @@ void AddTests(Dictionary& section, const TestTallies& tests) {
   }
 }
 
-// Adds the measures with values: those of the physics checks, or all others.
+// Adds a panel for each measure that has values: measures of physics checks if `physics` is true,
+// otherwise all other measures.
 void AddMeasures(Dictionary& section, const ManifestSummary& summary, bool physics) {
   for (std::size_t i = 0; i < summary.measures.size(); ++i) {
     const Measure& measure = Measures()[i];

@@ -1,4 +1,4 @@
-// Sections of a page about the whole batch, which fill the template page.html.
+// Sections of a report about the whole batch, which fill the template page.html.
 
 #pragma once
 
@@ -30,7 +30,7 @@ struct DrawRange {
   std::uint64_t first = 0;
   std::uint64_t span = 0;
 };
-/// Draws the parameters of a spec many times. Draws that fail are not counted.
+/// Draws the parameters of a spec up to 20,000 times. Draws that fail are not counted.
 ParameterTallies DrawParameters(const spec::ObjectSpec& spec, const DrawRange& range);
 
 /// Draws the parameters again, which estimates their expected distributions even if ranges depend
@@ -50,7 +50,8 @@ void AddParameterPanels(Dictionary& parent, const Batch& batch,
 void AddMassAndSize(Dictionary& body, const ManifestSummary& summary);
 void AddPhysics(Dictionary& body, const ManifestSummary& summary);
 
-/// Returns the spec's parameter of that name; null if the spec was not loaded.
+/// Returns the spec's parameter with this name; null if the spec was not loaded or has no such
+/// parameter.
 const spec::Parameter* ParameterOf(const Batch& batch, const std::string& name);
 /// Returns a parameter's unit as a page shows it; empty for the unit 1 and for null.
 std::string UnitText(const spec::Parameter* parameter);

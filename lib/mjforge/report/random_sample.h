@@ -12,7 +12,7 @@ namespace mjforge::report {
 
 /// Sample of the items with the lowest ranks, where the rank of an item is a hash of its index. The
 /// sample depends neither on the order of the items nor on how they were divided among samples, and
-/// regularities of the indices (grids, Sobol points) do not show in it.
+/// regularities of the indices (grids, Sobol points) do not bias the sample.
 template <typename Item>
 class RandomSample {
  public:

@@ -9,7 +9,8 @@
 namespace mjforge::report {
 namespace {
 
-// Ratio of the largest to the smallest number from which on an axis is logarithmic.
+// Axes on which the largest number is more than this multiple of the smallest number are
+// logarithmic.
 constexpr double kWide = 20;
 
 Axis AxisOf(std::vector<double> values, double start, double end) {

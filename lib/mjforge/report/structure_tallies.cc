@@ -13,7 +13,7 @@
 namespace mjforge::report {
 namespace {
 
-// Limit of components of a vector that are compared.
+// Largest number of components of a vector that are compared.
 constexpr std::size_t kComparedComponents = 8;
 
 void AddValue(std::string value, ParameterExtent& extent) {

@@ -15,10 +15,10 @@ namespace mjforge::report {
 
 /// Values of a parameter among some variants.
 struct ParameterExtent {
-  /// Limit of different values that are kept.
+  /// Largest number of different values that are kept.
   static constexpr std::size_t kMaxValues = 24;
 
-  std::string name;              // "shape", "size.x"
+  std::string name;              // "shape", "size[0]"
   std::set<std::string> values;  // texts, flags and whole numbers
   bool more_values = false;      // more than kMaxValues, or numbers that are not whole
   // Range of the values that are numbers; low > high if there are none.
@@ -49,7 +49,7 @@ struct StructureTally {
 /// Tallies of the structures of a batch, in the order of their first variants.
 class StructureTallies {
  public:
-  /// Limit of different structures that are counted separately.
+  /// Largest number of different structures that are counted separately.
   static constexpr std::size_t kMaxStructures = 1000;
 
   void Add(const manifest::Record& record);
@@ -74,8 +74,8 @@ struct Separator {
 };
 /// Returns the parameters that separate the groups, where `groups[i]` is the group of
 /// `structures[i]`; a negative group excludes its structure. Parameters that separate by ranges are
-/// returned only if none separates by values, because a few variants are separated by ranges by
-/// chance.
+/// returned only if none separates by values, because the ranges of a few variants may be disjoint
+/// by chance.
 std::vector<Separator> SeparatorsOf(const std::vector<StructureTally>& structures,
                                     const std::vector<int>& groups);
 

@@ -1,4 +1,5 @@
-// Reading a manifest in sections, which all cores share.
+// Reader of a manifest: splits the file into sections, which all cores read in parallel, and joins
+// the summaries of the sections.
 
 #include <fmt/format.h>
 
@@ -15,8 +16,8 @@ namespace {
 
 using Path = std::filesystem::path;
 
-// Least size of a section. Constant, because rounding errors of means and variances depend on the
-// sections.
+// Least size of a section, bytes. It does not depend on the number of cores, because rounding
+// errors of means and variances depend on the sections.
 constexpr std::uint64_t kSectionBytes = std::uint64_t{8} << 20;
 
 struct SectionSummary {

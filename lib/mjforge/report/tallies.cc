@@ -1,4 +1,4 @@
-// Counts of the values of parameters.
+// Counts of the drawn values of parameters.
 
 #include "mjforge/report/tallies.h"
 

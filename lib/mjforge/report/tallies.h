@@ -56,8 +56,8 @@ struct Counts {
 
 /// The values of one parameter.
 struct ParameterTally {
-  /// Maximum number of different texts in a sum of tallies. A tally that is not a sum counts all of
-  /// its texts, so that the counts in the sum are complete.
+  /// Maximum number of different texts that Append() keeps. Add() counts all texts, so that the
+  /// counts of the kept texts are complete.
   static constexpr std::size_t kMaxTexts = 1000;
   /// Maximum number of different whole numbers that are counted one by one, and of bars in a chart.
   static constexpr std::size_t kMaxWhole = 24;
@@ -72,7 +72,7 @@ struct ParameterTally {
   std::string NameOf(std::size_t i) const;
 
   std::string name;
-  std::vector<NumberTally> numbers;  // a single tally, or a tally per component
+  std::vector<NumberTally> numbers;  // one tally of a number, or one per component of a vector
   bool more_texts = false;           // there were more texts than kMaxTexts
 
  private:

@@ -1,4 +1,5 @@
-// Templates of the page, expanded by ctemplate, and texts for them.
+// HTML templates of reports and galleries, expanded by ctemplate, and the formatting of their
+// values.
 
 #include "mjforge/report/templates.h"
 

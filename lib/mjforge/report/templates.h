@@ -1,4 +1,4 @@
-// Embedded templates of the page, and functions that fill them.
+// Embedded HTML templates of reports and galleries, and functions that fill the templates.
 //
 // ctemplate escapes every value for its place in the HTML, except values that a template marks with
 // `:none`.

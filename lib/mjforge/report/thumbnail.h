@@ -1,4 +1,4 @@
-// A small picture in a page.
+// Small picture in a report or gallery.
 
 #pragma once
 

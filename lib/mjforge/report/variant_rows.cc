@@ -1,4 +1,4 @@
-// Rows of the table of variants: picture, parameters, findings, command.
+// Rows of the table of variants in a report: picture, parameters, findings, command.
 
 #include "mjforge/report/variant_rows.h"
 

@@ -1,4 +1,4 @@
-// Rows of the table of variants.
+// Rows of the table of variants in a report.
 
 #pragma once
 
@@ -23,8 +23,8 @@ struct VariantRows {
 };
 
 /// Makes the rows of the chosen variants until they fill `room` bytes: failed variants, slow
-/// variants, then the sample. The sample is in an order such that its first rows, however many fit,
-/// are spread over the batch.
+/// variants, then the sample. Rows of the sample are made in an order in which every first part is
+/// spread over the batch.
 VariantRows MakeVariantRows(const std::vector<ShownVariant>& chosen, const Batch& batch,
                             const Request& request, const Thumbnailer& thumbnailer,
                             std::size_t room);

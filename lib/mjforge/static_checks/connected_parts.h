@@ -12,7 +12,8 @@ namespace mjforge::static_checks {
 /// Indices into a list of parts.
 using PartGroup = std::vector<std::size_t>;
 
-/// Returns the connected components of parts that are at most `gap` (m) apart; the heaviest first.
+/// Returns the connected components of the parts, the heaviest component first. Parts are connected
+/// if their distance is at most `gap`, m.
 std::vector<PartGroup> ConnectedGroups(std::span<const PlacedPart> parts, double gap);
 
 /// Part outside a group that is nearest to the group. The distance is infinite if there is no such

@@ -9,7 +9,7 @@ namespace {
 
 using diag::Code;
 
-constexpr double kMostHover = 0.001;  // m; things that stop farther from a part visibly hover
+constexpr double kMostHover = 0.001;  // m; objects that stop farther from a part visibly hover
 
 void CheckPart(const model::Part& part, Reporter& reporter) {
   if (NumberOf(part, "contype", 0, 1) == 0 && NumberOf(part, "conaffinity", 0, 1) == 0) {

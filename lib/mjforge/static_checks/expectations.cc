@@ -216,7 +216,8 @@ class ExpectationChecker {
                        is_part ? "" : fmt::format(" (part '{}')", Shown(out->part->name))));
   }
 
-  // Returns the largest distance of any point of the part from the convex hull, m.
+  // Returns the largest distance of any point of the part from the convex hull of the shapes
+  // `hull`, m.
   static double Outside(const PlacedPart& placed, std::span<const distance::PlacedShape> hull) {
     std::vector<Vector3d> points;
     if (placed.part->shape.mesh != nullptr) {

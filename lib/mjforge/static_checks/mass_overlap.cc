@@ -47,7 +47,7 @@ std::vector<Plane> FacesOf(const model::TriangleMesh& mesh, const model::Pose& X
   return faces;
 }
 
-/// A part, prepared for testing which of many points are inside the part.
+/// A part, with precomputed planes of its faces, for testing whether points are inside the part.
 class Region {
  public:
   explicit Region(const PlacedPart& placed) : placed_(placed) {

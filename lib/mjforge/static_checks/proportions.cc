@@ -26,7 +26,7 @@ using expr::RoundedText;
 
 // Tolerances of principal moments of inertia, as shares of the largest moment.
 constexpr double kRounding = 1e-6;
-constexpr double kNothing = 1e-12;  // smaller moments are zero
+constexpr double kNothing = 1e-12;  // moments below this share count as zero
 // Distance of a visual part from all colliding parts, as a share of the body's size, above which
 // the part is reported.
 constexpr double kFar = 0.5;

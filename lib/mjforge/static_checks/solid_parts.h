@@ -8,7 +8,8 @@
 namespace mjforge::static_checks {
 
 /// The colliding parts of a body, or all parts if none collides. If only the mass of the whole body
-/// is known, each part has a share of that mass, in proportion to the part's volume.
+/// is known (`masses_known` is false), each part has a share of that mass, in proportion to the
+/// part's volume.
 struct SolidParts {
   std::vector<model::Part> parts;
   bool masses_known = false;

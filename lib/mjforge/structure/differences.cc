@@ -74,7 +74,7 @@ std::string WordOf(const Field& field, int value) {
   return i < field.words.size() ? std::string(field.words[i]) : fmt::format("{}", value);
 }
 
-// Returns the names that one of the lists contains more often than the other.
+// Returns the names that do not occur equally often in the two lists.
 std::vector<std::string> OneSided(const std::vector<std::string_view>& a,
                                   const std::vector<std::string_view>& b) {
   std::map<std::string_view, int> surplus;

@@ -1,4 +1,5 @@
-// Comparison of frames with body frames: setSameframe in engine_setconst.c of MuJoCo 4.0.
+// Comparison of frames with body frames, by the rule of setSameframe in engine_setconst.c of MuJoCo
+// 4.0.
 #include "mjforge/structure/frames.h"
 
 #include <mujoco/mujoco.h>

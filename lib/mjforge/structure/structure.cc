@@ -1,4 +1,4 @@
-// Reading the structure of a compiled model, and its hash.
+// Functions that read the structure of a compiled model and compute its hash.
 #include "mjforge/structure/structure.h"
 
 #include <array>

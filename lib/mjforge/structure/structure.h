@@ -42,7 +42,8 @@ struct Structure {
   bool empty() const { return integers.empty(); }
   /// Returns a hash of the structure: 12 hexadecimal digits; "" if the structure is empty.
   std::string Key() const;
-  /// Returns a hash without the coincidences, in which variants of one family may differ.
+  /// Returns a hash of the structure without coincidences, because variants of one family may
+  /// differ in coincidences.
   std::string FamilyKey() const;
 };
 
@@ -62,9 +63,8 @@ struct Difference {
   /// in which the flag is off is valid for every variant.
   bool is_coincidence = false;
 };
-/// Returns the differences. If the number or the names of the elements of a kind differ, only
-/// elements with names that both structures have are compared, and fields with ids of other
-/// elements are not.
+/// Returns the differences. If the number or the names of the elements of a kind differ, compares
+/// only elements with names that both structures have, and no fields with ids of other elements.
 std::vector<Difference> DifferencesOf(const Structure& a, const Structure& b);
 
 /// Describes a difference for a message: "geom_type of 'handle' and 'neck' is box, not cylinder",

@@ -18,7 +18,8 @@ int At(Model m, int i) {
   return static_cast<int>((m.*array)[width * i + column]);
 }
 
-// Returns 1 if a number is positive: engines find friction loss, springs and dampers like this.
+// Returns 1 if a number is positive, otherwise 0, because engines detect friction loss, springs and
+// dampers by this condition.
 template <auto array>
 int IsPositive(Model m, int i) {
   return (m.*array)[i] > 0 ? 1 : 0;

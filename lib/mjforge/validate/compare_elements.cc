@@ -56,8 +56,8 @@ void Comparison::CompareGeom(int id, const model::Part& part, const ComparedElem
   }
 }
 
-/// Compares the boxes around the vertices, because MuJoCo moves a mesh's origin to its centre of
-/// mass and aligns its frame with its principal axes.
+/// Compares the bounding boxes of the vertices, because MuJoCo moves a mesh's origin to its centre
+/// of mass and aligns its frame with its principal axes.
 void Comparison::CompareMesh(int id, const model::Part& part, const ComparedElement& subject) {
   if (part.shape.mesh == nullptr) return;
   const model::Box3 made =

@@ -48,7 +48,7 @@ class SectionComparison {
     return SameCount(fmt::format("elements of {}", what), compiled, meant, mark, findings_);
   }
 
-  /// Compares a section whose elements MuJoCo keeps in the order of the file.
+  /// Compares the elements of a section with `check`, in the order of the file, which MuJoCo keeps.
   void Each(std::string_view section, int count, const int* names, Check check) {
     const std::span<const Element> elements = model::ElementsOf(object_, section);
     const diag::SourceMark mark =

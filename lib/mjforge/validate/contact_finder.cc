@@ -1,4 +1,4 @@
-// Contacts between bodies, with room for contacts that grows when needed.
+// Contacts between bodies; enlarges the model's contact buffer when the buffer is full.
 #include "mjforge/validate/contact_finder.h"
 
 #include <algorithm>
@@ -10,12 +10,11 @@
 namespace mjforge::validate {
 namespace {
 
-// Largest room for contacts: about 120 MB, because a contact has about 600 bytes.
+// Largest number of contacts in the buffer: about 120 MB, because a contact has about 600 bytes.
 constexpr int kMostContacts = 200'000;
 
-/// Returns the stack size, in numbers, that the functions from mj_kinematics to mj_collision
-/// (2.2.2) need at most: three lists with a number for each pair of bodies, and some numbers per
-/// body.
+/// Returns the stack size, in mjtNum, that mj_kinematics, mj_comPos and mj_collision (2.2.2) need
+/// at most: three lists with a number for each pair of bodies, and some numbers per body.
 double StackSize(const mjModel& m) {
   const auto bodies = static_cast<double>(m.nbody);
   return 1.5 * bodies * bodies + 200 * bodies + 20'000;
@@ -24,7 +23,8 @@ double StackSize(const mjModel& m) {
 }  // namespace
 
 ContactFinder::ContactFinder(mjModel& model) : model_(model) {
-  // Reserves no constraint rows, which need most memory: collision detection does not use them.
+  // Reserves no constraint rows, which need most memory, because collision detection does not use
+  // them.
   engine::SetBufferSizes(model_, {.contacts = room_, .rows = 0, .numbers = StackSize(model)});
   data_ = compiled::MakeData(model_);
   Move();

@@ -44,7 +44,8 @@ struct MovedJoint {
   std::size_t dimensions() const { return ball ? 3 : 1; }
 };
 
-/// Returns the joints with a range; adds the names of the other slides to `unlimited_slides`.
+/// Returns the joints that the sweep moves: hinges, ball joints, and slides with a range. Adds the
+/// names of the other slides to `unlimited_slides`.
 std::vector<MovedJoint> JointsToMove(const mjModel& m, std::vector<std::string>& unlimited_slides) {
   std::vector<MovedJoint> joints;
   for (int i = 0; i < m.njnt; ++i) {
@@ -62,7 +63,7 @@ class Sweeper {
   Sweeper(mjModel& m, int frame)
       : m_(m), finder_(m), joints_(JointsToMove(m, sweep_.unlimited_slides)) {
     X_AW_ = compiled::PoseAt(finder_.data().xpos, finder_.data().xquat, frame).Inverse();
-    // Without any colliding geom, bounds include visual geoms, like model::Bounds.
+    // If no geom collides, the bounds include visual geoms, like those in model::Bounds.
     for (int i = 0; i < m.ngeom; ++i) {
       any_collides_ |= m.geom_bodyid[i] != 0 && compiled::Collides(m, i);
     }

@@ -1,4 +1,4 @@
-// Moves the joints of a model through their ranges, and finds contacts and bounds.
+// Sweep of the joints of a model through their ranges, to find contacts and bounds.
 #pragma once
 
 #include <mujoco/mujoco.h>

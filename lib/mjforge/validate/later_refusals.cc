@@ -1,4 +1,5 @@
-// Finds elements of compiled models, and attributes of objects, that later releases reject.
+// Search for elements of compiled models, and for attributes of objects, that later releases
+// reject.
 #include "mjforge/validate/later_refusals.h"
 
 #include <algorithm>
@@ -91,8 +92,8 @@ void ForEachRefused(const mjModel& m, const Report& report) {
   }
 }
 
-// Adds an error for each attribute of an element, or of an element inside, that later releases
-// reject.
+// Adds an error for each attribute that later releases reject, of an element and of its
+// descendants.
 void CheckAttributes(std::string_view parent, const model::Element& element,
                      diag::Findings& findings) {
   for (const model::Attribute& attribute : element.attributes) {

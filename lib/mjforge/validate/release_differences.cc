@@ -1,4 +1,5 @@
-// Compares the masses and shapes that MuJoCo 2.2 and later releases give the same file.
+// Comparison of the masses and shapes that MuJoCo 2.2 and later releases compute from the same
+// file.
 #include "mjforge/validate/release_differences.h"
 
 #include <cmath>
@@ -18,7 +19,8 @@ using diag::Code;
 constexpr double kAgreement = 1e-6;  // relative difference of equal numbers
 constexpr const char* kMassHint = "an `<inertial>` in each body with meshes makes them agree";
 
-/// Describes the first body with another mass; empty if there is none.
+/// Describes the first body whose mass differs between `m` (later releases) and `here` (this
+/// MuJoCo); empty if there is none.
 std::string OtherMass(const mjModel& m, const mjModel& here) {
   std::vector<int> bodies;
   for (int i = 1; i < m.nbody; ++i) {
@@ -36,7 +38,8 @@ std::string OtherMass(const mjModel& m, const mjModel& here) {
   return message;
 }
 
-/// Describes the first geom with another size or position; empty if there is none.
+/// Describes the first geom whose size or position differs between `m` (later releases) and `here`
+/// (this MuJoCo); empty if there is none.
 std::string OtherShape(const mjModel& m, const mjModel& here) {
   const auto differ = [](const mjtNum* a, const mjtNum* b, double scale) {
     return mju_dist3(a, b) > kAgreement * scale;

@@ -1,4 +1,4 @@
-// Differences between a model as MuJoCo 2.2 compiles it and as later releases do.
+// Differences between the models that MuJoCo 2.2 and later releases compile from the same file.
 #pragma once
 
 #include "mjforge/backport/backport.h"

@@ -55,7 +55,7 @@ class SelfCollisions {
     return found;
   }
 
-  /// Returns the depth that is allowed for a contact, m.
+  /// Returns the penetration depth from which a contact is reported, m.
   double Allowed(const BodyContact& contact) const {
     const double usual = object_.checks.self_collision;
     return IsPiled(contact.body1) || IsPiled(contact.body2)

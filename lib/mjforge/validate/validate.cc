@@ -1,4 +1,5 @@
-// Loader: loads documents and files in MuJoCo, and words its errors and warnings as findings.
+// Loader: loads documents and files in MuJoCo, and reports MuJoCo's errors and warnings as
+// findings.
 #include "mjforge/validate/validate.h"
 
 #include <algorithm>
@@ -48,9 +49,9 @@ int CountConstraints(const model::Body& body) {
   return rows;
 }
 
-/// Returns a size element with small buffers, because clearing buffers of default size takes most
-/// of the time of a load, and the size of MuJoCo's stack depends on njmax. A single body has no
-/// contacts, and several bodies seldom have many; if they do, MuJoCo warns. The text has no line
+/// Returns a `<size>` element with small buffers, because clearing buffers of default size takes
+/// most of the time of a load, and the size of MuJoCo's stack depends on njmax. A single body has
+/// no contacts, and several bodies seldom have many; if they do, MuJoCo warns. The text has no line
 /// end, so that line numbers stay the same; the text is empty if the object has a size element.
 std::string SizeHint(const model::Object& object) {
   constexpr int kContacts = 12;
@@ -107,8 +108,8 @@ auto Computed(const Compute& compute, diag::SourceMark mark, diag::Findings& fin
   }
 }
 
-/// Adds findings about bodies that touch with all joints at zero; returns true if any do, or if
-/// MuJoCo fails.
+/// Adds findings about bodies that touch with all joints at zero or in the start pose. Returns true
+/// if it adds findings.
 bool FindTouching(mjModel& m, const model::Object& object, diag::Findings& findings) {
   if (object.bodies.size() < 2) return false;
   return Computed([&] { return CheckSelfCollision(m, object, findings); }, MarkOf(object), findings)
@@ -198,7 +199,7 @@ CompiledModel Describe(const mjModel& m) {
   return described;
 }
 
-/// Returns a hint for errors that MuJoCo words unclearly.
+/// Returns a hint for errors whose message from MuJoCo is unclear; empty for other errors.
 std::string HintFor(std::string_view reason) {
   if (reason.starts_with("qhull error"))
     return "give the mesh some thickness, or let another shape collide in its place";
@@ -213,8 +214,8 @@ std::string MujocoVersion() { return engine::Version(); }
 struct Loader::Impl {
   Engine engine;
 
-  /// Loads a document; adds a finding if MuJoCo rejects it. Uses the size element `hint` unless
-  /// MuJoCo reports errors or warnings with it.
+  /// Loads a document; adds a finding if MuJoCo rejects it. Inserts `hint`, a `<size>` element,
+  /// unless MuJoCo reports errors, shortages of memory or warnings with this element.
   Loaded LoadDocument(const mjcf::MjcfDocument& document, const std::string& hint,
                       const model::Object& object, diag::Findings& findings);
   /// Loads a file. Adds a finding and returns null if MuJoCo rejects the file. Sets `start` to the

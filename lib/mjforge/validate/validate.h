@@ -24,7 +24,7 @@ struct CompiledModel {
     std::string name;  // empty if the element has no name
   };
   model::Object object;         // read by compiled::ObjectOf()
-  std::vector<int> body_geoms;  // number of geoms of each body, including planes and height fields
+  std::vector<int> body_geoms;  // number of geoms of each body except the world
   // Elements of the whole model, including those of the world.
   std::vector<Element> elements;
   int joints = 0;
@@ -32,12 +32,13 @@ struct CompiledModel {
   int sites = 0;
 };
 
-/// Contacts and bounds over the ranges of the joints. Each hinge and slide moves through its range
-/// (an unlimited hinge through a full turn) in kSteps steps while the others are at zero. A ball
-/// joint turns about 13 axes, up to its range in both directions. Several joints also move
-/// together: to kCombinations low-discrepancy points of their ranges (Sobol), and to all
-/// combinations of the ends of their ranges if there are few. Free joints do not move, and
-/// equalities are ignored. The results hold for those poses, not between them.
+/// Contacts and bounds over the ranges of the joints. Each hinge and limited slide takes kSteps
+/// positions in its range (an unlimited hinge in a full turn) while the other joints are at zero.
+/// Unlimited slides and free joints do not move. A ball joint turns about 13 axes, up to its range
+/// in both directions. Several joints also move together to kCombinations points of a Sobol
+/// sequence. If the joints have at most 8 coordinates (3 for a ball joint), all combinations of the
+/// ends of the coordinates are also tried; a ball joint then turns only about z. Equalities are
+/// ignored. The results hold for the tested poses, not between them.
 struct Sweep {
   static constexpr int kSteps = 65;
   static constexpr int kCombinations = 512;
@@ -73,15 +74,17 @@ class Loader {
   Loader& operator=(const Loader&) = delete;
 
   /// Loads a document made from `object` and compares counts, names, masses, inertias, sizes, poses
-  /// and references. If everything matches, finds bodies that touch with all joints at zero. Adds a
-  /// finding, at its place in the spec, for each error, warning, difference and touching pair.
-  /// Returns true if there is no error. Sets `structure` and `numbers`, unless null, to those of
-  /// the loaded model.
+  /// and references. If everything matches, finds bodies that touch with all joints at zero or in
+  /// the start pose. Adds a finding, at its place in the spec, for each error, warning, difference
+  /// and touching pair. Returns true if there is no error. Sets `structure`, unless null, to that
+  /// of the loaded model, and `numbers`, unless null, to those of the loaded model if there is no
+  /// error so far.
   bool Validate(const mjcf::MjcfDocument& document, const model::Object& object,
                 diag::Findings& findings, structure::Structure* structure = nullptr,
                 family::Numbers* numbers = nullptr);
 
-  /// Loads any MJCF file; findings point into the XML. Returns nullopt if MuJoCo rejects the file.
+  /// Loads any MJCF file, and adds findings at their places in the XML. Returns nullopt if MuJoCo
+  /// rejects the file.
   std::optional<CompiledModel> Load(const std::filesystem::path& file, diag::Sources& sources,
                                     diag::Findings& findings);
 
@@ -90,8 +93,9 @@ class Loader {
   /// nullopt if MuJoCo reads the file itself.
   static std::optional<std::string> AdaptedText(const std::filesystem::path& file);
 
-  /// Loads a document or a file and moves its joints. Adds a finding and returns nullopt if MuJoCo
-  /// rejects the model or warns.
+  /// Loads a document or a file and moves its joints. Adds findings and returns nullopt if MuJoCo
+  /// rejects the model or fails, or if the loading of a file adds an error. The other findings
+  /// about a file are left out, because Load() reports them.
   std::optional<Sweep> SweepJoints(const mjcf::MjcfDocument& document, const model::Object& object,
                                    diag::Findings& findings);
   std::optional<Sweep> SweepJoints(const std::filesystem::path& file, diag::Sources& sources,
