@@ -1,6 +1,7 @@
 // Tests that a variant is a pure function of (spec, seed, index).
 
 #include <catch2/catch.hpp>
+#include <filesystem>
 
 #include "crate.h"
 
@@ -73,6 +74,30 @@ TEST_CASE_METHOD(CrateTest, "the spec's folder and how it is written change noth
     REQUIRE(result.status == 0);
     CHECK(result.out == Run({"generate", "crate.yaml", "-o", "-"}).out);
     CHECK(result.out.find(folder().path().string()) == std::string::npos);
+  }
+}
+
+TEST_CASE_METHOD(DeterminismTest,
+                 "a part and an attached file share a mesh, however the spec is named") {
+  folder().Write("tetra.obj",
+                 "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nv 0 0 0.1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  folder().Write(
+      "a.xml",
+      "<mujoco><asset><mesh name='t' file='tetra.obj'/></asset><worldbody><body name='b'>"
+      "<geom type='mesh' mesh='t'/></body></worldbody></mujoco>");
+  const std::string part =
+      "  - {name: one, pos: [1, 0, 0], parts: [{name: p, type: mesh, file: tetra.obj}]}\n";
+  const std::string attached = "  - {name: two, mjcf: a.xml}\n";
+  const std::string head = "mjforge: 1\nname: s\njoints: none\nbodies:\n";
+  folder().Write("part_first.yaml", head + part + attached);
+  folder().Write("part_last.yaml", head + attached + part);
+  for (const std::string name : {"part_first", "part_last"}) {
+    INFO(name);
+    Generate({name + ".yaml", "-o", name + "_a/"});
+    Generate({(folder() / (name + ".yaml")).string(), "-o", name + "_b/"});
+    CHECK(folder().Read(name + "_a/s_000000.xml") == folder().Read(name + "_b/s_000000.xml"));
+    CHECK(folder().Read(name + "_a/assets/tetra.obj") == folder().Read("tetra.obj"));
+    CHECK_FALSE(std::filesystem::exists(folder() / (name + "_a/assets/tetra_2.obj")));
   }
 }
 

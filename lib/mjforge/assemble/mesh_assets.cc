@@ -32,6 +32,12 @@ std::size_t HashOf(const std::filesystem::path& file, const Eigen::Vector3d& sca
   return std::hash<std::string_view>()(file.native()) ^ std::hash<std::string_view>()(bytes);
 }
 
+// Returns a file's absolute path, so that meshes are shared however the path of the spec is
+// written; an empty path for an inline mesh.
+std::filesystem::path AbsolutePath(const std::filesystem::path& file) {
+  return file.empty() ? file : std::filesystem::absolute(file).lexically_normal();
+}
+
 bool AreSame(const model::TriangleMesh& a, const model::TriangleMesh& b) {
   return a.vertices == b.vertices && a.triangles == b.triangles && a.normals == b.normals &&
          a.texcoords == b.texcoords;
@@ -141,11 +147,16 @@ bool Assets::ReadMesh(FieldReader& reader, const spec::Entry& entry,
 
 void Assets::AddFile(const std::filesystem::path& file, const Eigen::Vector3d& scale,
                      const Assembler::CachedMesh& content, model::Part& part) {
-  const std::size_t hash = HashOf(file, scale);
+  const std::filesystem::path path = AbsolutePath(file);
+  const std::size_t hash = HashOf(path, scale);
   const auto [begin, end] = meshes_.equal_range(hash);
   for (auto it = begin; it != end; ++it) {
-    const MeshSource& source = sources_[static_cast<std::size_t>(it->second)];
-    if (source.file == file && source.scale == scale) return SetMesh(it->second, part);
+    const auto index = static_cast<std::size_t>(it->second);
+    MeshSource& source = sources_[index];
+    if (source.file != path || source.scale != scale || !object_.meshes[index]->attributes.empty())
+      continue;
+    source.is_closed = !content.surface_defect;  // unknown so far for a mesh of an attached file
+    return SetMesh(it->second, part);
   }
   auto asset = std::make_unique<model::MeshAsset>();
   asset->name = part.name;
@@ -154,25 +165,26 @@ void Assets::AddFile(const std::filesystem::path& file, const Eigen::Vector3d& s
   asset->mark = part.mark;
   if (content.fit_for_mujoco) {
     asset->file = file;
-    asset->output_file = OutputName(file);
+    asset->output_file = OutputName(path);
   }
-  SetMesh(Add(std::move(asset), {file, scale, !content.surface_defect}, hash), part);
+  SetMesh(Add(std::move(asset), {path, scale, !content.surface_defect}, hash), part);
 }
 
 int Assets::ShareMesh(const model::MeshAsset& mesh, const std::string& name) {
-  const std::size_t hash = HashOf(mesh.file, mesh.scale) + mesh.attributes.size();
+  const std::filesystem::path path = AbsolutePath(mesh.file);
+  const std::size_t hash = HashOf(path, mesh.scale) + mesh.attributes.size();
   const auto [begin, end] = meshes_.equal_range(hash);
   for (auto it = begin; it != end; ++it) {
     const model::MeshAsset& other = *object_.meshes[static_cast<std::size_t>(it->second)];
-    if (other.file == mesh.file && !other.is_hull && other.scale == mesh.scale &&
+    if (AbsolutePath(other.file) == path && !other.is_hull && other.scale == mesh.scale &&
         other.attributes == mesh.attributes) {
       return it->second;
     }
   }
   auto asset = std::make_unique<model::MeshAsset>(mesh);
   asset->name = name;
-  if (!mesh.file.empty()) asset->output_file = OutputName(mesh.file);
-  return Add(std::move(asset), {mesh.file, mesh.scale, false}, hash);
+  if (!path.empty()) asset->output_file = OutputName(path);
+  return Add(std::move(asset), {path, mesh.scale, false}, hash);
 }
 
 int Assets::Add(std::unique_ptr<model::MeshAsset> mesh, MeshSource source, std::size_t hash) {
