@@ -29,6 +29,18 @@ inline constexpr auto kEqualityActive = &mjModel::eq_active0;
 inline constexpr auto kEqualityActive = &mjModel::eq_active;
 #endif
 
+/// Returns the id of the body that a connect or weld constrains, given `object`, the number in
+/// eq_obj1id or eq_obj2id. From 3.2.3 on, `object` may be the id of a site.
+inline int BodyOfEquality(const mjModel& m, int equality, int object) {
+#if mjVERSION_HEADER >= 323
+  if (m.eq_objtype[equality] == mjOBJ_SITE) return m.site_bodyid[object];
+#else
+  static_cast<void>(m);
+  static_cast<void>(equality);
+#endif
+  return object;
+}
+
 /// Array of mjModel: 1 for each light that is directional.
 #if mjVERSION_HEADER >= 333
 inline constexpr auto kLightDirectional = &mjModel::light_type;

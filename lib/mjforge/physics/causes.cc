@@ -12,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "mjforge/compiled/compiled.h"
+#include "mjforge/engine/engine.h"
 #include "mjforge/expr/expr.h"
 #include "mjforge/physics/joint_couplings.h"
 #include "mjforge/physics/joint_paths.h"
@@ -174,9 +175,13 @@ std::vector<std::string> CouplingsOf(const mjModel& m, int joint) {
   for (int i = 0; i < m.neq; ++i) {
     const int other = m.eq_obj1id[i] == joint ? m.eq_obj2id[i] : m.eq_obj1id[i];
     const bool is_joint = m.eq_type[i] == mjEQ_JOINT;
-    if (is_joint && m.eq_obj1id[i] != joint && m.eq_obj2id[i] != joint) continue;
-    if (!is_joint && Moves(m, joint, m.eq_obj1id[i]) == Moves(m, joint, m.eq_obj2id[i])) continue;
-    if (m.eq_type[i] == mjEQ_TENDON) continue;  // the tendons are named below
+    const bool is_of_bodies = m.eq_type[i] == mjEQ_CONNECT || m.eq_type[i] == mjEQ_WELD;
+    const auto moves = [&](int object) {
+      return Moves(m, joint, engine::BodyOfEquality(m, i, object));
+    };
+    const bool couples = is_joint ? m.eq_obj1id[i] == joint || m.eq_obj2id[i] == joint
+                                  : is_of_bodies && moves(m.eq_obj1id[i]) != moves(m.eq_obj2id[i]);
+    if (!couples) continue;
     couplings.push_back("equality " + Name(m, mjOBJ_EQUALITY, i));
     if (is_joint && other >= 0)
       couplings.back() += fmt::format(" with joint {}", Name(m, mjOBJ_JOINT, other));

@@ -40,7 +40,8 @@ class Equalities {
         return IsLimited(joint) && (IsOnTendon(m_, joint, first) || IsOnTendon(m_, joint, second));
       case mjEQ_CONNECT:
       case mjEQ_WELD:
-        return IsLimited(joint) && (Moves(m_, joint, first) || Moves(m_, joint, second));
+        return IsLimited(joint) && (Moves(m_, joint, engine::BodyOfEquality(m_, equality, first)) ||
+                                    Moves(m_, joint, engine::BodyOfEquality(m_, equality, second)));
       default:
         return false;
     }

@@ -31,7 +31,7 @@ JointCouplings::JointCouplings(const mjModel& m) : coupled_(static_cast<std::siz
   for (int i = 0; i < m.neq; ++i) {
     if (m.eq_type[i] != mjEQ_JOINT) {
       couple_all();  // a weld or a closed loop may couple any joints
-      break;
+      continue;
     }
     couple(m.eq_obj1id[i]);
     couple(m.eq_obj2id[i]);
