@@ -101,7 +101,8 @@ class Parser : ProgramBuilder {
 
   using Rule = OptionalOperand (Parser::*)();
 
-  // Parses rule (sign rule)* and rejects texts; `keyword` is another spelling of the first sign.
+  // Parses a chain of operators of equal precedence, rule (sign rule)*, from left to right. Rejects
+  // operands that are texts. `keyword` is another spelling of the first sign ("or" for "||").
   OptionalOperand Chain(Rule rule, std::initializer_list<std::string_view> signs, Type type,
                         std::string_view keyword = {}) {
     const std::size_t first = at_;
