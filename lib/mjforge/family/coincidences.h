@@ -24,9 +24,10 @@ inline constexpr std::string_view kSiteFlags = "site_sameframe";
 inline constexpr std::string_view kJointFlags = "jnt_simple";
 
 /// Adds the arrays of flags for special poses to `numbers`. The flag of a body, geom or site is a
-/// structure::SameFrame. The flag of a joint is 1 if the joint allows a simple body (body_simple);
-/// otherwise 0. It is 1 for a free joint, for a ball joint whose anchor is the body's origin, and
-/// for a hinge or slide whose anchor is the origin and whose axis is a coordinate axis.
+/// structure::SameFrame. The flag of a joint is 1 if the joint allows a simple body (body_simple),
+/// otherwise 0. Joints that allow a simple body are free joints, ball joints whose anchor is the
+/// body's origin, and hinges and slides whose anchor is the origin and whose axis is a coordinate
+/// axis.
 void AddCoincidences(const mjModel& m, Numbers& numbers);
 
 }  // namespace mjforge::family

@@ -157,8 +157,8 @@ class Reader {
     return &numbers_.values[starts_[static_cast<std::size_t>(found - numbers_.shapes.begin())]];
   }
 
-  // Replaces the poses of mesh geoms by their poses in MJCF, because MuJoCo moves them to the
-  // inertia frame of the mesh. Replaces their sizes by 0, because the vertices determine the sizes.
+  // Replaces the poses of mesh geoms by their poses in MJCF, because releases of MuJoCo choose
+  // different frames for a mesh. Replaces the sizes by 0, because the vertices determine the sizes.
   void PlaceMeshes() {
     if (m_.ngeom == 0) return;
     double* const size = ArrayAt("geom_size");

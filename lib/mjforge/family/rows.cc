@@ -238,8 +238,8 @@ void RowsFile::ForEach(const std::function<void(const RowView&)>& visit) {
 
 void RowsFile::ForEachPart(std::uint64_t first, std::uint64_t count,
                            const std::function<void(std::span<const double>)>& visit) {
-  // Of a row with more doubles than this (rows with meshes), only the part is read. Shorter rows
-  // are read as whole chunks, because one large read is faster than many small ones.
+  // If a row has more doubles than this (variants with meshes), only the requested part is read.
+  // Shorter rows are read as whole chunks, because one large read is faster than many small ones.
   constexpr std::uint64_t kLargeRow = 8192;
   std::vector<double> part(count);
   const auto show = [&](const char* from) {
