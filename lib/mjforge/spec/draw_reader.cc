@@ -128,8 +128,8 @@ Value ValueReader::ReadVectorForm(std::string_view key, const ExpectedForm& expe
   return value;
 }
 
-// Reports an unknown key of a draw's mapping. `lost` is true if the mapping contains no key of a
-// draw.
+// Reports the unknown key `pair` of a draw's mapping. `lost` is true if the mapping contains no key
+// of a draw at all.
 void ValueReader::ReportUnknownKey(const YamlNode::Pair& pair,
                                    const std::vector<std::string_view>& known, bool lost) {
   if (pair.key == "for" || pair.key == "if") {
