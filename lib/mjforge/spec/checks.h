@@ -14,7 +14,7 @@
 namespace mjforge::spec {
 
 /// Position of a joint (its qpos in MuJoCo): an entry of `at:`, at which an expectation or a check
-/// is evaluated, or of `pose:` of a view.
+/// is evaluated, or of `pose:` of an object or a view.
 struct JointPosition {
   Value joint;  // a text: the joint's name
   diag::SourceMark mark;
