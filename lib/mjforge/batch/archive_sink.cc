@@ -61,8 +61,9 @@ std::optional<ResumedVariants> ArchiveSink::Continue(diag::Findings& findings) {
   return journal_.previous_seal() ? ContinueFinished(findings) : ResumedVariants();
 }
 
-// If the earlier batch was finished and its files are unchanged, returns all its variants;
-// otherwise none, so that the batch is made again from the start.
+// Returns all variants of the earlier, finished batch if its files are unchanged and it has all
+// variants of this batch. Otherwise returns no variants, so that the batch is made again from the
+// start. Returns nullopt after adding a finding.
 std::optional<ResumedVariants> ArchiveSink::ContinueFinished(diag::Findings& findings) {
   const manifest::Seal& seal = *journal_.previous_seal();
   std::string why_not;
@@ -77,8 +78,8 @@ std::optional<ResumedVariants> ArchiveSink::ContinueFinished(diag::Findings& fin
   return is_complete_ ? resumed : ResumedVariants();
 }
 
-// Rolls the outputs back to the last checkpoint of the journal that matches manifest, archives and
-// records. Returns the variants before this checkpoint.
+// Rolls the outputs back to the last checkpoint of the journal that matches the manifest, the
+// archives and the records. Returns the variants before this checkpoint.
 std::optional<ResumedVariants> ArchiveSink::ContinueUnfinished(diag::Findings& findings) {
   const std::vector<Checkpoint>& checkpoints = journal_.checkpoints();
   if (checkpoints.empty()) return ResumedVariants();
@@ -88,7 +89,7 @@ std::optional<ResumedVariants> ArchiveSink::ContinueUnfinished(diag::Findings& f
   const std::optional<Checkpoint> checkpoint =
       LastValidCheckpoint(options_.range.first + whole->done());
   if (!checkpoint || checkpoint->next == options_.range.first) return ResumedVariants();
-  // If the manifest has records after the checkpoint, count again only the records before it.
+  // If the manifest has records after the checkpoint, count only the records before the checkpoint.
   const std::uint64_t count = journal_.CountBefore(*checkpoint);
   const std::optional<ResumedVariants> resumed =
       whole->done() == count ? whole
@@ -189,8 +190,8 @@ bool ArchiveSink::AppendAsset(const std::string& name, std::string_view bytes,
   return segment.Add(name, bytes, findings) && archive_->Append(segment.Bytes(), findings);
 }
 
-// Appends the assets that the archive does not have yet, before the first object that refers to
-// them.
+// Appends the assets of a chunk that the archive does not contain yet. Call AppendAssets() before
+// the chunk's objects, which refer to the assets, are appended.
 bool ArchiveSink::AppendAssets(const ChunkResult& result, diag::Findings& findings) {
   for (const HashedAsset& asset : result.assets) {
     if (journal_.HasAsset(asset)) continue;

@@ -1,4 +1,4 @@
-// Sink that writes archives, and base class of the sink that writes families.
+// Sink (output of a batch) that writes archives, and base class of the sink that writes families.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-// Writes the family files of a batch, which include facts about the batch as JSON.
+// Writing of the .npz files of families, with facts about the batch as JSON.
 
 #include "mjforge/batch/family_files.h"
 

@@ -1,4 +1,4 @@
-// Writes the .npz files of families: numbers in which the variants of one structure differ.
+// Writing of the .npz files of families: numbers in which the variants of one structure differ.
 
 #pragma once
 

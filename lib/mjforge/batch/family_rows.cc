@@ -1,4 +1,4 @@
-// Rows of a family: numbers of a variant's model and record.
+// Rows of families for the variants of a chunk: numbers of each variant's model and record.
 
 #include "mjforge/batch/family_rows.h"
 

@@ -108,7 +108,8 @@ class FolderSink : public JournaledSink {
     return std::ranges::all_of(kept_assets_, note) && journal_.AddCheckpoint(checkpoint_, findings);
   }
 
-  // Names and SHA-256 of the assets to which the resumed records refer.
+  // Names and SHA-256 of the assets in the earlier run's journal or seal to which the resumed
+  // records refer.
   std::map<std::string, std::string> kept_assets_;
 };
 

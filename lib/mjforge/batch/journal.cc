@@ -33,7 +33,8 @@ std::optional<std::string_view> VerifiedWords(std::string_view line) {
   return line == WithChecksum(words) ? std::optional(words) : std::nullopt;
 }
 
-// Returns true for an empty JSON object, an empty list and null, which may be overwritten.
+// Returns true for JSON files without content, which may be overwritten: an empty object, an empty
+// list and null.
 bool IsEmptyJson(std::string text) {
   std::erase_if(text, [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; });
   return text == "{}" || text == "[]" || text == "null";
@@ -94,7 +95,7 @@ bool Journal::Open(diag::Findings& findings) {
   return false;
 }
 
-// Removes those files of Open() that are empty.
+// Removes the manifest under construction and the journal, which Open() created, if they are empty.
 void Journal::RemoveEmptyFiles() {
   for (const auto& file : {&manifest_file_, &journal_file_}) {
     if (*file && (*file)->size() == 0) (*file)->Drop();
@@ -236,14 +237,15 @@ bool Journal::AppendLine(const std::string& line, diag::Findings& findings) {
 
 bool Journal::Start(const Checkpoint& checkpoint, diag::Findings& findings) {
   if (!manifest_file_->Truncate(0, findings) || !journal_file_->Truncate(0, findings)) return false;
-  ReadJournal();  // clears what was read before, because the journal is empty
+  ReadJournal();  // clears the data read before, because the journal is empty now
   std::string seal = manifest::SealText(seal_);
   seal.pop_back();
   if (!AppendLine(std::string(kBegin) + seal, findings) || !AppendEarlierOutputs(findings) ||
       !AddCheckpoint(checkpoint, findings)) {
     return false;
   }
-  // From here on, a later run recognizes the files under construction as its own.
+  // Once the journal is on the disk, a later run recognizes the files under construction as its
+  // own.
   return options_.request.durability == Durability::kNone ||
          (journal_file_->Sync(findings) &&
           output::SyncFolder(file_.parent_path(), false, findings));
@@ -292,9 +294,9 @@ bool Journal::AddCheckpoint(const Checkpoint& checkpoint, diag::Findings& findin
 bool Journal::AddClosedArchive(SealedFile archive, const Checkpoint& next,
                                diag::Findings& findings) {
   const bool is_durable = options_.request.durability == Durability::kBatch;
-  // The partial file's name must be on the disk before the journal mentions the archive. After a
-  // power cut, the existence of the partial file shows that a file with the final name is an older
-  // one.
+  // The partial file's name must be on the disk before the journal mentions the archive. If the
+  // partial file exists after a power cut, a file with the archive's final name comes from an
+  // earlier batch.
   if (is_durable && !output::SyncFolder(file_.parent_path(), false, findings)) return false;
   const std::string line =
       fmt::format("closed {} {} {}", archive.content.size, archive.content.checksum, archive.file);

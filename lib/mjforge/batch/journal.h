@@ -49,7 +49,8 @@ class Journal {
   /// Seal (options, sizes and checksums of files) of the previous, finished batch; empty if there
   /// is none.
   const std::optional<manifest::Seal>& previous_seal() const { return previous_seal_; }
-  /// Returns true if an earlier run of this batch made the archive with this name.
+  /// Returns true if the journal contains the archive with this name, because an earlier run or
+  /// this run completed the archive.
   bool HasMadeArchive(const std::string& archive) const;
   /// Names and SHA-256 of the assets of all records so far.
   const std::map<std::string, std::string>& assets() const { return seal_.assets; }
@@ -78,7 +79,8 @@ class Journal {
   /// Adds an asset of the folder or of the archive under construction. Returns false, after adding
   /// a finding, if an asset with that name has had another hash.
   bool AddAsset(const HashedAsset& asset, diag::Findings& findings);
-  /// Adds a checkpoint, but with the present size and checksum of the manifest.
+  /// Adds a checkpoint to the journal, with the present size and checksum of the manifest in place
+  /// of those in `checkpoint`.
   bool AddCheckpoint(const Checkpoint& checkpoint, diag::Findings& findings);
   /// Adds an archive that is about to be renamed to its final name, and the checkpoint after it.
   /// From then on, HasMadeArchive recognizes the archive.

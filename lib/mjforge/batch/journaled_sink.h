@@ -1,4 +1,4 @@
-// Base class of the sinks that keep a journal: folders, archives and families.
+// Base class of the sinks (outputs of a batch) that keep a journal: folders, archives and families.
 
 #pragma once
 

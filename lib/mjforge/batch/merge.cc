@@ -118,7 +118,7 @@ class ShardMerger {
     findings_.Add(diag::Code::kBatchMissing, {}, std::move(message), std::move(hint));
   }
 
-  // Returns true if all shards match their seals and belong to one batch.
+  // Returns true if all shards match their seals and belong to one batch; otherwise adds findings.
   bool CheckSeals(std::uint64_t count) {
     for (std::uint64_t i = 0; i < count && findings_.size() < kMaxFindings; ++i) {
       const std::filesystem::path file = destination_.Manifest({i, count});
@@ -147,7 +147,8 @@ class ShardMerger {
     return !findings_.HasErrors();
   }
 
-  // Describes how a shard differs from the shards before it; adds its assets to `whole_`.
+  // Describes how a shard differs from the shards before it; returns an empty text, and adds the
+  // shard's assets to `whole_`, if the shard belongs to the same batch.
   std::string DifferenceOf(const manifest::Seal& seal) {
     std::string difference = manifest::DifferenceOfOutput(seal, whole_);
     if (!difference.empty()) return difference;

@@ -24,13 +24,15 @@ using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
 constexpr int kPollMilliseconds = 100;
-// Size of a channel's buffers. Most results fit into such a buffer, which saves context switches.
+// Size of the buffers of a channel, the pair of sockets between the leading process and a worker,
+// in bytes. Most results fit into such a buffer, which saves context switches.
 constexpr int kBufferBytes = 1 << 20;
 constexpr int kBugStatus = 70;  // EX_SOFTWARE of sysexits.h
-// Limit of consecutive deaths of workers between variants, after which the batch fails.
+// Limit of consecutive deaths of workers that were not making a variant. After more, the batch
+// fails.
 constexpr int kMaxIdleDeaths = 10;
-// A longer pause between two checks of the workers means that the leading process and the workers
-// were stopped (Ctrl-Z). Only this part of such a pause counts as wall time.
+// Limit of the time between two checks of the workers that counts as wall time. A longer pause
+// means that the leading process and the workers were stopped (Ctrl-Z).
 constexpr Seconds kMaxLookInterval{1};
 
 // Value that is sent in place of a length if the message is in the worker's mailbox.
@@ -62,7 +64,7 @@ std::optional<std::string> ReadMessage(int descriptor) {
   return message;
 }
 
-// Performs tasks until the channel closes. Ignores the terminal's signals, which the leader
+// Performs tasks until the channel closes. Ignores SIGINT and SIGTERM, which the leading process
 // handles.
 [[noreturn]] void RunWorker(const std::function<TaskHandler()>& make_handler, int channel,
                             WorkerMailbox& mailbox) {
@@ -141,13 +143,14 @@ Pool::Pool(std::uint64_t jobs, std::size_t tasks_per_worker,
   for (std::uint64_t i = 0; i < jobs; ++i) workers_.push_back(std::make_unique<WorkerProcess>());
 }
 
-// Ends idle workers by closing their channels; kills workers with tasks, because they may hang.
+// Ends idle workers by closing their channels. Kills workers with tasks, because such a worker may
+// hang.
 Pool::~Pool() {
   for (const auto& worker : workers_) {
     const bool runs = worker->process > 0;
-    // Signals the worker before Close(), because SIGCONT would revoke the SIGSTOP with which the
-    // leak check of AddressSanitizer attaches to a process that exits, and the check would wait
-    // forever.
+    // SIGCONT wakes an idle worker that was stopped (Ctrl-Z). Send the signal before Close(), which
+    // makes the worker exit: during the exit, SIGCONT would revoke the SIGSTOP with which the leak
+    // check of AddressSanitizer attaches to the process, and the check would wait forever.
     if (runs) ::kill(worker->process, worker->assigned.empty() ? SIGCONT : SIGKILL);
     worker->Close();
     if (runs) ::waitpid(worker->process, nullptr, 0);

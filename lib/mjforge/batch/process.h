@@ -12,14 +12,16 @@
 
 namespace mjforge::batch {
 
-/// Forks. The child process is killed when this process ends. Returns 0 in the child process.
-/// Throws std::system_error with the message `failure` if that fails.
+/// Forks this process. The child process is killed when this process ends. Returns the child's
+/// process id, and 0 in the child process. Throws std::system_error with the message `failure` if
+/// forking fails.
 ::pid_t Fork(const char* failure);
 
 /// Waits until a child process has ended; returns its wait status.
 int WaitForEnd(::pid_t child);
 
-/// Ends this process by the signal that ended its child, if a user or a batch system sent it.
+/// Ends this process by the signal that ended its child, if the signal is SIGINT, SIGTERM or
+/// SIGHUP, which a user or a batch system sends. Otherwise returns.
 void EndBySignalOf(int wait_status);
 
 /// Returns the two ends of a pair of connected sockets of this type (SOCK_STREAM).
@@ -31,7 +33,7 @@ bool ReceiveAll(int socket, char* out, std::size_t size);
 
 /// Returns memory that child processes share with this process.
 std::shared_ptr<void> ShareBytes(std::size_t size);
-/// Returns `count` default-initialized objects in such memory.
+/// Returns `count` default-initialized objects in memory that child processes share.
 template <typename T>
 std::shared_ptr<T> Share(std::size_t count = 1) {
   const std::shared_ptr<void> memory = ShareBytes(count * sizeof(T));

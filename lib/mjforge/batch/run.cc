@@ -26,9 +26,9 @@ constexpr auto kProgressEvery = std::chrono::milliseconds(100);
 
 std::uint64_t Cores() { return std::max(1U, std::thread::hardware_concurrency()); }
 
-// Warns if this batch does not cover the values of a sampler or of an exact choice evenly. Reasons
-// are that the batch overlaps several blocks of `options.batch` variants, or that a grid has more
-// or fewer points than the batch has variants.
+// Warns if this batch does not cover the values of a sampler or of an exact choice evenly, because
+// the batch overlaps several blocks of `options.batch` variants, or because a grid has more or
+// fewer points than the batch has variants.
 void CheckSpread(const forge::Recipe& recipe, const Request& request, diag::Findings& findings) {
   const forge::Options& options = request.variant;
   const std::uint64_t size = options.batch;
@@ -136,8 +136,8 @@ class BatchRun {
     has_lost_worker_ = pool.has_lost_worker();
   }
 
-  // Returns the request with the superset, the geoms that padding adds to every variant. The
-  // superset is found here, once, and not by each worker.
+  // Returns the request with the superset, the geoms and sites that padding gives to every variant.
+  // The superset is found once, before the workers start, and not by each worker.
   Request WithSuperset() const {
     Request request = request_;
     if (request.variant.pad == 0) return request;

@@ -7,7 +7,7 @@
 namespace mjforge::batch {
 namespace {
 
-// Returns whole * part / parts without overflow.
+// Returns whole * part / parts, rounded down. Intermediate results do not overflow.
 std::uint64_t Portion(std::uint64_t whole, std::uint64_t part, std::uint64_t parts) {
   return whole / parts * part + whole % parts * part / parts;
 }

@@ -28,8 +28,8 @@ bool CheckSealed(const std::filesystem::path& folder, const manifest::SealedFile
 void ReportMissingShard(const output::Shard& shard, const std::filesystem::path& manifest,
                         diag::Findings& findings);
 
-/// Compares the files of a folder with the hashes in records. Reads an asset that several objects
-/// use only once.
+/// Compares the files of a folder with the hashes in records. Usually reads an asset only once,
+/// although several objects use the asset.
 class OutputChecker {
  public:
   OutputChecker(std::filesystem::path folder, bool verify)

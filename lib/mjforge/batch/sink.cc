@@ -1,4 +1,4 @@
-// Sinks of a single file and of standard output, and the choice of the sink.
+// Sinks (outputs of a batch) for a single file and for standard output, and the choice of the sink.
 
 #include "mjforge/batch/sink.h"
 

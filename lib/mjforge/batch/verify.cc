@@ -114,7 +114,7 @@ class Verification {
     return manifest.replace_filename(name);
   }
 
-  // Reports the shards without a manifest, for all batches that were checked and are not merged.
+  // Reports the missing manifests of shards, for all checked batches without a merged manifest.
   void ReportMissingShards() {
     std::error_code ignored;
     for (const auto& [whole, batches] : shards_) {

@@ -82,7 +82,8 @@ class ChunkMaker {
     }
   }
 
-  // The finding has no place in the spec, because the cause of the death is unknown.
+  // Returns the finding about a variant whose worker died. The finding has no place in the spec,
+  // because the cause of the death is unknown.
   diag::Finding FindingOf(const QuarantinedVariant& quarantined) const {
     diag::Finding finding;
     finding.code = quarantined.too_slow ? diag::Code::kBatchTooSlow : diag::Code::kBatchWorkerDied;
@@ -175,8 +176,8 @@ class ChunkMaker {
     }
   }
 
-  // Adds generated assets before their object, once in each segment, because other segments are
-  // made independently.
+  // Adds the variant's generated assets to the segment, before the variant's object. Each segment
+  // gets an asset once, because segments are made independently of each other.
   bool AddMadeFiles(diag::Findings& findings) {
     return std::ranges::all_of(variant_.output().assets, [&](const bytes::Asset& asset) {
       const std::string name = NameOf(asset.name);

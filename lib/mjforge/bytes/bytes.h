@@ -31,8 +31,8 @@ inline constexpr const char* kStandardInput = "-";
 inline constexpr std::uint64_t kMaxMjcf = std::uint64_t{256} << 20;
 inline constexpr std::uint64_t kMaxAsset = std::uint64_t{256} << 20;
 inline constexpr std::uint64_t kMaxLine = std::uint64_t{64} << 20;
-/// Limit for the pixels of all pictures of an object or an MJCF file together, 8192 x 8192. MuJoCo
-/// needs at least six bytes per pixel.
+/// Limit of the pixels of all texture files of an object or an MJCF file together, 8192 x 8192.
+/// MuJoCo needs at least six bytes of memory per pixel.
 inline constexpr std::uint64_t kMaxPixels = std::uint64_t{1} << 26;
 
 /// An open file that is read sequentially from its start.
@@ -62,7 +62,8 @@ class File {
 /// nullopt, and sets `why_not`, if reading fails or the content has more than `limit` bytes.
 std::optional<std::string> Read(const std::filesystem::path& file, std::uint64_t limit,
                                 std::string& why_not);
-/// Returns the first `limit` bytes of a file, or the whole file if it is shorter.
+/// Returns the first `limit` bytes of a file or of standard input, or the whole content if it is
+/// shorter. Returns nullopt, and sets `why_not`, if reading fails.
 std::optional<std::string> ReadStart(const std::filesystem::path& file, std::uint64_t limit,
                                      std::string& why_not);
 
@@ -70,8 +71,8 @@ std::optional<std::string> ReadStart(const std::filesystem::path& file, std::uin
 /// unknown formats.
 std::string_view KindOf(std::string_view text);
 
-/// Returns width times height from the header of a PNG file. Returns nullopt for other files, and
-/// sets `why_not` if the file cannot be read.
+/// Returns width times height from the header of a PNG file; 0 if the header is incomplete. Returns
+/// nullopt for other files, and sets `why_not` if the file cannot be read.
 std::optional<std::uint64_t> PngPixels(const std::filesystem::path& file, std::string& why_not);
 
 /// A picture with 8 bits per channel: rows from the top; red, green, blue and, if `has_alpha`,
@@ -147,8 +148,9 @@ struct Fingerprint {
   std::uint64_t size = 0;
   std::string checksum;
 };
-/// Compares the beginnings of the file with `prefixes`, in ascending order of size. Returns the
-/// number of prefixes before the first prefix that does not match; 0 if the file cannot be read.
+/// Compares the beginnings of a file with the fingerprints `prefixes`, which are in ascending order
+/// of size. Returns the number of prefixes before the first one that does not match; 0 if the file
+/// cannot be opened.
 std::size_t CountSound(const std::filesystem::path& file, std::span<const Fingerprint> prefixes);
 
 enum class Soundness { kSound, kChanged, kUnreadable };

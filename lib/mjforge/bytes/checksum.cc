@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::uint64_t kReadBufferBytes = 256 * 1024;
 
-// Returns the number of prefixes before the first prefix that does not match; sets `why_not` if the
-// file cannot be read.
+// Returns the number of fingerprints in `prefixes` before the first one that does not match the
+// beginning of the file; sets `why_not` if the file cannot be read.
 std::size_t CountMatching(const std::filesystem::path& file, std::span<const Fingerprint> prefixes,
                           std::string& why_not) {
   std::optional<File> opened = File::Open(file, why_not);

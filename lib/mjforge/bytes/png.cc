@@ -11,7 +11,7 @@
 namespace mjforge::bytes {
 namespace {
 
-// Compression level of zlib: higher levels take long and save little on smooth pictures.
+// Compression level of zlib. Higher levels take much longer and save few bytes of smooth pictures.
 constexpr int kCompression = 5;
 
 extern "C" void AppendPng(png_structp png, png_bytep bytes, png_size_t count) {

@@ -1,4 +1,4 @@
-// Reading of the stored bytes of a text file and their decompression.
+// Reading of the bytes of a text file, and their decompression if the file is compressed.
 
 #include "mjforge/bytes/text_stream.h"
 

@@ -49,7 +49,8 @@ bool IsSkippable(std::string_view frame) {
   return (NumberAt(frame, 0) & kSkippableMask) == (kTableMagic & kSkippableMask);
 }
 
-// Returns up to `count` bytes of the file.
+// Returns `count` bytes of the file from `offset` on; fewer if the file ends before. Returns an
+// empty text, and sets `why_not`, if reading fails.
 std::string BytesAt(File& file, std::uint64_t offset, std::uint64_t count, std::string& why_not) {
   std::string bytes(count, '\0');
   file.Seek(offset);
@@ -57,7 +58,8 @@ std::string BytesAt(File& file, std::uint64_t offset, std::uint64_t count, std::
   return bytes;
 }
 
-// Returns the frames that the seek table lists; nullopt if there is no table that fits the file.
+// Returns the frames that the seek table at the end of the file lists; nullopt if there is no valid
+// table, or if its sizes do not add up to the size of the file.
 std::optional<std::vector<Frame>> FromTable(File& file, std::uint64_t size, std::string& why_not) {
   if (size < kHeaderBytes + kFooterBytes) return std::nullopt;
   const std::string footer = BytesAt(file, size - kFooterBytes, kFooterBytes, why_not);

@@ -44,13 +44,14 @@ struct Frame {
   std::uint64_t end() const { return begin + bytes; }
 };
 
-/// Returns true if the file begins with a Zstandard frame; nullopt, and sets `why_not`, if the file
-/// cannot be read.
+/// Returns true if the file begins with a Zstandard frame (a skippable frame included); nullopt,
+/// and sets `why_not`, if the file cannot be read.
 std::optional<bool> IsCompressed(File& file, std::string& why_not);
 
-/// Returns the frames of a compressed file from its seek table or, if it has none, by reading the
-/// whole file. Leaves out skippable frames, and all frames after one that is damaged, incomplete or
-/// has more than kMaxFrame bytes.
+/// Returns the frames of a compressed file from its seek table. If the file has no valid table,
+/// reads the whole file; this leaves out skippable frames, and a frame that is damaged, incomplete
+/// or has more than kMaxFrame bytes, with all frames after it. Returns nullopt, and sets `why_not`,
+/// if the file cannot be read.
 std::optional<std::vector<Frame>> FramesOf(const std::filesystem::path& file, std::string& why_not);
 inline constexpr std::uint64_t kMaxFrame = std::uint64_t{64} << 20;
 

@@ -35,9 +35,10 @@ std::size_t Distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
-// Returns true if `word` may be a misspelling of `candidate`: at most one edit per three letters.
-// Words of two letters must have a letter in common at the same place. Words of one letter are
-// never misspellings.
+// Returns true if `word` may be a misspelling of `candidate`, which is `distance` edits away: equal
+// except for case, or at most one edit per three letters of the word (one edit if the word has
+// three to five letters). A word of two letters may only be one edit away from a candidate of two
+// letters. A word of one letter is not a misspelling of a different word.
 bool IsSlip(std::string_view word, std::string_view candidate, std::size_t distance) {
   if (distance == 0) return true;
   if (word.size() <= 2) {

@@ -133,8 +133,8 @@ struct Utf8Char {
 Utf8Char DecodeUtf8(std::string_view text);
 
 /// Returns text of unknown origin in a form that is safe to show on one line. Control characters,
-/// invalid bytes and bidirectional controls are replaced by escapes ("\x1b"), so that a spec cannot
-/// control a terminal or a page.
+/// line separators, bidirectional controls and invalid bytes are replaced by escapes ("\x1b"), so
+/// that a spec cannot control a terminal or a page.
 std::string SafeText(std::string_view text);
 
 /// Returns a text of several lines in a safe form, like SafeText(), but with its line ends.
@@ -144,8 +144,8 @@ std::string SafeLines(std::string_view text);
 std::string LowerCase(std::string_view text);
 
 /// Returns the candidate with the smallest edit distance to `word` (insertion, deletion,
-/// replacement, swap of neighbours), the first one if several are equally close. Returns nullopt if
-/// the difference is too large for a typing error.
+/// replacement, swap of neighbours; ASCII case is ignored), the first one if several are equally
+/// close. Returns nullopt if the difference is too large for a typing error.
 std::optional<std::string_view> ClosestWord(std::string_view word,
                                             std::span<const std::string_view> candidates);
 

@@ -17,9 +17,9 @@ inline constexpr int kMaxJsonDepth = 64;
 /// Returns true if objects and lists are nested deeper than kMaxJsonDepth.
 bool IsNestedTooDeep(std::string_view json);
 
-/// Appends JSON to a text without checking its structure. The caller must end objects and lists in
-/// the right order, and must pass valid UTF-8. The reason is speed: a general JSON writer, which
-/// checks the structure, took a tenth of the time to generate a variant.
+/// Appends JSON to a text. The caller must end objects and lists in the right order, and must pass
+/// valid UTF-8. The structure is not checked, for speed: a general JSON writer, which checks the
+/// structure, took a tenth of the time to generate a variant.
 class Json {
  public:
   /// A function that appends a finite number to a text: expr::AppendNumber or

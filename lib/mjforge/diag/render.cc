@@ -62,8 +62,8 @@ int WidthOf(const Excerpt& excerpt, std::size_t begin, std::size_t end) {
   return width;
 }
 
-// Removes the characters that are farthest from the caret until the excerpt fits into a line of
-// output.
+// Removes the characters that are farthest from the caret, so that the excerpt fits into a line of
+// output with "..." at both ends. Does nothing if the whole source line fits.
 void Fit(Excerpt& excerpt) {
   const std::size_t count = excerpt.cells.size();
   if (!excerpt.cut_front && !excerpt.cut_back && WidthOf(excerpt, 0, count) <= kLineColumns) return;
@@ -90,8 +90,8 @@ void Fit(Excerpt& excerpt) {
   excerpt.caret -= begin;
 }
 
-// Returns the line that contains the mark, and a caret below the line; an empty text for a blank
-// line.
+// Returns two lines of text: the source line (or an excerpt) that contains the mark, and a caret
+// below the mark. Returns an empty text for a blank source line.
 std::string Quote(SourceMark mark, const Sources& sources, bool color) {
   const std::string_view line = sources.Line(mark);
   if (line.find_first_not_of(" \t") == std::string_view::npos) return {};

@@ -24,7 +24,7 @@ class Dimension {
 
   bool is_known() const { return is_known_; }
   bool is_plain() const { return !is_known_ || *this == Count(); }
-  /// Returns the unit: "m", "kg/m^3", "N"; "1" for a plain number.
+  /// Returns the unit: "m", "kg/m^3", "N"; "1" for a plain number or an unknown dimension.
   std::string Text() const;
 
   friend constexpr bool operator==(const Dimension&, const Dimension&) = default;
@@ -33,8 +33,8 @@ class Dimension {
   /// rad is N m.
   friend Dimension operator*(const Dimension& a, const Dimension& b);
   friend Dimension operator/(const Dimension& a, const Dimension& b);
-  /// Returns the dimension of a power; an unknown dimension if a resulting exponent is not a whole
-  /// number.
+  /// Returns the dimension of a power; an unknown dimension if a resulting exponent of m, kg or s
+  /// is not a whole number, or is larger than any exponent in mechanics.
   friend Dimension Power(const Dimension& base, double exponent);
 
  private:
@@ -48,7 +48,8 @@ class Dimension {
   bool is_known_ = false;
 };
 
-/// Returns the common dimension of two operands that are added or compared; nullopt if their
+/// Returns the common dimension of two operands that are added or compared. A plain number and a
+/// number of unknown dimension take the dimension of the other operand. Returns nullopt if the
 /// dimensions differ.
 std::optional<Dimension> CommonDimension(const Dimension& a, const Dimension& b);
 

@@ -10,7 +10,7 @@
 namespace mjforge::expr {
 namespace {
 
-constexpr double kMaxCount = 12;        // larger numbers without a unit are not counts
+constexpr double kMaxCount = 12;        // larger numbers without a unit are not taken for counts
 constexpr std::size_t kMaxQuoted = 40;  // maximum length of an operand that messages quote
 
 bool IsOperator(const Builtin& builtin) { return !IsNameCharacter(builtin.name.front()); }
@@ -19,7 +19,8 @@ bool IsShort(std::string_view source) {
   return !source.empty() && source.size() <= kMaxQuoted && source.find('\n') == source.npos;
 }
 
-// Returns "'2kg' is in kg". If the operand is too long to be quoted, `otherwise` replaces it.
+// Returns the text "'2kg' is in kg" about an argument. `otherwise` replaces the quoted argument if
+// the argument is too long, contains a line end, or has no source text.
 std::string DescribeUnit(const Argument& argument, std::string_view otherwise) {
   return fmt::format(
       "{} is in {}",

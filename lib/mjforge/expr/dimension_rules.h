@@ -16,8 +16,9 @@ std::optional<Dimension> DeriveDimension(const Builtin& builtin,
                                          std::span<const Argument> arguments, std::size_t offset,
                                          Error& error);
 
-/// Returns true if the argument is a plain number. Otherwise returns false and sets `error` at
-/// `offset`, in bytes; `what` describes the argument in the message ("an index").
+/// Returns true if the argument is a plain number or its dimension is unknown. Otherwise returns
+/// false and sets `error` at `offset`, in bytes; `what` describes the argument in the message ("an
+/// index").
 bool CheckCount(const Argument& argument, std::string_view what, std::size_t offset, Error& error);
 
 /// Returns the dimension of a literal without a unit. Small whole numbers and 0.5 are counts,

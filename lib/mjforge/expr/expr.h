@@ -108,8 +108,8 @@ class Expression {
   double Evaluate(std::span<const double> variables, std::span<const Sequence> lists = {}) const {
     return constant_ ? *constant_ : Run(variables, lists);
   }
-  /// Returns a message about the first access beyond the end of a list ("there is no widths[7]:
-  /// 'widths' has 5 values"); an empty text if there is no such access.
+  /// Returns a message about the first invalid access to a list ("there is no widths[7]: 'widths'
+  /// has 5 values"); an empty text if there is none. See Program::OutOfRange for invalid accesses.
   std::string DescribeMissingItem(std::span<const double> variables,
                                   std::span<const Sequence> lists) const;
 

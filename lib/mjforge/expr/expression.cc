@@ -1,5 +1,4 @@
-// Compiled expressions: compilation, evaluation, and the message about an index beyond the end of a
-// list.
+// Compiled expressions: compilation, evaluation, and the message about an invalid index of a list.
 #include <algorithm>
 
 #include <fmt/format.h>

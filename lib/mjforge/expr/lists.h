@@ -33,8 +33,8 @@ class ListValues {
   const Sequence* sequence_ = nullptr;
 };
 
-/// A built-in function of a list and a number, which some functions ignore. The result is NaN if
-/// the list has too few numbers.
+/// A built-in function of a list and a number, which `len`, `min` and `max` ignore. The result is
+/// NaN if the number is not a valid index or count, and for `min` and `max` of an empty list.
 struct ListBuiltin {
   std::string_view name;  // "[]" for the access to an element
   double (*function)(const ListValues& list, double argument);

@@ -14,7 +14,7 @@
 namespace mjforge::expr {
 namespace {
 
-constexpr int kDigits = 10;  // significant digits in MJCF files: 0.1 nm of 1 m
+constexpr int kDigits = 10;  // significant digits in MJCF files: 0.1 nm for lengths of 0.1 m to 1 m
 
 // Powers of ten up to 10^22, which are exact as doubles.
 constexpr std::array<double, 23> kPowers = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
@@ -22,7 +22,7 @@ constexpr std::array<double, 23> kPowers = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  
                                             1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 constexpr int kLargestPower = static_cast<int>(kPowers.size()) - 1;
 
-// A number d.ddddddddd * 10^exponent; `digits` contains the ten decimal digits.
+// The number d.ddddddddd * 10^exponent, where `digits` is the whole number of the ten digits d.
 struct Decimal {
   std::uint64_t digits = 0;
   int exponent = 0;

@@ -101,7 +101,7 @@ class Parser : ProgramBuilder {
 
   using Rule = OptionalOperand (Parser::*)();
 
-  // Parses rule (sign rule)* and rejects texts; `keyword` is another spelling of the first sign.
+  // Parses rule (sign rule)*, rejects texts; `keyword` also spells the first sign ("or" for "||").
   OptionalOperand Chain(Rule rule, std::initializer_list<std::string_view> signs, Type type,
                         std::string_view keyword = {}) {
     const std::size_t first = at_;

@@ -36,14 +36,15 @@ class Program {
   /// numbers in the SymbolTable.
   double Run(std::span<const double> variables, std::span<const Sequence> lists) const;
 
-  /// An access beyond the end of a list.
+  /// An invalid access to a list or vector: an index or a count that is out of range or not a whole
+  /// number, or the minimum or maximum of an empty list.
   struct OutOfRange {
     const ListBuiltin* builtin;
     ListSource list;
     double argument;
     std::size_t size;
   };
-  /// Returns the first access beyond the end of a list; nullopt if there is none.
+  /// Returns the first invalid access to a list or vector; nullopt if there is none.
   std::optional<OutOfRange> FindOutOfRange(std::span<const double> variables,
                                            std::span<const Sequence> lists) const;
 

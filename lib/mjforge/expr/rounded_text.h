@@ -6,7 +6,7 @@
 namespace mjforge::expr {
 
 /// Returns the number rounded to `digits` significant digits, but with all digits before the point:
-/// "0.0123", "1.23", "1235".
+/// "0.0123", "1.23", "1235". Numbers from 1e9 on have an exponent instead.
 std::string RoundedText(double value, int digits = 3);
 
 /// Returns a speed, given in m/s, with its unit: in m/s, or in mm/s below 1 m/s.

@@ -1,4 +1,4 @@
-// Numbers that represent texts in expressions (TextKey).
+// TextKey(): the number that represents a text in expressions.
 #include <xxhash.h>
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Cursor in the tokens of an expression. Private to lib/mjforge/expr.
+// Cursor that moves through the tokens of an expression. Private to lib/mjforge/expr.
 #pragma once
 
 #include <algorithm>

@@ -21,7 +21,8 @@ void ForEachLine(std::string_view text, const std::function<void(std::string_vie
   }
 }
 
-// Returns the tag of the element that begins or ends ("/body") on a line; else an empty text.
+// Returns the tag of the element that begins on a line ("body") or ends there ("/body"); an empty
+// text for other lines.
 std::string_view TagOf(std::string_view line) {
   const std::size_t at = line.find_first_not_of(' ');
   if (at == line.npos || line[at] != '<') return {};
@@ -29,7 +30,8 @@ std::string_view TagOf(std::string_view line) {
   return line.substr(0, line.find_first_of(" />\n", 1));
 }
 
-// Returns the text after `change` was called with the tag and a copy of each line.
+// Returns the text in which `change` may have changed each line. `change` gets the tag of the
+// element on the line (TagOf), and a copy of the line.
 template <typename Change>
 std::string WithLines(std::string_view text, const Change& change) {
   std::string out;
@@ -53,7 +55,7 @@ std::string Attribute(std::string_view name, const Numbers& numbers) {
   return text + '"';
 }
 
-// Replaces or adds an attribute of the element on a line.
+// Sets an attribute of the element on a line to numbers: replaces or adds the attribute.
 template <typename Numbers>
 void SetAttribute(std::string& line, std::string_view name, const Numbers& numbers) {
   const std::string text = Attribute(name, numbers);
@@ -66,7 +68,7 @@ void SetAttribute(std::string& line, std::string_view name, const Numbers& numbe
   }
 }
 
-// Access to the numbers of each element in one array of a variant, by the element's index.
+// View of one array of a variant; operator[] returns the numbers of an element.
 class ArrayRows {
  public:
   ArrayRows(const Numbers& numbers, std::string_view name) {
@@ -133,7 +135,8 @@ class BaseWriter {
     ++body_;
   }
 
-  // Removes `mocap` from the current child of the world, because the body has a joint.
+  // Removes the attribute `mocap` that BeginBody() added to the current child of the world, because
+  // the child has a joint.
   void MakeFree() {
     if (mocap_at_ == base_.npos) return;
     base_.erase(mocap_at_, kMocap.size());
@@ -191,7 +194,7 @@ std::string WithMaterials(std::string_view base, std::span<const Material> mater
   std::string missing;
   for (const Material& material : materials) {
     ForEachLine(material.elements, [&](std::string_view line) {
-      // Add a shared texture only once: several materials may share one.
+      // Add a texture only once, because several materials may share it.
       const std::string_view start = line.substr(0, line.find('"', line.find('"') + 1) + 1);
       if (base.find(start) == base.npos && missing.find(start) == missing.npos) missing += line;
     });

@@ -1,4 +1,5 @@
-// Coincidences of a variant (equal poses, anchors at the origin), from which MuJoCo derives flags.
+// Flags for special poses of a variant: frames that MuJoCo treats as equal (sameframe), and joints
+// that allow a simple body (body_simple).
 
 #include "mjforge/family/coincidences.h"
 
@@ -10,7 +11,7 @@
 namespace mjforge::family {
 namespace {
 
-// Components of a joint axis up to this size are zero for MuJoCo (mjEPS).
+// MuJoCo treats components of a joint axis up to this size as zero (mjEPS).
 constexpr double kAxisTolerance = 1e-14;
 
 bool LetsBeSimple(const mjModel& m, int joint) {

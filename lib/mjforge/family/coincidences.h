@@ -1,4 +1,5 @@
-// Coincidences of a variant (equal poses, anchors at the origin), from which MuJoCo derives flags.
+// Flags for special poses of a variant: frames that MuJoCo treats as equal (sameframe), and joints
+// that allow a simple body (body_simple).
 
 #pragma once
 
@@ -15,15 +16,18 @@ namespace mjforge::family {
 int ElementCount(const mjModel& m, mjtObj kind);
 std::string ElementName(const mjModel& m, mjtObj kind, int id);
 
-/// Names of the arrays of coincidence flags, with one flag for each element of a kind.
+/// Names of the arrays of flags for special poses, with one flag per element; the world body has
+/// none. The first three names are those of mjModel's arrays; `jnt_simple` is mjforge's own.
 inline constexpr std::string_view kBodyFlags = "body_sameframe";
 inline constexpr std::string_view kGeomFlags = "geom_sameframe";
 inline constexpr std::string_view kSiteFlags = "site_sameframe";
 inline constexpr std::string_view kJointFlags = "jnt_simple";
 
-/// Adds the arrays of coincidence flags to `numbers`. The flag of a body, geom or site is a
-/// structure::SameFrame. The flag of a joint is 1 if the joint's anchor is the origin and its axis
-/// is a coordinate axis, so that the body can be simple (body_simple); otherwise 0.
+/// Adds the arrays of flags for special poses to `numbers`. The flag of a body, geom or site is a
+/// structure::SameFrame. The flag of a joint is 1 if the joint allows a simple body (body_simple),
+/// otherwise 0. Joints that allow a simple body are free joints, ball joints whose anchor is the
+/// body's origin, and hinges and slides whose anchor is the origin and whose axis is a coordinate
+/// axis.
 void AddCoincidences(const mjModel& m, Numbers& numbers);
 
 }  // namespace mjforge::family

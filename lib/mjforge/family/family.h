@@ -34,7 +34,7 @@ struct ArrayShape {
     kNumber,    // double
     kIndex,     // std::uint64_t, stored in the bytes of a double
     kMaterial,  // index in Numbers::materials; -1: no material
-    kFlag       // flag of an element with a special pose (coincidences.h); not in the .npz file
+    kFlag       // flag for a special pose of an element (coincidences.h); not in the .npz file
   };
 
   std::string name;  // "geom_size"

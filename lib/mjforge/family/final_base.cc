@@ -1,10 +1,11 @@
-// Completion of the base MJCF: elements whose coincidences differ between variants are moved a
-// little.
+// Completion of a family's base MJCF: moves elements a little if their flags for special poses
+// differ between variants.
 //
 // MuJoCo takes shortcuts for special poses: it does not transform a geom whose pose equals that of
-// its body to 1e-6. Flags of the compiled model (geom_sameframe) select the shortcuts, and a flag
-// that the base has must be right for every variant. A flag that the base lacks costs time, and
-// changes the weights of constraints a little (dof_invweight0 of bodies with body_simple).
+// its body to 1e-6. Flags of the compiled model (geom_sameframe) select the shortcuts. All variants
+// are simulated with the flags of the base; therefore a flag that is set in the base must be right
+// for every variant. A flag that is not set costs time, and changes the weights of constraints a
+// little (dof_invweight0 of bodies with body_simple).
 
 #include "mjforge/family/final_base.h"
 
@@ -29,11 +30,11 @@ using structure::kNone;
 
 // Offsets of moved elements: m for positions, and half the angle in rad for rotations about x, y
 // and z. The offsets are far above the tolerance of 1e-6, and differ between inertia frames and
-// other elements, so that moving both makes no new coincidence.
+// other elements, so that moved elements do not get equal poses.
 constexpr double kBodyOffset = 1e-5;
 constexpr double kOffset = 2e-5;
 
-// A kind of element with coincidence flags: its arrays, and its tag in the base.
+// A kind of element with flags for special poses: the names of its arrays, and its tag in MJCF.
 struct Flagged {
   std::string_view flags;
   std::string_view tag;
@@ -47,7 +48,8 @@ constexpr Flagged kFlagged[] = {{kBodyFlags, "inertial", "body_ipos", "body_iqua
 
 constexpr unsigned Bit(int flag) { return 1U << static_cast<unsigned>(flag); }
 
-// Returns true if flag `base` is right for variants whose flags are the bits of `variants`.
+// Returns true if an element may have the flag `base` in the base MJCF. Bit v of `variants` is set
+// if the element has the flag v in any variant.
 bool IsRight(std::string_view array, unsigned base, unsigned variants) {
   if (array == kJointFlags) return base == 0 || variants == Bit(1);
   switch (base) {
@@ -62,8 +64,8 @@ bool IsRight(std::string_view array, unsigned base, unsigned variants) {
   }
 }
 
-// Returns true if in all variants the element has the rotation of its body, or in all variants the
-// rotation of the inertia frame.
+// Returns true if the element has the rotation of its body in all variants, or the rotation of the
+// inertia frame in all variants.
 bool HasOneRotation(unsigned variants) {
   return IsRight({}, kBodyRotation, variants) || IsRight({}, kInertiaRotation, variants);
 }
@@ -166,8 +168,9 @@ class BaseCompletion {
     return survey_.first.data() + at + shape->width() * element;
   }
 
-  // Sets `frictionloss` of each joint that has friction in any variant, because engines leave out
-  // the friction of joints that have none in the base.
+  // Sets `frictionloss` of each joint that has no friction in the first variant but has friction in
+  // another one to its largest value, because simulators leave out the friction of joints that have
+  // none in the base.
   std::string WithFriction(const std::string& text) {
     const auto& [shape, at] = starts_.at("dof_frictionloss");
     std::vector<std::pair<std::string, double>> joints;

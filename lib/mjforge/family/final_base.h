@@ -1,5 +1,5 @@
-// The base MJCF of a finished family, with all materials and without coincidence flags that are
-// wrong for a variant.
+// The base MJCF of a finished family, with all materials and without flags for special poses that
+// are wrong for a variant.
 
 #pragma once
 

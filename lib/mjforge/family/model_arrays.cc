@@ -1,4 +1,4 @@
-// Reader of the arrays of a compiled model that MJCF determines directly, with element names.
+// Reader of arrays of mjModel whose numbers MJCF determines directly, and of the elements' names.
 
 #include <algorithm>
 #include <cmath>
@@ -157,7 +157,8 @@ class Reader {
     return &numbers_.values[starts_[static_cast<std::size_t>(found - numbers_.shapes.begin())]];
   }
 
-  // Replaces poses of mesh geoms by those in MJCF, and sizes by 0: vertices determine the sizes.
+  // Replaces the poses of mesh geoms by their poses in MJCF, because releases of MuJoCo choose
+  // different frames for a mesh. Replaces the sizes by 0, because the vertices determine the sizes.
   void PlaceMeshes() {
     if (m_.ngeom == 0) return;
     double* const size = ArrayAt("geom_size");
@@ -216,8 +217,9 @@ class Reader {
     add("start_ctrl", m_.nu, m_.key_ctrl);
   }
 
-  // Adds the vertices of inline meshes as in MJCF, that is, multiplied by the mesh's scale. Adds
-  // only the scale of a mesh from a file, because MuJoCo decides the order of the mesh's vertices.
+  // Adds the vertices of meshes whose vertices are in the MJCF, in m, with the rounding that the
+  // MJCF has. Adds only the scale of a mesh from a file, because MuJoCo determines the order of its
+  // vertices.
   void AddVertices() {
     for (const auto& asset : object_.meshes) {
       if (!asset->file.empty()) {
@@ -241,8 +243,8 @@ class Reader {
   std::vector<std::size_t> starts_;  // positions of the arrays in numbers_.values
 };
 
-// Returns the line of the text that begins with these characters, with its line end; empty if
-// there is none.
+// Returns the first line that contains `start`, the start of an element, with its line end; empty
+// if there is none.
 std::string LineWith(std::string_view text, const std::string& start) {
   const std::size_t at = text.find(start);
   if (at == text.npos) return {};

@@ -1,4 +1,4 @@
-// Writer of a family's .npz file, which turns rows of variants into columns of numbers.
+// Writer of a family's .npz file: turns rows of variants into arrays with one entry per variant.
 
 #include <algorithm>
 #include <limits>
@@ -187,9 +187,9 @@ class FamilyFile {
     });
   }
 
-  // Writes the names of all materials in the order of the base, and the numbers of materials that
-  // vary between variants. A variant without a material gets the numbers of the first variant with
-  // that material.
+  // Writes the names of all materials, and the numbers of those materials whose numbers vary
+  // between variants. A variant without a material gets the numbers of the first variant with that
+  // material.
   void WriteMaterials() {
     if (survey_.materials.empty()) return;
     std::vector<std::string> names;
@@ -245,7 +245,8 @@ class FamilyFile {
     ForEachRow([&](const RowView& row) { WriteValue(row.parameters[number], parameter); });
   }
 
-  // Writes the value of a parameter; a short list is filled up with NaN, empty texts or false.
+  // Writes the value of a parameter. A list that is shorter than the longest one is filled up with
+  // NaN, empty texts or false.
   void WriteValue(const sample::ParameterValue& value, const Survey::Parameter& parameter) {
     const std::size_t code_points = std::max<std::uint64_t>(parameter.code_points, 1);
     const auto write = [&](const auto& one) {

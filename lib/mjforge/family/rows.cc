@@ -1,4 +1,4 @@
-// Encoding and decoding of the file of rows.
+// Encoding and decoding of files of rows, which contain the numbers of variants.
 
 #include "mjforge/family/rows.h"
 
@@ -54,7 +54,8 @@ std::string WithStart(Block block, std::string_view content) {
 }
 
 // Describes why two variants cannot be in one family; returns an empty text if they can. Ignores
-// coincidences, because Complete() in final_base.h removes those that are not in all variants.
+// flags for special poses, because Complete() in final_base.h removes flags that are not set in all
+// variants.
 std::string DifferenceOf(const structure::Structure& structure, const Shapes& shapes,
                          const structure::Structure& other, const Shapes& other_shapes) {
   for (const structure::Difference& difference : structure::DifferencesOf(other, structure)) {
@@ -237,7 +238,8 @@ void RowsFile::ForEach(const std::function<void(const RowView&)>& visit) {
 
 void RowsFile::ForEachPart(std::uint64_t first, std::uint64_t count,
                            const std::function<void(std::span<const double>)>& visit) {
-  // Rows of more doubles than this (with meshes) are read in part, because that takes less time.
+  // If a row has more doubles than this (variants with meshes), only the requested part is read.
+  // Shorter rows are read as whole chunks, because one large read is faster than many small ones.
   constexpr std::uint64_t kLargeRow = 8192;
   std::vector<double> part(count);
   const auto show = [&](const char* from) {

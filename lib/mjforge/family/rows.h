@@ -26,7 +26,7 @@ Header DecodeHeader(std::string_view bytes);
 /// Describes why two headers cannot be of one family; returns an empty text if they can.
 std::string DifferenceOf(const Header& header, const Header& other);
 
-/// A variant in a file of rows.
+/// A variant (row) in a file of rows.
 struct RowView {
   std::span<const double> values;
   /// Materials of the variant; their `numbers` are those of the first variant, see

@@ -1,5 +1,5 @@
 // Properties of all variants of a family together: constant numbers, materials, lengths of texts,
-// coincidences.
+// flags for special poses.
 
 #pragma once
 

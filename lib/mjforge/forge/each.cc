@@ -14,8 +14,8 @@ std::string FileOf(const std::string& name, const mjcf::TargetRules& rules) {
   return name + '/' + std::string(rules.file_in_folder);
 }
 
-// Adds the findings of `found` that `findings` does not contain yet, because objects of one spec
-// repeat each other's findings.
+// Adds those findings of `found` that `findings` does not contain yet. Objects that are made from
+// the same spec cause the same findings.
 void AddNew(const diag::Findings& found, diag::Findings& findings) {
   for (const diag::Finding& finding : found) {
     const bool is_known = std::ranges::any_of(findings, [&](const diag::Finding& known) {
@@ -61,7 +61,7 @@ bool Generator::WritePart(split::ScenePart& part, manifest::PlacedFile& placed, 
   AddNew(found, variant.findings);
   if (found.HasErrors()) return false;
   AddJoints(object, placed);
-  // Ignores warnings, because the validation of the whole scene has already added them.
+  // Ignore warnings, because the validation of the whole scene has already added them.
   if (diag::Findings loaded; loader_ && !loader_->Validate(document, object, loaded)) {
     AddNew(loaded, variant.findings);
     return false;

@@ -106,15 +106,17 @@ class Generator {
   /// Generates a variant, which is a pure function of the index; replaces the content of `variant`.
   void Make(std::uint64_t index, Variant& variant);
 
-  /// Returns all geoms and sites that occur in any of the first Options::pad variants. Stops early
-  /// if `*stop` is true.
+  /// Returns all geoms and sites that occur in any of the Options::pad variants from
+  /// Options::layout_first on. Stops early if `*stop` is true.
   std::shared_ptr<const padding::Superset> FindSuperset(const std::atomic<bool>* stop = nullptr);
 
   /// Fills `variant` as a failed variant with this finding, without generating the variant.
   void Fail(std::uint64_t index, diag::Finding finding, Variant& variant);
 
  private:
-  enum class Outcome { kOk, kFailed, kRejected };  // rejected: further attempts would fail, too
+  // kRejected: the spec's requirements rejected all draws, so that further attempts would fail,
+  // too.
+  enum class Outcome { kOk, kFailed, kRejected };
   void Reset(std::uint64_t index, std::uint64_t attempt, Variant& variant);
   Outcome Attempt(std::uint64_t index, std::uint64_t attempt, Variant& variant);
   /// Assembles the object from drawn values; returns nullopt after an error.
@@ -162,14 +164,15 @@ class Generator {
   std::optional<std::pair<manifest::Record, structure::Structure>> reference_;
 };
 
-/// Loads the recipe of a record from `spec` or, if `spec` is empty, from the recorded spec. The
-/// recorded path of the spec is looked up in the working directory, in `folder` (of the manifest)
-/// and one folder up. Returns nullopt, with findings, if the spec is missing or has changed since.
+/// Loads the recipe of a record from `spec` or, if `spec` is empty, from the recorded spec: from
+/// its recorded path, which is relative to `folder` (of the manifest), or else by its recorded name
+/// in the working directory, in `folder`, one folder up, and in the search path. Returns nullopt,
+/// with findings, if the spec is missing or has changed since.
 std::optional<Recipe> LoadRecordedRecipe(const manifest::Record& record, const std::string& spec,
                                          const std::filesystem::path& folder,
                                          diag::Sources& sources, diag::Findings& findings);
 /// Returns the options that regenerate a record's variant; nullopt, with a finding about `what`, if
-/// a word in the record is unknown.
+/// the target, the sampler or the form of assets in the record is unknown.
 std::optional<Options> RecordedOptions(const manifest::Record& record, std::string_view what,
                                        diag::Findings& findings);
 

@@ -16,7 +16,7 @@ std::string RelativePath(const std::filesystem::path& file, const std::filesyste
   std::error_code error;
   const auto absolute = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, error);
   if (error) return {};
-  // Removes a final slash, which the path of a folder that does not exist yet may keep.
+  // Remove a final slash, which weakly_canonical() keeps if the folder does not exist yet.
   const auto root = absolute.has_filename() ? absolute : absolute.parent_path();
   const auto below = root.relative_path();
   if (!below.empty() && *below.begin() != *file.relative_path().begin()) return {};
@@ -150,8 +150,8 @@ Generator::Outcome Generator::Attempt(std::uint64_t index, std::uint64_t attempt
   std::optional<sample::Evaluator> values =
       sample::Sample(spec, key, sample::kRootStream, {}, variant.findings, &sampler_);
   if (!values) {
-    // Gives up after a thousand draws that do not meet the requirements: further attempts would
-    // fail, too.
+    // If the requirements of the spec rejected all draws (kSampleRejected), do not try further
+    // attempts, because they would fail, too.
     const bool rejected =
         std::ranges::count(variant.findings, diag::Code::kSampleRejected, &diag::Finding::code) > 0;
     return rejected ? Outcome::kRejected : Outcome::kFailed;
@@ -198,7 +198,7 @@ bool Generator::Build(sample::Evaluator& values, Variant& variant) {
   std::optional<model::Object> object = Assemble(values, variant);
   if (!object || !SettlePiles(*object, variant)) return false;
   if (options_.each && !SplitScene(*object, variant)) return false;
-  // Ignores warnings about the scene with --each, because WritePart adds the warnings about each
+  // With --each, ignore warnings about the scene, because WritePart() adds the warnings about each
   // object.
   diag::Findings of_scene;
   mjcf::Adapt(*object, target, options_.each ? of_scene : variant.findings);

@@ -15,8 +15,8 @@ using sample::ParameterValue;
 
 constexpr std::size_t kShownParameters = 3;
 
-// Returns the text of a value that may be a choice (a text, a flag or a whole number); otherwise
-// nullopt.
+// Returns the text of a value that may be the option of a choice: a text, a boolean or a whole
+// number. Returns nullopt for other values.
 std::optional<std::string> ChoiceText(const ParameterValue& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
@@ -25,7 +25,8 @@ std::optional<std::string> ChoiceText(const ParameterValue& value) {
   return expr::NumberText(*number);
 }
 
-// Lists the choices that differ between two variants: "shape is box, not round".
+// Lists the parameters that may be choices and differ between two variants: "shape is box, not
+// round". Lists at most kShownParameters, and the number of further ones.
 std::string ChoicesText(const manifest::Record& record, const manifest::Record& reference) {
   std::string text;
   std::size_t count = 0;
@@ -40,7 +41,8 @@ std::string ChoicesText(const manifest::Record& record, const manifest::Record& 
   return text;
 }
 
-// Returns the place in the spec of the element with this name; an invalid mark if there is none.
+// Returns the place in the spec of the body, part, joint or site with this name, with or without
+// the object's prefix; an empty mark if there is none.
 diag::SourceMark MarkOf(const model::Object& object, std::string_view element) {
   const std::string whole = fmt::format("{}_{}", object.name, element);
   const auto is_it = [&](const auto& one) { return one.name == element || one.name == whole; };

@@ -1,4 +1,5 @@
-// Loading of recipes, their references in records, and names of objects.
+// Loading of recipes (specs from which variants are generated), their names in records, and names
+// of objects.
 
 #include <fmt/format.h>
 

@@ -8,10 +8,10 @@
 namespace mjforge::forge {
 namespace {
 
-// Returns the file of the record's spec, or the spec's reference if no file is found. The comment
-// in a generated file has the name of the spec without its folder, so the spec is looked up in the
-// working directory, beside the record and one folder up, where the default output folder of
-// `generate` is.
+// Returns the file of the record's spec, or the spec's recorded name if no file is found. Looks for
+// the name in the working directory, in the record's folder and one folder up, because the comment
+// in a generated file has the name of the spec without its folder, and the default output folder of
+// `generate` is below the working directory.
 std::string FindSpec(const manifest::Record& record, const std::filesystem::path& folder) {
   std::error_code ignored;
   for (const std::filesystem::path& file :

@@ -16,7 +16,7 @@ struct Original {
   bool from_manifest = false;     // true: `attempt`, `status` and `sha256` are known
   std::filesystem::path file;     // object's file; empty: none was written
   std::filesystem::path archive;  // contains the file; empty: the file is in a folder
-  std::filesystem::path folder;   // the record's spec_file is relative to this folder
+  std::filesystem::path folder;   // base of the relative path record.spec_file
 };
 
 // Splits "out/manifest.jsonl:42" into file and index; returns nullopt if there is no index.
@@ -101,14 +101,14 @@ std::string_view TextOf(const Original& original, const Variant& variant) {
   return found == output.assets.end() ? std::string_view() : std::string_view(*found->made);
 }
 
-// Returns true if the recorded file, or its hash if the file is missing, equals the regenerated
-// one; otherwise adds a finding.
+// Returns true if the recorded file equals the regenerated file or, if the recorded file is
+// missing, if the recorded hash equals the hash of the regenerated file. Otherwise adds a finding.
 bool HasSameText(const Original& original, const Variant& variant, diag::Sources& sources,
                  diag::Findings& findings) {
   std::error_code ignored;
   const std::filesystem::path& holder = original.archive.empty() ? original.file : original.archive;
-  // Compares hashes if there is no file: a family (.npz) contains numbers of variants, but not
-  // their files.
+  // Compare hashes if there is no file. A family (.npz), for example, contains the numbers of its
+  // variants, but not their files.
   const bool has_no_file = original.file.empty() || !std::filesystem::exists(holder, ignored);
   if (original.from_manifest && has_no_file) {
     if (original.record.sha256 == variant.record.sha256) return true;
@@ -151,7 +151,8 @@ bool HasSameAssets(const Original& original, const Variant& variant, diag::Findi
   return same;
 }
 
-// Adds the findings of a variant that was recorded as failed, which has no file to compare with.
+// Adds the findings of a variant that is recorded as failed. Such a variant has no file to compare
+// with. Returns false.
 bool ReplayFailure(const Original& original, const Variant& variant, diag::Findings& findings) {
   if (variant.ok()) {
     findings.Add(diag::Code::kOutputDiffers, {},
@@ -175,8 +176,8 @@ bool Regenerate(const Original& original, const Recipe& recipe, Options options,
                 diag::Sources& sources, diag::Findings& findings) {
   Variant variant;
   const bool failed = original.from_manifest && original.record.status != manifest::Status::kOk;
-  // Skips validation: the recorded variant passed it or was not validated, and validation does not
-  // affect the bytes.
+  // Skip validation, because the recorded variant passed validation or was not validated, and
+  // validation does not affect the bytes.
   if (!failed) options.validation = Validation::kNone;
   WarnOfOtherMujoco(original.record, findings);
   Generator generator(recipe, sources, options);
@@ -187,8 +188,8 @@ bool Regenerate(const Original& original, const Recipe& recipe, Options options,
       HasSameAssets(original, variant, differences)) {
     return true;
   }
-  // Tries each kind of validation: the comment in a file contains neither the attempt nor the kind
-  // of validation that rejected earlier attempts.
+  // Try each kind of validation, because the comment in a file contains neither the attempt nor the
+  // kind of validation that rejected earlier attempts.
   if (!original.from_manifest) {
     for (const Validation validation : {Validation::kLoad, Validation::kPhysics}) {
       options.on_invalid = OnInvalid::kResample;

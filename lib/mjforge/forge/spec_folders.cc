@@ -12,8 +12,8 @@ std::optional<std::filesystem::path> CatalogueFolder() {
   std::error_code error;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
   if (error) return std::nullopt;
-  // Searches the parents of the program: share/ is beside bin/ when installed, and a build tree has
-  // a link to it at its top.
+  // Search the parent folders of the program. In an installation, share/ is beside bin/; a build
+  // tree has a link to share/ at its top.
   for (std::filesystem::path folder = program.parent_path(); folder.has_relative_path();
        folder = folder.parent_path()) {
     const std::filesystem::path specs = folder / "share" / "mjforge" / "specs";

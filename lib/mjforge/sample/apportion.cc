@@ -1,4 +1,4 @@
-// Apportionment by largest remainders that tolerates rounding errors of the shares.
+// Apportionment by largest remainders, with a tolerance for rounding errors of the shares.
 
 #include "mjforge/sample/apportion.h"
 
@@ -36,7 +36,8 @@ std::vector<std::uint64_t> LargestRemainder(std::span<const double> weights, std
   std::erase_if(order, [&](std::size_t i) { return weights[i] == 0; });
   std::ranges::stable_sort(
       order, [&](std::size_t a, std::size_t b) { return remainders[a] > remainders[b]; });
-  // A single round is enough, except when rounding errors of huge totals leave more items.
+  // Gives one item each in the order of the remainders. A second round is only necessary if
+  // rounding errors of a huge total leave more items than weights.
   for (std::size_t i = 0; left > 0; i = (i + 1) % order.size(), --left) ++counts[order[i]];
   return counts;
 }

@@ -1,4 +1,4 @@
-// Collects the streams of a spec's parameters by visiting their values recursively.
+// Collection of the random streams of a spec's parameters, by a recursive visit of their values.
 
 #include "mjforge/sample/dimensions.h"
 
@@ -42,7 +42,7 @@ class StreamCollector {
  private:
   void Add(const ParameterStream& stream) { streams_.push_back(stream); }
 
-  // Returns the length of a list if it is the same in all variants; otherwise 0.
+  // Returns the length of a list if all variants have the same valid length; otherwise 0.
   static std::size_t LengthOf(const spec::Value& count) {
     const double number = spec::ConstantOf(count).value_or(0);
     return spec::IsListLength(number) ? static_cast<std::size_t>(number) : 0;
@@ -85,7 +85,7 @@ class StreamCollector {
     }
   }
 
-  // Returns the stream of the draw itself, without the draws in its arguments.
+  // Returns the stream of a draw, without the streams of draws in its arguments.
   static ParameterStream OwnStream(const spec::Draw& draw, StreamId path) {
     ParameterStream stream = {.stream = path, .split = {}};
     if (draw.distribution == Distribution::kChoice && draw.weights.empty()) {

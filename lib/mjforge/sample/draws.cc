@@ -23,8 +23,8 @@ const spec::DistributionInfo& Info(Distribution distribution) {
   return spec::Distributions()[static_cast<std::size_t>(distribution)];
 }
 
-// Returns true for distributions whose draws are rounded: all except those of integers and
-// booleans.
+// Returns true for distributions whose draws are rounded to few digits: all except distributions of
+// integers and booleans.
 bool IsRounded(Distribution distribution) {
   return distribution != Distribution::kInteger && distribution != Distribution::kPoisson &&
          distribution != Distribution::kBernoulli;

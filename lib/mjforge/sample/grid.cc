@@ -17,7 +17,8 @@ std::uint64_t Product(std::uint64_t a, std::uint64_t b) {
   return a != 0 && b > kMany / a ? kMany : a * b;
 }
 
-// Returns the number of points low^(count - more) * (low + 1)^more, limited to kMany.
+// Returns the number of points of a grid of `count` dimensions, of which `more` have `low` + 1
+// levels and all others `low` levels: low^(count - more) * (low + 1)^more, limited to kMany.
 std::uint64_t PointsOf(std::uint64_t low, std::size_t count, std::size_t more) {
   std::uint64_t points = 1;
   for (std::size_t i = 0; i < count; ++i) points = Product(points, i < more ? low + 1 : low);

@@ -49,7 +49,8 @@ std::vector<bool> BooleansOf(const std::vector<double>& numbers) {
   return booleans;
 }
 
-// Returns true if the value has the kind of the parameter.
+// Returns true if the value can be assigned to the parameter: the types and, for a vector, the
+// numbers of components are equal. An empty list of numbers can be assigned to every list.
 bool Accepts(const spec::Value& parameter, const ParameterValue& value) {
   const auto* numbers = std::get_if<std::vector<double>>(&value);
   if (std::holds_alternative<std::vector<std::string>>(value))

@@ -31,8 +31,8 @@ bool ForEachCombination(Evaluator& values, std::span<const spec::Loop> loops, St
   return true;
 }
 
-// Arc through three points. Its plane has the unit vectors x and y, and its origin is the first
-// point.
+// Arc through three points, in coordinates of its plane: x points from the first to the second
+// point, y to the side of the last point, and the origin is the first point.
 class CircleThrough {
  public:
   /// Returns the arc through three points; nullopt if the points are on a straight line.

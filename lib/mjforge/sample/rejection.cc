@@ -22,8 +22,8 @@ const ParameterValue* FindOverride(Overrides overrides, const spec::Parameter& p
 
 bool AnyChanges(std::span<const spec::Value> values, bool is_planned);
 
-// Returns true if a redraw can change the value. `is_planned` is true if exact choices are
-// distributed over the batch, because a redraw does not change them then.
+// Returns true if a redraw can change the value. If `is_planned` is true, exact choices
+// (`exact: true`) are distributed over the batch, so that a redraw does not change them.
 bool Changes(const spec::Value& value, bool is_planned) {
   if (const auto* draw = std::get_if<spec::Draw>(&value.form)) {
     const bool is_fixed = draw->rows != nullptr ||
@@ -107,7 +107,7 @@ bool Evaluator::Sample(Overrides overrides) {
   return false;
 }
 
-// Reports a requirement that is not met although no redraw can change its inputs.
+// Reports a requirement that is not met if a redraw cannot change any parameter.
 void Evaluator::ReportConstant(const spec::Requirement& requirement) {
   const std::string inputs = InputsText(requirement.expression);
   Fail(Code::kSampleRejected, requirement.mark,

@@ -16,12 +16,12 @@ constexpr int kMaxExactPower = 22;  // 10^22 is the largest power of ten that is
 constexpr double kPowersOfTen[kMaxExactPower + 1] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                      1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                                      1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-// Tolerance for widths such as 0.03 - 0.02, which differ from a power of ten by a rounding error
-// and must not get one more digit.
+// Tolerance of the decimal logarithm of an interval's width. A width such as 0.03 - 0.02 differs
+// from a power of ten by a rounding error, and must not get one more digit.
 constexpr double kLogTolerance = 1e-9;
 
-// Returns the number of decimal places of a millionth of the width; minus infinity if the width is
-// infinite.
+// Returns the number of decimal places of a millionth of the width of an interval; minus infinity
+// if the width is infinite.
 double PlacesFor(double width) {
   if (!std::isfinite(width)) return -std::numeric_limits<double>::infinity();
   return std::ceil(kSignificantDigits - std::log10(width) - kLogTolerance);

@@ -37,8 +37,8 @@ inline constexpr std::uint64_t kMaxBatch = std::uint64_t{1} << 52;
 /// blocks of N: item p of block b has the index b * N + p. A number depends only on the key, the
 /// stream and N. The methods Sobol, latin and grid apply only to attempt 0; redraws are independent
 /// random numbers, so that rejecting one item changes no other item. Sobol and grid apply only to
-/// the parameters of the spec itself. Parameters of nested specs, and draws outside `params:`, are
-/// random.
+/// the parameters of the spec and of the files that it imports. Parameters of nested specs, and
+/// draws outside `params:`, are random.
 class Sampler {
  public:
   /// `batch` is N, at most kMaxBatch. If N is unknown (0), the methods that need N draw independent

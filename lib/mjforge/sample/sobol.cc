@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kBits = 52;  // random bits of a uniform number
 
-// Returns x with scrambled bits: bit i from the top is flipped if the top bit of a hash of the i
-// bits above it is set.
+// Returns x after Owen scrambling: bit i, counted from the top, is flipped if the top bit of a hash
+// of the i bits above bit i is set.
 std::uint64_t Scrambled(std::uint64_t x, std::uint64_t key) {
   std::uint64_t flips = 0;
   for (int i = 0; i < kBits; ++i) {

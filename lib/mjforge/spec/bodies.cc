@@ -135,8 +135,8 @@ class BodyEntryReader {
     return variables;
   }
 
-  // A list of joints that is not read yet, the index of its body, and the variables of the body's
-  // entry.
+  // A list of joints that is not read yet, the index of its body, and the loop variables and local
+  // values of the body's entry.
   struct JointList {
     const YamlNode* joints;
     std::size_t body;
@@ -148,7 +148,8 @@ class BodyEntryReader {
   std::vector<JointList> lists_;
 };
 
-// Checks parents whose names are literals. Other names are known only after drawing.
+// Checks `parent:` of bodies if the parent's name is a literal. Computed names are known only after
+// drawing.
 class ParentChecker {
  public:
   explicit ParentChecker(Context& context) : context_(context), bodies_(context.spec.bodies) {
@@ -212,8 +213,8 @@ class ParentChecker {
     ReportForward(i, found->second.front(), mark);
   }
 
-  // Returns true if a body named `parent` may result from a computed name or from the content of an
-  // earlier entry.
+  // Returns true if an entry before entry `i` may create a body named `parent`: an entry whose name
+  // is computed, or an entry NAME whose content may have a body NAME_... of this name.
   bool MayComeLater(std::string_view parent, std::size_t i) const {
     if (first_computed_name_ < i) return true;
     for (std::size_t k = 0; k < i; ++k) {

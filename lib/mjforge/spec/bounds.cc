@@ -1,4 +1,4 @@
-// Bounds of the values that a parameter can have, as far as the spec alone determines them.
+// Intervals that contain the values of a parameter in all variants of a spec.
 
 #include "mjforge/spec/bounds.h"
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-// Returns the bounds from `low` to `high`; nullopt unless both are constants.
+// Returns the interval from `low` to `high`; nullopt unless both values are constants.
 std::optional<Bounds> Between(const Value& low, const Value& high) {
   const auto from = ConstantOf(low);
   const auto to = ConstantOf(high);

@@ -1,4 +1,4 @@
-// Bounds of the values that a parameter can have, as far as the spec alone determines them.
+// Intervals that contain the values of a parameter in all variants of a spec.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,8 @@ struct Bounds {
 /// depend on other values.
 std::optional<Bounds> BoundsOf(const Value& value);
 
-/// Returns the bounds of each component of a vector; an empty list if a component has no bounds.
+/// Returns the bounds of each component of a vector. Returns an empty list if a component has no
+/// bounds, and for values other than vectors whose components are given one by one.
 std::vector<Bounds> BoundsOfComponents(const Value& value);
 
 }  // namespace mjforge::spec

@@ -13,8 +13,8 @@
 
 namespace mjforge::spec {
 
-/// Position of a joint (its qpos in MuJoCo) at which an expectation or a check is evaluated: an
-/// item of `at:`.
+/// Position of a joint (its qpos in MuJoCo): an entry of `at:`, at which an expectation or a check
+/// is evaluated, or of `pose:` of an object or a view.
 struct JointPosition {
   Value joint;  // a text: the joint's name
   diag::SourceMark mark;

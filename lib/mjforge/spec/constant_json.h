@@ -1,4 +1,4 @@
-// JSON text of values that are the same in all variants.
+// Options of a choice or a cycle as JSON text, if the options are the same in all variants.
 #pragma once
 
 #include <optional>

@@ -26,7 +26,8 @@ std::optional<ConstantValue> NumbersOf(const FieldInfo& field, const Value& valu
   return out;
 }
 
-// Returns nullopt if the value differs between variants, or if the field table does not allow it.
+// Returns the value of a field if all variants have this value and the field table allows it.
+// Otherwise, and for points, outlines and joint positions, returns nullopt.
 std::optional<ConstantValue> ConstantValueOf(const FieldInfo& field, const Value& value) {
   switch (field.kind) {
     case FieldKind::kNumber:

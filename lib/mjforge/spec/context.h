@@ -1,4 +1,4 @@
-// State of reading one spec, and the functions that read the spec's sections.
+// Functions that read the sections of a spec, and the state that they share.
 
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace mjforge::spec {
 
-/// Finds and loads the specs that a spec refers to.
+/// Finds and loads the specs and CSV files that a spec refers to.
 class NestedLoader {
  public:
   virtual ~NestedLoader() = default;
@@ -29,7 +29,7 @@ class NestedLoader {
   virtual std::optional<std::uint32_t> OpenFile(const std::string& name, diag::SourceMark mark) = 0;
 };
 
-/// State of reading one spec, which all readers of its sections share.
+/// State that all readers of a spec's sections share while the spec is read.
 struct Context {
   diag::Sources& sources;
   diag::Findings& findings;

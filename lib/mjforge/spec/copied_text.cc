@@ -60,7 +60,8 @@ class TextCopier {
 
   std::string Take() {
     for (const auto& [at, change] : changes_) text_.replace(at, change.first, change.second);
-    // Start of a line that is removed, because it contains a relative path.
+    // Start of the line that names the JSON Schema for editors. The line is removed, because it
+    // contains a relative path.
     constexpr std::string_view kSchemaLine = "# yaml-language-server:";
     if (text_.starts_with(kSchemaLine)) {
       text_.erase(0, text_.find('\n') + 1);

@@ -1,4 +1,5 @@
-// The part of ValueReader that reads draws: distributions, and forms that draw whole vectors.
+// Functions of ValueReader that read distributions, and the vector forms `about`, `on_sphere` and
+// `hsv`.
 
 #include <algorithm>
 #include <array>
@@ -84,8 +85,8 @@ bool ValueReader::IsVectorForm(std::string_view key, const ExpectedForm& expecte
   return ((key == kAbout || key == kHsv) && allows(4)) || (key == kOnSphere && allows(3));
 }
 
-// Reports a drawn colour in a field other than `rgba`, and a drawn quaternion in a field that is
-// not a quaternion. Parameters accept both.
+// Reports the form `hsv` (a colour) in a field other than `rgba`, and the form `about` (a random
+// rotation) in a field that is not a quaternion. Parameters accept both forms.
 void ValueReader::CheckMeaning(bool is_color, const ExpectedForm& expected, const YamlNode& node) {
   const std::string_view key = expected.key;
   if (key.empty() || (is_color ? key == "rgba" : key.ends_with("quat"))) return;
@@ -127,8 +128,8 @@ Value ValueReader::ReadVectorForm(std::string_view key, const ExpectedForm& expe
   return value;
 }
 
-// Reports an unknown key of a draw's mapping. `lost` is true if the mapping contains no key of a
-// draw.
+// Reports the unknown key `pair` of a draw's mapping. `lost` is true if the mapping contains no key
+// of a draw at all.
 void ValueReader::ReportUnknownKey(const YamlNode::Pair& pair,
                                    const std::vector<std::string_view>& known, bool lost) {
   if (pair.key == "for" || pair.key == "if") {

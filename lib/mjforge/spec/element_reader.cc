@@ -34,7 +34,7 @@ bool Has(const ExclusiveKeys& group, Key key) {
   return std::ranges::find(group.keys, key) != group.keys.end();
 }
 
-// Returns "a ", "an ", or an empty text for plural names.
+// Returns the article before the name of an element: "a " or "an "; an empty text before a plural.
 std::string_view Article(std::string_view name) {
   if (name == "checks" || name == "defaults" || name == "holds") return "";
   return std::string_view("aeiou").find(name[0]) != std::string_view::npos ? "an " : "a ";
@@ -56,7 +56,9 @@ void CheckOneOf(const ExclusiveKeys& group, const std::vector<Field>& fields, Co
   }
 }
 
-// Returns the motion of a joint; kAny for other elements and if the joint's type is drawn.
+// Returns kSlide for a slide joint, and kTurn for a hinge or ball joint; a joint without a type is
+// a hinge. Returns kAny for other elements, and if the spec does not give one of these types as a
+// literal (if the type is drawn, for example).
 Motion MotionOf(const ElementInfo& element, const YamlNode& map, const Context& context) {
   if (&element != &kJointElement) return Motion::kAny;
   const YamlNode* own = map.Find("type");

@@ -20,7 +20,8 @@ namespace mjforge::spec {
 
 struct ObjectSpec;
 
-/// A value that is the same in all variants, and that the field table allows.
+/// A value that is the same in all variants and that the field table allows. Points, outlines and
+/// joint positions are never stored in this form.
 struct ConstantValue {
   std::vector<double> numbers;  // 1 for true, 0 for false; empty for a text
   std::string text;             // MJCF of the value: "0.5 0.5 1", "true", "box"
@@ -34,7 +35,7 @@ struct Field {
   Value value;
   diag::SourceMark mark;                          // position of the key in the text
   bool is_default = false;                        // true if the value comes from `defaults:`
-  std::shared_ptr<const ConstantValue> constant;  // null if variants may have different values
+  std::shared_ptr<const ConstantValue> constant;  // null if the value cannot be a ConstantValue
 };
 
 /// A local value of an entry: `let: {gap: 1mm .. 3mm}`.

@@ -36,7 +36,8 @@ bool HasMaterial(const ObjectSpec& spec, std::string_view name) {
   return std::ranges::find(spec.materials, name, &Material::name) != spec.materials.end();
 }
 
-// Adds the defaults to an entry, without those that the entry's own fields replace or exclude.
+// Adds the fields of `defaults` to an entry, except fields that the entry's own fields replace or
+// exclude (`mass` excludes a default density).
 void AddDefaults(std::span<const Field> defaults, Entry& entry) {
   const std::size_t own = entry.fields.size();
   for (const Field& field : defaults) {

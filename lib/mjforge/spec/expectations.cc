@@ -14,7 +14,7 @@ namespace {
 using diag::Code;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// The key of each kind of expectation, in the order of ExpectationKind.
+// The keys of the kinds of expectations, in the order of ExpectationKind.
 constexpr std::array kKinds = {Key::kThat, Key::kGap, Key::kTouch, Key::kApart, Key::kInside};
 
 class ExpectationReader {

@@ -1,4 +1,4 @@
-// The table of field kinds.
+// The table of the kinds of values that fields take (FieldKind).
 
 #include "mjforge/spec/field_kinds.h"
 

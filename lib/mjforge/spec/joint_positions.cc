@@ -1,4 +1,5 @@
-// Reader of joint positions: the start state `pose:`, and `at:` of expectations and checks.
+// Reader of joint positions: the start state `pose:`, `at:` of expectations and checks, and `pose:`
+// of the view.
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// The part of ValueReader that reads lists of numbers, texts or booleans.
+// Functions of ValueReader that read lists of numbers, texts or booleans.
 
 #include <algorithm>
 
@@ -37,8 +37,8 @@ bool ValueReader::IsBoolean(const YamlNode& node) const {
   return expression && expression->type() == Type::kBoolean;
 }
 
-// Returns the type of the list's items: kBoolean if any item is certainly a boolean; kText if every
-// item can be text and at least one is certainly text.
+// Returns the type of the list's items: kBoolean if any item is a boolean; kText if at least one
+// item is a text and all other items are texts or draws; otherwise kNumber.
 Type ValueReader::ItemType(const YamlNode& list) const {
   if (std::ranges::any_of(list.items, [this](const auto& item) { return IsBoolean(item); }))
     return Type::kBoolean;

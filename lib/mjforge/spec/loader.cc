@@ -172,7 +172,7 @@ class SpecLoader : public NestedLoader {
     }
   }
 
-  // Reads `mass`, `placement`, `total_size` and `start`.
+  // Reads the fields of the whole object: `mass`, `placement`, `total_size`, `start` and `front`.
   void ReadWhole(const YamlNode& root, std::span<const SettingNode> settings, Context& context) {
     ObjectSpec& spec = context.spec;
     for (Field& field : ReadFields(kObjectElement, root, context)) {

@@ -47,8 +47,9 @@ std::vector<fs::path> YamlFilesBelow(const fs::path& folder) {
   return files;
 }
 
-// Folders whose specs share their names with specs elsewhere: objects of robosuite, and scenes. A
-// name without a folder refers to a spec in these folders only if no other spec has the name.
+// Folders whose specs have the same names as specs in other folders: objects of robosuite, and
+// scenes. A name without a folder refers to a spec in these folders only if no other spec in the
+// same folder of the search path has the name.
 constexpr std::array<std::string_view, 2> kSearchedLast = {"robosuite", "scenes"};
 
 std::optional<fs::path> Named(const std::string& name, const fs::path& shelf) {

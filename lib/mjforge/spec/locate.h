@@ -13,8 +13,8 @@ namespace mjforge::spec {
 
 /// Returns the file that `reference` names, with or without `.yaml` or `.yml`. Searches `folder`,
 /// then each folder of the search path. Finally, if the name has no folder, searches all files
-/// below the search path in sorted order, with those in `robosuite/` and `scenes/` last. Returns
-/// nullopt if no file is found.
+/// below each folder of the search path in sorted order, with the files in `robosuite/` and
+/// `scenes/` last. Returns nullopt if no file is found.
 std::optional<std::filesystem::path> Locate(const std::string& reference,
                                             const std::filesystem::path& folder,
                                             std::span<const std::filesystem::path> search_path);

@@ -72,7 +72,7 @@ Dependencies UsesOf(const std::vector<ParameterNode>& declared, const expr::Symb
   return uses;
 }
 
-// Returns the parameters with the values of the spec, without settings.
+// Returns the parameters with their values in the spec, before settings replace any value.
 std::vector<Parameter> OwnParameters(const YamlNode& params, Context& context) {
   ObjectSpec own;
   own.shared = context.spec.shared;
@@ -86,8 +86,9 @@ std::vector<Parameter> OwnParameters(const YamlNode& params, Context& context) {
   return std::move(own.parameters);
 }
 
-// Reports a setting whose kind differs from the kind of the parameter's own value. Replaces the
-// setting by a value of that kind, so that uses of the parameter are not reported as well.
+// Reports a setting whose kind or unit differs from that of the parameter's own value. Replaces a
+// setting of another kind by a value of the parameter's kind, so that uses of the parameter are not
+// reported as well.
 void CheckSetting(const Parameter& own, const YamlNode& node, Parameter& parameter,
                   Context& context) {
   const Value& wanted = own.value;

@@ -33,8 +33,8 @@ void CheckSizes(const Entry& part, const ShapeInfo& shape, Context& context) {
     }
     return;
   }
-  // Skip draws of vectors, because their options may differ in length. The model checks the length
-  // of the drawn option.
+  // Skip draws of vectors, because their options may differ in length. The length of the drawn
+  // option is checked for each variant.
   const bool exact = !std::holds_alternative<Draw>(size->value.form) || size->value.components == 1;
   const int wanted = fromto != nullptr ? shape.sizes_fromto : shape.sizes;
   if (exact && size->value.components != 0 && size->value.components != wanted) {

@@ -1,4 +1,4 @@
-// The view of a spec in pictures, as JSON.
+// JSON text of `view:`, the camera's direction and the joint positions for pictures of a spec.
 #include "mjforge/spec/picture_view_json.h"
 
 #include "mjforge/spec/spec.h"

@@ -1,4 +1,4 @@
-// The part of ValueReader that reads lists of points, and `for:`, which repeats points and entries.
+// Functions of ValueReader that read lists of points, and `for:`, which repeats points and entries.
 
 #include <algorithm>
 #include <numbers>

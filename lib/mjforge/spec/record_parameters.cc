@@ -2,9 +2,9 @@
 //
 // `style: {choice: [{name: modern, leg: 3cm}, ...]}` becomes the parameters `style.name` and
 // `style.leg`; `cup: {rows: cups.csv}` becomes one parameter for each column of the table. The
-// first column is the record's key if all its values differ: the key is drawn, and the other
-// columns are looked up in the drawn row. Otherwise a column `row` with the numbers of the rows is
-// added as the key.
+// first column is the record's key if its values are constants that all differ: the key is drawn,
+// and the other columns are looked up in the drawn row. Otherwise a column `row` with the numbers
+// of the rows, from 0, is added as the key.
 
 #include <algorithm>
 #include <set>
@@ -167,7 +167,7 @@ class RecordParameterReader {
   }
 
   // Returns the draw of the record's key: the record's own draw, in which the values of the first
-  // column replace the options.
+  // column replace the options. If `weights` names a column, the column's values replace the name.
   YamlNode KeyNode(const YamlNode& node, const YamlNode::Pair& options,
                    std::vector<TableColumn>& columns) {
     YamlNode key = node;

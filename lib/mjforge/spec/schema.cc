@@ -28,7 +28,8 @@ namespace {
 
 using JsonMembers = std::vector<std::string>;
 
-// Schema of an expression: text that is not a number, because specs read a quoted number as text.
+// Schema of an expression: a text that does not look like a number, because a number in quotes is a
+// text in specs, not an expression.
 constexpr std::string_view kExpression =
     R"x("type": "string", "pattern": "^(?![-+]?(\\d+\\.?\\d*|\\.\\d+)([eE][-+]?\\d+)?$)")x";
 constexpr std::string_view kNamePattern = R"("^[A-Za-z][A-Za-z0-9_]*$")";

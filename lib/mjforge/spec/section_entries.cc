@@ -1,4 +1,4 @@
-// Readers of `contact:` and `mjcf:`, sections of MJCF with values of the language.
+// Readers of `contact:` and `mjcf:`, whose entries become elements of MJCF sections.
 
 #include <algorithm>
 

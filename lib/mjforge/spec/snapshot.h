@@ -39,7 +39,8 @@ struct Snapshot {
   std::map<std::filesystem::path, std::shared_ptr<const YamlNode>> parsed;
 };
 
-/// Returns the snapshot as one line of JSON with its line end. All paths are absolute.
+/// Returns the snapshot as one line of JSON with its line end. The base folder in the text is
+/// absolute, also if `folder` is empty.
 std::string SnapshotText(const Snapshot& snapshot);
 
 /// Number of bytes that IsSnapshot() needs from the start of a text.
@@ -51,10 +52,10 @@ bool IsSnapshot(std::string_view start);
 /// Parses a text that SnapshotText() made; returns nullopt if the text is damaged.
 std::optional<Snapshot> ReadSnapshot(std::string text);
 
-/// Reads the snapshot in `reference`, a file or standard input ("-"). Returns nullopt if
-/// `reference` contains anything else, or, after adding a finding, a damaged snapshot. Removes the
-/// parameter files of a snapshot that is read from a file, because the settings of its batch are in
-/// the batch's records.
+/// Reads the snapshot in `reference`, a file NAME.json or standard input ("-"). Returns nullopt for
+/// other files and contents, and, after adding a finding, for a damaged snapshot. Removes the
+/// texts of parameter files from a snapshot that is read from a file, because the settings of the
+/// batch that wrote the file are in the batch's records.
 std::optional<Snapshot> OpenSnapshot(const std::string& reference, diag::Findings& findings);
 
 }  // namespace mjforge::spec

@@ -19,16 +19,16 @@ namespace mjforge::spec {
 /// Returns the canonical path of a file, or `file` itself if the path cannot be resolved.
 std::filesystem::path Canonical(const std::filesystem::path& file);
 
-/// Returns the file that `reference` names in `folder` or in the search path of the options. Asks
-/// the options' snapshot first, then the disk. Returns nullopt if there is no such file.
+/// Returns the file that `reference` names in `folder` or in the search path of the options. Looks
+/// in the options' snapshot first, then on the disk. Returns nullopt if there is no such file.
 std::optional<std::filesystem::path> FindFile(const std::string& reference,
                                               const std::filesystem::path& folder,
                                               const LoadOptions& options);
 
-/// Reads a file, adds its text to `sources` and returns the number of the text there. Takes the
-/// text from the map `held_texts` of `snapshot` if `snapshot` is not null and the map contains the
-/// file, otherwise from the disk. Returns nullopt, and adds a finding with `name`, if reading
-/// fails.
+/// Reads a file, adds its text to `sources` and returns the number of the text in `sources`. If
+/// `snapshot` is not null and its map `held_texts` contains the file, takes the text from the map.
+/// Otherwise reads the disk, and adds the text to the map. Returns nullopt, and adds a finding that
+/// contains `name`, if reading fails.
 std::optional<std::uint32_t> ReadSource(const std::filesystem::path& file, std::string_view name,
                                         diag::SourceMark mark, Snapshot* snapshot,
                                         diag::Sources& sources, diag::Findings& findings,

@@ -1,4 +1,4 @@
-// The part of ValueReader that reads text, words, booleans and conditions.
+// Functions of ValueReader that read texts, words, booleans and conditions.
 
 #include <algorithm>
 #include <cctype>

@@ -1,4 +1,5 @@
-// Warnings about parameters, functions, local values and materials that are never used.
+// Warnings about parameters, functions, local values and materials that are never used, and removal
+// of the slots of unused properties (of bodies, joints and sites).
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-// The part of ValueReader that checks bounds and units.
+// Functions of ValueReader that check bounds and units.
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +25,8 @@ std::string_view UnitAt(std::string_view units, int component) {
   return at < all.size() ? all[at] : std::string_view();
 }
 
-// Returns the unit for a joint's motion: "rad or m" contains the unit of rotations first, then the
-// unit of slides.
+// Returns the unit of a joint's field for the motion of the joint. For the unit "rad or m", returns
+// "rad" for kTurn, "m" for kSlide, and the whole text for kAny.
 std::string_view UnitOf(Motion motion, std::string_view unit) {
   const std::vector<std::string_view> both = Split(unit, " or ");
   if (motion == Motion::kAny) return unit;
@@ -69,7 +69,8 @@ std::optional<Dimensions> Common(const Dimensions& a, const Dimensions& b) {
   return both;
 }
 
-// Returns the different units in a direction ("in m and in kg"); nullopt if all units are the same.
+// Returns the different units of the three numbers of a direction ("in m and in kg"); nullopt if
+// the three units are the same.
 std::optional<std::string> Clash(const FieldInfo& field, const Value& value) {
   const auto* list = std::get_if<List>(&value.form);
   Dimension common;

@@ -1,4 +1,4 @@
-// The core of ValueReader: numbers, expressions, ranges, vectors, and reports of errors.
+// Functions of ValueReader that read numbers, expressions, ranges and vectors, and report errors.
 
 #include "mjforge/spec/value_reader.h"
 

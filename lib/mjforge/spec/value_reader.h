@@ -84,7 +84,7 @@ class ValueReader {
   /// Reports a number with a unit if only a plain number is allowed. `what` describes it ("a
   /// weight").
   void CheckPlain(std::string_view what, const Value& value);
-  /// Returns the kinds of draws among the values read so far.
+  /// Returns the kinds of draws (values chosen anew for each variant) that were read so far.
   const DrawKinds& draws() const { return draws_; }
   /// Returns the names that the values read so far refer to.
   const UsedNames& uses() const { return uses_; }

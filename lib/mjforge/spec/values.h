@@ -114,14 +114,14 @@ struct Arc {
   std::shared_ptr<const Value> steps;
 };
 
-/// An item of a list of outlines that contains outlines of holes along an axis: {axis: x, outlines:
-/// [...]}.
+/// An item of a list of outlines: a group of outlines of holes that go through the shape along an
+/// axis: {axis: x, outlines: [...]}.
 struct AxisOutlines {
   std::size_t axis = 2;  // 0, 1 or 2: x, y or z
   std::shared_ptr<const Value> outlines;
 };
 
-/// The kinds of draws among the values of a spec.
+/// Kinds of draws (values that are chosen anew for each variant) that occur in a spec.
 struct DrawKinds {
   bool random = false;  // a draw that depends on the seed: any but `cycle`
   bool exact = false;   // a choice with `exact: true`, which depends on the batch size

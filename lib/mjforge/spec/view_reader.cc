@@ -1,4 +1,5 @@
-// Reader of `view:`, the direction of view and the pose for pictures.
+// Reader of `view:`: azimuth and elevation of the camera, and positions of the joints, for
+// pictures.
 
 #include <numbers>
 

@@ -19,7 +19,7 @@ constexpr expr::Dimension kTorque{2, 1, -2};
 // Keys of a joint that cannot use torque(), because these keys determine the torque.
 constexpr std::string_view kGeometry[] = {"type", "pos", "axis", "for", "if", "let"};
 
-// Types of joints that have a torque.
+// Types of joints whose torque(NAME) expressions can use.
 constexpr std::string_view kTurning[] = {"hinge", "ball"};
 
 // Returns the default type of joints: the one in `defaults:`, otherwise "hinge".
@@ -39,9 +39,10 @@ void DeclareTorque(const YamlNode& joint, Context& context) {
   if (names.Find(torque) == nullptr) names.Declare(torque, expr::Type::kNumber, 1, {kTorque});
 }
 
-// Slot (variable index) of each declared NAME.pos of a site and NAME.subtree_ of a body. A name is
-// declared only once, because several entries with different conditions may have the name. A name
-// is not declared if a parameter of a nested spec has it.
+// Slots (indices of variables) of the declared properties. The keys are NAME.pos for each site, and
+// NAME.subtree_ for each body, with the slot of the body's first property of this prefix. Entries
+// of the same name, which have different conditions, share the slots. A property is not declared if
+// a parameter of a nested spec has the same name.
 using Declared = std::map<std::string, int>;
 
 void DeclarePositions(std::vector<Entry>& sites, expr::SymbolTable& names, Declared& declared) {

@@ -1,4 +1,4 @@
-// Clear messages for the syntax errors of yaml-cpp.
+// Replacement of yaml-cpp's messages about syntax errors by clear messages with hints.
 
 #include "mjforge/spec/yaml_errors.h"
 
@@ -13,7 +13,8 @@ namespace mjforge::spec {
 namespace {
 
 // Returns the value that begins at `begin` in a line with braces or brackets. The value ends before
-// the first blank, comma or closing bracket outside `${...}`.
+// the first blank, comma or closing bracket outside `${...}`. Returns an empty text if a `${` in
+// the value is never closed.
 std::string_view FlowValue(std::string_view line, std::size_t begin) {
   bool inside = false;
   std::size_t end = begin;
@@ -37,7 +38,9 @@ std::string_view LineValue(std::string_view line, std::size_t column) {
   return Trim(value);
 }
 
-// Returns the value in quotes of a kind that the value does not contain, if possible.
+// Returns the value in single quotes or, if the value contains single quotes, in double quotes. If
+// the value also contains double quotes or a backslash, uses single quotes and doubles those
+// inside.
 std::string Quoted(std::string_view value) {
   if (value.find('\'') == value.npos) return fmt::format("'{}'", value);
   if (value.find_first_of("\"\\") == value.npos) return fmt::format("\"{}\"", value);
@@ -51,8 +54,8 @@ std::string QuoteHint(std::string_view value) {
                        : fmt::format("write {}", Quoted(value));
 }
 
-// Returns the offset of the last `${` before the column; npos if a `}` between the offset and the
-// column closes the `${`.
+// Returns the offset of the last `${` before the column; npos if there is none, or if a `}` before
+// the column closes this `${`.
 std::size_t OpenInterpolation(std::string_view line, std::size_t column) {
   const std::size_t open = line.substr(0, column).rfind("${");
   if (open == line.npos) return open;

@@ -1,4 +1,4 @@
-// Clear messages for the syntax errors of yaml-cpp.
+// Replacement of yaml-cpp's messages about syntax errors by clear messages with hints.
 #pragma once
 
 #include <cstddef>
