@@ -73,7 +73,7 @@ class Placements {
   /// next assembly leaves the body out, and returns true. Otherwise returns false.
   bool LeaveOut(const Request& request);
 
-  // place_tries.cc
+  // place_reader.cc
   /// Draws a place. Returns nullopt after adding a finding, or if the body has been left out.
   std::optional<Trial> Draw(const Request& request, sample::StreamId path);
   /// Finds the region or site of `at:`, which must belong to a body that already has its place.

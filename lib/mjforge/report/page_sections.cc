@@ -8,7 +8,7 @@
 #include <map>
 
 #include "mjforge/report/charts.h"
-#include "mjforge/report/colors.h"
+#include "mjforge/report/color_parameters.h"
 
 namespace mjforge::report {
 namespace {

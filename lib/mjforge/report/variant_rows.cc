@@ -12,7 +12,7 @@
 #include "mjforge/expr/expr.h"
 #include "mjforge/output/output.h"
 #include "mjforge/report/axis.h"
-#include "mjforge/report/colors.h"
+#include "mjforge/report/color_parameters.h"
 
 namespace mjforge::report {
 namespace {

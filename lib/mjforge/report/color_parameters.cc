@@ -1,6 +1,6 @@
 // Parameters that are colours, and conversion of their values to colours of a page.
 
-#include "mjforge/report/colors.h"
+#include "mjforge/report/color_parameters.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "mjforge/report/colors.h"
+#include "mjforge/report/color_parameters.h"
 
 #include <catch2/catch.hpp>
 
