@@ -79,14 +79,14 @@ fs::path CurrentFolder() {
 }  // namespace
 
 std::string SnapshotText(const Snapshot& snapshot) {
+  const fs::path folder = snapshot.folder.empty() ? CurrentFolder() : snapshot.folder;
   diag::Json json(nullptr, std::string(kStart.substr(0, kStart.size() - 1)));
   json.Member("spec", snapshot.spec);
   json.Member("text_name", snapshot.text_name);
-  json.Member("folder", (snapshot.folder.empty() ? CurrentFolder() : snapshot.folder).string());
+  json.Member("folder", folder.string());
   json.Key("search_path");
   json.StartArray();
-  for (const fs::path& folder : snapshot.search_path)
-    json.Value((snapshot.folder / folder).string());
+  for (const fs::path& searched : snapshot.search_path) json.Value((folder / searched).string());
   json.EndArray();
   json.Key("found");
   json.StartArray();
