@@ -21,8 +21,7 @@ namespace {
 using compiled::Index;
 
 constexpr double kFarOff = 0.03;  // m; a body farther than this from all others hangs in the air
-constexpr double kFarOffOfSize =
-    0.25;  // the same limit as a share of the body's size (diagonal of its box)
+constexpr double kFarOffOfSize = 0.25;  // this limit as a share of the diagonal of the body's box
 
 class UnsupportedLinks {
  public:

@@ -16,7 +16,7 @@ namespace {
 
 using Path = std::filesystem::path;
 
-// Least size of a section, bytes. It does not depend on the number of cores, because rounding
+// Least size of a section, bytes. The size does not depend on the number of cores, because rounding
 // errors of means and variances depend on the sections.
 constexpr std::uint64_t kSectionBytes = std::uint64_t{8} << 20;
 

@@ -72,7 +72,7 @@ struct ParameterTally {
   std::string NameOf(std::size_t i) const;
 
   std::string name;
-  std::vector<NumberTally> numbers;  // one tally of a number, or one per component of a vector
+  std::vector<NumberTally> numbers;  // a number's tally, or one tally per component of a vector
   bool more_texts = false;           // there were more texts than kMaxTexts
 
  private:
