@@ -90,7 +90,7 @@ std::optional<Vector2d> PositionInPolygon(const model::Region& region, const Foo
                                           const Vector2d& uv) {
   const std::vector<HalfPlane> borders = BordersOf(region);
   // Begins with a square that contains all translations that keep the footprint in the region.
-  const Eigen::AlignedBox2d box = footprint.Box();
+  const Eigen::AlignedBox2d& box = footprint.Box();
   const double reach = 4 * (region.half_size.norm() + box.center().norm() + box.diagonal().norm());
   const Vector2d middle = model::MiddleOf(region);
   Polygon play = {middle + reach * Vector2d(-1, -1), middle + reach * Vector2d(1, -1),
