@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "crate.h"
 
@@ -77,20 +78,33 @@ TEST_CASE_METHOD(CrateTest, "the spec's folder and how it is written change noth
   }
 }
 
-TEST_CASE_METHOD(DeterminismTest,
+class SharedMeshTest : public DeterminismTest {
+ protected:
+  // Writes a mesh, and two specs with a part and an attached file that use it, in both orders.
+  explicit SharedMeshTest(const std::string& more_of_mesh = {}) {
+    folder().Write(
+        "tetra.obj",
+        "o a\nv 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nv 0 0 0.1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n" +
+            more_of_mesh);
+    folder().Write(
+        "a.xml",
+        "<mujoco><asset><mesh name='t' file='tetra.obj'/></asset><worldbody><body name='b'>"
+        "<geom type='mesh' mesh='t'/></body></worldbody></mujoco>");
+    const std::string part =
+        "  - {name: one, pos: [1, 0, 0], parts: [{name: p, type: mesh, file: tetra.obj}]}\n";
+    const std::string attached = "  - {name: two, mjcf: a.xml}\n";
+    const std::string head = "mjforge: 1\nname: s\njoints: none\nbodies:\n";
+    folder().Write("part_first.yaml", head + part + attached);
+    folder().Write("part_last.yaml", head + attached + part);
+  }
+
+  double MassOf(const std::string& out) const {
+    return nlohmann::json::parse(folder().Read(out + "/manifest.jsonl")).at("mass");
+  }
+};
+
+TEST_CASE_METHOD(SharedMeshTest,
                  "a part and an attached file share a mesh, however the spec is named") {
-  folder().Write("tetra.obj",
-                 "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nv 0 0 0.1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
-  folder().Write(
-      "a.xml",
-      "<mujoco><asset><mesh name='t' file='tetra.obj'/></asset><worldbody><body name='b'>"
-      "<geom type='mesh' mesh='t'/></body></worldbody></mujoco>");
-  const std::string part =
-      "  - {name: one, pos: [1, 0, 0], parts: [{name: p, type: mesh, file: tetra.obj}]}\n";
-  const std::string attached = "  - {name: two, mjcf: a.xml}\n";
-  const std::string head = "mjforge: 1\nname: s\njoints: none\nbodies:\n";
-  folder().Write("part_first.yaml", head + part + attached);
-  folder().Write("part_last.yaml", head + attached + part);
   for (const std::string name : {"part_first", "part_last"}) {
     INFO(name);
     Generate({name + ".yaml", "-o", name + "_a/"});
@@ -99,6 +113,26 @@ TEST_CASE_METHOD(DeterminismTest,
     CHECK(folder().Read(name + "_a/assets/tetra.obj") == folder().Read("tetra.obj"));
     CHECK_FALSE(std::filesystem::exists(folder() / (name + "_a/assets/tetra_2.obj")));
   }
+  CHECK(MassOf("part_first_a") == Approx(MassOf("part_last_a")));
+}
+
+/// The file has two shapes: MuJoCo reads the first one only, a part has both.
+class MeshOfTwoShapesTest : public SharedMeshTest {
+ protected:
+  MeshOfTwoShapesTest()
+      : SharedMeshTest(
+            "o b\nv 1 0 0\nv 1.1 0 0\nv 1 0.1 0\nv 1 0 0.1\nf 5 7 6\nf 5 6 8\nf 5 8 7\nf 6 7 8\n") {
+  }
+};
+
+TEST_CASE_METHOD(MeshOfTwoShapesTest, "a part has all shapes of a file that is attached, too") {
+  Generate({"part_first.yaml", "-o", "first/"});
+  Generate({"part_last.yaml", "-o", "last/"});
+  Generate({(folder() / "part_last.yaml").string(), "-o", "absolute/"});
+  const double tetra = 1000 * 0.001 / 6;  // kg
+  CHECK(MassOf("first") == Approx(3 * tetra));
+  CHECK(MassOf("last") == Approx(3 * tetra));
+  CHECK(MassOf("absolute") == Approx(3 * tetra));
 }
 
 }  // namespace

@@ -152,8 +152,12 @@ void Assets::AddFile(const std::filesystem::path& file, const Eigen::Vector3d& s
   const auto [begin, end] = meshes_.equal_range(hash);
   for (auto it = begin; it != end; ++it) {
     const auto index = static_cast<std::size_t>(it->second);
+    const model::MeshAsset& other = *object_.meshes[index];
     MeshSource& source = sources_[index];
-    if (source.file != path || source.scale != scale || !object_.meshes[index]->attributes.empty())
+    // MuJoCo may read another mesh than mjforge from a file that is not fit for MuJoCo, such as the
+    // first of several shapes; an attached file uses MuJoCo's.
+    const bool is_same_mesh = other.file.empty() != content.fit_for_mujoco;
+    if (source.file != path || source.scale != scale || !other.attributes.empty() || !is_same_mesh)
       continue;
     source.is_closed = !content.surface_defect;  // unknown so far for a mesh of an attached file
     return SetMesh(it->second, part);
