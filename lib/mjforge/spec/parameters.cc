@@ -35,7 +35,8 @@ void CheckParameterName(const YamlNode::Pair& pair, Context& context) {
 // Returns the text of a parameter's value as the user wrote it, without `doc`, `unit` and
 // `section`.
 std::string SourceText(const YamlNode& node) {
-  if (node.kind == YamlNode::Kind::kScalar) return node.text;
+  const bool is_digits = node.quoted && expr::ParseNumber(node.text);  // a text that needs quotes
+  if (node.kind == YamlNode::Kind::kScalar && !is_digits) return node.text;
   if (!IsLongForm(node)) return FlowText(node);
   if (const YamlNode* value = node.Find("value")) return SourceText(*value);
   YamlNode bare = node;
@@ -193,6 +194,7 @@ bool CheckPinnedChoice(const YamlNode& own, const YamlNode& pinned, Context& con
   const YamlNode& bare = value != nullptr ? *value : own;
   const YamlNode* options = bare.kind == YamlNode::Kind::kMap ? bare.Find("choice") : nullptr;
   if (options == nullptr || pinned.kind != YamlNode::Kind::kScalar) return true;
+  if (pinned.text.find("${") != std::string::npos) return true;  // a text that is not known yet
   std::vector<std::string> words;
   for (const YamlNode& option : options->items) {
     if (!context.values.IsPlainText(option)) return true;

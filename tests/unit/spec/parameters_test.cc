@@ -98,6 +98,22 @@ TEST_CASE("a setting of an unknown parameter is reported at the setting", "[para
         Strings{"1:8 spec/bad-value: 'bal' is not one of box, ball (did you mean 'ball'?)"});
 }
 
+TEST_CASE("a choice of digits is set as text, quoted or in an expression", "[params]") {
+  const std::string yaml =
+      "mjforge: 1\nname: t\nparams: {size: {choice: ['8', '10']}}\n"
+      "parts: [{name: \"a_${size}\", type: sphere, size: 1}]\n";
+  for (const std::string text : {"'8'", "${'8'}"})
+    CHECK(Load(yaml, {{.name = "size", .text = text}}).Report() == Strings{});
+  CHECK(Load(yaml, {{.name = "size", .text = "'9'"}}).Report() ==
+        Strings{"1:7 spec/bad-value: '9' is not one of 8, 10"});
+  const std::string one =
+      "mjforge: 1\nname: t\nparams: {size: '8'}\n"
+      "parts: [{name: \"a_${size}\", type: sphere, size: 1}]\n";
+  CHECK(Load(one, {{.name = "size", .text = "9"}}).Report() ==
+        Strings{"1:7 spec/wrong-type: parameter 'size' is text, but '9' is a number (the spec has "
+                "'size: '8'')"});
+}
+
 TEST_CASE("a setting of another kind is one finding, at the setting", "[params]") {
   const std::string yaml =
       "mjforge: 1\nname: t\nparams: {length: 1cm .. 2cm, half: [1, 2, 3], flag: true, d: 2 * "
