@@ -29,16 +29,14 @@ inline constexpr auto kEqualityActive = &mjModel::eq_active0;
 inline constexpr auto kEqualityActive = &mjModel::eq_active;
 #endif
 
-/// Returns the id of the body that a connect or weld constrains, given `object`, the number in
-/// eq_obj1id or eq_obj2id. From 3.2.3 on, `object` may be the id of a site.
-inline int BodyOfEquality(const mjModel& m, int equality, int object) {
+/// Returns the two bodies of a connect or weld. From 3.2.3 on, MuJoCo may store the ids of sites.
+inline std::pair<int, int> BodiesOfEquality(const mjModel& m, int equality) {
+  const int first = m.eq_obj1id[equality];
+  const int second = m.eq_obj2id[equality];
 #if mjVERSION_HEADER >= 323
-  if (m.eq_objtype[equality] == mjOBJ_SITE) return m.site_bodyid[object];
-#else
-  static_cast<void>(m);
-  static_cast<void>(equality);
+  if (m.eq_objtype[equality] == mjOBJ_SITE) return {m.site_bodyid[first], m.site_bodyid[second]};
 #endif
-  return object;
+  return {first, second};
 }
 
 /// Array of mjModel: 1 for each light that is directional.

@@ -176,11 +176,10 @@ std::vector<std::string> CouplingsOf(const mjModel& m, int joint) {
     const int other = m.eq_obj1id[i] == joint ? m.eq_obj2id[i] : m.eq_obj1id[i];
     const bool is_joint = m.eq_type[i] == mjEQ_JOINT;
     const bool is_of_bodies = m.eq_type[i] == mjEQ_CONNECT || m.eq_type[i] == mjEQ_WELD;
-    const auto moves = [&](int object) {
-      return Moves(m, joint, engine::BodyOfEquality(m, i, object));
-    };
-    const bool couples = is_joint ? m.eq_obj1id[i] == joint || m.eq_obj2id[i] == joint
-                                  : is_of_bodies && moves(m.eq_obj1id[i]) != moves(m.eq_obj2id[i]);
+    const auto [body1, body2] = engine::BodiesOfEquality(m, i);
+    const bool couples = is_joint
+                             ? m.eq_obj1id[i] == joint || m.eq_obj2id[i] == joint
+                             : is_of_bodies && Moves(m, joint, body1) != Moves(m, joint, body2);
     if (!couples) continue;
     couplings.push_back("equality " + Name(m, mjOBJ_EQUALITY, i));
     if (is_joint && other >= 0)

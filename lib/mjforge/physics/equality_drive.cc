@@ -39,9 +39,10 @@ class Equalities {
       case mjEQ_TENDON:
         return IsLimited(joint) && (IsOnTendon(m_, joint, first) || IsOnTendon(m_, joint, second));
       case mjEQ_CONNECT:
-      case mjEQ_WELD:
-        return IsLimited(joint) && (Moves(m_, joint, engine::BodyOfEquality(m_, equality, first)) ||
-                                    Moves(m_, joint, engine::BodyOfEquality(m_, equality, second)));
+      case mjEQ_WELD: {
+        const auto [body1, body2] = engine::BodiesOfEquality(m_, equality);
+        return IsLimited(joint) && (Moves(m_, joint, body1) || Moves(m_, joint, body2));
+      }
       default:
         return false;
     }
