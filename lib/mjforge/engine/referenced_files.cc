@@ -98,9 +98,7 @@ class FileScan {
     set("strippath", strip_path_);
   }
 
-  static bool IsInclude(const pugi::xml_node& element) {
-    return diag::LowerCase(element.name()) == "include";
-  }
+  static bool IsInclude(const pugi::xml_node& element) { return xml::IsIncludeTag(element.name()); }
 
   static std::string FileOf(const pugi::xml_node& include) {
     return include.attribute("file").value();

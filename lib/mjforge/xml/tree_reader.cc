@@ -106,7 +106,7 @@ class TreeReader {
     bool good = true;
     for (const pugi::xml_node& child : node.children()) {
       if (child.type() != pugi::node_element) continue;
-      if (diag::LowerCase(child.name()) == "include") {  // MuJoCo accepts <Include>, too
+      if (IsIncludeTag(child.name())) {
         good = Include(child, lines.MarkOf(child), depth, out) && good;
       } else {
         good = Convert(child, lines, depth + 1, out.children.emplace_back()) && good;

@@ -38,10 +38,7 @@ std::optional<XmlFault> FindMjcfFault(std::string_view text, bool* has_includes)
   auto fault = FaultOf(document.load_buffer(text.data(), text.size()));
   if (fault) return fault;
   if (has_includes != nullptr) {
-    // MuJoCo compares this name, unlike others, without regard to case.
-    const auto is_include = [](const pugi::xml_node& node) {
-      return diag::LowerCase(node.name()) == "include";
-    };
+    const auto is_include = [](const pugi::xml_node& node) { return IsIncludeTag(node.name()); };
     *has_includes = !document.find_node(is_include).empty();
   }
   const pugi::xml_node root = document.document_element();
@@ -55,6 +52,8 @@ std::optional<XmlFault> FindMjcfFault(std::string_view text, bool* has_includes)
   return XmlFault{offset, fmt::format("the root element is <{}>, not <mujoco>", name),
                   "an MJCF file has the root element <mujoco>"};
 }
+
+bool IsIncludeTag(std::string_view tag) { return diag::LowerCase(tag) == "include"; }
 
 diag::Code UnreadableCode(const std::filesystem::path& file) {
   std::error_code error;

@@ -23,6 +23,10 @@ std::optional<XmlFault> FindXmlFault(std::string_view text);
 /// includes other files, otherwise to false.
 std::optional<XmlFault> FindMjcfFault(std::string_view text, bool* has_includes = nullptr);
 
+/// Returns true for the tag of MJCF's include element, whose case MuJoCo ignores, unlike that of
+/// other tags.
+bool IsIncludeTag(std::string_view tag);
+
 /// Returns the code of the finding for a file that cannot be read: model/file-not-found if the file
 /// does not exist, otherwise yaml/cannot-read.
 diag::Code UnreadableCode(const std::filesystem::path& file);
