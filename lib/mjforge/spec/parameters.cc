@@ -35,8 +35,7 @@ void CheckParameterName(const YamlNode::Pair& pair, Context& context) {
 // Returns the text of a parameter's value as the user wrote it, without `doc`, `unit` and
 // `section`.
 std::string SourceText(const YamlNode& node) {
-  const bool is_digits = node.quoted && expr::ParseNumber(node.text);  // a text that needs quotes
-  if (node.kind == YamlNode::Kind::kScalar && !is_digits) return node.text;
+  if (node.kind == YamlNode::Kind::kScalar && !IsQuotedNumber(node)) return node.text;
   if (!IsLongForm(node)) return FlowText(node);
   if (const YamlNode* value = node.Find("value")) return SourceText(*value);
   YamlNode bare = node;

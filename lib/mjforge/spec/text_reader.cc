@@ -16,10 +16,6 @@ using expr::Type;
 
 }  // namespace
 
-bool IsBooleanWord(const YamlNode& node) {
-  return !node.quoted && (node.text == "true" || node.text == "false");
-}
-
 std::string_view Trim(std::string_view text) {
   const auto begin = text.find_first_not_of(" \t\r\n");
   if (begin == std::string_view::npos) return {};
@@ -135,7 +131,7 @@ Value ValueReader::ReadWord(const ExpectedForm& expected, const YamlNode& node) 
 
 bool ValueReader::LooksLikeText(const YamlNode& node) const {
   const std::string_view text = node.text;
-  if (node.quoted && expr::ParseNumber(text)) return true;
+  if (IsQuotedNumber(node)) return true;
   const auto first = static_cast<unsigned char>(text.empty() ? '0' : text.front());
   if (std::isalpha(first) == 0 && first != '_' && first < 0x80 && first != '.') return false;
   const auto is_plain = [](char c) {

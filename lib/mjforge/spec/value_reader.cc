@@ -351,8 +351,8 @@ Value ValueReader::ReadList(const ExpectedForm& expected, const YamlNode& node) 
 Value ValueReader::ReadAnyScalar(const YamlNode& node) {
   if (node.text.find("${") != std::string::npos) return ReadText(node);
   if (IsBooleanWord(node)) return ReadBoolean(node);
-  const bool is_number = !node.quoted && expr::ParseNumber(node.text);
-  if (is_number || IsYamlNotFinite(node.text)) return ReadNumber(node);
+  if (IsQuotedNumber(node)) return ReadText(node);
+  if (expr::ParseNumber(node.text) || IsYamlNotFinite(node.text)) return ReadNumber(node);
   if (FindRange(node.text) && !LooksLikeText(node)) return ReadNumber(node);
   if (const auto* variable = LoneName(node)) return Reference(*variable, node);
   if (node.text != "pi" && LooksLikeText(node)) return ReadText(node);

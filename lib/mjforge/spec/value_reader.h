@@ -181,9 +181,6 @@ std::optional<std::size_t> FindRange(std::string_view text);
 /// Returns true for keys of mappings that are draws: `normal`, `each`, `about`.
 bool IsDrawKey(std::string_view key);
 
-/// Returns true if the node is the unquoted word `true` or `false`.
-bool IsBooleanWord(const YamlNode& node);
-
 /// Returns the text without blanks at its ends.
 std::string_view Trim(std::string_view text);
 /// Returns the pieces of a text between separators.

@@ -14,6 +14,7 @@
 #include <yaml-cpp/parser.h>
 
 #include "mjforge/bytes/bytes.h"
+#include "mjforge/expr/expr.h"
 #include "mjforge/spec/yaml_errors.h"
 
 namespace mjforge::spec {
@@ -327,6 +328,12 @@ std::optional<YamlNode> ParseYaml(std::uint32_t file, const diag::Sources& sourc
   }
   return root;
 }
+
+bool IsBooleanWord(const YamlNode& node) {
+  return !node.quoted && (node.text == "true" || node.text == "false");
+}
+
+bool IsQuotedNumber(const YamlNode& node) { return node.quoted && expr::ParseNumber(node.text); }
 
 std::string_view KindName(const YamlNode& node) {
   switch (node.kind) {

@@ -54,6 +54,12 @@ std::optional<YamlNode> ParseYaml(std::uint32_t file, const diag::Sources& sourc
 /// Returns the kind of a node for messages: "a list", "a mapping", "nothing".
 std::string_view KindName(const YamlNode& node);
 
+/// Returns true if the node is the unquoted word `true` or `false`.
+bool IsBooleanWord(const YamlNode& node);
+
+/// Returns true if the node is a number in quotes, which is text.
+bool IsQuotedNumber(const YamlNode& node);
+
 /// Returns the node as one line of YAML in flow style.
 std::string FlowText(const YamlNode& node);
 
