@@ -179,8 +179,11 @@ int Assets::ShareMesh(const model::MeshAsset& mesh, const std::string& name) {
   const std::size_t hash = HashOf(path, mesh.scale) + mesh.attributes.size();
   const auto [begin, end] = meshes_.equal_range(hash);
   for (auto it = begin; it != end; ++it) {
-    const model::MeshAsset& other = *object_.meshes[static_cast<std::size_t>(it->second)];
-    if (AbsolutePath(other.file) == path && !other.is_hull && other.scale == mesh.scale &&
+    const auto index = static_cast<std::size_t>(it->second);
+    const model::MeshAsset& other = *object_.meshes[index];
+    const bool is_same_file =
+        sources_[index].file == path && other.file.empty() == mesh.file.empty();
+    if (is_same_file && !other.is_hull && other.scale == mesh.scale &&
         other.attributes == mesh.attributes) {
       return it->second;
     }
