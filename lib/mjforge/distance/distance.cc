@@ -70,12 +70,15 @@ Simplex SubsetOf(const Simplex& simplex, int subset) {
 }
 
 // Reduces a simplex to the corners whose hull contains the point nearest to the origin, and returns
-// that point. The newest corner, which is the last, is always kept.
+// that point. The newest corner, which is the last, is always kept. A tetrahedron around the origin
+// stays as it is.
 Vector3d Reduce(Simplex& simplex) {
+  if (simplex.count == 4 && NearestInside(simplex)) return Vector3d::Zero();
   double least = std::numeric_limits<double>::infinity();
   Vector3d nearest = Vector3d::Zero();
   int best = 0;
-  for (int subset = 1 << (simplex.count - 1); subset < 1 << simplex.count; ++subset) {
+  const int end = std::min(1 << simplex.count, 0b1111);
+  for (int subset = 1 << (simplex.count - 1); subset < end; ++subset) {
     const auto point = NearestInside(SubsetOf(simplex, subset));
     if (!point || point->norm() >= least) continue;
     least = point->norm();
@@ -105,10 +108,8 @@ Vector3d NearestToOrigin(Farthest farthest, const Vector3d& middle, double size,
     // No point of the set is nearer to the origin than the support plane through `next`.
     const double least = nearest.dot(next) / distance;
     if (least > limit || distance - least <= kPrecision * size) return nearest;
-    if (simplex.count == 4) return Vector3d::Zero();
     simplex.corners[static_cast<std::size_t>(simplex.count++)] = next;
     const Vector3d reduced = Reduce(simplex);
-    if (simplex.count == 4) return Vector3d::Zero();  // the set contains the origin
     if (reduced.norm() >= distance) return nearest;   // rounding prevents progress
     nearest = reduced;
   }
