@@ -1,4 +1,4 @@
-// Standard output, standard error and exit status of the program.
+// Output of results and findings to standard output and standard error, and the exit status.
 #include "console.h"
 
 #include <fmt/format.h>

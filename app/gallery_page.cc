@@ -63,8 +63,8 @@ const diag::Finding& FirstError(const diag::Findings& findings) {
   return error == findings.end() ? findings[0] : *error;
 }
 
-// Makes the page of one spec. Each variant is drawn before the next variant is loaded, because
-// MuJoCo 2.2 may need most of the memory for a scene.
+// Makes the HTML page of one spec. Draws each variant before loading the next variant, because one
+// model with many objects may fill most of the memory in MuJoCo 2.2.
 class PageMaker {
  public:
   /// `open` opens the renderer; returns null if there is no renderer.

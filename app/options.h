@@ -1,4 +1,5 @@
-// Options that several commands share.
+// Options of the command line that several commands share, and the recipes and requests made of
+// these options.
 #pragma once
 
 #include <cstdint>

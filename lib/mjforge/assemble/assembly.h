@@ -153,7 +153,7 @@ class Assembly {
   void AddViews(Scope& scope, const std::vector<spec::Entry>& entries, sample::StreamId path);
   void AddView(Scope& scope, const spec::Entry& entry, sample::StreamId list);
 
-  // sites.cc, joints.cc
+  // sites.cc
   void AddSites(Scope& scope, const std::vector<spec::Entry>& entries, sample::StreamId sites);
   void AddSite(Scope& scope, const spec::Entry& entry, sample::StreamId sites);
   // regions.cc
@@ -164,6 +164,7 @@ class Assembly {
                  sample::StreamId regions);
   /// Runs the searches in face_searches_ from index `first` on, and removes them from this list.
   void SearchFaces(std::size_t first);
+  // joints.cc
   void AddRootJoints(Scope& scope);
   void AddJoints(Scope& scope, const std::vector<spec::Entry>& entries, sample::StreamId joints);
   void AddJoint(Scope& scope, const spec::Entry& entry, sample::StreamId joints);

@@ -149,7 +149,7 @@ std::string AddFoundRegions(const FaceSearch& search, model::Object& object) {
   bool has_found = false;
   std::optional<LevelFace> largest;
   for (std::size_t i = 0; i < object.bodies.size(); ++i) {
-    // A search on a body with `mjcf:` includes all bodies that come from the MJCF file.
+    // The search for level faces on a body with `mjcf:` includes all bodies of the MJCF file.
     const bool is_owner = i == search.body;
     if (!is_owner && object.bodies[i].attached != static_cast<int>(search.body)) continue;
     model::Body& body = object.bodies[i];

@@ -1,5 +1,5 @@
-// Variables of expressions that depend on all bodies of a spec: properties of subtrees, positions
-// of sites, and torques of gravity on joints.
+// Sets the variables whose values need all bodies of a spec: properties of subtrees, positions of
+// sites, and torques of gravity on joints.
 
 #include "mjforge/assemble/whole_properties.h"
 

@@ -47,7 +47,8 @@ std::string_view ReasonOf(Effect effect) {
   return {};
 }
 
-/// Returns true if the attribute `feature`, set to `value`, has no effect.
+/// Returns true if `value` is the neutral value of the attribute that `feature` describes. Without
+/// an attribute that has its neutral value, the model is the same.
 bool IsNeutral(const MjcfFeature& feature, const std::string& value) {
   if (feature.neutral.empty()) return false;
   const std::vector<double> numbers = xml::NumbersOf(value);
@@ -130,7 +131,7 @@ class Backporter {
     return changed;
   }
 
-  /// Warns of attributes that later releases reject.
+  /// Warns of attributes, and of values of attributes, that later releases of MuJoCo reject.
   void ReportRefusals(const xml::XmlElement& parent) {
     for (const xml::XmlElement& child : parent.children) {
       for (const auto& [name, value] : child.attributes) {

@@ -7,8 +7,8 @@
 #include <set>
 #include <span>
 
+#include "mjforge/batch/output_checker.h"
 #include "mjforge/batch/schedule.h"
-#include "mjforge/batch/sealed_outputs.h"
 #include "mjforge/bytes/bytes.h"
 
 namespace mjforge::batch {

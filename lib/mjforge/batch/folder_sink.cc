@@ -5,7 +5,7 @@
 #include <map>
 
 #include "mjforge/batch/journaled_sink.h"
-#include "mjforge/batch/sealed_outputs.h"
+#include "mjforge/batch/output_checker.h"
 #include "mjforge/bytes/bytes.h"
 
 namespace mjforge::batch {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <locale>
 
-#include "mjforge/batch/sealed_outputs.h"
+#include "mjforge/batch/output_checker.h"
 #include "mjforge/batch/worker.h"
 
 namespace mjforge::batch {

@@ -7,7 +7,7 @@
 
 #include "mjforge/batch/batch.h"
 #include "mjforge/batch/family_files.h"
-#include "mjforge/batch/sealed_outputs.h"
+#include "mjforge/batch/output_checker.h"
 #include "mjforge/batch/sink.h"
 
 namespace mjforge::batch {

@@ -98,7 +98,8 @@ ChunkResult ReadResult(std::string_view message) {
   return DecodeResult(*memory, memory);
 }
 
-// Returns the CPU time of all threads of a process; 0 if the process has ended.
+// Returns the CPU time of all threads of a process; 0 if the time cannot be read, for example after
+// the end of the process.
 Seconds CpuTime(::pid_t process) {
   ::clockid_t clock = {};
   std::timespec time = {};

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "mjforge/batch/batch.h"
-#include "mjforge/batch/sealed_outputs.h"
+#include "mjforge/batch/output_checker.h"
 
 namespace mjforge::batch {
 namespace {

@@ -110,7 +110,7 @@ Vector3d NearestToOrigin(Farthest farthest, const Vector3d& middle, double size,
     if (least > limit || distance - least <= kPrecision * size) return nearest;
     simplex.corners[static_cast<std::size_t>(simplex.count++)] = next;
     const Vector3d reduced = Reduce(simplex);
-    if (reduced.norm() >= distance) return nearest;   // rounding prevents progress
+    if (reduced.norm() >= distance) return nearest;  // rounding prevents progress
     nearest = reduced;
   }
   return nearest;

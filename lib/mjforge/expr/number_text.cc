@@ -41,10 +41,11 @@ std::optional<double> Scaled(double magnitude, int exponent) {
 // Returns the correctly rounded decimal. Returns nullopt if the rounding is uncertain, because the
 // power of ten is not exact or the fraction is too close to one half.
 std::optional<Decimal> Rounded(double magnitude) {
-  const int binary =
+  const int binary_exponent =
       static_cast<int>((std::bit_cast<std::uint64_t>(magnitude) >> 52) & 0x7ff) - 1023;
-  // The decimal exponent is floor(binary * log10(2)) or one more.
-  int exponent = (binary * 78913) >> 18;
+  // The decimal exponent is floor(e log10(2)) or one more, where e is the binary exponent.
+  // 78913 / 2^18 approximates log10(2).
+  int exponent = (binary_exponent * 78913) >> 18;
   std::optional<double> scaled = Scaled(magnitude, exponent);
   if (scaled && *scaled >= kPowers[kDigits]) scaled = Scaled(magnitude, ++exponent);
   if (!scaled) return std::nullopt;

@@ -12,9 +12,9 @@
 namespace mjforge::manifest {
 namespace {
 
-// Returns the value of each field in the table; null if the object does not have the field. Members
-// usually have the order of the table, so that the search for a key begins behind the field of the
-// previous key.
+// Returns the value of each field, in the order of RecordFields(); null if the JSON object lacks
+// the field. The search for a key begins after the field of the previous key, because members
+// usually have the order of RecordFields().
 std::vector<const rapidjson::Value*> ValuesOf(const rapidjson::Document& object) {
   const std::span<const RecordField> fields = RecordFields();
   std::vector<const rapidjson::Value*> values(fields.size());

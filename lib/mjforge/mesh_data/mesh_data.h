@@ -48,8 +48,9 @@ struct InlineMesh {
   std::size_t file_vertices = 0;  // number of vertices in the element's file, if it has one
 };
 
-/// Returns the first fault of the numbers in the attributes, and of the indices in `face`; an empty
-/// text if there is none.
+/// Returns a message about the first number in an attribute that is not finite or, if all numbers
+/// are finite, about the first index in `face` that is out of range; an empty text if the mesh has
+/// no fault.
 std::string FindFault(const InlineMesh& mesh);
 
 }  // namespace mjforge::mesh_data

@@ -14,7 +14,7 @@
 
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/expr/expr.h"
-#include "mjforge/physics/check_names.h"
+#include "mjforge/physics/named_elements.h"
 #include "mjforge/physics/stepper.h"
 
 namespace mjforge::physics {

@@ -9,8 +9,8 @@
 
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/expr/expr.h"
-#include "mjforge/physics/check_names.h"
 #include "mjforge/physics/joint_paths.h"
+#include "mjforge/physics/named_elements.h"
 
 namespace mjforge::physics {
 namespace {

@@ -13,7 +13,7 @@
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/engine/engine.h"
 #include "mjforge/expr/expr.h"
-#include "mjforge/physics/check_names.h"
+#include "mjforge/physics/named_elements.h"
 #include "mjforge/physics/stepper.h"
 
 namespace mjforge::physics {

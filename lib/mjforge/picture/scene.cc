@@ -328,7 +328,9 @@ void Scene::AddFloor(const Camera& camera, double height) {
   mjvGeom* floor = AddPlane(half_sides, place, axes);
   if (floor == nullptr) return;
   SetColor(floor->rgba, {kFloor, kFloor, kFloor, 1});
-  // If there are marks of a layer, add a black floor, which hides the marks below the floor.
+  // Adds a black copy of the floor to the translucent geoms if these include marks (axes, boxes or
+  // regions that a layer draws). The second rendering contains only translucent geoms; without the
+  // copy, it would show marks below the floor.
   const auto is_mark = [](const mjvGeom& geom) { return geom.category == mjCAT_DECOR; };
   if (std::ranges::none_of(translucent_, is_mark)) return;
   SetColor(translucent_.emplace_back(*floor).rgba, {0, 0, 0, 1});

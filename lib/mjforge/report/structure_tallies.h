@@ -67,7 +67,8 @@ class StructureTallies {
   std::uint64_t more_ = 0;
 };
 
-/// Name of a parameter that separates groups of variants.
+/// Parameter whose values tell groups of variants apart: no value, or no range of values, occurs in
+/// two groups.
 struct Separator {
   std::string parameter;
   Separation separation = Separation::kNone;

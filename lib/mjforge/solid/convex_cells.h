@@ -1,4 +1,4 @@
-// Convex cells of space, bounded by planes: clipping, and convex polyhedra made of cells.
+// Convex cells of space, bounded by planes: clipping of polygons, and removal from polyhedra.
 
 #pragma once
 
@@ -64,14 +64,5 @@ std::vector<SpacePolygon> ClippedByCells(const std::vector<SpacePolygon>& polygo
 /// convex parts along the cell's sides, one side after the other. Parts thinner than about `near`,
 /// m, are dropped. Returns false if there are more than `most` parts.
 bool Subtract(const Cell& cell, std::vector<Polytope>& polyhedra, double near, std::size_t most);
-
-/// Joins pairs of polyhedra whose union is convex until there are no more such pairs. Pairs with
-/// the largest common faces come first. `near`, m, is the tolerance for points on a plane.
-void JoinPolyhedra(std::vector<Polytope>& polyhedra, double near);
-
-/// Returns the number of connected components. Two polyhedra are connected if two of their faces
-/// share an area, not only an edge or a point. Points up to `near`, m, from a plane count as on the
-/// plane.
-std::size_t CountSeparateParts(const std::vector<Polytope>& polyhedra, double near);
 
 }  // namespace mjforge::solid

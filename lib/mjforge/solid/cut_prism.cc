@@ -14,6 +14,7 @@
 #include "mjforge/solid/convex_cells.h"
 #include "mjforge/solid/convex_partition.h"
 #include "mjforge/solid/hole_outlines.h"
+#include "mjforge/solid/joined_polyhedra.h"
 #include "mjforge/solid/moments.h"
 #include "mjforge/solid/polytope.h"
 

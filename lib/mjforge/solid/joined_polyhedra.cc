@@ -1,5 +1,6 @@
-// Convex polyhedra that share faces: joining of pairs with a convex union, and the number of
-// connected components.
+// Search for faces in one plane that two polyhedra share, to join and to count polyhedra.
+
+#include "mjforge/solid/joined_polyhedra.h"
 
 #include <algorithm>
 #include <numeric>

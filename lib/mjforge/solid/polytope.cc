@@ -1,4 +1,4 @@
-// Convex hulls by Qhull, boxes, and their triangulation.
+// Convex polyhedra: hulls of points by Qhull, boxes, and triangulation of faces.
 
 #include "mjforge/solid/polytope.h"
 

@@ -9,7 +9,8 @@ namespace {
 
 using diag::Code;
 
-// Keys that exclude `detent:`, because they define another spring or determine the range (`screw`).
+// Keys of a joint that must not occur together with `detent:`. `stiffness` and `springdamper`
+// define another spring; `screw` determines the range.
 constexpr std::string_view kExcludedByDetent[] = {"stiffness", "springdamper", "screw"};
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Poses of an object's bodies at the zero configuration (qpos0) and at the start, and the object's
-// joints, sites and tendons by name.
+// Poses of an object's bodies at the zero configuration (qpos0), at the start and where the springs
+// rest; displacements of joints, and lengths of tendons between these configurations.
 #pragma once
 
 #include <map>

@@ -7,9 +7,10 @@
 
 namespace mjforge::validate {
 
-/// Adds a warning if the MuJoCo of this build rejects the file, or gives its bodies other masses or
-/// its geoms other shapes than later releases. `as_is` is the unchanged file, loaded by this
-/// MuJoCo; `m` is the model of later releases; `places` are the elements that can differ.
+/// Compares two models of one file: `as_is`, which this MuJoCo has compiled from the unchanged
+/// file, and `m`, which this MuJoCo has compiled under the rules of later releases. Adds a warning
+/// if this MuJoCo rejects the unchanged file, or if masses of bodies, or sizes or positions of
+/// geoms, differ. `places` contains the first elements to which the rules apply differently.
 void CompareReleases(const mjModel& m, const engine::Loaded& as_is,
                      const backport::RuleDifferences& places, diag::Findings& findings);
 

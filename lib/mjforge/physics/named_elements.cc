@@ -1,5 +1,5 @@
 // Names of bodies and sites in checks: lookup, and the finding for an unknown name.
-#include "mjforge/physics/check_names.h"
+#include "mjforge/physics/named_elements.h"
 
 #include <fmt/format.h>
 

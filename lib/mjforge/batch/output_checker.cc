@@ -1,6 +1,6 @@
 // Comparison of files with the seal and the records of their batch.
 
-#include "mjforge/batch/sealed_outputs.h"
+#include "mjforge/batch/output_checker.h"
 
 #include <fmt/format.h>
 
