@@ -104,6 +104,7 @@ void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, sample::Strea
   for (; link.number < chain->links && !is_full_; ++link.number) {
     const int index = static_cast<int>(object_.bodies.size());
     AddBody(scope, entry, fmt::format("{}_{}", *name, link.number), bodies, link);
+    if (object_.bodies.size() == static_cast<std::size_t>(index)) return;
     link.previous = index;
   }
 }
@@ -114,9 +115,15 @@ void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, const std::st
   const sample::StreamId path = sample::Child(bodies, std::string_view(name));
   FieldReader reader(scope.values, findings_, "body", name, path);
   const std::size_t index = object_.bodies.size();
+  const auto [twin, is_new] = bodies_.emplace(scope.prefix + name, static_cast<int>(index));
+  if (!is_new) {
+    ReportRepeatedName("body", twin->first, entry.head.mark,
+                       object_.bodies[static_cast<std::size_t>(twin->second)].mark, {}, findings_);
+    return;
+  }
   {
     model::Body& body = object_.bodies.emplace_back();
-    body.name = scope.prefix + name;
+    body.name = twin->first;
     body.mark = entry.head.mark;
   }
   const bool is_inner_link = link.number > 0;
@@ -126,7 +133,6 @@ void Assembly::AddBody(Scope& scope, const spec::BodyEntry& entry, const std::st
     object_.bodies[index].parent = link.previous;
   else if (!entry.place)
     object_.bodies[index].parent = ParentOf(scope, reader, entry.head);
-  bodies_.emplace(object_.bodies[index].name, static_cast<int>(index));
 
   const model::Bounds bounds = AddContents(scope, entry, reader, name, link);
   if (is_inner_link)

@@ -14,16 +14,6 @@
 namespace mjforge::assemble {
 namespace {
 
-void ReportTwice(std::string_view kind, const std::string& name, diag::SourceMark second,
-                 diag::SourceMark first, std::string hint, diag::Findings& findings) {
-  const bool same_entry = second == first;
-  if (same_entry && hint.empty()) hint = "put the variable of 'for' into the name, as in wall_${i}";
-  diag::Finding& finding =
-      findings.Add(diag::Code::kModelDuplicateName, second,
-                   fmt::format("two {}s are named '{}'", kind, name), std::move(hint));
-  if (!same_entry) finding.notes.push_back({first, "the other one"});
-}
-
 // An element with a name.
 struct NamedElement {
   std::size_t hash;
@@ -76,8 +66,8 @@ class NameTable {
       diag::SourceMark& last = reported[element->kind];
       if (last && last == element->mark) continue;
       last = element->mark;
-      ReportTwice(element->kind, std::string(element->name), element->mark, earlier->mark, {},
-                  findings);
+      ReportRepeatedName(element->kind, std::string(element->name), element->mark, earlier->mark,
+                         {}, findings);
     }
   }
 
@@ -109,8 +99,8 @@ void CheckVisualNames(const model::Object& object, const NameTable& names,
         continue;
       // Skip visual parts, because the geom of a visual part "a_vis" is named "a_vis_vis".
       if (!part.as_is && part.role == model::Role::kVisual) continue;
-      ReportTwice("part", part.name, part.mark, twin->mark,
-                  fmt::format("part '{}' has a visual twin of that name", stem), findings);
+      ReportRepeatedName("part", part.name, part.mark, twin->mark,
+                         fmt::format("part '{}' has a visual twin of that name", stem), findings);
     }
   }
 }
@@ -130,6 +120,18 @@ std::string Quoted(std::string_view text) {
     }
   }
   return out + (text.size() > kLongest ? "...'" : "'");
+}
+
+void ReportRepeatedName(std::string_view kind, const std::string& name, diag::SourceMark second,
+                        diag::SourceMark first, std::string hint, diag::Findings& findings) {
+  const bool same_entry = second == first;
+  if (same_entry && hint.empty()) hint = "put the variable of 'for' into the name, as in wall_${i}";
+  diag::Finding& finding =
+      findings.Add(diag::Code::kModelDuplicateName, second,
+                   fmt::format("two {} are named '{}'",
+                               kind == "body" ? "bodies" : fmt::format("{}s", kind), name),
+                   std::move(hint));
+  if (!same_entry) finding.notes.push_back({first, "the other one"});
 }
 
 void CheckUniqueNames(const model::Object& object, diag::Findings& findings) {

@@ -18,6 +18,11 @@ inline constexpr std::string_view kNameRule =
 /// cut.
 std::string Quoted(std::string_view text);
 
+/// Reports that two elements of a kind ("part") have the same name. Without a hint, an entry with
+/// `for` that repeats its own name gets one.
+void ReportRepeatedName(std::string_view kind, const std::string& name, diag::SourceMark second,
+                        diag::SourceMark first, std::string hint, diag::Findings& findings);
+
 /// Reports each name that two elements of the same kind have. The names of visual geoms (NAME_vis)
 /// are treated as names of parts.
 void CheckUniqueNames(const model::Object& object, diag::Findings& findings);

@@ -85,6 +85,8 @@ void Placements::Place(const spec::BodyEntry& entry, sample::StreamId bodies) {
   const auto found = name ? context_.bodies.find(scope_.prefix + *name) : context_.bodies.end();
   if (found == context_.bodies.end()) return;  // the body was left out, or an error was reported
   const Request request = {entry, *name, found->second};
+  const model::Body& body = context_.object.bodies[static_cast<std::size_t>(request.body)];
+  if (!body.place_name.empty()) return;  // the entry repeats its name, which was reported
   sample::StreamId places = sample::Child(sample::Child(bodies, std::string_view(*name)), "place");
   if (context_.seed) places = sample::Child(places, std::size_t{*context_.seed});
   if (entry.place->pile) return PileUp(request, places);

@@ -46,6 +46,7 @@ bool HasStrayRegionKeys(FieldReader& reader, const spec::Entry& entry, std::stri
 // Returns the index of a corner at which a counter-clockwise polygon is not convex. Returns nullopt
 // if the polygon is convex.
 std::optional<std::size_t> ConcaveCorner(const std::vector<Eigen::Vector2d>& corners) {
+  constexpr double kStraight = 1e-9;  // rad; corners on an edge may deviate from it by rounding
   const std::size_t n = corners.size();
   double turned = 0;
   for (std::size_t i = 0; i < n; ++i) {
@@ -53,7 +54,7 @@ std::optional<std::size_t> ConcaveCorner(const std::vector<Eigen::Vector2d>& cor
     const Eigen::Vector2d after = corners[(i + 1) % n] - corners[i];
     const double turn =
         std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after));
-    if (!(turn > 0)) return i;
+    if (!(turn > -kStraight)) return i;
     turned += turn;
   }
   // Reject star polygons (pentagrams): they also turn left at each corner, but by more than 360
@@ -70,6 +71,14 @@ bool ReadPolygon(FieldReader& reader, const spec::Field& field, model::Region& r
     corners.emplace_back(points->numbers[i], points->numbers[i + 1]);
   if (corners.size() < 3) {
     reader.Report(Code::kModelBadValue, field, "has fewer than three corners");
+    return false;
+  }
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const std::size_t next = (i + 1) % corners.size();
+    if (corners[i] != corners[next]) continue;
+    reader.Report(Code::kModelBadValue, field,
+                  fmt::format("has the same point as corners {} and {}", i + 1, next + 1),
+                  "the last corner is connected to the first");
     return false;
   }
   const bool is_reversed = solid::AreaOf(corners) < 0;

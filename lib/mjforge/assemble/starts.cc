@@ -93,6 +93,9 @@ void Assembly::ApplyStart(const Scope& scope, const RequestedStart& start, model
                   fmt::format("{} of joint {} {}", start.key, Quoted(position.shown), wrong),
                   std::move(hint));
   };
+  // A body with `place:` has no parent until its place has been found.
+  const bool is_root = &of == &object_.bodies[static_cast<std::size_t>(scope.body)];
+  const bool has_place = !of.place_name.empty() || (of.parent < 0 && !is_root);
   if (!start.velocity.empty() && start.velocity.size() != VelocityCount(joint)) {
     report(fmt::format("has {} instead of {} numbers of velocity", start.velocity.size(),
                        VelocityCount(joint)),
@@ -102,6 +105,8 @@ void Assembly::ApplyStart(const Scope& scope, const RequestedStart& start, model
   }
   if ((start.p || start.q) && joint.type != "free") {
     report(fmt::format("has a pose, but it is a {}", joint.type), "write its `value`");
+  } else if ((start.p || start.q) && has_place) {
+    report("has a pose, but `place:` gives its body another", "remove one of them");
   } else if (start.p || start.q) {
     const model::Pose X_BS = of.parent == scope.body ? scope.X_BS : model::Pose();
     if (start.p) of.X_PB.p = X_BS * *start.p;

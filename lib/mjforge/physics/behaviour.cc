@@ -37,11 +37,10 @@ constexpr const char* kInTheWay = "use a shorter range, make room, or add `conta
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 
-// Limits of the timestep and of the number of steps. MuJoCo accepts any timestep, but the results
+// Limits of the timestep. MuJoCo accepts any timestep, but the results
 // are useless if a step is longer than the fall of the drop test.
 constexpr double kShortestStep = 1e-5;  // s
 constexpr double kLongestStep = 0.02;   // s; a fall of 2 mm takes 0.02 s
-constexpr double kMostSteps = 1e7;
 
 class Behaviour {
  public:

@@ -24,11 +24,11 @@ constexpr double kLandingTime = 0.05;  // s, time in which a body touches down o
 constexpr double kUpwards = 0.5;       // least vertical part of the normal of a supporting contact
 constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 
-/// A free body, and the trees of bodies that it stands on.
+/// A free body, and the bodies that it stands on.
 struct FreeBody {
   int body = 0;
   model::Pose start;       // pose at the start, from PoseOf()
-  std::set<int> supports;  // roots of the supporting trees; 0: the world
+  std::set<int> supports;  // supporting bodies; 0: the world
   double distance = 0;     // m, displacement
   double angle = 0;        // rad, rotation
 };
@@ -83,12 +83,12 @@ class SettlingSimulation {
       const mjContact& contact = d_.contact[i];
       const double up = contact.frame[2];  // vertical part of the normal from geom1 to geom2
       if (std::abs(up) < kUpwards) continue;
-      const int first = m_.body_rootid[m_.geom_bodyid[contact.geom1]];
-      const int second = m_.body_rootid[m_.geom_bodyid[contact.geom2]];
-      const int upper = up > 0 ? second : first;
+      const int first = m_.geom_bodyid[contact.geom1];
+      const int second = m_.geom_bodyid[contact.geom2];
+      const int upper = m_.body_rootid[up > 0 ? second : first];
       const int lower = up > 0 ? first : second;
       const auto found = std::ranges::find(bodies_, upper, &FreeBody::body);
-      if (found != bodies_.end() && upper != lower) found->supports.insert(lower);
+      if (found != bodies_.end() && upper != m_.body_rootid[lower]) found->supports.insert(lower);
     }
   }
 
@@ -121,6 +121,13 @@ std::string SupportText(const ModelTest& test, const FreeBody& body) {
 
 void CheckSettled(const ModelTest& test) {
   const model::SettlingCheck& limits = *test.checks().settled;
+  if (!(limits.time / test.m.opt.timestep <= kMostSteps)) {
+    test.reporter.Error(Code::kPhysicsUnstable, limits.mark,
+                        fmt::format("'{}' cannot be simulated: {:g} s in steps of {:g} s",
+                                    test.object.name, limits.time, test.m.opt.timestep),
+                        fmt::format("use a time of at most {:g} steps", kMostSteps));
+    return;
+  }
   bool has_diverged = false;
   const std::vector<FreeBody> bodies = Simulate(test.m, test.workspace, [&](mjData& d) {
     std::vector<FreeBody> simulated = SettlingSimulation(test.m, d, limits).Run();

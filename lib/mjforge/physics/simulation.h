@@ -29,6 +29,9 @@ struct NoRoom : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Largest number of steps of a simulation.
+inline constexpr double kMostSteps = 1e7;
+
 /// Returns true if MuJoCo ignored contacts or constraints since the last reset, because its buffers
 /// were full.
 bool IsCrowded(const mjData& d);

@@ -131,7 +131,7 @@ std::optional<Blocker> Obstacles::FindBlocker(const MovedShapes& shapes, double 
       for (std::size_t i = 0; i < shapes.size(); ++i) {
         if (AreFarther(obstacle.box_W, shapes.box_W(i), wanted)) continue;
         const PlacedShape placed = shapes.At(i);
-        if (AreFarther(obstacle.box_W, placed.box_W, wanted)) continue;
+        if (AreFarther(obstacle.box_W, placed.box_W, wanted - kLengthRounding)) continue;
         const double distance = distance::DistanceUpTo(wanted, placed, obstacle);
         if (distance > 0 && distance >= wanted - kLengthRounding) continue;
         return Blocker{body, distance};

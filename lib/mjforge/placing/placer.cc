@@ -31,6 +31,9 @@ constexpr double kSameAngle = 1e-12;  // rad
 // m.
 constexpr double kCarrying = 2 * kContactGap;
 constexpr int kMostTurns = 20;
+// Least gap between a body and the body beside it, m. Without a gap, rounding would decide whether
+// the bodies overlap.
+constexpr double kLeastGap = 1e-6;
 
 Eigen::Quaterniond AboutZ(double angle) { return model::FromAxisAngle(Vector3d::UnitZ(), angle); }
 
@@ -224,7 +227,8 @@ class RegionTry {
     const Vector2d across = is_lateral ? -front : -right;
     const PlacedShapes own = ShapesAt(of_.shapes, {Vector3d::Zero(), AboutZ(yaw) * of_.q_LB});
     const PlacedShapes other = ShapesAt(ShapesBelow(object_, beside.body), NeighbourPose());
-    const double distance = ExtentOf(other, away).high + beside.gap - ExtentOf(own, away).low;
+    const double gap = std::max(beside.gap, kLeastGap);
+    const double distance = ExtentOf(other, away).high + gap - ExtentOf(own, away).low;
     const Extent along_other = ExtentOf(other, across);
     const Extent along_own = ExtentOf(own, across);
     const double shift = (is_lateral ? where_.uv.y() : where_.uv.x()) *

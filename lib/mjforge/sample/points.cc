@@ -151,17 +151,16 @@ class PointReader {
   bool ReadArc(const spec::Arc& arc, StreamId path) {
     Numbers center;
     values_.Vector(*arc.center, Child(path, "center"), center);
-    const double steps = values_.Number(*arc.steps, Child(path, "steps"));
+    const std::optional<double> steps = StepsOf(arc, path);
     if (arc.measures.size() == 2) return ReadArcThrough(arc, center, steps, path);
     Numbers measures;
     for (std::size_t i = 0; i < arc.measures.size(); ++i)
       measures.push_back(values_.Number(arc.measures[i], Child(path, i)));
-    if (HasFailedNumber(center) || HasFailedNumber(measures) || std::isnan(steps)) return false;
-    if (!(steps >= 1 && steps <= 2 * kMost)) return true;
+    if (HasFailedNumber(center) || HasFailedNumber(measures) || !steps) return false;
     const double radius = measures[0];
     const auto axis = static_cast<std::size_t>(measures.size() > 3 ? measures[3] : 2);
-    for (double i = 0; i <= steps; ++i) {
-      const double angle = measures[1] + i / steps * (measures[2] - measures[1]);
+    for (double i = 0; i <= *steps; ++i) {
+      const double angle = measures[1] + i / *steps * (measures[2] - measures[1]);
       Numbers point = center;
       point[(axis + 1) % 3] += radius * std::cos(angle);
       point[(axis + 2) % 3] += radius * std::sin(angle);
@@ -170,14 +169,25 @@ class PointReader {
     return true;
   }
 
-  bool ReadArcThrough(const spec::Arc& arc, const Numbers& first, double steps, StreamId path) {
+  // Returns the count of an arc's steps; nullopt after adding a finding.
+  std::optional<double> StepsOf(const spec::Arc& arc, StreamId path) {
+    const double steps = values_.Number(*arc.steps, Child(path, "steps"));
+    if (std::isnan(steps)) return std::nullopt;
+    if (steps >= 1 && steps <= kMost && steps == std::floor(steps)) return steps;
+    values_.Fail(diag::Code::kSampleBadArgument, arc.steps->mark,
+                 fmt::format("`steps` of the arc is {}; it must be a whole number, 1 to {}",
+                             expr::NumberText(steps), kMost));
+    return std::nullopt;
+  }
+
+  bool ReadArcThrough(const spec::Arc& arc, const Numbers& first, std::optional<double> steps,
+                      StreamId path) {
     Numbers second;
     Numbers last;
     values_.Vector(arc.measures[0], Child(path, std::size_t{0}), second);
     values_.Vector(arc.measures[1], Child(path, std::size_t{1}), last);
     if (HasFailedNumber(first) || HasFailedNumber(second) || HasFailedNumber(last)) return false;
-    if (std::isnan(steps)) return false;
-    if (!(steps >= 1 && steps <= 2 * kMost)) return true;
+    if (!steps) return false;
     if (first.size() != second.size() || first.size() != last.size()) {
       values_.Fail(diag::Code::kSampleBadArgument, arc.center->mark,
                    "the three points of the arc have different counts of numbers");
@@ -189,14 +199,14 @@ class PointReader {
                    "the three points of the arc are on a line");
       return false;
     }
-    for (double i = 0; i <= steps; ++i) {
-      const bool is_end = i == 0 || i == steps;
+    for (double i = 0; i <= *steps; ++i) {
+      const bool is_end = i == 0 || i == *steps;
       Numbers point = i == 0 ? first : last;
-      if (!is_end) circle->MoveTo(i / steps, point);
+      if (!is_end) circle->MoveTo(i / *steps, point);
       // Points of a tube may have a fourth number, the radius, which is interpolated between the
       // three points.
       if (!is_end && point.size() == 4)
-        point[3] = circle->Between(i / steps, first[3], second[3], last[3]);
+        point[3] = circle->Between(i / *steps, first[3], second[3], last[3]);
       if (!AddToArc(arc, point)) return false;
     }
     return true;
