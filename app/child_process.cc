@@ -1,4 +1,4 @@
-// Running untrusted work in a child process, with limits of time and memory.
+// Child processes with limits of CPU time, wall time and memory, and the reasons of their ends.
 #include "child_process.h"
 
 #include <fcntl.h>

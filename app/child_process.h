@@ -1,4 +1,4 @@
-// Running untrusted work in a child process, with limits of time and memory.
+// Runs work that may crash or hang (loading untrusted files in MuJoCo) in a child process.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +9,12 @@
 
 namespace mjforge::app {
 
-/// Runs `run_step` for the steps 0 to count - 1 in a child process, because some files make
-/// MuJoCo 2.2 crash or hang, and files from others may be made for that purpose. The limits of a
-/// step are `time_limit` of CPU time (rounded up to whole seconds), batch::WallLimit of wall time,
-/// and 8 GiB of memory. If a step crashes or exceeds a limit, `crashed` is called with the step and
-/// the reason ("made MuJoCo crash (SIGSEGV)"), and a new child continues with the next step.
-/// Returns the worst status of all steps, which is kInputOutput for a step that needs too much
-/// memory.
+/// Runs `run_step` for the steps 0 to count - 1 in a child process, because some files make MuJoCo
+/// 2.2 crash or hang, and untrusted files may be made for that purpose. The limits of a step are
+/// `time_limit` of CPU time (rounded up to whole seconds), batch::WallLimit of wall time, and 8 GiB
+/// of memory. If a step crashes or exceeds a limit, `crashed` is called with the step and the
+/// reason ("made MuJoCo crash (SIGSEGV)"), and a new child continues with the next step. Returns
+/// the worst status of all steps; a step that needs too much memory has the status kInputOutput.
 ExitStatus RunInChild(std::size_t count, Seconds time_limit,
                       const std::function<ExitStatus(std::size_t)>& run_step,
                       const std::function<ExitStatus(std::size_t, const std::string&)>& crashed);

@@ -1,4 +1,4 @@
-// `mjforge catalogue`: the specs that can be used by name.
+// `mjforge catalogue`: lists the specs that can be used by name, as text, JSON or HTML pages.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -19,7 +19,7 @@ namespace {
 
 using Item = report::GalleryCard;  // a spec of the catalogue
 
-// Returns true if the name, the description or the parameters of a spec contain each word.
+// Returns true if the name, the description or the parameters of a spec contain every word.
 bool HasWords(const Item& item, const std::vector<std::string>& words) {
   const std::string text =
       diag::LowerCase(fmt::format("{}\n{}\n{}", item.name, item.description, item.words));
@@ -46,7 +46,7 @@ Item LoadItem(const std::string& name, const spec::LoadOptions& load, Console& c
 }
 
 // Returns the specs in the search path that contain these words, sorted by name. Adds findings for
-// specs that cannot be loaded; without words, these specs are among the results.
+// specs that cannot be loaded. Such a spec is among the results if its name contains the words.
 std::vector<Item> ListItems(const std::vector<std::string>& words, Console& console) {
   spec::LoadOptions load;
   load.search_path = forge::SearchPath();

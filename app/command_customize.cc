@@ -1,4 +1,4 @@
-// `mjforge customize`: a page with a control for every parameter of a spec, served on this machine.
+// `mjforge customize`: serves a page with a control for every parameter of a spec on localhost.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/wait.h>

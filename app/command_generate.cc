@@ -1,4 +1,4 @@
-// `mjforge generate`: writes variants of specs to files, folders and archives.
+// `mjforge generate`: writes variants of specs to files, folders, archives and families.
 #include <fmt/format.h>
 #include <malloc.h>
 
@@ -360,7 +360,7 @@ class Generation {
       console_.PrintLine("  hint: the same command with --resume continues from there");
   }
 
-  // Prints the fields in which compiled variants differ, and the parameters that separate them.
+  // Prints the fields in which compiled models differ, with parameters that tell the models apart.
   void PrintDifferences(const std::filesystem::path& manifest) {
     diag::Sources sources;
     diag::Findings ignored;

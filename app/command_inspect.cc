@@ -1,4 +1,4 @@
-// `mjforge inspect`: parameters and one variant, an MJCF file, or a batch.
+// `mjforge inspect`: shows a spec's parameters and one variant, an MJCF file, or a batch.
 #include "inspect.h"
 
 #include <fmt/format.h>

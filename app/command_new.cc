@@ -1,4 +1,4 @@
-// `mjforge new`: a spec to start from, or a copy of another spec.
+// `mjforge new`: writes a spec to start from, or a copy of another spec.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

@@ -1,4 +1,4 @@
-// `mjforge preview`: pictures, contact sheets and animations of objects.
+// `mjforge preview`: draws pictures, contact sheets and animations of objects.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -162,7 +162,7 @@ class Preview {
 
   bool Pose(std::vector<PreviewObject>& objects) {
     diag::Findings of_views;
-    diag::Findings again;  // repeats the findings of the first variant that has any
+    diag::Findings again;  // dropped: repeats the findings of the first variant with any
     for (PreviewObject& object : objects) {
       if (recipe_) SetPoseOf(*recipe_->spec, *object.subject, of_views.empty() ? of_views : again);
     }

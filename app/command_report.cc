@@ -1,4 +1,4 @@
-// `mjforge report`: an HTML page about a batch.
+// `mjforge report`: writes an HTML page about a batch.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -51,8 +51,8 @@ std::string Suggestion(const std::vector<std::string>& manifests) {
   return text + "?";
 }
 
-// Finds the manifest of a batch from the name of the manifest, the folder or an archive. If there
-// is no manifest, returns nullopt and adds a finding with suggestions.
+// Returns the path of the manifest of a batch. `what` names the manifest, the folder or an archive.
+// Returns nullopt, after adding a finding, if a folder has no manifest or `what` is something else.
 std::optional<Path> FindBatch(const std::string& what, diag::Findings& findings) {
   std::error_code ignored;
   if (std::filesystem::is_directory(what, ignored)) {

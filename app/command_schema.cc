@@ -1,4 +1,4 @@
-// `mjforge schema`: JSON Schemas of specs, manifests and placements.
+// `mjforge schema`: prints the JSON Schema of specs, manifests or placements.
 #include <CLI/CLI.hpp>
 #include <array>
 #include <memory>

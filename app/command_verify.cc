@@ -1,4 +1,4 @@
-// `mjforge verify`: compares the files of a batch with its manifest.
+// `mjforge verify`: compares the files of a batch with its seals (checksums) and records.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

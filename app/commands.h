@@ -1,4 +1,4 @@
-// The commands of the program.
+// Functions that add the commands of `mjforge` (generate, check, ...) to the command line parser.
 #pragma once
 
 #include <functional>

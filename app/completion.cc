@@ -19,8 +19,8 @@
 namespace mjforge::app {
 namespace {
 
-// Prefix of the names of validators that declare completions. Declarations are not in the
-// descriptions of validators, because these appear in error messages.
+// Prefix of the names of CLI11 validators that declare the completions of an option. Completions
+// are not in a validator's description, because descriptions appear in error messages.
 constexpr std::string_view kOffered = "offered: ";
 
 std::vector<std::string_view> OfferedBy(CLI::Option& option) {
@@ -210,7 +210,8 @@ void AddThresholds(const std::string& before, Completions& completions) {
   }
 }
 
-// Adds the names of joints, with the object's prefix only if the word begins with it.
+// Adds the names of joints: the short name (without the object's prefix), or the whole name of a
+// joint whose short name does not begin with the typed text.
 void AddJoints(const std::string& before, const CommandLine& line, Completions& completions) {
   if (line.What().empty()) return;
   const std::string start = completions.word().substr(before.size());

@@ -18,11 +18,11 @@ namespace mjforge::app {
 /// Argument of Offers for an option that takes a spec: names of the catalogue, and YAML files.
 inline constexpr const char* kSpecs = "<spec> .yaml .yml";
 
-/// Returns a validator for the `check` of an option that accepts every value and declares its
-/// completions. `values` contains words separated by spaces: values, or "<spec>" (names of the
-/// catalogue), "<setting>" (NAME=VALUE for the spec on the line), "<joint>" (NAME=VALUE, or NAME
-/// with --sweep, for the joints of the spec or file on the line), ".xml" (files with this ending),
-/// "." (all files).
+/// Returns a validator that accepts every value and declares the completions of an option. `values`
+/// contains words separated by spaces. A word is a value, or it stands for values: "<spec>" for
+/// names of the catalogue, "<setting>" for NAME=VALUE of the spec on the line, "<joint>" for
+/// NAME=VALUE (with --sweep: NAME) of the joints of the spec or file on the line, ".xml" for files
+/// with this ending, "." for all files.
 CLI::Validator Offers(const std::string& values);
 /// Returns a validator that accepts only `words` and declares them as completions. The characters
 /// of `words` must live as long as the program.

@@ -1,4 +1,4 @@
-// Conclusions from a sample of variants about all variants.
+// Bound of Clopper and Pearson for the share of failing variants, and a sentence about this bound.
 #include "confidence.h"
 
 #include <fmt/format.h>

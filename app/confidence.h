@@ -1,4 +1,4 @@
-// Conclusions from a sample of variants about all variants.
+// Largest share of all variants that may fail, concluded from a sample of variants without failure.
 #pragma once
 
 #include <cstdint>

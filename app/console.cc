@@ -1,4 +1,4 @@
-// Output of results and findings to standard output and standard error, and the exit status.
+// Writes results to standard output and findings to standard error, with colors, limits, escapes.
 #include "console.h"
 
 #include <fmt/format.h>

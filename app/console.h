@@ -59,7 +59,7 @@ class Console {
   std::string TextOf(diag::Findings found, const diag::Sources& places,
                      std::uint64_t more = 0) const;
   /// Prints a line, unless --quiet was given. Control characters are escaped, because the line may
-  /// contain text from other people's files.
+  /// contain text of unknown origin.
   void PrintLine(std::string_view line) const;
   bool quiet() const { return quiet_; }
 
@@ -85,9 +85,9 @@ std::string OneLine(std::string text);
 /// Prints "mjforge: " and a message, which may contain text of unknown origin, to standard error.
 void PrintError(std::string_view message);
 
-/// Writes a result for people to standard output. Line ends are kept; other characters that control
-/// a terminal are escaped, because names and descriptions may be of unknown origin. On failure
-/// prints the reason and returns kInputOutput.
+/// Writes a result to be read on a terminal to standard output. Keeps line ends, and escapes other
+/// characters that control a terminal, because names and descriptions may be of unknown origin. On
+/// failure prints the reason and returns kInputOutput.
 ExitStatus Print(std::string_view text);
 
 /// Writes a result for programs (JSON, MJCF, pictures, pages), or without text of unknown origin,

@@ -1,4 +1,4 @@
-// Options that contradict a family of variants.
+// Finds options of `mjforge generate` that do not fit the destination: families need -o NAME.npz.
 
 #include "family_conflicts.h"
 

@@ -1,4 +1,4 @@
-// Options that contradict a family of variants.
+// Check of the options of `mjforge generate` against the rules for families (-o NAME.npz).
 
 #pragma once
 

@@ -1,4 +1,4 @@
-// The gallery of `mjforge catalogue --html`: pages made by child processes, and their index.
+// Gallery of `mjforge catalogue --html`: makes its pages in child processes, and its index.
 #include "gallery.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// The gallery of `mjforge catalogue --html`.
+// Gallery of `mjforge catalogue --html`: an HTML index of specs, and a page for each spec.
 #pragma once
 
 #include <cstdint>
@@ -18,9 +18,9 @@ struct GalleryOptions {
   bool force = false;  // overwrite files that mjforge did not make
 };
 
-/// Writes an index and a page for each spec to a folder. `cards` have names, descriptions and
-/// words; cards with a problem get no page. A spec without a page becomes a finding and a problem
-/// on the spec's card.
+/// Writes an index and a page for each spec to a folder. Each card has the name, the description
+/// and the parameters (`words`) of a spec. A card with a problem gets no page. If a page cannot be
+/// made, adds a finding, and a problem to the spec's card in the index.
 ExitStatus WriteGallery(const GalleryOptions& options, std::vector<report::GalleryCard> cards,
                         Console& console);
 

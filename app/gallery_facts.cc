@@ -1,4 +1,4 @@
-// Facts about objects for the pages of a gallery: masses, sizes, joints, targets.
+// Texts and tables about objects for the pages of a gallery: masses, sizes, joints, targets.
 #include "gallery_facts.h"
 
 #include <fmt/format.h>

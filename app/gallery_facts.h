@@ -9,7 +9,7 @@
 
 namespace mjforge::app {
 
-/// Return a length or an angle with its unit: "28.1 cm", "45 deg".
+/// Returns a length or an angle with its unit: "28.1 cm", "45 deg".
 std::string LengthText(double meters);
 std::string AngleText(double radians);
 

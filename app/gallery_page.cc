@@ -1,4 +1,4 @@
-// Pages of specs for `mjforge catalogue --html`: variants, pictures, films of joints.
+// Makes the pages of specs for `mjforge catalogue --html`: variants, pictures, films of joints.
 #include "gallery_page.h"
 
 #include <fmt/format.h>

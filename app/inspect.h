@@ -10,8 +10,8 @@
 
 namespace mjforge::app {
 
-/// Returns tables about a variant, which must have an object. `sweep` is the result of moving its
-/// joints through their ranges, for --sweep.
+/// Returns tables about a variant, which must have an object. `sweep` is the result of moving the
+/// object's joints through their ranges (--sweep).
 std::string InspectTables(const forge::Recipe& recipe, const forge::Variant& variant,
                           const std::optional<validate::Sweep>& sweep);
 std::string InspectJson(const forge::Recipe& recipe, const forge::Variant& variant,

@@ -85,7 +85,7 @@ void WriteBox(diag::Json& json, const model::Box3& aabb, std::string_view key = 
   });
 }
 
-// Writes mass, centre of mass and inertia, in the order of the manifest: xx yy zz xy xz yz.
+// Writes mass, centre of mass and inertia. Order of the inertia, as in records: xx yy zz xy xz yz.
 void WriteMass(diag::Json& json, const model::MassProperties& properties) {
   const Eigen::Matrix3d& I = properties.I_Cm_F;
   json.Member("mass", properties.mass);

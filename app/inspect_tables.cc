@@ -82,8 +82,8 @@ std::string BodyText(const model::Object& object, const model::Body& body) {
   return object.bodies.size() > 1 ? body.name : "";
 }
 
-// Returns the table of bodies. `geoms` has the number of geoms of each body of a file; empty for an
-// object, whose root has no parent.
+// Returns the table of bodies. `geoms` has the number of geoms of each body of an MJCF file. For an
+// object, `geoms` is empty, and the root body has no parent in the table.
 std::string BodiesText(const model::Object& object, std::span<const int> geoms) {
   TextTable table({"body", "parent", "pos", "quat", "geoms", "kg", "com", "inertia, kg m^2"});
   for (const int number : mjcf::DepthFirstOrder(object)) {

@@ -1,4 +1,4 @@
-// Names of joints, for completion.
+// Finds the joints of a spec's first variant or of an MJCF file, for completion in shells.
 #include "joint_names.h"
 
 #include <fmt/format.h>

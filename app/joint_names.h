@@ -1,4 +1,4 @@
-// Names of joints, for completion.
+// Names of joints of a spec or an MJCF file, for completion in shells.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace mjforge::app {
 /// A hinge or slide.
 struct JointName {
   std::string name;
-  std::string short_name;  // without the object's prefix, if the short name is unique
+  std::string short_name;  // without the object's prefix if that is unambiguous, else `name`
   std::string meaning;     // "hinge, 0 to 1.92 rad"
 };
 

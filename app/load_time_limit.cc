@@ -1,4 +1,4 @@
-// Limits of CPU time and wall time for loading a spec.
+// Limits of CPU time and wall time for loading a spec: timers and signal handlers.
 #include "load_time_limit.h"
 
 #include <fmt/format.h>

@@ -25,14 +25,15 @@ struct MakeOptions {
 
 void AddMakeOptions(CLI::App& command, MakeOptions& options);
 
-/// Converts these options of a command line for CLI11: "-MF", "x.d" and "-MFx.d" become "--MF",
-/// "x.d" and "--MF=x.d".
+/// Rewrites -MD, -MF, -MT and -MP as long options, because CLI11 has only one-letter short options:
+/// "-MF", "x.d" and "-MFx.d" become "--MF", "x.d" and "--MF=x.d".
 std::vector<std::string> WithLongMakeOptions(std::vector<std::string> words);
 /// Converts "--MF" to "-MF" in a help text.
 std::string WithShortMakeOptions(std::string text);
 
-/// Writes the rule. Paths of files below the current folder are relative, unless `absolute`.
-/// Returns false and adds a finding on failure.
+/// Writes the Make rule for the output at `destination`, which depends on `files`. Paths of files
+/// below the current folder are relative, unless `absolute`. Returns false and adds a finding on
+/// failure.
 bool WriteDependencies(const MakeOptions& options, const output::Destination& destination,
                        const std::set<std::string>& files, bool absolute, bool force,
                        diag::Findings& findings);

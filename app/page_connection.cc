@@ -1,4 +1,4 @@
-// Connection of a browser to the server of `mjforge customize`.
+// Reads and answers the HTTP requests of one connection between a browser and the PageServer.
 #include "page_connection.h"
 
 #include <boost/beast/core/flat_buffer.hpp>
@@ -22,7 +22,7 @@ using boost::system::error_code;
 
 constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 20;  // size limit of a request
 constexpr std::chrono::seconds kPatience(30);  // time limit for a request or a response
-// Shorter time limit for the first request, because programs of other users can connect, too. These
+// Shorter time limit for the first request, because programs of other users can connect, too. Such
 // programs do not know the token (the secret part of the page's address).
 constexpr std::chrono::seconds kFirstPatience(5);
 

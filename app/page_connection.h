@@ -9,12 +9,12 @@ namespace mjforge::app {
 
 class PageServer;
 
-/// Closes a connection unless it was closed.
+/// Closes a connection that is still open.
 using CloseConnection = std::function<void()>;
 
 /// Reads requests from a connection and writes the responses of the server, until the browser
 /// closes the connection or leaves it idle, or after a response that refuses a request. `number`
-/// identifies the connection for PageServer::Trust.
+/// identifies the connection for PageServer::Trust. Returns a function that closes the connection.
 CloseConnection ServeConnection(boost::asio::ip::tcp::socket socket, PageServer& server,
                                 std::uint64_t number);
 

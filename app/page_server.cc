@@ -1,4 +1,4 @@
-// The HTTP server of `mjforge customize`, for browsers on this machine.
+// HTTP server of `mjforge customize`: paths, headers, limit of connections, pages that wait.
 #include "page_server.h"
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ using tcp = asio::ip::tcp;
 // page's address). If there are more, the oldest one is closed, so that connections of other users'
 // programs cannot keep out a browser, whose request arrives at once.
 constexpr std::size_t kMostStrangers = 64;
-constexpr std::chrono::milliseconds kInterval(100);  // interval between looks at the spec's files
+constexpr std::chrono::milliseconds kInterval(100);  // interval between checks of the spec's files
 constexpr std::chrono::seconds kLongestWait(15);     // time limit of a page that waits for a change
 
 constexpr std::string_view kPolicy =

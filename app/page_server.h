@@ -43,7 +43,7 @@ class PageServer {
   std::optional<Response> Refusal(const Request& request) const;
   /// Answers a request that was not rejected, at once or later.
   void Answer(const Request& request, const Respond& respond);
-  /// Exempts a connection from the limit for strangers, because its request had the token.
+  /// Exempts a connection from the limit of connections without token: its request had the token.
   void Trust(std::uint64_t number) { strangers_.erase(number); }
 
  private:

@@ -1,4 +1,4 @@
-// Running untrusted work in several child processes at a time.
+// Several child processes that share a counter of steps and send their results to the parent.
 #include "parallel_children.h"
 
 #include <sys/socket.h>
@@ -22,8 +22,8 @@
 namespace mjforge::app {
 namespace {
 
-// Size limit of a message in bytes. The kernel accepts longer messages by default, so that no
-// message is too long.
+// Size limit of a message in bytes. Linux accepts longer messages by default, so a send does not
+// fail because of the size.
 constexpr std::size_t kMaxMessage = 160'000;
 
 // Index of the next step, in memory that all processes share.

@@ -1,4 +1,4 @@
-// Running untrusted work in several child processes at a time.
+// Runs work that may crash or hang in several child processes at a time.
 #pragma once
 
 #include <cstddef>

@@ -28,7 +28,7 @@ constexpr std::size_t kMaxLetters = 36;  // letters of a line that fits below a 
 constexpr std::array<std::string_view, 15> kEmptyWords = {
     "color", "colour", "finish", "kind", "look",  "make", "material", "metal",
     "model", "name",   "shape",  "size", "style", "type", "wood"};
-// Words in the names of quantities without a unit that are not visible in a picture.
+// Words in the names of parameters whose values a picture does not show, even if they have no unit.
 constexpr std::array<std::string_view, 9> kUnseen = {"armature", "clearance", "damping",
                                                      "density",  "friction",  "margin",
                                                      "mass",     "play",      "stiffness"};
@@ -188,7 +188,8 @@ std::vector<std::tuple<int, double, std::size_t>> MostDifferent(std::span<const 
   return found;
 }
 
-// Adds an item to the last line, or begins another line if the last line is full.
+// Adds an item to the last line, or begins another line: after the first line (the variant's
+// index), and if the last line is full.
 void AddItem(const std::string& item, std::vector<std::string>& lines) {
   if (lines.size() > 1 && lines.back().size() + 2 + item.size() <= kMaxLetters) {
     lines.back() += ", " + item;

@@ -1,4 +1,4 @@
-// Progress bar of a batch.
+// Progress bar of a batch: share of finished variants, rate, time left, failures.
 #include "progress_bar.h"
 
 #include <fmt/format.h>

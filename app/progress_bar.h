@@ -1,4 +1,4 @@
-// Progress bar of a batch.
+// Line on a terminal that shows the progress of a batch.
 #pragma once
 
 #include <chrono>
@@ -7,7 +7,7 @@
 
 namespace mjforge::app {
 
-/// A line on a terminal with the progress of a batch.
+/// Line on standard error with the progress of a batch, written over its previous state.
 class ProgressBar {
  public:
   /// Shows the line only if `enabled` and standard error is a terminal.

@@ -1,4 +1,4 @@
-// Queue of requests to a worker process.
+// Passing of requests to a worker process by asynchronous input and output, with a time limit.
 #include "request_queue.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Queue of requests to a worker process.
+// Queue of requests to a worker process, in which newer requests replace older ones.
 #pragma once
 
 #include <boost/asio/io_context.hpp>
@@ -26,8 +26,8 @@ class RequestQueue {
   using Done = std::function<void(Outcome)>;
 
   /// Requests that a newer request of the same client replaces. kWaiting: only requests that wait.
-  /// kRunning: also the request that the worker is answering; the worker is killed. Use kRunning if
-  /// answers take longer than the start of a worker.
+  /// kRunning: also the request that the worker is answering; the worker is killed, which is useful
+  /// if answers take longer than the start of a worker.
   enum class Replace { kWaiting, kRunning };
 
   RequestQueue(boost::asio::io_context& io, WorkerMaker make, Seconds time_limit, Replace replace)

@@ -1,4 +1,4 @@
-// Camera directions and pose that a spec chooses for its pictures (`view:`).
+// Camera directions and joint positions for pictures of a spec, from its key `view:`.
 #pragma once
 
 #include "mjforge/picture/picture.h"

@@ -1,5 +1,5 @@
-// Structures of a batch (classes of variants with equal elements and types): their number, their
-// differences, and the parameters that separate them.
+// Compares the structures in a batch (classes of variants with equal elements and types), and lists
+// the differing fields with the parameters whose values tell the structures apart.
 #include "structures.h"
 
 #include <fmt/format.h>
@@ -92,8 +92,8 @@ class FieldComparison {
     }
   }
 
-  // Returns the fields that differ. Structures from index `compared` on were not compared and
-  // belong to no group.
+  // Returns the fields that differ. For each field, structures that differ from the first structure
+  // in the same way form a group; structures from index `compared` on belong to no group.
   std::vector<DifferingField> Take(std::size_t compared) {
     for (std::size_t i = 0; i < fields_.size(); ++i) {
       std::fill(groups_[i].begin() + static_cast<std::ptrdiff_t>(compared), groups_[i].end(), -1);
@@ -105,8 +105,8 @@ class FieldComparison {
  private:
   const std::vector<StructureTally>& structures_;
   std::vector<DifferingField> fields_;
-  std::vector<std::vector<int>> groups_;              // for each field: the group of each structure
-  std::vector<std::map<std::string, int>> contents_;  // for each field: the group of each content
+  std::vector<std::vector<int>> groups_;              // by field: the group of each structure
+  std::vector<std::map<std::string, int>> contents_;  // by field: the group of a difference's text
 };
 
 std::string SeparatorsText(const std::vector<Separator>& separators) {

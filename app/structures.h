@@ -1,5 +1,5 @@
-// Structures of a batch (classes of variants with equal elements and types): their number, their
-// differences, and the parameters that separate them.
+// Structures in a batch (classes of variants with equal elements and types): their number, their
+// differences, and the parameters whose values tell them apart.
 #pragma once
 
 #include <cstdint>
@@ -15,10 +15,10 @@ namespace mjforge::app {
 /// A field of the compiled model that differs between variants.
 struct DifferingField {
   std::string name;                   // "geom_type"
-  std::vector<std::string> elements;  // elements that differ in the first variant that differs
+  std::vector<std::string> elements;  // elements in which the first differing structure differs
   std::string example;                // "geom_type of 'handle' is cylinder, not box"
   bool is_coincidence = false;
-  std::uint64_t variants = 0;  // variants that differ from the first variant
+  std::uint64_t variants = 0;  // number of variants that differ from the first variant
   std::vector<report::Separator> separators;
 };
 
@@ -32,7 +32,7 @@ struct BatchStructures {
   std::uint64_t more = 0;      // number of variants whose structures are not in the list
   std::vector<DifferingField> fields;
   std::string why_unknown;  // reason why fields could not be compared; empty if they were
-  /// Parameters that separate structures, if fields could not be compared.
+  /// Parameters whose values tell the structures apart; set if fields could not be compared.
   std::vector<report::Separator> separators;
 };
 

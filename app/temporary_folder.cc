@@ -1,4 +1,4 @@
-// A temporary folder for files that another program reads.
+// Makes a temporary folder for files that another program reads, and removes it after use.
 #include "temporary_folder.h"
 
 #include <fmt/format.h>

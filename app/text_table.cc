@@ -1,4 +1,4 @@
-// Tables for terminals.
+// Rendering of tables for terminals: widths of columns, and columns left out.
 #include "text_table.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Thumbnails of the variants on a report page.
+// Draws thumbnails of variants for report pages, from their files, from archives, or made again.
 #include "thumbnails.h"
 
 #include <system_error>

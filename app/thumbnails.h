@@ -21,7 +21,8 @@ class Thumbnails {
   /// empty. `sources` must outlive this object.
   Thumbnails(std::filesystem::path manifest, std::string spec, diag::Sources& sources);
 
-  /// Draws the variant of a record; returns nullopt if its file is missing or cannot be drawn.
+  /// Draws the variant of a record. Returns nullopt if there is no renderer, if a file or an
+  /// archive that the record names is missing, or if the variant cannot be made again or drawn.
   std::optional<report::Thumbnail> Draw(const manifest::Record& record);
 
   /// Returns the reason, as warnings, why no pictures can be drawn at all; empty if pictures can be

@@ -1,4 +1,4 @@
-// Errors of the command line, with suggestions, and exceptions.
+// Messages for wrong command lines, with suggestions, and for exceptions; help and versions.
 #include "usage.h"
 
 #include <fmt/format.h>

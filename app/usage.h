@@ -1,4 +1,4 @@
-// Errors of the command line, help, versions, and exceptions.
+// Functions that print errors of the command line, help and versions, and explain exceptions.
 #pragma once
 
 #include <exception>

@@ -1,4 +1,4 @@
-// Watch for changes of files, by polling.
+// Polling of files: compares device, inode, size and time of modification with earlier values.
 #include "watched_files.h"
 
 #include <sys/stat.h>

@@ -24,8 +24,7 @@ class WatchedFiles {
   void Add(const std::filesystem::path& file);
 
   /// Returns true if a file was changed, made or removed since the constructor ran or this function
-  /// last returned true, and no file has changed since the last call. Call this function at
-  /// intervals.
+  /// last returned true, and no file has changed since the last call. Must be called at intervals.
   bool HasChanged();
 
  private:

@@ -1,4 +1,4 @@
-// A child process that answers requests, and is replaced when a request makes it crash or hang.
+// Child process that answers requests over a socket: start, loop of requests, end.
 #include "worker_process.h"
 
 #include <sys/socket.h>

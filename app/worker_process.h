@@ -1,4 +1,4 @@
-// A child process that answers requests, and is replaced when a request makes it crash or hang.
+// Child process that answers requests; can be started again after a crash or after a kill.
 #pragma once
 
 #include <sys/types.h>

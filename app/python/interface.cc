@@ -113,7 +113,7 @@ forge::Options OptionsOf(const MjforgeRequest& request) {
   return options;
 }
 
-// Throws an exception if draws are spread over a batch of unknown size.
+// Throws an exception if the batch is too large, or if its size is needed for draws but unknown.
 void RequireBatch(const spec::ObjectSpec& spec, const forge::Options& options) {
   if (options.batch > sample::kMaxBatch)
     throw std::invalid_argument(

@@ -17,11 +17,11 @@ struct MjforgeText {
   std::size_t size;
 };
 
-/// A spec, with the texts of its files after they were read. Threads may share a snapshot.
+/// A spec and the texts of its files, which are added as files are read. Threads may share it.
 struct MjforgeSnapshot;
 
-/// A spec with settings, and the options for its variants, which have the values of the command's
-/// options.
+/// A spec with settings, and the options for its variants. `target`, `assets`, `sampler`,
+/// `on_invalid` and `validate` have the values of these options of `mjforge generate`.
 struct MjforgeRequest {
   MjforgeSnapshot* snapshot;
   const char* const* settings;  // name, value, name, value, ...
@@ -50,9 +50,9 @@ struct MjforgeVariant {
   double box[6];  // `aabb` of the record: min x, y, z, max x, y, z
 };
 
-/// Makes a snapshot without reading a file. The spec is `reference`, a file or a name in the search
-/// path, whose last folder is `catalogue`; or, if `reference` is null, the YAML text `text`.
-/// Returns null only if there is not enough memory.
+/// Makes a snapshot of a spec: `reference`, a file or a name in the search path, whose last folder
+/// is `catalogue`; or, if `reference` is null, the YAML text `text`. Reads no file, unless
+/// `reference` is a snapshot's file. Returns null if there is not enough memory.
 MjforgeSnapshot* MjforgeNewSnapshot(const char* reference, const char* text, const char* catalogue);
 /// Makes a snapshot from a text of MjforgeSnapshotText. Returns null if the text is damaged.
 MjforgeSnapshot* MjforgeReadSnapshot(const char* text, std::size_t size);
@@ -68,8 +68,8 @@ struct MjforgeMaker;
 /// Loads a spec. Returns null only if there is not enough memory.
 MjforgeMaker* MjforgeOpen(const MjforgeRequest* request);
 void MjforgeClose(MjforgeMaker* maker);
-/// Returns the error of the last call that has no place in a spec: an unknown word in a request, or
-/// not enough memory. Empty if there was none.
+/// Returns the last error that has no place in a spec: an unknown word in a request, or not enough
+/// memory. Empty if there was none.
 MjforgeText MjforgeFailure(MjforgeMaker* maker);
 /// Returns the findings of loading the spec as JSON: [[finding as with --findings json, its text],
 /// ...]. If any finding is an error, no variant can be made.
@@ -98,7 +98,7 @@ int MjforgeAddRecord(MjforgeTable* table, const char* record, std::size_t size);
 /// is [key, kinds, inner columns], with the kinds of manifest::Column. Columns are numbered from 0,
 /// each before its inner columns.
 MjforgeText MjforgeLayout(MjforgeTable* table);
-/// Return the kinds and the values of column number `column` in the last MjforgeLayout, one for
+/// Returns the kinds or the values of column number `column` in the last MjforgeLayout, one for
 /// each row.
 const char* MjforgeKinds(MjforgeTable* table, std::size_t column);
 const std::uint64_t* MjforgeValues(MjforgeTable* table, std::size_t column);

@@ -6,7 +6,7 @@
 #include "interface.h"
 #include "mjforge/spec/spec.h"
 
-/// Snapshot of a spec. The mutex is held while the spec is loaded, because loading may add files.
+/// Snapshot of a spec. The mutex guards it, because loading the spec may add the texts of files.
 struct MjforgeSnapshot {
   std::mutex mutex;
   mjforge::spec::Snapshot snapshot;

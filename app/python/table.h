@@ -7,7 +7,7 @@
 #include "interface.h"
 #include "mjforge/manifest/manifest.h"
 
-/// Columns of records, and the columns and texts that the last calls returned.
+/// Table of records, with the results of the last calls that point to its data.
 struct MjforgeTable {
   explicit MjforgeTable(const std::vector<std::string>& members) : columns(members) {}
 

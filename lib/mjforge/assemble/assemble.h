@@ -1,8 +1,8 @@
-// Assembly of objects: computes an Object from an ObjectSpec and drawn values, with checks of
-// everything that MuJoCo would not notice or would not explain.
+// Assembler: builds the Object of one variant (an object model that can be written as MJCF) from an
+// ObjectSpec. Reports everything that MuJoCo would not notice or would not explain.
 //
-// The assembler requests one value after the other from the evaluator while it adds elements, and
-// computes every number of the Object from these values.
+// The values of the spec's expressions, which may be random, come from a sample::Evaluator. The
+// assembler requests them one after the other while it adds elements.
 
 #pragma once
 
@@ -19,16 +19,16 @@
 
 namespace mjforge::assemble {
 
-/// Builds the objects of variants. Caches mesh files, texture files and solids, because most
-/// variants of a spec use the same ones.
+/// Builds objects. Caches mesh files, texture files and solids, because most variants of a spec use
+/// the same ones.
 class Assembler {
  public:
   struct Options {
     std::string name;       // name of the object; empty: the spec's name
     bool prefix = true;     // true: each element's name begins with the object's name and "_"
     std::string root = {};  // name of the root body; empty: the object's name
-    /// Additional seed that affects only the draws of `place:`. If nullopt, these draws depend on
-    /// the variant's seed alone.
+    /// Seed of the random poses of `place:`, in addition to the variant's seed. If nullopt, these
+    /// poses depend on the variant's seed alone. No other draw depends on this seed.
     std::optional<std::uint64_t> place_seed = {};
   };
 
@@ -39,7 +39,8 @@ class Assembler {
                      model::Placer* placer = nullptr)
       : attachments_(attachments), placer_(placer) {}
 
-  /// Returns the object of one variant. Returns nullopt, and adds a finding, if there is an error.
+  /// Returns the object for the values that `values` draws. Returns nullopt, and adds a finding, if
+  /// there is an error.
   std::optional<model::Object> Assemble(sample::Evaluator& values, const Options& options,
                                         diag::Findings& findings);
 
@@ -48,7 +49,7 @@ class Assembler {
     bool unreadable = false;
     std::optional<solid::TriangleMesh> mesh;
     std::string why_not;                        // reason why `mesh` is nullopt
-    std::optional<std::string> surface_defect;  // result of FindSurfaceDefect()
+    std::optional<std::string> surface_defect;  // reason why the surface is not closed
     bool fit_for_mujoco = true;                 // see MeshFile::fit_for_mujoco
   };
   /// Returns the content of a mesh file, not scaled. Each file is read only once.

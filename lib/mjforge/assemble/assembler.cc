@@ -10,8 +10,8 @@
 namespace mjforge::assemble {
 
 // Assembles the object. If no place is found for an optional body (`fewer: true`), assembles the
-// object again without this body; all other draws keep their values. Stops after an error, because
-// the evaluator reports each failed value only once.
+// object again without this body; all other draws keep their values. Does not assemble again after
+// an error, because the evaluator would not report a failed value a second time.
 std::optional<model::Object> Assembler::Assemble(sample::Evaluator& values, const Options& options,
                                                  diag::Findings& findings) {
   const std::size_t before = findings.size();

@@ -1,4 +1,5 @@
-// Assembly of a spec: order of the steps, and the entries of `parts:` (parts, frames and specs).
+// Assembly: order in which the elements of a spec are added, and entries of `parts:` (parts,
+// frames, specs).
 
 #include "mjforge/assemble/assembly.h"
 
@@ -93,7 +94,7 @@ void Assembly::AddSpec(Scope& scope) {
   if (spec.mass) ScaleObject(scope, first_part, first_body);
   const std::size_t before = findings_.size();
   SetWholeProperties(scope);
-  // Skip the joints after an error, because they would report the same error again.
+  // Skips the joints after an error, because they would report the same error again.
   const bool has_all = !findings_.HasErrors(before);
   if (has_all) AddListedJoints(scope);
   if (!spec.sections.empty()) sections_.Add(scope, &spec == spec_);
@@ -150,20 +151,21 @@ void Assembly::AddParts(Scope& scope, const std::vector<spec::Entry>& entries,
   }
 }
 
-// Adds the parts of a frame. The name of the frame is optional, because it affects only draws in
-// the frame's pose.
+// Adds the parts of a frame. The name of a frame is optional: it only selects the random stream for
+// draws in the frame's pose.
 void Assembly::AddFrame(Scope& scope, const spec::Entry& entry, const model::Pose& X_SF) {
   const sample::StreamId frames = sample::Child(scope.parts, "frames");
   const std::string name = scope.values.Text(entry.name, frames).value_or("");
   FieldReader reader(scope.values, findings_, "frame", name,
                      sample::Child(frames, std::string_view(name)));
   const std::optional<model::Pose> X_FChild = ReadPose(reader, entry);
-  // Check the parts of the frame for other errors even if the pose of the frame is invalid.
+  // Checks the parts of the frame for other errors even if the pose of the frame is invalid.
   AddParts(scope, entry.children, X_SF * X_FChild.value_or(model::Pose()));
 }
 
-// Adds a spec that is used as a part (welded). Empty specs are counted, too: if each spec contains
-// the next one twice, the number of specs doubles with each level of nesting.
+// Adds a spec that an entry of `parts:` names: its root elements become elements of the current
+// body (welded). Counts empty specs, too, because the number of specs doubles with each level of
+// nesting if each spec contains the next one twice.
 void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const model::Pose& X_SF) {
   if (!HasRoomFor("specs in it", spec_count_++, entry.mark)) return;
   const std::optional<std::string> name = ReadName(scope, entry, scope.parts, findings_);
@@ -185,8 +187,8 @@ void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const model::Pose
   AddSpec(inner);
   MarkRootJointsRemoved(inner);
   if (!corner) return;
-  // Move the spec so that the lower corner of its parts is in place. The corner is known only after
-  // the parts were added.
+  // Moves the added elements so that the lower corner of the box around their parts is at the
+  // required position. The corner is known only after the parts were added.
   const model::Box3 box = model::BoundsOf(body().parts, before.parts).aabb;
   if (box.empty()) return;
   Move(scope.X_BS * model::Pose{.p = FromCorner(X_SW.p, *scope.total_size, box.min)}, before,

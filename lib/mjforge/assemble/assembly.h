@@ -27,7 +27,7 @@ namespace mjforge::assemble {
 /// The state of one assembly. An instance builds one object.
 class Assembly {
  public:
-  /// Omits the bodies in `left_out`, and adds to `left_out` optional bodies that find no place.
+  /// Leaves out the bodies in `left_out`, and inserts optional bodies that find no place.
   Assembly(Assembler& assembler, std::set<std::string>& left_out, diag::Findings& findings)
       : findings_(findings),
         placer_(assembler.placer()),
@@ -82,22 +82,22 @@ class Assembly {
   model::Bounds AddContents(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
                             const std::string& name, const Link& link);
   void AddOwnJoints(const spec::BodyEntry& entry, const Link& link);
-  /// Adds the parts, nested spec or MJCF body of the entry to the current body, which is the last.
+  /// Adds the parts, nested spec or MJCF body of the entry to the current body, the last of all.
   void FillBody(Scope& scope, const spec::BodyEntry& entry, FieldReader& reader,
                 const std::string& name, const Link& link);
   void SetBodyPose(Scope& scope, FieldReader& reader, const spec::Entry& entry,
                    const model::Bounds& bounds, model::Body& body);
   int ParentOf(Scope& scope, FieldReader& reader, const spec::Entry& entry);
-  /// Returns the angle of a spec's `front:`, rad, counter-clockwise about z from -y; 0 if missing.
+  /// Returns the angle of a spec's `front:` about z, rad, counter-clockwise from -y; 0 if missing.
   double FrontOf(Scope& scope);
   using JointedVisitor = std::function<void(const spec::BodyEntry&, std::size_t body)>;
   /// For each body with a list of joints: sets the loop variables of its entry, then calls `visit`.
   void ForEachJointed(Scope& scope, const JointedVisitor& visit);
   /// Returns the random stream of a body's joints.
   sample::StreamId JointsOf(const Scope& scope, std::size_t body) const;
-  /// Adds the joints of each `joints:`. Their expressions may use properties of all bodies.
+  /// Adds the joints in `joints:` of each body. Expressions in it may use properties of all bodies.
   void AddListedJoints(Scope& scope);
-  /// Sets the variables of expressions that are properties of a body: NAME.top, NAME.mass, ...
+  /// Sets the variables that expressions read as properties of a body: NAME.top, NAME.mass, ...
   void SetProperties(Scope& scope, const spec::BodyEntry& entry, const model::Bounds& bounds,
                      std::size_t index);
   void SetWholeProperties(Scope& scope);  // whole_properties.cc
@@ -108,8 +108,8 @@ class Assembly {
   void Finish(Scope& scope);  // finish.cc
 
   // positions.cc
-  /// Converts a position to numbers of qpos. Returns nullopt, and adds a finding, if the joint
-  /// cannot have this position. `what` is the key in messages ("pose").
+  /// Converts a position to numbers of qpos of the joint. Returns nullopt, and adds a finding, if
+  /// the joint cannot have this position. `what` names the position in messages ("pose").
   std::optional<sample::Numbers> ToQpos(std::string_view what, const RequestedPosition& position,
                                         const model::Joint& joint);
   void ReportUnknownJoint(std::string_view what, const RequestedPosition& position);
@@ -125,21 +125,21 @@ class Assembly {
   void ApplyStart(const Scope& scope, const RequestedStart& start, model::Body& of,
                   model::Joint& joint);
   void ApplySetpoint(RequestedStart& start);
-  /// Reports starts whose joint or actuator does not exist when their spec is complete.
+  /// Reports requested starts of joints and actuators that do not exist.
   void ReportLostStarts();
 
   // expectations.cc
   /// Evaluates the conditions of `expect:`, and adds its other entries to the object.
   void AddExpectations(Scope& scope);
   void AddExpectation(Scope& scope, const spec::Expectation& entry);
-  /// Returns the full name of a body or part; nullopt, after adding a finding, if none exists.
+  /// Returns the full name of the body or part named `value`; nullopt after adding a finding.
   std::optional<std::string> FullName(Scope& scope, const spec::Value& value);
   void CheckCondition(Scope& scope, const spec::Expectation& entry);
 
   // parts.cc
   void AddPart(Scope& scope, const spec::Entry& entry, const model::Pose& X_SF);
-  /// Adds the part to the current body. If it has convex pieces (poses in its frame), the pieces
-  /// collide, and the part becomes visual; a part with `role: collision` is then left out.
+  /// Adds the part to the current body. If `pieces` (poses in the part's frame) is not empty, only
+  /// the pieces collide: the part becomes visual, or is left out if it has `role: collision`.
   void AddWithPieces(model::Part part, std::vector<model::Part> pieces);
   bool ReadMaterial(Scope& scope, FieldReader& reader, const spec::Entry& entry, model::Part& part,
                     const MaterialState*& material);
@@ -157,18 +157,18 @@ class Assembly {
   void AddSites(Scope& scope, const std::vector<spec::Entry>& entries, sample::StreamId sites);
   void AddSite(Scope& scope, const spec::Entry& entry, sample::StreamId sites);
   // regions.cc
-  /// Adds regions to the current body. The names of their sites begin with `owner`: "BODY_" or "".
+  /// Adds regions to the current body. Names of their sites: prefix, `owner` ("BODY_" or ""), name.
   void AddRegions(Scope& scope, const std::vector<spec::Entry>& entries, std::string_view owner,
                   sample::StreamId regions);
   void AddRegion(Scope& scope, const spec::Entry& entry, std::string_view owner,
                  sample::StreamId regions);
-  /// Runs the searches in face_searches_ from index `first` on, and removes them from this list.
+  /// Runs the searches for level faces in face_searches_ from index `first` on, and removes them.
   void SearchFaces(std::size_t first);
   // joints.cc
   void AddRootJoints(Scope& scope);
   void AddJoints(Scope& scope, const std::vector<spec::Entry>& entries, sample::StreamId joints);
   void AddJoint(Scope& scope, const spec::Entry& entry, sample::StreamId joints);
-  /// Marks the root joints of a nested spec as removed, so that references to them are reported.
+  /// Marks the root joints of a nested spec as removed: elements that refer to them are left out.
   void MarkRootJointsRemoved(Scope& scope);
 
   model::Body& body() { return object_.bodies[current_body_]; }

@@ -56,20 +56,21 @@ class Assets {
   Assets(Assembler& assembler, model::Object& object, diag::Findings& findings)
       : assembler_(assembler), object_(object), findings_(findings) {}
 
-  /// Makes a shape with the library `solid`. Sets the part's render mesh (unless it only collides)
-  /// and exact mass, and returns the colliding convex pieces, with poses in the part's frame. If
-  /// the shape is a single convex mesh, sets this mesh, and returns no pieces. Returns nullopt
-  /// after adding a finding.
+  /// Makes a shape with the library `solid`. Sets the part's render mesh (unless the part only
+  /// collides) and the part's exact mass properties. Returns the colliding convex pieces, with
+  /// poses in the part's frame. If the shape is a single convex mesh, sets this mesh, and returns
+  /// no pieces. Returns nullopt after adding a finding.
   std::optional<std::vector<model::Part>> AddShape(const FieldReader& reader,
                                                    const SolidInput& input, model::Part& part);
   /// Sets the part's mesh and shape from `file` and `scale`. File names are relative to `folder`.
+  /// Returns false after adding a finding.
   bool ReadMesh(FieldReader& reader, const spec::Entry& entry, const std::filesystem::path& folder,
                 model::Part& part);
   /// Returns the mass properties at density 1, in the shape's frame. Returns nullopt for a mesh
   /// whose surface is not closed. `mesh` is the index of the shape's mesh in Object::meshes.
   std::optional<model::MassProperties> UnitMassOf(const model::Shape& shape, int mesh);
-  /// Sets a body's mass properties to the sum of its parts' mass properties, unless an attached
-  /// file specifies them.
+  /// Sets a body's mass properties to the sum of its parts' mass properties. Does nothing if an
+  /// attached MJCF file specifies the body's mass properties.
   void SumMass(model::Body& body);
   /// Adds the texture of a material and returns its index in Object::textures; nullopt after adding
   /// a finding.

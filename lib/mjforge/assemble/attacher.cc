@@ -1,4 +1,5 @@
-// Copies attached bodies into the object, and adapts their names, references and indices.
+// Copies bodies of MJCF files into the object, and adapts names, references and indices of the
+// copies.
 
 #include "mjforge/assemble/attacher.h"
 
@@ -56,7 +57,7 @@ class Renamer {
 
   const model::Attachment& attachment_;
   std::string prefix_;
-  std::string root_;  // a copy of the name, because Object::bodies grows meanwhile
+  std::string root_;  // a copy, because Object::bodies, which has the name, grows
 };
 
 std::size_t Attacher::Add(Scope& scope, FieldReader& reader, const spec::Entry& entry,
@@ -67,7 +68,7 @@ std::size_t Attacher::Add(Scope& scope, FieldReader& reader, const spec::Entry& 
   if (!reader.ReadOptional(entry, Key::kBody, &FieldReader::Text, body_name) || !file) return 0;
   const spec::Field* asked = entry.Find(Key::kBody) != nullptr ? entry.Find(Key::kBody) : &field;
   const std::filesystem::path path = (scope.values.spec().folder / *file).lexically_normal();
-  // Call Attach() only once per file and body, because each call adds the findings of the file
+  // Calls Attach() only once per file and body, because each call adds the findings of the file
   // again.
   const auto [found, is_new] = attached_.try_emplace({path, body_name}, nullptr);
   if (is_new && context_.source == nullptr) {

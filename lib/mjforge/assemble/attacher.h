@@ -32,7 +32,7 @@ class Attacher {
   explicit Attacher(const Context& context) : context_(context) {}
 
   /// Copies the MJCF body that the entry names into the existing body `index`, whose name in the
-  /// spec is `name`. Returns the number of added parts.
+  /// spec is `name`. Returns the number of added parts (geoms); 0 if an error was reported.
   std::size_t Add(Scope& scope, FieldReader& reader, const spec::Entry& entry,
                   const std::string& name, std::size_t index);
 

@@ -17,8 +17,8 @@ namespace {
 using diag::Code;
 using spec::Key;
 
-// Clears the variables of a body's properties, because they must have no value if `if` leaves the
-// body out.
+// Clears the variables for properties of a body (NAME.mass) and for the parameters of its nested
+// spec: if `if` leaves the body out, expressions must find no value.
 void ClearProperties(const spec::BodyEntry& entry, sample::Evaluator& values) {
   ClearSlots(entry.first_property, spec::BodyPropertyNames().size(), values);
   for (std::size_t i = 0; i < entry.parameter_slots.size(); ++i) {

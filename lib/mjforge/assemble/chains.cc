@@ -1,4 +1,4 @@
-// Reader of `chain:`, and the joints between links.
+// Reads `chain:` of a body, and makes the ball joints or pairs of hinges between links.
 
 #include "mjforge/assemble/chains.h"
 
@@ -13,9 +13,9 @@ namespace mjforge::assemble {
 using spec::Key;
 namespace {
 
-// Impedance (solimplimit) of the joints' limits, in place of MuJoCo's "0.9 0.95 ...". MuJoCo
-// chooses the softness of a limit by the inertia of one link, but the limit also carries all links
-// below.
+// Impedance (solimplimit) of the joints' limits, in place of MuJoCo's default "0.9 0.95 ...".
+// MuJoCo chooses the softness of a limit by the inertia of one link, but the limit also carries all
+// links below.
 constexpr double kLimitImpedance[] = {0.99, 0.999, 0.001, 0.5, 2};
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Reader of `chain:`, and the joints between the links of a chain.
+// Chains of equal links (`chain:` of a body): their properties, and the joints between links.
 
 #pragma once
 
@@ -17,7 +17,7 @@ struct Chain {
   int links = 0;
   double pitch = 0;                  // length of a link, m
   bool is_ball = false;              // true: each link has a ball joint; false: two hinges
-  std::optional<double> range = {};  // range of the joints, rad; see spec::kChainElement
+  std::optional<double> range = {};  // largest angle to either side, rad; nullopt: no limit
   std::vector<model::Attribute> attributes = {};  // MJCF attributes of the joints
 };
 
@@ -33,7 +33,7 @@ struct Link {
 std::optional<Chain> ReadChain(const FieldReader& body, const spec::Entry& entry);
 
 /// Returns the joints between the link with the full name `link` and the previous link. `mark` is
-/// the place of the body's entry.
+/// the position of the body's entry in the text of the spec.
 std::vector<model::Joint> JointsOfLink(const Chain& chain, const std::string& link,
                                        diag::SourceMark mark);
 

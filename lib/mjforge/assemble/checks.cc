@@ -1,4 +1,4 @@
-// Reader of `checks:`, evaluated for one variant.
+// Reads `checks:` of a spec, with the values of one variant, into Object::checks.
 
 #include <functional>
 #include <utility>

@@ -17,8 +17,8 @@ namespace {
 using diag::Code;
 using spec::Key;
 
-// Impedance (solimp) of linear couplings, in place of MuJoCo's "0.9 0.95 ...", because gears and
-// threads hardly yield.
+// Impedance (solimp) of linear couplings, in place of MuJoCo's default "0.9 0.95 ...", because
+// gears and threads hardly yield.
 constexpr double kImpedance[] = {0.99, 0.999, 0.001, 0.5, 2};
 // Impedance of nonlinear couplings: the largest values that MuJoCo uses (mjMAXIMP). EqualityOf()
 // cannot swap the joints of a nonlinear coupling, and MuJoCo makes the equality far too soft if
@@ -59,8 +59,8 @@ model::Element EqualityOf(std::string follower, std::string leader, sample::Numb
   return equality;
 }
 
-// Reads `turns:`, which gives the range of a screw. Leaves `range` unchanged if the entry has no
-// `turns:`. Returns false after adding a finding.
+// Reads `turns:`, the range of a screw's hinge in full turns; a single number N means 0 to N.
+// Leaves `range` unchanged if the entry has no `turns:`. Returns false after adding a finding.
 bool ReadTurns(FieldReader& reader, const spec::Entry& screw,
                std::optional<Eigen::Vector2d>& range) {
   const spec::Field* field = screw.Find(Key::kTurns);
@@ -85,7 +85,8 @@ std::optional<double> ReadLead(FieldReader& reader, const spec::Field& field) {
   return std::nullopt;
 }
 
-// Returns the five coefficients of the polynomial in `couple:`; nullopt after adding a finding.
+// Returns the five coefficients that `polycoef`, `lead` or `ratio` of `couple:` specifies; nullopt
+// after adding a finding.
 std::optional<sample::Numbers> ReadPolynomial(FieldReader& reader, const spec::Entry& couple) {
   sample::Numbers c = {0, 0};
   if (const spec::Field* field = couple.Find(Key::kPolycoef)) {

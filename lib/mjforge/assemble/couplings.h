@@ -40,10 +40,11 @@ class Couplings {
   struct Leader {
     std::string name;
     std::string shown;   // name in the spec
-    bool turns = false;  // true: must be a hinge, because the coupling has a `lead`
+    bool turns = false;  // true: the leader must be a hinge, because of `lead`
     diag::SourceMark mark;
   };
-  /// Adds the equality with this name, and with the solver parameters of the entry.
+  /// Adds the equality, with this name, to the object. MJCF attributes of the entry, such as
+  /// `solimp`, replace those of `equality`.
   void Add(const Scope& scope, FieldReader& reader, const spec::Entry& entry,
            const std::string& name, model::Element equality);
 

@@ -1,4 +1,4 @@
-// Detents: joints that snap to one of the two ends of their range.
+// Reads `detent:`: sets a spring of negative stiffness, damping, armature and stiff limits.
 
 #include "mjforge/assemble/detents.h"
 
@@ -25,8 +25,7 @@ constexpr double kPeriod = 0.02;
 constexpr double kEndReference[] = {0.004, 1};
 constexpr double kEndImpedance[] = {0.99, 0.999, 0.001, 0.5, 2};
 
-// Returns true if the detent comes from the defaults, but the entry itself specifies a spring or a
-// screw, which replaces the detent.
+// Returns true if a spring or a screw in the entry itself replaces a detent from the defaults.
 bool HasOwnSpring(const spec::Entry& entry, const spec::Field& detent) {
   const auto is_spring = [](const spec::Field& field) {
     return !field.is_default &&

@@ -1,4 +1,4 @@
-// Detents: joints that snap to one of the two ends of their range.
+// Detents: joints that snap to the ends of their range, such as the rocker of a switch.
 
 #pragma once
 

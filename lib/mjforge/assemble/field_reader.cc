@@ -1,4 +1,4 @@
-// Evaluation of fields, and findings about values that the field table does not allow.
+// FieldReader: evaluates the fields of an element, and reports values that are not allowed.
 
 #include "mjforge/assemble/field_reader.h"
 
@@ -13,8 +13,8 @@ namespace {
 
 using diag::Code;
 
-// Returns the value at whose place a finding about the number at index `position` is reported: the
-// item of a list, or the whole value if it is not a list.
+// Returns the value whose mark (position in the spec) is used for a finding about the number at
+// index `position`: the item if `value` is a list, otherwise `value` itself.
 const spec::Value& ItemOf(const spec::Value& value, std::size_t position) {
   const auto* list = std::get_if<spec::List>(&value.form);
   return list != nullptr && position < list->items.size() ? list->items[position] : value;

@@ -1,4 +1,4 @@
-// Reader of an element's fields: evaluates their values and checks them against the field table.
+// FieldReader: checked access to the fields of one element of a spec.
 
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace mjforge::assemble {
 
-/// Reads the fields (keys with values) of one element. Each function that returns nullopt or false
-/// adds a finding.
+/// Reads the fields (keys with values) of one element, and checks their values against the rules in
+/// spec::FieldInfo. Each function that returns nullopt or false adds a finding.
 class FieldReader {
  public:
   /// `path` is the random stream (sequence of random numbers) of the element. Each field draws from
@@ -45,7 +45,7 @@ class FieldReader {
   std::optional<sample::PointList> Points(const spec::Field& field);
   std::optional<std::vector<sample::HoleOutline>> Outlines(const spec::Field& field);
   std::optional<std::string> Text(const spec::Field& field);
-  /// Returns the text of a field, which must be one of the words in the field table.
+  /// Returns the text of a field, which must be one of the words in its FieldInfo.
   std::optional<std::string> Word(const spec::Field& field);
   std::optional<bool> Boolean(const spec::Field& field);
   bool ReadAttribute(const spec::Field& field, model::Attribute& out);
@@ -73,8 +73,8 @@ class FieldReader {
   diag::Findings& findings() { return findings_; }
 
  private:
-  /// Returns the random stream of the field. If the field has no draw, returns the stream of the
-  /// element, which saves a hash.
+  /// Returns the random stream of the field. If the field draws no random number, returns the
+  /// stream of the element, which saves a hash.
   sample::StreamId PathOf(const spec::Field& field) const {
     return spec::HasDraw(field.value) ? sample::Child(path_, field.info->key) : path_;
   }

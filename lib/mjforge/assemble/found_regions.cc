@@ -15,13 +15,12 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Limits for the message about a search without a result, which gives the size of the largest level
-// face that has at least this area, m^2, and this free height, m.
+// If a search finds no region, the message states the size of the largest level face with at least
+// this area, m^2, and at least this free height, m.
 constexpr double kAnyArea = 1e-8;
 constexpr double kAnyHeight = 1e-5;
 
-// Adds the colliding parts of a body whose indices are from `first` to `last` - 1, with poses in
-// the root frame.
+// Adds the colliding ones of a body's parts `first` to `last` - 1, with poses in the root frame.
 void AddColliding(const model::Body& body, const model::Pose& X_RootB, std::size_t first,
                   std::size_t last, std::vector<PlacedShape>& out) {
   for (std::size_t i = first; i < std::min(last, body.parts.size()); ++i) {
@@ -68,8 +67,8 @@ class FaceFinder {
     return shapes;
   }
 
-  // Returns the face as a region with the name, site and margin of the search's entry.
-  // Quadrilaterals with right angles become boxes.
+  // Returns the face as a region with the name, site and margin that the spec gives for the
+  // searched region. Quadrilaterals with right angles become boxes.
   model::Region RegionOf(const LevelFace& face, std::size_t body) const {
     model::Region region = search_.pattern;
     region.height = face.height;

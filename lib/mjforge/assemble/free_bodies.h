@@ -9,8 +9,8 @@
 namespace mjforge::assemble {
 
 /// Makes each body with a free joint a child of the world, without changing its pose in the world.
-/// If the body has further joints, or an ancestor has joints but no free joint, adds a finding
-/// instead. Only bodies with `place:` may have such an ancestor.
+/// Adds a finding instead if the body has further joints, or if an ancestor has joints but no free
+/// joint and the body has no `place:`.
 void ReleaseFreeBodies(std::vector<model::Body>& bodies, diag::Findings& findings);
 
 }  // namespace mjforge::assemble

@@ -24,7 +24,7 @@ PartTexture TextureOf(const model::Object& object, int material) {
   const model::Material& its = object.materials[static_cast<std::size_t>(material)];
   if (its.texture < 0) return texture;
   const model::Texture& image = object.textures[static_cast<std::size_t>(its.texture)];
-  // Skip cube textures, whose coordinates MuJoCo computes itself.
+  // Skips cube textures, whose coordinates MuJoCo computes itself.
   const auto is_2d = [](const model::Attribute& a) { return a.name == "type" && a.text == "2d"; };
   if (std::ranges::none_of(image.attributes, is_2d)) return texture;
   texture.is_turned = model::FindAttribute(image.attributes, "builtin") != nullptr;
@@ -36,7 +36,8 @@ PartTexture TextureOf(const model::Object& object, int material) {
     const std::size_t last = attribute.numbers.size() - 1;
     texture.mapping.repeat = {attribute.numbers[0], attribute.numbers[last]};
   }
-  // Divide by 2 as MuJoCo does, which repeats uniform textures on primitive geoms half as often.
+  // On primitive geoms, MuJoCo repeats textures with `texuniform` half as often as `texrepeat`
+  // says. The division makes meshes look the same.
   if (texture.mapping.unit == Unit::kMetre) texture.mapping.repeat /= 2;
   return texture;
 }
@@ -64,7 +65,7 @@ bool ReadGrain(FieldReader& reader, const spec::Entry& entry, std::string_view t
 Eigen::Quaterniond TurnToGrain(const PartTexture& texture, Eigen::Vector3d& half) {
   if (texture.mapping.unit == Unit::kNone || !(texture.grain || texture.is_turned))
     return Eigen::Quaterniond::Identity();
-  // Prefers y if edges are equally long.
+  // If two edges are equally long, prefers y to x, and x and y to z.
   const auto longer = [&](int a, int b) { return half[a] > half[b] ? a : b; };
   const int grain = texture.grain.value_or(longer(2, longer(0, 1)));
   const int first = grain == 0 ? 1 : 0, second = grain == 2 ? 1 : 2;  // the other axes

@@ -1,4 +1,4 @@
-// Grain of a part, the direction of its texture: along an axis that the spec specifies, or along
+// Grain of a part: the direction of its texture, along an axis that the spec specifies, or along
 // the longest edge.
 
 #pragma once
@@ -17,8 +17,8 @@ namespace mjforge::assemble {
 /// from x and y in the geom's frame.
 struct PartTexture {
   solid::TextureMapping mapping = {.unit = solid::TextureMapping::Unit::kNone};
-  /// True if the grain follows the longest edge of the part. False for image files, because a
-  /// picture has a definite top edge.
+  /// True if, unless `grain` is set, the grain follows the longest edge of the part. False with
+  /// `grain: none`, and for image files, because a picture has a definite top edge.
   bool is_turned = false;
   std::optional<int> grain = std::nullopt;  // axis that the spec specifies: 0, 1 or 2
 };

@@ -19,7 +19,7 @@ using Polygon = std::vector<Vector2d>;
 // Tolerance for equal heights and for contact, m: smaller than any clearance that matters, larger
 // than the rounding errors of poses.
 constexpr double kTouching = 1e-6;
-constexpr double kStraight = 1e-9;  // sine of the angle below which two edges are treated as one
+constexpr double kStraight = 1e-9;  // sine of the angle below which a corner is left out
 constexpr std::size_t kDiscCorners = 64;
 // Largest number of faces that are compared with all shapes. The limit is needed because an object
 // may have 40,000 parts.
@@ -68,8 +68,9 @@ LevelFace TopOf(const PlacedShape& placed) {
   return face;
 }
 
-// Joins faces of equal height, which belong to pieces of one part, if they fill their convex hull:
-// the sum of their areas, which do not overlap, then equals the area of the hull.
+// Returns the convex hull of faces of equal height if the faces fill the hull; otherwise the faces.
+// The faces belong to convex pieces of one part and do not overlap: they fill the hull if the sum
+// of their areas equals the area of the hull.
 std::vector<LevelFace> Joined(std::vector<LevelFace> faces) {
   if (faces.size() < 2) return faces;
   LevelFace whole{.corners = {}, .z = faces.front().z, .radius = std::nullopt};

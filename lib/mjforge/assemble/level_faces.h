@@ -19,7 +19,7 @@ struct PlacedShape {
   model::Shape shape;
   model::Pose X_WG;
   model::Box3 box;                 // bounds of the shape in W
-  std::string_view piece_of = {};  // Part::piece_of
+  std::string_view piece_of = {};  // part of which the shape is a convex piece; may be empty
 };
 
 /// A level upper face of one shape, or of several adjacent convex pieces of one part.
@@ -35,9 +35,10 @@ struct LevelFace {
 /// Returns the area of a face, m^2.
 double AreaOfFace(const LevelFace& face);
 
-/// Returns the level upper faces of the shapes `own`, the largest first, that have at least the
-/// area `area`, m^2, and at least the free height `height`, m, below the shapes `all`. A partly
-/// covered face is cut parallel to its edges until the rest is free.
+/// Returns the level upper faces of the shapes `own` that have at least the area `area`, m^2, and
+/// at least the free height `height`, m, below the shapes `all`; the largest face comes first. A
+/// partly covered face is cut parallel to its edges until the rest is free. Considers only the 64
+/// largest faces before such cuts.
 std::vector<LevelFace> FindLevelFaces(std::span<const PlacedShape> own,
                                       std::span<const PlacedShape> all, double area, double height);
 

@@ -1,4 +1,4 @@
-// Lookup of materials with substitutes, their evaluation, and sharing of equal materials.
+// Materials: lookup by name, replacement by a material of the outer spec, evaluation, and sharing.
 
 #include "mjforge/assemble/materials.h"
 

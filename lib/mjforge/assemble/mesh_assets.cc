@@ -32,8 +32,8 @@ std::size_t HashOf(const std::filesystem::path& file, const Eigen::Vector3d& sca
   return std::hash<std::string_view>()(file.native()) ^ std::hash<std::string_view>()(bytes);
 }
 
-// Returns a file's absolute path, so that meshes are shared however the path of the spec is
-// written; an empty path for an inline mesh.
+// Returns a file's normalized absolute path, so that a mesh is shared even if specs write its path
+// differently; an empty path for an inline mesh.
 std::filesystem::path AbsolutePath(const std::filesystem::path& file) {
   return file.empty() ? file : std::filesystem::absolute(file).lexically_normal();
 }
@@ -154,8 +154,8 @@ void Assets::AddFile(const std::filesystem::path& file, const Eigen::Vector3d& s
     const auto index = static_cast<std::size_t>(it->second);
     const model::MeshAsset& other = *object_.meshes[index];
     MeshSource& source = sources_[index];
-    // MuJoCo may read another mesh than mjforge from a file that is not fit for MuJoCo, such as the
-    // first of several shapes; an attached file uses MuJoCo's.
+    // From a file that is not fit for MuJoCo, MuJoCo may read another mesh than mjforge, such as
+    // the first of several shapes. Meshes of attached MJCF files are always read by MuJoCo.
     const bool is_same_mesh = other.file.empty() != content.fit_for_mujoco;
     if (source.file != path || source.scale != scale || !other.attributes.empty() || !is_same_mesh)
       continue;
@@ -214,11 +214,11 @@ std::string Assets::OutputName(const std::filesystem::path& file) {
   const auto [found, is_new] = output_names_.try_emplace(file);
   if (!is_new) return found->second;
   std::string name = file.filename().string();
-  // Replace characters that are invalid on systems where archives may be unpacked. The backslash is
-  // replaced, too, because MuJoCo treats it like a slash.
+  // Replaces characters that are invalid on systems where archives may be unpacked. The backslash
+  // is replaced, too, because MuJoCo treats it like a slash.
   std::ranges::replace_if(name, IsUnportable, '_');
   const std::filesystem::path safe = name;
-  // Compare names in lower case, because MuJoCo 2.2 ignores the case of file names.
+  // Compares names in lower case, because MuJoCo 2.2 ignores the case of file names.
   for (int i = 2; !taken_names_.insert(diag::LowerCase(name)).second; ++i) {
     name = fmt::format("{}_{}{}", safe.stem().string(), i, safe.extension().string());
   }

@@ -100,7 +100,7 @@ std::optional<MeshFile> BuildObj(const tinyobj::ObjReader& reader, bool has_poly
   return MeshFile{std::move(*mesh), reader.GetShapes().size() == 1 && !has_polygons};
 }
 
-// Returns true if a face has more than four corners.
+// Returns true if a face in the text of an OBJ file has more than four corners.
 bool HasPolygons(std::string_view content) {
   while (!content.empty()) {
     const std::string_view line = content.substr(0, content.find('\n'));
@@ -172,7 +172,7 @@ bool AddTextStl(std::string_view content, MeshBuilder& builder, std::string& why
   return count == 0;
 }
 
-// Returns the result of `parse`. If it throws, returns nullopt and sets `why_not`.
+// Returns the result of `parse`. If `parse` throws, returns nullopt and sets `why_not`.
 template <typename Parse>
 std::optional<MeshFile> CatchExceptions(Parse parse, std::string& why_not) {
   try {

@@ -24,7 +24,7 @@ struct MeshFile {
 std::optional<MeshFile> ReadMeshFile(const std::filesystem::path& file, std::string& why_not,
                                      bool& unreadable);
 
-/// Parse the content of an OBJ or STL file. On failure, return nullopt and set `why_not`.
+/// Parses the content of an OBJ or STL file. On failure, returns nullopt and sets `why_not`.
 std::optional<MeshFile> ParseObj(std::string_view content, std::string& why_not);
 std::optional<MeshFile> ParseStl(std::string_view content, std::string& why_not);
 

@@ -1,4 +1,5 @@
-// Elements of MJCF sections: repetition, attributes, references and limits.
+// Reads elements of MJCF sections (sensor, actuator, ...) with their references to other elements,
+// and completes attributes for MuJoCo 2.2.
 
 #include "mjforge/assemble/mjcf_sections.h"
 

@@ -14,7 +14,7 @@
 namespace mjforge::assemble {
 namespace {
 
-// An element with a name.
+// Entry of a NameTable: an element with a name.
 struct NamedElement {
   std::size_t hash;
   std::string_view kind;
@@ -31,7 +31,7 @@ struct NamedElement {
   }
 };
 
-// The named elements of an object, which are found by kind and name.
+// Named elements of an object, which can be found by kind and name.
 class NameTable {
  public:
   /// Makes room for the elements of most objects.
@@ -60,7 +60,7 @@ class NameTable {
         first = &element;
       }
     }
-    std::map<std::string_view, diag::SourceMark> reported;  // place of the last report, by kind
+    std::map<std::string_view, diag::SourceMark> reported;  // position of the last report, by kind
     for (const auto& [position, pair] : duplicates) {
       const auto& [element, earlier] = pair;
       diag::SourceMark& last = reported[element->kind];
@@ -97,7 +97,7 @@ void CheckVisualNames(const model::Object& object, const NameTable& names,
       const NamedElement* twin = names.Find("part", stem);
       if (twin == nullptr || twin->part->role == model::Role::kCollision || twin->part->as_is)
         continue;
-      // Skip visual parts, because the geom of a visual part "a_vis" is named "a_vis_vis".
+      // Skips visual parts, because the geom of a visual part "a_vis" is named "a_vis_vis".
       if (!part.as_is && part.role == model::Role::kVisual) continue;
       ReportRepeatedName("part", part.name, part.mark, twin->mark,
                          fmt::format("part '{}' has a visual twin of that name", stem), findings);

@@ -17,7 +17,7 @@ std::optional<sample::Evaluator> Assembly::SampleNested(Scope& scope, const spec
   }
   if (!is_good) return std::nullopt;
   // If drawn values violate the requirements of the nested spec, only the nested spec is drawn
-  // again. Its attempts are numbered from the attempt number of the outer spec.
+  // again. Its first attempt has the attempt number of the outer spec (DrawKey::attempt).
   return sample::Sample(*entry.nested, scope.values.key(), path, overrides, findings_,
                         scope.values.sampler());
 }

@@ -32,7 +32,7 @@ struct NoRoom {
   std::string beside;                     // name in `beside:`; empty if not given
   bool has_uv = false;                    // true if `uv:` gives the position in the region
   double clear = 0;                       // required distance from other bodies, m
-  std::optional<double> widest_gap;       // Placer::WidestGap, m; nullopt with `uv:` or `beside:`
+  std::optional<double> widest_gap;       // diameter of the widest gap, m; nullopt if not searched
   std::size_t standing = 0;               // count of instances of the same entry that have a place
   std::size_t instances = 0;              // count of all instances of the entry; 0 if unknown
   diag::SourceMark mark;                  // position of `at:` in the text of the spec

@@ -32,9 +32,9 @@ bool ReadRole(FieldReader& reader, const spec::Entry& entry, model::Part& part) 
 bool IsAttribute(Key id) { return id == Key::kAttribute || id == Key::kRgba || id == Key::kGroup; }
 
 // Makes the contacts of a shape's convex pieces stiffer, because with MuJoCo's default parameters
-// objects would sink through thin walls. With these values, a ball of 5 mm that falls 10 cm does
-// not break through a floor of 1.5 mm. A time constant below two steps of 2 ms would not be stable.
-// docs/physics.md explains how the values were found.
+// objects sink through thin walls. Of 100 beakers with walls of 1.5 mm, 97 hold dropped balls of 5
+// mm with these values, but none with the defaults (docs/physics.md). The time constant is just
+// above two timesteps of 2 ms, MuJoCo's lower limit (refsafe).
 void HardenContacts(std::vector<model::Attribute>& attributes) {
   if (model::FindAttribute(attributes, "solref") != nullptr) return;
   const auto add = [&](std::string_view name, sample::Numbers numbers) {
@@ -44,8 +44,8 @@ void HardenContacts(std::vector<model::Attribute>& attributes) {
   add("solmix", {100});
 }
 
-// Returns the bounding box, in frame F, of a part with the pose X_FG. The box is computed from the
-// convex pieces if there are any and the part has no extent (exact curves).
+// Returns the bounding box, in frame F, of a part with the pose X_FG. Computes the box from the
+// convex pieces if there are any, unless Part::extent describes the exact curved shape.
 model::Box3 BoxOf(const model::Part& part, const std::vector<model::Part>& pieces,
                   const model::Pose& X_FG) {
   if (pieces.empty() || part.extent) return model::BoundsOf(part, X_FG);

@@ -29,8 +29,8 @@ bool HasName(const std::vector<std::string>& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-// Returns the region and the site of a body whose full name is in `names`; nullopt if there is
-// neither.
+// Returns the region and the site of body `body` whose full names are in `names`; nullopt if there
+// is neither.
 std::optional<PlaceTarget> FindOn(const model::Object& object, int body,
                                   const std::vector<std::string>& names) {
   const model::Body& owner = object.bodies[static_cast<std::size_t>(body)];
@@ -43,15 +43,16 @@ std::optional<PlaceTarget> FindOn(const model::Object& object, int body,
   return target;
 }
 
-// Returns the beginning of a composed name ("slot_" of "slot_${i}"); empty for a literal name.
+// Returns the beginning of a name that contains an expression ("slot_" of "slot_${i}"); empty for a
+// literal name.
 std::string_view StemOf(const spec::Entry& entry) {
   const auto* text = std::get_if<spec::Text>(&entry.name.form);
   if (text == nullptr || spec::LiteralText(entry.name)) return {};
   return text->pieces.front().literal;
 }
 
-// Returns the first entry that has this literal name or may have this name, because its composed
-// name begins in the same way. Returns null if there is none.
+// Returns the first entry that has this literal name, or whose name contains an expression and
+// begins like this name. Returns null if there is none.
 const spec::Entry* FindElement(const std::vector<spec::Entry>& entries, std::string_view name) {
   return FindIn(entries, [&](const spec::Entry& entry) {
     const std::string_view stem = StemOf(entry);
@@ -126,7 +127,7 @@ std::optional<PlaceTarget> PlaceNames::Find(std::string_view name) const {
   std::vector<std::string_view> path = PathOf(name);
   const std::string last(path.back());
   path.pop_back();
-  // Collect the possible full names of an element of the body BODY.INNER. The element's entry may
+  // Collects the possible full names of an element of the body BODY.INNER. The element's entry may
   // be in this spec, in the spec of BODY or in the spec of INNER, and each of these specs has
   // another prefix.
   std::string prefix = scope_.prefix;
@@ -140,8 +141,8 @@ std::optional<PlaceTarget> PlaceNames::Find(std::string_view name) const {
   if (body) {
     if (auto target = FindOn(object_, *body, names)) return target;
   }
-  // Search all bodies, because elements of a welded spec (`parts:`) belong to the body of the outer
-  // spec.
+  // Searches all bodies, because elements of a welded spec (`parts:`) belong to the body of the
+  // outer spec.
   for (int i = 0; i < static_cast<int>(object_.bodies.size()); ++i) {
     if (auto target = FindOn(object_, i, {names.back()})) return target;
   }

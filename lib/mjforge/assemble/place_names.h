@@ -37,7 +37,7 @@ class PlaceNames {
   std::optional<int> FindBody(std::string_view name) const;
   /// Returns the region or site with this name; nullopt if there is none.
   std::optional<PlaceTarget> Find(std::string_view name) const;
-  /// Returns the full name of a body.
+  /// Returns the full name, as in the object, of a body named BODY or BODY.INNER.
   std::string FullName(std::string_view body) const;
   /// Returns the name of a body without the scope's prefix; for the root body, the spec's name.
   std::string NameOf(int body) const;

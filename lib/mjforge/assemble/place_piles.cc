@@ -17,8 +17,8 @@ using spec::Key;
 
 // Adds the options with which a pile comes to rest in MuJoCo, unless the spec sets them itself.
 // With a pyramidal cone and impratio 1, bodies slide on each other forever. Without noslip
-// iterations, they creep by some millimetres per second. Without multiccd, releases of MuJoCo
-// before 4.0 let a convex piece rest on a single point.
+// iterations, they creep by some millimetres per second. Without multiccd, which is the default
+// only from MuJoCo 3.8 on, a convex piece may rest on a single contact point.
 void AddOptions(std::vector<model::Section>& sections) {
   const spec::SectionInfo* info = spec::FindSection("option");
   auto found = std::ranges::find(sections, info, &model::Section::info);

@@ -258,7 +258,8 @@ std::optional<int> Placements::ReadBody(const Request& request, FieldReader& rea
 bool Placements::CheckPlaced(const Request& request, int body, const spec::Field& field) {
   const diag::SourceMark mark = field.value.mark;
   if (IsPiled(request, body, mark)) return false;
-  // `top` is `body` or its ancestor that is a child of the spec's root, or the root itself.
+  // Finds `top`, the topmost body at or above `body`: the spec's root, a child of the root, or a
+  // body without a parent, which has no place yet.
   int top = body;
   while (top != scope_.body && BodyAt(top).parent >= 0 && BodyAt(top).parent != scope_.body)
     top = BodyAt(top).parent;

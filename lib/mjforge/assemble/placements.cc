@@ -60,8 +60,8 @@ void Assembly::PlaceBodies(Scope& scope) {
 }
 
 void Placements::Run() {
-  // Make the spec's root body, which has no pose yet, a child of the world during the search, so
-  // that bodies stand upright in the frame of the spec.
+  // Makes the spec's root body, which has no pose yet, a child of the world during the search,
+  // because bodies must stand upright in the frame of the spec.
   model::Body& root = context_.object.bodies[static_cast<std::size_t>(scope_.body)];
   const int parent = std::exchange(root.parent, -1);
   context_.placer.Begin(context_.object);

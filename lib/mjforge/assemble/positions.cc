@@ -14,7 +14,8 @@ namespace {
 
 using diag::Code;
 
-// Tolerance: a position given in degrees is rounded when it is converted to radians.
+// Tolerance at the ends of a range, because the conversion of a position from degrees to radians
+// rounds. Relative to the length of the range; for ball joints, an angle in rad.
 constexpr double kTolerance = 1e-9;
 
 bool IsWithin(const Eigen::Vector2d& range, double position) {

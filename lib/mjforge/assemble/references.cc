@@ -1,5 +1,5 @@
-// Checks of references: elements that refer to removed elements are removed, all other references
-// must exist.
+// References between elements by name: removes elements that refer to removed elements, and reports
+// references to elements that do not exist.
 
 #include "mjforge/assemble/references.h"
 
@@ -72,7 +72,7 @@ bool References::IsRemoved(const std::string& joint) const {
 
 void References::Check() {
   if (references_.empty()) return;
-  // Repeat until nothing changes, because elements may refer to elements that were just removed.
+  // Repeats until nothing changes, because elements may refer to elements that were just removed.
   for (bool changed = true; changed;) {
     changed = false;
     for (const NameReference& reference : references_) changed |= DropIfRemoved(reference);
@@ -115,7 +115,7 @@ bool References::DropIfRemoved(const NameReference& reference) {
 }
 
 void References::Report(const NameReference& reference, const Set& names) {
-  // Suggest names as the spec writes them, without the prefix.
+  // Suggests names as the spec writes them, without the prefix.
   const std::size_t prefix = reference.name.size() >= reference.shown.size()
                                  ? reference.name.size() - reference.shown.size()
                                  : 0;

@@ -55,8 +55,8 @@ class References {
   /// Returns the names of all elements, by kind, for the kinds that references need. The result
   /// refers to texts in the object and in `geoms`, to which the function adds the names of geoms.
   Names CollectNames(std::vector<std::string>& geoms) const;
-  /// Removes the element that has the reference if its target was removed. Returns true if this
-  /// call removed the element.
+  /// Removes the element that has the reference if the element to which it refers was removed.
+  /// Returns true if this call removed the element.
   bool DropIfRemoved(const NameReference& reference);
   bool IsDropped(ElementPlace place) const {
     return dropped_.contains({place.section, place.position});
@@ -68,7 +68,7 @@ class References {
   std::vector<NameReference> references_;
   // Reasons why elements were removed, by kind and name of the element.
   std::map<std::string, std::map<std::string, std::string>, std::less<>> removed_;
-  // Removed elements of sections.
+  // Elements of MJCF sections that are left out: the section, and the index in the section.
   std::set<std::pair<const spec::SectionInfo*, std::size_t>> dropped_;
 };
 

@@ -57,7 +57,7 @@ std::optional<std::size_t> ConcaveCorner(const std::vector<Eigen::Vector2d>& cor
     if (!(turn > -kStraight)) return i;
     turned += turn;
   }
-  // Reject star polygons (pentagrams): they also turn left at each corner, but by more than 360
+  // Rejects star polygons (pentagrams): they also turn left at each corner, but by more than 360
   // degrees in all.
   if (turned > 3 * std::numbers::pi) return 0;
   return std::nullopt;
@@ -137,7 +137,7 @@ bool HasRoomWithin(const model::Region& region) {
     const Eigen::Vector2d normal = solid::OutwardNormal(region.corners, i);
     rest = solid::Clipped(rest, normal, normal.dot(region.corners[i]) - region.margin);
   }
-  constexpr double kStraight = 1e-9;  // sine of an angle; thinner polygons are rounding errors
+  constexpr double kStraight = 1e-9;  // sine of an angle; a corner with a smaller turn is left out
   return solid::AreaOf(solid::ConvexPolygonOf(std::move(rest), kStraight)) > 0;
 }
 
@@ -209,7 +209,7 @@ void Assembly::SearchFaces(std::size_t first) {
   for (std::size_t i = first; i < face_searches_.size(); ++i) {
     const model::Region& region = face_searches_[i].pattern;
     std::string why_not = AddFoundRegions(face_searches_[i], object_);
-    // Do not report searches of nested specs, which may have faces only for some parameters.
+    // Does not report searches of nested specs, which may have faces only for some parameters.
     if (!why_not.empty() && region.mark.file == spec_->mark.file)
       empty_searches_.push_back({region.name, region.mark, std::move(why_not)});
   }

@@ -29,25 +29,26 @@ struct FaceSearch {
   std::size_t last_body = 0;  // 0: not set yet
 };
 
-/// A search that found no region.
+/// A search for level faces that found no region.
 struct EmptySearch {
   std::string region;  // name
   diag::SourceMark mark;
   std::string why_not;
 };
 
-/// Moves the origin of a polygon's frame to the middle of its bounding box, and sets its half
-/// sizes.
+/// Moves the origin of a polygonal region's frame to the middle of the polygon's bounding box, and
+/// sets Region::half_size. Does nothing for other types of regions.
 void CenterOrigin(model::Region& region);
 
-/// Returns true if the region is not empty after its margin is removed.
+/// Returns true if the region is not empty after a strip of the width `margin` along its edge is
+/// removed.
 bool HasRoomWithin(const model::Region& region);
 
 /// Adds a region to the body, and a site at the region.
 void AddRegionTo(model::Body& body, model::Region region);
 
-/// Searches for level faces at the start state, and adds them as regions. Returns the reason if
-/// there are none, otherwise an empty text.
+/// Searches for level faces, with all joints at their start positions, and adds the found faces as
+/// regions. Returns the reason if there are none, otherwise an empty text.
 std::string AddFoundRegions(const FaceSearch& search, model::Object& object);
 
 /// Warns about searches that found nothing.

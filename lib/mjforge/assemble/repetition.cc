@@ -38,7 +38,7 @@ long Repetition::CountInstances(const spec::Entry& entry, std::size_t depth,
   if (depth + 1 == entry.loops.size()) return times;
   long sum = 0;
   for (long i = 0; i < times && sum <= limit; ++i) {
-    // Limit the outer loops, too, which take time even if the inner loops have no instances.
+    // Limits the outer loops, too, which take time even if the inner loops have no instances.
     if (i > kMaxSteps) return limit + 1;
     values.SetVariable(loop, *range, static_cast<std::size_t>(i));
     const long inner = CountInstances(entry, depth + 1, values, limit - sum);
@@ -78,7 +78,7 @@ bool Repetition::Walk(const spec::Entry& entry, std::size_t depth, sample::Evalu
     bool exists = !locals_first || SetLocals(entry, values, list);
     if (exists && entry.condition)
       exists = values.Condition(*entry.condition, entry.mark).value_or(false);
-    // Set the local values after the condition, because the values of an instance that does not
+    // Sets the local values after the condition, because the values of an instance that does not
     // exist may be impossible to compute.
     if (exists && !locals_first) exists = SetLocals(entry, values, list);
     if (exists) visit();

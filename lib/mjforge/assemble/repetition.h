@@ -15,8 +15,8 @@ class Repetition {
   explicit Repetition(diag::Findings& findings) : findings_(findings) {}
 
   /// Returns the number of instances, including those that `if` leaves out. Returns nullopt if a
-  /// loop is invalid, or if the object would have too many elements, of which `existing` are in the
-  /// same list already. Adds a finding unless the limit was reported before.
+  /// loop is invalid, or if there would be too many elements; `existing` is the number of elements
+  /// that the list has already. Adds a finding unless the limit was reported before.
   std::optional<std::size_t> Count(const spec::Entry& entry, sample::Evaluator& values,
                                    std::size_t existing);
   /// Calls `visit` for each instance that exists, after setting its loop variables and local

@@ -1,4 +1,4 @@
-// Scope of a spec during assembly, and readers that all kinds of elements use.
+// State of a spec while its elements are added to an object, and readers for all kinds of elements.
 
 #pragma once
 

@@ -17,8 +17,8 @@ using spec::Key;
 
 bool HasEnds(std::string_view type) { return spec::FindShape(type)->Takes(Key::kFromTo); }
 
-// Reports keys of other shapes. If the type is drawn, this check is not possible when the spec is
-// loaded.
+// Reports keys that only other types of shapes have. If the type is drawn, they cannot be reported
+// when the spec is loaded.
 bool HasStrayKeys(FieldReader& reader, const spec::Entry& entry, std::string_view type) {
   const spec::ShapeInfo* shape = spec::FindShape(type);
   bool stray = false;

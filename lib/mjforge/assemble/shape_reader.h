@@ -19,13 +19,14 @@ struct ShapePlacement {
   model::Pose X_FG;
   std::vector<model::Part> pieces;
 };
-/// Sets the part's shape and mesh. Returns nullopt after adding a finding.
+/// Reads the shape of a part: sets the type, size and mesh in `part`. Names of mesh files are
+/// relative to `folder`. Returns nullopt after adding a finding.
 std::optional<ShapePlacement> ReadShape(FieldReader& reader, const spec::Entry& entry,
                                         const std::filesystem::path& folder, PartTexture texture,
                                         Assets& assets, model::Part& part);
 
-/// Returns the geom type for a word of the key `type`; kMesh for shapes that the library `solid`
-/// makes.
+/// Returns the geom type for a word of the key `type`; kMesh for mesh files and for shapes that the
+/// library `solid` makes.
 model::GeomType TypeOf(std::string_view word);
 
 }  // namespace mjforge::assemble

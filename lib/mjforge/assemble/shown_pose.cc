@@ -1,4 +1,5 @@
-// Check of the joints in `view:`, the pose in which pictures show an object.
+// Compares the joints in `view:` with the joints of the object and, if one is missing, with the
+// joints that other variants of the spec may have.
 
 #include "mjforge/assemble/shown_pose.h"
 
@@ -17,7 +18,7 @@ namespace {
 
 using diag::Code;
 
-// Returns true if the shorter name equals the longer name, or its end after a "_".
+// Returns true if the names are equal, or if the longer name ends with "_" and the shorter name.
 bool EqualUpToPrefix(std::string_view a, std::string_view b) {
   if (a.size() < b.size()) std::swap(a, b);
   return a.ends_with(b) && (a.size() == b.size() || a[a.size() - b.size() - 1] == '_');
@@ -64,7 +65,7 @@ void CheckShownPose(const spec::ObjectSpec& spec, const model::Object& object,
   std::vector<std::string_view> joints;
   for (const model::Body& body : object.bodies) {
     for (const model::Joint& joint : body.joints) {
-      // Skip ball and free joints, whose positions have several numbers.
+      // Skips ball and free joints, whose positions have several numbers.
       if (joint.type == "hinge" || joint.type == "slide") joints.push_back(joint.name);
     }
   }

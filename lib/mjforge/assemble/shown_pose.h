@@ -1,4 +1,4 @@
-// Check of the joints in `view:`, the pose in which pictures show an object.
+// Check that an object has the joints in `view:`, the pose in which pictures show the object.
 
 #pragma once
 
@@ -8,8 +8,9 @@
 namespace mjforge::assemble {
 
 /// Adds a warning for each joint in the pose of `view:` that the object does not have. There is no
-/// warning if other variants may have the joint, because `if` or `for` leaves it out or its name is
-/// drawn. The first words of a joint's name may be missing if exactly one joint matches.
+/// warning if other variants may have the joint: in this variant, `if` or `for` leaves the joint
+/// out, or its name is drawn. The first words of a joint's name may be missing; adds a warning if
+/// several joints match.
 void CheckShownPose(const spec::ObjectSpec& spec, const model::Object& object,
                     diag::Findings& findings);
 

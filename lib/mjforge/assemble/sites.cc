@@ -1,4 +1,4 @@
-// Reader of the sites of bodies.
+// Reads `sites:`, and adds the sites to the current body.
 
 #include <utility>
 
@@ -33,7 +33,7 @@ void Assembly::AddSite(Scope& scope, const spec::Entry& entry, sample::StreamId 
   if (const spec::Field* size = entry.Find(Key::kSize)) {
     sample::Numbers numbers;
     good &= reader.Numbers(*size, numbers);
-    // Set missing components to MuJoCo's default, 0.005 m.
+    // Sets missing components to MuJoCo's default, 0.005 m.
     numbers.resize(3, 0.005);
     site.size = Eigen::Vector3d(numbers.data());
   }

@@ -49,7 +49,7 @@ void SetExtents(const std::shared_ptr<const solid::Solid>& made, model::Part& pa
 std::vector<model::Part> Assets::AddSolid(const std::shared_ptr<const solid::Solid>& made,
                                           model::Part& part) {
   const solid::Solid& solid = *made;
-  // Add a convex solid with a single mesh as a single part, like MuJoCo's own shapes.
+  // Adds a convex solid with a single mesh as a single part, like MuJoCo's own shapes.
   if (solid.pieces.empty() || solid.render_mesh.vertices.empty()) {
     AddInline(solid.pieces.empty() ? solid.render_mesh : solid.pieces.back().mesh, part);
     return {};

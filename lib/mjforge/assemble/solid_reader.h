@@ -1,4 +1,5 @@
-// Reader of the shapes that the library `solid` makes.
+// Reader of parts whose shapes the library `solid` makes (lathe, prism, tube, hull, rounded box,
+// ...).
 
 #pragma once
 
@@ -9,7 +10,8 @@
 
 namespace mjforge::assemble {
 
-/// Returns true if the library `solid` makes parts of this type with the keys of the entry.
+/// Returns true if the library `solid` makes the shape of the entry: a lathe, prism, tube or hull,
+/// a box with `round` or `holes`, or a cylinder with `round`.
 bool IsSolid(std::string_view type, const spec::Entry& entry);
 
 /// Reads a part that the library `solid` makes, and adds its shape with Assets::AddShape(). Sets

@@ -29,8 +29,8 @@ void Assembly::ReadStarts(Scope& scope) {
   }
 }
 
-// Reads one entry of `pose:`. The position is drawn from the stream with the joint's name, not with
-// the key's name, so that both forms of `pose:`, mapping and list, draw the same positions.
+// Reads one entry of `pose:`. The random stream of the position is named after the joint, not after
+// the key, so that both forms of `pose:`, mapping and list, draw the same positions.
 void Assembly::ReadStart(Scope& scope, const spec::Entry& entry, sample::StreamId pose) {
   RequestedStart& start = starts_.emplace_back();
   start.position.shown = scope.values.Text(entry.name, pose).value_or("");

@@ -18,7 +18,8 @@ struct RequestedPosition {
   diag::SourceMark mark;
 };
 
-/// A start state in `pose:`, or the value of `start:` of a joint.
+/// A start state that an entry of `pose:`, or `start:` of a joint, requests for a joint or an
+/// actuator.
 struct RequestedStart {
   std::string_view key = "pose";
   RequestedPosition position;           // `joint` may be the name of an actuator

@@ -117,7 +117,8 @@ class WholeProperties {
     for (const spec::BodyEntry& entry : spec.bodies) set(entry.sites);
   }
 
-  // Sets torque(NAME) for the joints of a body; `joints` is the random stream of the joints.
+  // Sets torque(NAME), the largest torque of gravity on the joint NAME, for the joints of a body.
+  // `joints` is the random stream of the joints.
   void SetTorques(const std::vector<spec::Entry>& entries, std::size_t body,
                   sample::StreamId joints) {
     for (const spec::Entry& entry : entries) {

@@ -1,4 +1,5 @@
-// Copies actuators from a compiled model into an attachment.
+// Copies actuators of the compiled model (mjModel) into an attachment, a body of an MJCF file for
+// use in a spec.
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,8 +15,8 @@ std::string WordOf(int number) {
   return std::string(engine::WordOf(static_cast<Type>(number)));
 }
 
-/// Returns the numbers without zeros at the end, because MuJoCo's default of these numbers is 0.
-/// Keeps the first number, whose default is not 0.
+/// Returns the numbers without zeros at the end, which are MuJoCo's defaults. Keeps the first
+/// number, because its default is 1 in `dynprm` and `gainprm`.
 std::span<const mjtNum> WithoutZeros(std::span<const mjtNum> numbers) {
   while (numbers.size() > 1 && numbers.back() == 0) numbers = numbers.first(numbers.size() - 1);
   return numbers;

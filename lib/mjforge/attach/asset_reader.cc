@@ -1,4 +1,5 @@
-// Reads the materials, textures and meshes that an attachment uses.
+// AssetReader: adds materials, textures and meshes of the compiled model to an attachment, once
+// each.
 #include "mjforge/attach/asset_reader.h"
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Reads the materials, textures and meshes that an attachment uses.
+// Reader of the assets (materials, textures, meshes) that a body of an MJCF file uses.
 #pragma once
 
 #include <map>
@@ -25,8 +25,8 @@ class AssetReader {
   std::string MaterialName(int id);
   /// Returns the index of a compiled mesh in Attachment::meshes.
   int Mesh(int id);
-  /// Returns the pose of a compiled mesh's frame, which MuJoCo computes from the inertia of the
-  /// mesh, in the frame of the mesh asset.
+  /// Returns the pose X_AM of a compiled mesh's frame M, which MuJoCo computes from the inertia of
+  /// the mesh, in the frame A of the mesh asset.
   const model::Pose& FrameOf(int mesh) const { return meshes_.FrameOf(mesh); }
 
  private:

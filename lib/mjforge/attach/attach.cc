@@ -1,4 +1,4 @@
-// Reads MJCF files, and makes attachments of their bodies.
+// Reads MJCF files, and makes attachments of their bodies, for use in specs.
 #include "mjforge/attach/attach.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ struct File {
 
 struct Result {
   std::unique_ptr<model::Attachment> attachment;
-  diag::Findings findings;  // without findings about the whole file
+  diag::Findings findings;  // about the body, not about the whole file
 };
 
 /// Adds copies of findings about a file at `mark`, the place in the spec that attaches the file.
@@ -43,8 +43,8 @@ void AddAt(const diag::Findings& stored, diag::SourceMark mark, diag::Findings& 
   }
 }
 
-/// Returns true if the XML contains a body of this name. Call this function if the compiled model
-/// does not contain the body: if the XML does, MuJoCo fused the body with its parent.
+/// Returns true if the XML contains a body of this name. If the compiled model lacks a body of the
+/// XML, MuJoCo fused the body with its parent.
 bool IsFused(const XmlElement& element, const std::string& body) {
   if (element.tag == "body" && element.Name() == body) return true;
   return std::ranges::any_of(element.children,

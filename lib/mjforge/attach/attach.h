@@ -1,5 +1,6 @@
-// Reads one body of an MJCF file as an attachment: bodies, assets and elements of sections. All
-// numbers come from MuJoCo's compiled model; names, files and places come from the XML.
+// Reader of a body of an MJCF file, with everything below it and all elements that refer to it, for
+// use in a spec. All numbers come from MuJoCo's compiled model (mjModel); names, files and line
+// numbers come from the XML.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Builds attributes of attached elements from compiled models and XML.
+// Attributes: appends attributes with values from the compiled model (mjModel) or from XML.
 #include "mjforge/attach/attributes.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Builds attributes of attached elements from compiled models and XML.
+// Builder of the MJCF attributes of an element that is copied from an MJCF file.
 #pragma once
 
 #include <cstddef>

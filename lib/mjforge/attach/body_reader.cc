@@ -1,4 +1,5 @@
-// Reads bodies with their joints, geoms, sites, cameras and lights from the compiled model.
+// Copies bodies with their joints, geoms, sites, cameras and lights from the compiled model
+// (mjModel) into an attachment.
 #include "mjforge/attach/body_reader.h"
 
 #include <algorithm>

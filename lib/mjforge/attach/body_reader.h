@@ -1,4 +1,4 @@
-// Reads the bodies of an attachment from the compiled model.
+// Reader of the bodies of an attachment, a body of an MJCF file for use in a spec.
 #pragma once
 
 #include "mjforge/attach/asset_reader.h"

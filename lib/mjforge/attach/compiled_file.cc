@@ -85,8 +85,8 @@ void Replace(std::string& text, const std::string& from, const std::string& to) 
   }
 }
 
-/// Backports the tree to MuJoCo 2.2, the release that objects are written for, even if this build
-/// uses a later MuJoCo.
+/// Rewrites the XML tree for MuJoCo 2.2, the release for which objects are written, even if this
+/// build uses a later MuJoCo.
 void Backport(XmlElement& root, const diag::Sources& sources, diag::Findings& findings) {
   diag::Findings found;
   backport::BackportMjcf(root, backport::kPortable, backport::Use::kBodies, sources, found);

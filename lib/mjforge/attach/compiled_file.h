@@ -48,8 +48,8 @@ class CompiledFile {
 
  private:
   CompiledFile() = default;
-  /// Adds an error and returns false if MuJoCo must not read the file, one of its assets, or a
-  /// mesh.
+  /// Returns false after adding an error if MuJoCo must not read the file or one of its assets, for
+  /// example a mesh with an index out of range (see engine::FindFileFault()).
   bool CheckFiles(diag::Findings& findings);
   /// Compiles the file. If MuJoCo rejects the file, adds an error and leaves model_ null.
   void Load(diag::Findings& findings);

@@ -1,4 +1,5 @@
-// Checks that all numbers of an attachment are finite.
+// Checks the attributes, poses, sizes, masses and mesh vertices of an attachment for NaN and
+// infinity.
 #include "mjforge/attach/finite_check.h"
 
 #include <algorithm>
@@ -53,8 +54,8 @@ class FiniteCheck {
                          file_.string(), what));
   }
 
-  /// Reports the lists `all`, and the attributes, of a body, joint, geom or other element that
-  /// contain a number that is not finite.
+  /// Reports each list of numbers in `all`, and each attribute of the element `thing` (a body,
+  /// joint, geom, ...), that contains NaN or infinity.
   template <typename Thing>
   void CheckThing(std::string_view kind, const Thing& thing,
                   std::initializer_list<Named> all = {}) {

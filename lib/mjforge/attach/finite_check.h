@@ -1,4 +1,4 @@
-// Checks that all numbers of an attachment are finite.
+// Check that all numbers of an attachment (a body of an MJCF file, for use in a spec) are finite.
 #pragma once
 
 #include <filesystem>

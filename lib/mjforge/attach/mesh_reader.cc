@@ -1,5 +1,5 @@
-// Reads the meshes of an MJCF file in the frames of the mesh assets, before MuJoCo moved them into
-// inertial frames.
+// MeshReader: compiles a model of the meshes alone to find their inertial frames, and undoes
+// MuJoCo's move of each mesh into its inertial frame.
 #include "mjforge/attach/mesh_reader.h"
 
 #include <optional>

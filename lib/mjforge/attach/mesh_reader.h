@@ -1,5 +1,5 @@
-// Reads the meshes of an MJCF file in the frames of the mesh assets, before MuJoCo moved them into
-// inertial frames.
+// Reader of the meshes of an MJCF file, with vertices in the frames of the mesh assets instead of
+// MuJoCo's inertial frames.
 #pragma once
 
 #include <map>

@@ -1,4 +1,5 @@
-// Contents of an attachment, and the names of bodies, elements and assets in it.
+// Contents of an attachment, a body of an MJCF file for use in a spec: bodies, elements and assets,
+// and their names in the attachment.
 #pragma once
 
 #include <map>
@@ -24,7 +25,7 @@ class NameScope {
   bool Contains(mjtObj kind, int id) const { return names_.contains({kind, id}); }
   /// Returns the name in the attachment; an empty text for an element of a section without a name.
   const std::string& Name(mjtObj kind, int id) const { return names_.at({kind, id}); }
-  /// Sets the name and the place of `thing`, an element of the attachment.
+  /// Sets the name of `thing`, an element of the attachment, and its position in the MJCF file.
   template <typename Thing>
   void Label(mjtObj kind, int id, Thing& thing) const {
     thing.name = Name(kind, id);
@@ -35,7 +36,7 @@ class NameScope {
   /// Returns the index of a body in bodies().
   int Position(int body) const { return positions_.at(body); }
 
-  /// Adds an asset or an element of a section.
+  /// Adds an asset or an element of a section to the attachment.
   void Add(mjtObj kind, int id);
 
   /// Removes an element that refers to elements outside the attachment.
@@ -64,7 +65,8 @@ class NameScope {
   std::set<Id> dropped_;
 };
 
-/// Returns a valid name: replaces all characters that names cannot have.
+/// Returns a valid name: replaces all characters that names cannot have by `_`, and adds an `x` in
+/// front if the name begins with another character than a letter. An empty name remains empty.
 std::string MakeName(std::string_view name);
 
 }  // namespace mjforge::attach

@@ -1,5 +1,5 @@
-// Copies contacts and equalities from a compiled model into an attachment, and the references of
-// elements in all sections.
+// Copies contacts and equalities of the compiled model (mjModel) into an attachment, a body of an
+// MJCF file for use in a spec. Adds the references of elements in all sections.
 #include "mjforge/attach/section_reader.h"
 
 #include <algorithm>

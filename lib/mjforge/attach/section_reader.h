@@ -1,4 +1,4 @@
-// Copies elements of sections from a compiled model into an attachment.
+// Reader of the elements of MJCF sections (contact, tendon, ...) that refer to an attached body.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ namespace mjforge::attach {
 struct Reference {
   mjtObj kind = mjOBJ_UNKNOWN;
   int id = -1;
-  std::string_view attribute = {};       // attribute that names the target; empty: a child has it
+  std::string_view attribute = {};       // attribute that names the target; empty: a child names it
   std::string_view kind_attribute = {};  // attribute with the target's kind (objtype); empty: none
 };
 
@@ -36,8 +36,9 @@ class SectionReader {
     model::Element& element;
     Attributes attributes;
   };
-  /// Adds an element with name, place and references if the attachment contains all targets of the
-  /// references. Otherwise returns nullopt, and warns if the attachment contains some targets.
+  /// Adds an element with its name, position in the file and references, if the attachment contains
+  /// the targets of all references. Otherwise returns nullopt, and adds a warning if the attachment
+  /// contains only some of the targets.
   std::optional<Added> Add(std::string_view section, std::string_view tag, mjtObj kind, int id,
                            const std::vector<Reference>& references);
 

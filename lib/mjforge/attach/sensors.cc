@@ -1,4 +1,5 @@
-// Copies sensors from a compiled model into an attachment.
+// Copies sensors of the compiled model (mjModel) into an attachment, a body of an MJCF file for use
+// in a spec.
 #include <algorithm>
 #include <string>
 #include <string_view>

@@ -1,4 +1,5 @@
-// Copies tendons from a compiled model into an attachment.
+// Copies tendons of the compiled model (mjModel) into an attachment, a body of an MJCF file for use
+// in a spec.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -8,7 +9,7 @@
 namespace mjforge::attach {
 namespace {
 
-// Colour of spatial tendons, with MuJoCo's default.
+// Colour (rgba) of spatial tendons, and MuJoCo's default, which is not written.
 constexpr compiled::ArrayField kRgba[] = {{"rgba", &mjModel::tendon_rgba, 4, {{0.5, 0.5, 0.5, 1}}}};
 
 /// Adds an element for each joint, site, geom or pulley on the path of a tendon.

@@ -1,4 +1,5 @@
-// Replacements for actuators: damping of servos, inherited ranges, force ranges of joints.
+// Replaces attributes of actuators and joints: damping of servos, inherited ranges, and force
+// ranges of joints.
 
 #include <algorithm>
 #include <numbers>
@@ -18,7 +19,7 @@ bool IsServo(const xml::XmlElement& element) {
 struct Gains {
   std::string kp = "1";
   std::string kv;
-  bool mixed = false;  // true: default classes also set gains of actuators that are not servos
+  bool mixed = false;  // true: default classes may set gains otherwise than by kp and kv
 };
 
 void ReadGains(const xml::XmlElement& element, Gains& gains) {
@@ -54,8 +55,9 @@ std::string_view TransmissionOf(const xml::XmlElement& actuator) {
 
 }  // namespace
 
-// Replaces a servo with the gain `kv` by a `<general>` actuator with an affine bias, whose third
-// number is -kv.
+// Replaces a servo that has the damping gain `kv` by a `<general>` actuator with an affine bias,
+// whose third number is -kv. Does nothing if the gains are unknown, or if `dampratio` or
+// `timeconst` is not 0.
 void Replacements::ReplaceDamping(ClassedElement& servo) {
   if (!IsServo(*servo.element) || FindMissing(servo, "kv") == nullptr) return;
   Gains gains;
@@ -81,8 +83,8 @@ void Replacements::ReplaceDamping(ClassedElement& servo) {
   MarkReplaced(servo, "kv");
 }
 
-// Replaces `inheritrange` of a servo by the control or activation range that it stands for: the
-// range of the joint or tendon, scaled about its middle.
+// Replaces `inheritrange` of a servo by the `ctrlrange` or `actrange` that MuJoCo would compute:
+// the range of the joint or tendon, scaled about the middle of this range.
 void Replacements::ReplaceInheritedRange(ClassedElement& actuator) {
   const std::string* inherit = FindMissing(actuator, "inheritrange");
   if (inherit == nullptr || !IsNumber(*inherit)) return;
@@ -134,9 +136,9 @@ std::optional<std::vector<ClassedElement*>> Replacements::ActuatorsOf(const std:
   return drivers;
 }
 
-// Replaces the force range of a joint by a force range of its actuator if exactly one actuator
-// moves the joint. Marks the attributes as without effect if the limit is off or no actuator moves
-// the joint.
+// If exactly one actuator moves a joint, replaces the force range of the joint by a force range of
+// this actuator. If the limit is off or no actuator moves the joint, stores that the attributes
+// have no effect.
 void Replacements::ReplaceJointForceRange(ClassedElement& joint, std::string_view range,
                                           std::string_view limited) {
   const bool has_limited = FindMissing(joint, limited) != nullptr;

@@ -57,8 +57,8 @@ bool IsNeutral(const MjcfFeature& feature, const std::string& value) {
   return !usual.empty() && std::ranges::all_of(numbers, [&](double n) { return n == usual[0]; });
 }
 
-/// Returns a list with the same meaning and the length that the older release requires; nullopt if
-/// there is none.
+/// Returns a list with the meaning of `numbers` and the length that the older release requires;
+/// nullopt if there is no such list.
 std::optional<std::vector<double>> Resized(const MjcfList& list, std::vector<double> numbers) {
   const std::vector<double> usual = xml::NumbersOf(list.usual);
   const double neutral = list.beyond.empty() ? numbers[0] : xml::NumbersOf(list.beyond)[0];
@@ -105,8 +105,8 @@ class Backporter {
   }
 
  private:
-  /// Writes lists of numbers in the lengths that the release requires. Reports each list that has
-  /// no equivalent of the required length. Returns true if the tree changed.
+  /// Gives lists of numbers the lengths that the release requires. Adds an error for each list that
+  /// has no equivalent of the required length. Returns true if the tree changed.
   bool ResizeLists(xml::XmlElement& parent) {
     bool changed = false;
     for (xml::XmlElement& child : parent.children) {
@@ -169,9 +169,9 @@ class Backporter {
     });
   }
 
-  /// Adds an error for each attribute of `element`, an element in `<default>`, that the release
-  /// lacks and that cannot be removed because `classed` inherits the attribute and would change its
-  /// meaning.
+  /// Checks the attributes of `element`, an element in `<default>`, that `classed` inherits. Adds
+  /// an error for each attribute that the release lacks and whose removal would change the meaning
+  /// of `classed`.
   void CheckInherited(const ClassedElement& classed, const xml::XmlElement& element) {
     for (const auto& [name, value] : element.attributes) {
       const MjcfFeature* feature = FindMissing("default", element.tag, name, value);
@@ -187,8 +187,8 @@ class Backporter {
     }
   }
 
-  /// Removes all elements and attributes that the release lacks. Warns of them or reports them as
-  /// errors if `reported` is true.
+  /// Removes all elements and attributes that the release lacks. If `reported` is true, adds a
+  /// warning or an error for each.
   void RemoveMissing(xml::XmlElement& parent, bool reported) {
     for (xml::XmlElement& child : parent.children) {
       const bool is_reported = reported && !IsUnused(parent, child);
@@ -216,8 +216,8 @@ class Backporter {
            replacements_->Find(&element, attribute) == "";
   }
 
-  /// Returns true if only the bodies of the file are used (Use::kBodies), and `section` only sets
-  /// options of the whole model.
+  /// Returns true if `section` contains only settings of the whole model, and only the bodies of
+  /// the file are used (Use::kBodies).
   bool IsUnused(const xml::XmlElement& parent, const xml::XmlElement& section) const {
     constexpr std::string_view kOfModel[] = {"option", "size", "visual", "statistic", "keyframe"};
     return use_ == Use::kBodies && parent.tag == "mujoco" &&
@@ -281,8 +281,8 @@ class Backporter {
   }
 
   /// Returns a shell command that writes a copy of the file, without frames, replicates and
-  /// attachments, into the same folder. MuJoCo 3.3.7 keeps only frames with a name or a class;
-  /// MuJoCo 4.0 keeps all frames.
+  /// attachments, into the same folder. The command removes the names and classes of frames,
+  /// because MuJoCo 3.3.7 would keep frames that have one; MuJoCo 4.0 keeps all frames.
   std::string ConversionCommand() const {
     std::string file = sources_.Name(root_.mark.file);
     if (file.starts_with('<')) file = "FILE.xml";  // standard input has no file name
@@ -301,8 +301,9 @@ class Backporter {
     return only_value ? attribute + "=" + *value : attribute;
   }
 
-  /// Returns true when this attribute is reported for the first time in the element's file, by
-  /// name; if `attribute` is empty, when an element with this tag is. Stores the name.
+  /// Returns true if no attribute of this name was reported before in the element's file, and
+  /// stores the name. If `attribute` is empty, does the same for elements with the tag of this
+  /// element.
   bool IsNew(const xml::XmlElement& element, const std::string& attribute) {
     const std::string& name = attribute.empty() ? '<' + element.tag : attribute;
     return reported_.emplace(element.mark.file, name).second;

@@ -17,16 +17,17 @@ inline constexpr int kPortable = 222;
 /// The purpose for which a file is backported.
 enum class Use {
   kWholeModel,
-  kBodies,  // attaching: settings of the whole model (`option`, `visual`, ...) are not used
+  kBodies,  // to attach the bodies, without settings of the model (`option`, `visual`, ...)
 };
 
-/// Changes the tree so that it means the same in release `version` (a mjVERSION_HEADER), and
-/// returns true if the tree changed. Ranges apply without `limited`, as in MuJoCo 3.0 and later.
-/// Replaces elements and attributes of later releases by equivalent older ones. If there are none,
-/// removes features that affect only pictures or how a model is computed, with a warning; any other
-/// feature is an error. Reports each attribute once per file, at its first place. With kWholeModel,
-/// warns of attributes that releases after `version` reject. With kBodies, frames and replicates
-/// stay in the tree if the MuJoCo of this build expands them.
+/// Changes a tree of MJCF elements so that release `version` (a mjVERSION_HEADER) understands the
+/// file, with its meaning in later releases; returns true if the tree changed. In the original,
+/// ranges apply without `limited`, as in MuJoCo 3.0 and later. Replaces elements and attributes of
+/// later releases by equivalent older ones. If there are none, removes features that affect only
+/// pictures or how a model is computed, with a warning, and adds an error for any other feature.
+/// Reports each attribute once per file, where the attribute first occurs. With kWholeModel, warns
+/// of attributes that releases after `version` reject. With kBodies, keeps `<frame>` and
+/// `<replicate>` if the MuJoCo of this build expands them.
 bool BackportMjcf(xml::XmlElement& root, int version, Use use, const diag::Sources& sources,
                   diag::Findings& findings);
 

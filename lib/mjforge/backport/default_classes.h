@@ -1,4 +1,4 @@
-// Elements of an MJCF file with the attributes of their default classes.
+// Elements of an MJCF file, and lookup of the attributes that they inherit from default classes.
 #pragma once
 
 #include <map>
@@ -21,26 +21,28 @@ struct ClassedElement {
 /// Returns the name of a mesh asset; MuJoCo names a mesh without a name after its file.
 std::string MeshName(const xml::XmlElement& mesh);
 
-/// The elements of a file, and lookup of their attributes, including those that they inherit from
-/// default classes. Valid as long as no element is added to the tree or removed from it.
+/// The elements of a file outside of `<default>`, and lookup of their attributes, including those
+/// inherited from default classes. Valid as long as no element is added to the tree or removed from
+/// it.
 class DefaultClasses {
  public:
   explicit DefaultClasses(xml::XmlElement& root);
 
   std::vector<ClassedElement>& all() { return elements_; }
-  /// Returns the elements of this kind (ElementKindOf): all actuators for "actuator", all joints
+  /// Returns the elements with this ClassedElement::kind: all actuators for "actuator", all joints
   /// for "joint".
   std::vector<ClassedElement*> In(std::string_view kind);
 
-  /// Returns an attribute of the element, or else of the default classes that apply to it; null if
-  /// none of them sets the attribute.
+  /// Returns the value of an attribute of the element, or else of the default classes that apply to
+  /// the element; null if none of them sets the attribute.
   const std::string* Find(const ClassedElement& classed, std::string_view attribute) const;
   std::string Get(const ClassedElement& classed, std::string_view attribute,
                   std::string_view otherwise) const;
   /// Returns the value of a compiler setting in the last `<compiler>` that has it; `otherwise` if
   /// none has it.
   std::string Setting(std::string_view attribute, std::string_view otherwise) const;
-  /// Returns the elements of `<default>` that apply to the element, the main class first.
+  /// Returns the elements in `<default>` from which the element inherits attributes, those of the
+  /// main class first.
   std::vector<const xml::XmlElement*> DefaultsOf(const ClassedElement& classed) const;
 
  private:

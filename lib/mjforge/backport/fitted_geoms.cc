@@ -23,8 +23,9 @@ using LoadText = std::function<engine::Loaded(const std::string&)>;
 constexpr std::string_view kFitted[] = {"sphere", "capsule", "cylinder", "ellipsoid", "box"};
 constexpr std::string_view kAngles[] = {"axisangle", "euler", "xyaxes", "zaxis"};
 
-/// Returns the sizes of the smallest shape whose bounding box contains a box with these half sizes,
-/// multiplied by `scale`; nullopt if a size would be negative, zero or larger than mjMAXVAL.
+/// Returns the MJCF `size` of the smallest shape whose bounding box contains a box with the half
+/// sizes `half`, multiplied by `scale`; nullopt if a size would be negative, zero or at least
+/// mjMAXVAL.
 std::optional<std::vector<double>> SizesOf(std::string_view type, const std::array<double, 3>& half,
                                            double scale) {
   const double radius = std::max(half[0], half[1]);
@@ -41,8 +42,8 @@ std::optional<std::vector<double>> SizesOf(std::string_view type, const std::arr
 class GeomFitter {
  public:
   explicit GeomFitter(xml::XmlElement& root) : elements_(root) {
-    // Skips files with global coordinates, because no release that fits shapes by the new rule has
-    // global coordinates.
+    // Skips files with global coordinates, because the releases that fit shapes by this rule do not
+    // have global coordinates.
     if (elements_.Setting("fitaabb", "false") != "true" ||
         elements_.Setting("coordinate", "local") != "local")
       return;
@@ -65,9 +66,10 @@ class GeomFitter {
  private:
   static std::string NameOf(std::size_t i) { return fmt::format("geom{}", i); }
 
-  /// Returns true for primitive geoms with a mesh that can be replaced: geoms without `fromto`,
-  /// which is an error that MuJoCo reports, and without an orientation from a default class, which
-  /// would have precedence over the geom's `quat`.
+  /// Returns true for a primitive geom with a `mesh` that Replace() can replace. Excludes geoms
+  /// with `fromto`, because MuJoCo reports this error, and geoms that inherit an orientation such
+  /// as `euler` from a default class, because the inherited orientation would have precedence over
+  /// `quat`.
   bool IsFitted(const ClassedElement& geom) const {
     const std::string& parent = geom.parent->tag;
     if (parent != "body" && parent != "worldbody" && parent != "frame") return false;
@@ -93,8 +95,8 @@ class GeomFitter {
     return merged;
   }
 
-  /// Returns a model that has only the meshes: each fitted geom becomes a massless geom of type
-  /// mesh at the same pose, in the world body.
+  /// Returns a model for computing the bounding boxes of the meshes: each fitted geom becomes a
+  /// massless geom of type mesh at the same pose, in the world body.
   xml::XmlElement MeshModel() {
     xml::XmlElement model = Element("mujoco");
     xml::XmlElement assets = Element("asset");
@@ -134,7 +136,7 @@ class GeomFitter {
   }
 
   /// Replaces `mesh` of a geom by the size, pos and quat of the fitted shape. `m` is the compiled
-  /// MeshModel(), in which `id` is the geom with the mesh.
+  /// MeshModel(), and `id` the id of the mesh geom in `m`.
   void Replace(const ClassedElement& geom, const mjModel& m, int id) {
     const int mesh = m.geom_dataid[id];
     const float* vertices = m.mesh_vert + static_cast<std::ptrdiff_t>(3) * m.mesh_vertadr[mesh];
@@ -161,7 +163,7 @@ class GeomFitter {
     xml::XmlElement& element = *geom.element;
     for (const std::string_view name : kAngles) element.Remove(name);
     for (const std::string_view name : {"mesh", "fitscale"}) element.Remove(name);
-    if (elements_.Find(geom, "mesh") != nullptr) element.Set("mesh", "");  // overrides a class
+    if (elements_.Find(geom, "mesh") != nullptr) element.Set("mesh", "");  // overrides the class
     element.Set("size", xml::TextOf(*sizes));
     element.Set("pos", xml::TextOf({pos.begin(), pos.end()}));
     element.Set("quat", xml::TextOf({m.geom_quat + 4 * id, m.geom_quat + 4 * id + 4}));

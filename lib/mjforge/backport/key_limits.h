@@ -1,4 +1,4 @@
-// Limit of older MuJoCo releases on the number of values in a keyframe.
+// Limit of older MuJoCo releases on the number of values in an attribute of a keyframe.
 #pragma once
 
 #include <cstddef>

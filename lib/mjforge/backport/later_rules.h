@@ -1,4 +1,5 @@
-// Rules by which later MuJoCo releases compile MJCF that older releases accept, too.
+// Makes this MuJoCo compile MJCF by rules of later releases, if they differ from the rules of this
+// MuJoCo.
 #pragma once
 
 #include <functional>
@@ -11,7 +12,7 @@
 namespace mjforge::backport {
 
 /// Places of the first elements to which the MuJoCo of this build applies another rule than later
-/// releases; no place if there is none.
+/// releases. A place is an empty mark if there is no such element.
 struct RuleDifferences {
   diag::SourceMark fitted;   // geom with a shape that is fitted to a mesh
   diag::SourceMark mass;     // body whose mass comes from meshes or discarded geoms

@@ -1,4 +1,5 @@
-// Requirements of older MuJoCo releases: limits, the order of actuators, control ranges.
+// Meets requirements of older MuJoCo releases on range limits, on the order of actuators, and on
+// control ranges.
 #include "mjforge/backport/legacy_rules.h"
 
 #include <algorithm>

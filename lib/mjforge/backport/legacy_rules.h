@@ -1,13 +1,14 @@
-// Requirements of older MuJoCo releases that every file must meet.
+// Changes files so that they meet requirements that MuJoCo dropped in later releases.
 #pragma once
 
 #include "mjforge/xml/xml.h"
 
 namespace mjforge::backport {
 
-/// Changes the tree so that it meets requirements that later releases dropped: `autolimits` for
-/// ranges without `limited`, actuators with a state last, and `ctrlrange` in the actuator itself.
-/// Returns true if the tree changed. `version` is a mjVERSION_HEADER.
+/// Changes the tree so that the release `version` (a mjVERSION_HEADER) accepts it: sets
+/// `autolimits` if there are ranges without `limited`, moves actuators with an activation state
+/// behind the others, and copies an inherited `ctrlrange` into actuators that require it. Returns
+/// true if the tree changed.
 bool ApplyLegacyRules(xml::XmlElement& root, int version);
 
 }  // namespace mjforge::backport

@@ -1,5 +1,5 @@
-// Inertia of bodies with meshes, which MuJoCo computes from copies of the model in which boxes
-// replace the meshes.
+// Adds inertias to bodies with meshes. MuJoCo computes the inertias from a copy of the model in
+// which each mesh is replaced by a box with the same inertia.
 #include "mjforge/backport/mesh_inertia.h"
 
 #include <algorithm>
@@ -42,8 +42,8 @@ class MeshInertia {
       RemoveInertiaAttributes(root_);
       return first_;
     }
-    // If MuJoCo rejects the file even without `inertia`, removes this attribute, because MuJoCo's
-    // error about it would hide the reason.
+    // If MuJoCo rejects the file even without `inertia`, removes this attribute, because an error
+    // about the attribute would hide the reason.
     xml::XmlElement without_inertia = root_;
     RemoveInertiaAttributes(without_inertia);
     if (!load(xml::Flatten(without_inertia).text).model) RemoveInertiaAttributes(root_);
@@ -113,8 +113,8 @@ class MeshInertia {
   }
   static bool HasInertial(const xml::XmlElement& body) { return HasChild(body, "inertial"); }
 
-  /// Returns true if the geom is a mesh with a mass, unless it is a shell, and adds the geom to
-  /// geoms_; returns false for other geoms.
+  /// If the geom is a mesh with a mass, but without `shellinertia`, adds the geom to geoms_ and
+  /// returns true; returns false for other geoms.
   bool AddMesh(DefaultClasses& elements, const ClassedElement& geom) {
     if (elements.Get(geom, "type", "") != "mesh") return false;
     if (elements.Get(geom, "shellinertia", "false") != "false") return false;
@@ -135,8 +135,9 @@ class MeshInertia {
     return MeshInertiaKind::kLegacy;
   }
 
-  /// Copies only the bodies: with massless meshes if `meshes` is null. If `meshes` is the compiled
-  /// model of such a copy, boxes of the same inertia replace the meshes.
+  /// Returns a copy of the model with only the sections on which masses depend. If `meshes` is
+  /// null, meshes have no mass. If `meshes` is the compiled model of such a copy, boxes of the same
+  /// inertia replace the meshes.
   xml::XmlElement Copy(const mjModel* meshes) const {
     xml::XmlElement copy;
     copy.tag = root_.tag;

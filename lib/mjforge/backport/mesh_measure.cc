@@ -1,4 +1,5 @@
-// Volume or area of a compiled mesh, and the box with the same inertia.
+// Sums volumes (or areas) and moments over the faces of a compiled mesh, and computes the box with
+// the same inertia.
 #include "mjforge/backport/mesh_measure.h"
 
 #include <algorithm>
@@ -29,9 +30,10 @@ Vector Difference(const Vector& a, const Vector& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-/// Returns the vertex indices of the faces of a mesh, or of its convex hull. A hull begins with the
-/// numbers of its vertices and faces, two numbers per vertex, and three per edge; it has three
-/// edges per face. Source: MuJoCo's documentation of mesh_graph.
+/// Returns the vertex indices of the faces of a mesh, or of its convex hull if `of_hull` is true
+/// and the mesh has a hull. In mjModel::mesh_graph, a hull begins with the numbers of its vertices
+/// and faces, three numbers per vertex, and three numbers per face; then come the vertex indices of
+/// the faces.
 std::span<const int> FacesOf(const mjModel& m, int mesh, bool of_hull) {
   const auto at = [](const int* first, int offset) {
     return first + static_cast<std::ptrdiff_t>(offset);
@@ -76,7 +78,8 @@ struct Sums {
   }
 };
 
-/// Returns the sums over all faces of a mesh, or over all pyramids from `apex` to the faces.
+/// Returns the sums over the faces of a mesh (kShell), or over the pyramids from `apex` to the
+/// faces (other kinds); for kConvex, over those of the convex hull.
 Sums AddUp(const mjModel& m, int mesh, MeshInertiaKind kind, const Vector& apex) {
   Sums sums;
   const float* vertices = m.mesh_vert + static_cast<std::ptrdiff_t>(3) * m.mesh_vertadr[mesh];
@@ -100,7 +103,8 @@ Vector CentreOf(const Sums& sums, const Vector& apex) {
 }
 
 // Sets `measured.quat` to the principal axes, and returns the second moments along these axes.
-// `sums` must be about the centre of mass. MuJoCo sorts the moments of inertia in decreasing order.
+// `sums` must be about the centre of mass. The principal moments of inertia are in decreasing
+// order, the order of MuJoCo.
 std::array<mjtNum, 3> Diagonalize(const Sums& sums, MeshMeasure& measured) {
   Matrix inertia = {};
   for (std::size_t i = 0; i < 9; ++i) inertia[i] = -sums.second[i];
@@ -125,9 +129,9 @@ std::optional<MeshInertiaKind> KindNamed(std::string_view word) {
 
 MeshMeasure Measure(const mjModel& m, int mesh, MeshInertiaKind kind) {
   MeshMeasure measured;
-  // Uses MuJoCo's apex for the pyramids, because the sums over an open mesh depend on it: the
-  // centroid of the surface for the centre of mass, and then the centre of mass for mass and
-  // inertia.
+  // Uses the same apex for the pyramids as MuJoCo, because the sums over an open mesh depend on the
+  // apex: the centroid of the surface to find the centre of mass, and then the centre of mass to
+  // find mass and inertia.
   if (kind != MeshInertiaKind::kLegacy) {
     Vector apex = {};
     for (const MeshInertiaKind step : {MeshInertiaKind::kShell, kind}) {
@@ -144,8 +148,9 @@ MeshMeasure Measure(const mjModel& m, int mesh, MeshInertiaKind kind) {
   const Matrix& second = sums.second;
   std::array<mjtNum, 3> squares = {second[0], second[4], second[8]};
   if (kind != MeshInertiaKind::kLegacy) squares = Diagonalize(sums, measured);
-  // The mean square of a coordinate in a box with half size s is s^2 / 3. MuJoCo 2.2 rejects a box
-  // without thickness, and, because of rounding, a box that is thinner than kThinnest.
+  // Computes half sizes from mean squares: a coordinate in a box with half size s has the mean
+  // square s^2 / 3. MuJoCo 2.2 rejects a box without thickness, and, because of rounding, a box
+  // whose thickness is less than the share kThinnest of its length.
   constexpr double kThinnest = 1e-6;
   for (std::size_t i = 0; i < 3; ++i)
     measured.box[i] = std::sqrt(std::max(0.0, 3 * squares[i] / sums.size));

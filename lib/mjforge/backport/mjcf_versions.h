@@ -24,16 +24,17 @@ enum class Effect {
 
 /// A row of the table of features that MJCF gained: an element, or attributes of some elements.
 struct MjcfFeature {
-  /// Tags, separated by blanks: alone ("geom"), below a parent ("visual/rgba"), or all elements of
-  /// a section ("sensor/*"). "body/" includes the world, frames and replicates. Elements of
-  /// `<default>` belong to the section whose defaults they set.
+  /// Elements to which the row applies, as tags separated by blanks: a tag alone ("geom"), below a
+  /// parent ("visual/rgba"), or all elements of a section ("sensor/*"). The parent "body" also
+  /// stands for the world, frames and replicates. An element of `<default>` also belongs to the
+  /// section whose defaults it sets.
   std::string_view where;
-  /// Attributes, separated by blanks; "name=value" restricts the row to this value. Empty: the row
-  /// is about the element itself.
+  /// Attributes to which the row applies, separated by blanks; "name=value" restricts the row to
+  /// this value. If empty, the row is about the element itself.
   std::string_view names;
-  int since = 0;  // a mjVERSION_HEADER
+  int since = 0;  // first release with the feature, as mjVERSION_HEADER
   Effect effect = Effect::kMeaning;
-  /// The value with which an attribute changes nothing; empty if every value changes something.
+  /// The value with which the attribute has no effect; empty if there is no such value.
   std::string_view neutral = {};
 };
 
@@ -43,11 +44,11 @@ struct MjcfList {
   std::string_view names;  // attributes, separated by blanks
   int since = 0;           // the first release that accepts another length
   std::size_t most = 0;    // the greatest length that any release accepts
-  /// Default values of the list in an older release, which requires a list of this length. Numbers
-  /// that are missing at the end of a list have these values.
+  /// Default values of the list in older releases, which require a list of this length. A shorter
+  /// list has these values at its end.
   std::string_view usual;
-  /// Value of additional numbers (beyond the length of `usual`) that have no effect. If empty,
-  /// additional numbers have no effect if they equal the list's first number.
+  /// Value with which numbers beyond the length of `usual` have no effect. If empty, such numbers
+  /// have no effect if they equal the first number of the list.
   std::string_view beyond = {};
 };
 
@@ -70,8 +71,9 @@ bool IsAt(std::string_view where, std::string_view parent, std::string_view tag)
 /// value.
 bool HasAttribute(std::string_view names, std::string_view attribute, std::string_view value);
 
-/// Returns the kind of elements that share defaults with this element: "actuator" for a `<motor>`,
-/// "joint" for a `<joint>`.
+/// Returns the kind of elements that share defaults with this element: the section for elements of
+/// `actuator`, `tendon`, `equality` and `sensor`, otherwise the tag. An actuator in `<default>`,
+/// such as `<motor>`, has the kind "actuator".
 std::string_view ElementKindOf(std::string_view parent, std::string_view tag);
 
 /// Returns the usual spelling of a release: "3.1.4" for 314, "3.10.0" for 3010000.

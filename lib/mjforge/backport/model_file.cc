@@ -1,4 +1,4 @@
-// Reads and loads MJCF files, backported to the MuJoCo of this build if they need it.
+// Reads MJCF files, backports them, applies the rules of later releases, and loads the result.
 #include "mjforge/backport/model_file.h"
 
 #include <string_view>

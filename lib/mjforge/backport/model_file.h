@@ -16,10 +16,11 @@ namespace mjforge::backport {
 struct ModelFile {
   std::uint32_t source = 0;  // the file's number in Sources
   bool has_includes = false;
-  /// The backported text, with included files in their places; nullopt if the file needs no change.
+  /// The backported text, in which included files replace the `<include>` elements; nullopt if the
+  /// file needs no change.
   std::optional<std::string> backported;
-  /// Differences between the MuJoCo of this build and later releases; none if the file needs a
-  /// later MuJoCo.
+  /// Elements that this MuJoCo would compile differently from later releases; none if the file
+  /// needs a later MuJoCo.
   RuleDifferences differences;
 };
 
@@ -28,14 +29,14 @@ struct ModelFile {
 std::optional<ModelFile> ReadModelFile(const std::filesystem::path& file, diag::Sources& sources,
                                        diag::Findings& findings);
 
-/// Returns the backported text of a file, with absolute file names, so that the text can be loaded
-/// from any folder; nullopt if the file needs no change, or cannot be read.
+/// Returns the backported text of a file. The text has absolute file names, and can be loaded from
+/// any folder. Returns nullopt if the file needs no change, or cannot be read.
 std::optional<std::string> BackportedText(const std::filesystem::path& file);
 
 /// Reads and loads a file or standard input. If the file cannot be read or needs a later MuJoCo,
 /// the load's error is the first error found.
 engine::Loaded LoadFile(engine::Engine& engine, const std::filesystem::path& file);
-/// Loads a file that was read before.
+/// Loads a file that ReadModelFile() read before; `read` is the result.
 engine::Loaded LoadFile(engine::Engine& engine, const std::filesystem::path& file,
                         const ModelFile& read);
 

@@ -14,7 +14,7 @@
 namespace mjforge::backport {
 namespace {
 
-/// The values of an attribute that later releases accept.
+/// Values that later releases accept; kUpToTwo stands for the integers from 0 to 2.
 enum class Accepted { kNone, kInteger, kAtLeastMinusOne, kUpToTwo, kPositive };
 
 struct Row {

@@ -13,17 +13,17 @@ namespace mjforge::backport {
 /// The reason why later releases reject an attribute.
 struct AttributeRefusal {
   int since = 0;                // first release that rejects the attribute, as mjVERSION_HEADER
-  std::string wanted;           // required kind of value, "an integer"; empty: none is accepted
+  std::string wanted;           // accepted values ("an integer"); empty: none
   bool is_about_value = false;  // true: only this value is rejected
 };
 
-/// Returns the reason why releases after `version` reject this attribute; nullopt if they accept
-/// it. `parent` is the tag of the element above.
+/// Returns the reason why releases after `version` reject an attribute with this value; nullopt if
+/// they accept it. `parent` is the tag of the parent element.
 std::optional<AttributeRefusal> FindRefusal(std::string_view parent, std::string_view tag,
                                             std::string_view attribute, std::string_view value,
                                             int version);
 
-/// Returns the end of a warning, which follows the name of an element: "has 'znear=0'; MuJoCo 2.3.0
+/// Returns the part of a warning that follows the name of the element: "has 'znear=0'; MuJoCo 2.3.0
 /// and later require ...".
 std::string RefusalText(const AttributeRefusal& refusal, std::string_view attribute,
                         std::string_view value);

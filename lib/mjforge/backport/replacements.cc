@@ -1,4 +1,4 @@
-// Replacements for compilers, lights, cameras, materials and meshes.
+// Replaces attributes and elements of compilers, lights, cameras, materials and meshes.
 #include "mjforge/backport/replacements.h"
 
 #include <algorithm>

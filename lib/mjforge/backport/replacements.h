@@ -20,17 +20,18 @@ class Replacements {
 
   /// Makes all replacements.
   void Run();
-  /// Returns an empty text if the attribute (or the element, if `attribute` is empty) was replaced.
-  /// If the attribute has no effect in this file, returns the reason. Otherwise returns nullopt.
+  /// Returns an empty text if Run() replaced the attribute (or the element, if `attribute` is
+  /// empty). Returns the reason if the attribute has no effect in this file. Otherwise returns
+  /// nullopt.
   std::optional<std::string_view> Find(const xml::XmlElement* element,
                                        std::string_view attribute) const;
 
  private:
-  /// Returns the value of an attribute that `version` lacks, set by the element or its default
-  /// classes; null if the release has the attribute, or if it is not set.
+  /// Returns the value of an attribute that the element or its default classes set; null if the
+  /// attribute is not set, or if the release `version` has the attribute.
   const std::string* FindMissing(const ClassedElement& classed, std::string_view attribute) const;
-  /// Marks an attribute as replaced or, if `why_neutral` is not empty, as without effect for this
-  /// reason.
+  /// Stores for Find() that an attribute is replaced or, if `why_neutral` is not empty, has no
+  /// effect for this reason.
   void MarkReplaced(ClassedElement& classed, std::string_view attribute,
                     std::string_view why_neutral = {});
 
@@ -53,7 +54,8 @@ class Replacements {
   void ReplaceMeshInertia(ClassedElement& mesh);
   /// Returns true if a geom's mass is computed from the mesh.
   bool HasMass(const std::string& mesh);
-  /// Returns true if AddMeshInertia() can compute the masses of all geoms of the mesh.
+  /// Returns true if this build can compute the masses of all geoms that use the mesh by the rule
+  /// that `inertia` of the mesh sets.
   bool CanComputeMasses(const std::string& mesh);
 
   DefaultClasses& elements_;

@@ -1,4 +1,4 @@
-// Check that the elements to which a sensor refers exist.
+// Compares the names to which a sensor refers with the names of the elements in a file.
 #include "mjforge/backport/sensor_references.h"
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 namespace mjforge::backport {
 namespace {
 
-/// Attributes of sensors that name another element, and the kind of that element. "@objtype": the
-/// attribute `objtype` has the kind.
+/// Attributes of sensors that name another element, each with the kind of that element. "@objtype"
+/// means that the kind is the value of the attribute `objtype`.
 constexpr std::pair<std::string_view, std::string_view> kReferences[] = {
     {"site", "site"},     {"joint", "joint"},      {"tendon", "tendon"},   {"actuator", "actuator"},
     {"camera", "camera"}, {"mesh", "mesh"},        {"geom", "geom"},       {"geom1", "geom"},
@@ -25,8 +25,8 @@ constexpr std::pair<std::string_view, std::string_view> kReferences[] = {
 
 using Names = std::set<std::string>;
 
-/// Adds the names of all elements of a kind; returns false if the tree has an element that MuJoCo
-/// expands to elements with new names (replicate, composite, ...).
+/// Adds the names of all elements of a kind to `names`; returns false if the tree has an element
+/// that MuJoCo expands to elements with new names (replicate, composite, ...).
 bool AddNames(const xml::XmlElement& parent, std::string_view kind, Names& names) {
   constexpr std::string_view kExpanded[] = {"replicate", "attach", "composite", "flexcomp"};
   for (const xml::XmlElement& child : parent.children) {

@@ -1,4 +1,4 @@
-// Check of the names that sensors refer to.
+// Finds sensors that refer to elements that do not exist.
 #pragma once
 
 #include "mjforge/diag/diag.h"
@@ -6,8 +6,8 @@
 
 namespace mjforge::backport {
 
-/// Adds an error for each name in a sensor that no element of the file has. Every release of MuJoCo
-/// rejects such a file, but a backport that removes the sensor would hide the mistake. Checks
+/// Adds an error for each name to which a sensor refers and that no element of the file has. MuJoCo
+/// would reject such a file, but a backport that removes the sensor would hide the mistake. Checks
 /// nothing in files with elements that MuJoCo expands, because the expansion creates names.
 void CheckReferences(const xml::XmlElement& sensor, const xml::XmlElement& root,
                      const diag::Sources& sources, diag::Findings& findings);

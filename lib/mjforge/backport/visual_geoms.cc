@@ -14,7 +14,7 @@
 namespace mjforge::backport {
 namespace {
 
-/// Adds the names of geoms that the elements of a section refer to.
+/// Adds to `names` the names of the geoms to which the elements of a section refer.
 void AddReferences(const xml::XmlElement& section, std::set<std::string>& names) {
   const auto add = [&](const xml::XmlElement& element, std::string_view attribute) {
     if (const std::string* name = element.Find(attribute)) names.insert(*name);

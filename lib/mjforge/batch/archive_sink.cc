@@ -15,8 +15,8 @@ namespace mjforge::batch {
 
 bool ArchiveSink::Take(ChunkResult& result, diag::Findings& findings) {
   if (result.done < result.chunk.count) {
-    // The worker stopped or failed within its part of the archive. Discard also its finished
-    // variants, because the bytes of the archive would otherwise depend on where the batch stopped.
+    // The worker stopped or failed within its part of the archive. Discards its finished variants,
+    // too, because the bytes of the archive would otherwise depend on where the batch stopped.
     result.statuses.clear();
     result.variants.clear();
     result.findings.clear();
@@ -63,7 +63,7 @@ std::optional<ResumedVariants> ArchiveSink::Continue(diag::Findings& findings) {
 
 // Returns all variants of the earlier, finished batch if its files are unchanged and it has all
 // variants of this batch. Otherwise returns no variants, so that the batch is made again from the
-// start. Returns nullopt after adding a finding.
+// start. Returns nullopt, after adding a finding, if the records are not those of this batch.
 std::optional<ResumedVariants> ArchiveSink::ContinueFinished(diag::Findings& findings) {
   const manifest::Seal& seal = *journal_.previous_seal();
   std::string why_not;
@@ -89,7 +89,7 @@ std::optional<ResumedVariants> ArchiveSink::ContinueUnfinished(diag::Findings& f
   const std::optional<Checkpoint> checkpoint =
       LastValidCheckpoint(options_.range.first + whole->done());
   if (!checkpoint || checkpoint->next == options_.range.first) return ResumedVariants();
-  // If the manifest has records after the checkpoint, count only the records before the checkpoint.
+  // Counts only the records before the checkpoint if the manifest has records after it.
   const std::uint64_t count = journal_.CountBefore(*checkpoint);
   const std::optional<ResumedVariants> resumed =
       whole->done() == count ? whole
@@ -110,7 +110,7 @@ std::optional<Checkpoint> ArchiveSink::LastValidCheckpoint(std::uint64_t most) c
   const std::uint64_t archive =
       ArchiveOf(options_.range.first) +
       CountClosed(static_cast<std::uint64_t>(lost - closed.begin()), closed.size());
-  std::vector<Checkpoint> candidates;  // checkpoints of the last archive that can be continued
+  std::vector<Checkpoint> candidates;  // usable checkpoints of the last archive that has any
   for (const Checkpoint& checkpoint : journal_.checkpoints()) {
     if (checkpoint.next > most || !CanContinueAt(checkpoint)) continue;
     if (checkpoint.archive > archive) break;
@@ -190,8 +190,8 @@ bool ArchiveSink::AppendAsset(const std::string& name, std::string_view bytes,
   return segment.Add(name, bytes, findings) && archive_->Append(segment.Bytes(), findings);
 }
 
-// Appends the assets of a chunk that the archive does not contain yet. Call AppendAssets() before
-// the chunk's objects, which refer to the assets, are appended.
+// Appends the assets of a chunk that the archive does not contain yet. The chunk's objects, which
+// refer to these assets, must be appended after them.
 bool ArchiveSink::AppendAssets(const ChunkResult& result, diag::Findings& findings) {
   for (const HashedAsset& asset : result.assets) {
     if (journal_.HasAsset(asset)) continue;

@@ -1,5 +1,5 @@
-// Batches of variants: worker processes, index order, resuming, shards, merging and verifying, none
-// of which changes the bytes of any file.
+// Batches of variants, made by worker processes: running, resuming, sharding, merging, verifying.
+// The number of workers, interruptions and shards do not change the bytes of any output.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-// Writing of the .npz files of families, with facts about the batch as JSON.
+// Writing of the .npz files of families, each with facts about its batch as JSON.
 
 #include "mjforge/batch/family_files.h"
 

@@ -1,4 +1,4 @@
-// Writing of the .npz files of families: numbers in which the variants of one structure differ.
+// Writing of families: .npz files with the numbers in which variants of one structure differ.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-// Rows of families for the variants of a chunk: numbers of each variant's model and record.
+// Rows of families (.npz files): the numbers of each variant's compiled model and of its record.
 
 #include "mjforge/batch/family_rows.h"
 

@@ -1,4 +1,4 @@
-// Rows of families for the variants of a chunk, made by a worker.
+// Collects the rows of families (.npz files) for the variants of a chunk, in a worker.
 
 #pragma once
 

@@ -23,7 +23,7 @@ class FamilySink : public ArchiveSink {
 
   bool IsOwn(const std::filesystem::path& file) const override { return family::IsRows(file); }
 
-  // Returns 1 if all family files are intact, because all families of a batch are closed at once.
+  // Returns 1 if all families are intact, otherwise 0: they are closed together, like one archive.
   std::uint64_t CountClosed(std::uint64_t intact, std::uint64_t files) const override {
     return intact == files && files > 0 ? 1 : 0;
   }

@@ -23,7 +23,7 @@ void FindingSummary::Add(Group group) {
   Key key{finding.code, finding.mark, other, finding.mark ? std::string() : finding.message};
   if (const auto known = numbers_.find(key); known != numbers_.end()) {
     Group& present = groups_[known->second];
-    // Count a variant once, even if it has several findings that belong to the group.
+    // Counts a variant once, even if it has several findings that belong to the group.
     if (present.last_index != group.last_index) present.variants += group.variants;
     present.last_index = group.last_index;
   } else if (groups_.size() == limit_) {

@@ -1,4 +1,4 @@
-// Sink that writes a folder: workers write the objects, the leader writes the manifest.
+// Sink that writes a folder: workers write the objects, the leading process writes the manifest.
 
 #include <algorithm>
 #include <filesystem>
@@ -50,7 +50,7 @@ class FolderSink : public JournaledSink {
 
  private:
   std::optional<ResumedVariants> Continue(diag::Findings& findings) override {
-    // Verify every file by its hash; missing or changed files are made again.
+    // Verifies every file by its hash; missing or changed files are made again.
     OutputChecker objects(destination_.path, true);
     const std::map<std::string, std::string> noted = journal_.is_unfinished() ? journal_.assets()
                                                      : journal_.previous_seal()
@@ -71,7 +71,7 @@ class FolderSink : public JournaledSink {
       const auto resumed = ReadResumable(journal_.part(), options_, is_there, findings, sound);
       return resumed && RollBackTo(*resumed, findings) ? resumed : std::nullopt;
     }
-    // If the earlier batch was finished, check its manifest, and continue at its end.
+    // If the earlier batch was finished, checks its manifest, and continues at its end.
     std::string why_not;
     const std::optional<manifest::Seal>& seal = journal_.previous_seal();
     if (!seal || !bytes::IsSound(journal_.file(), seal->manifest.content, why_not))
@@ -79,7 +79,7 @@ class FolderSink : public JournaledSink {
     const std::optional<ResumedVariants> resumed =
         ReadResumable(journal_.file(), options_, is_there, findings);
     if (!resumed || resumed->done() == 0) return resumed;
-    // Copy the records of the resumed variants from the earlier manifest to the new one.
+    // Copies the records of the resumed variants from the earlier manifest to the new one.
     const bool is_copied = journal_.Start(checkpoint_, findings) &&
                            journal_.AppendRecordsOf(journal_.file(), resumed->bytes, findings) &&
                            AddResumedCheckpoint(*resumed, findings);

@@ -106,7 +106,7 @@ void Journal::RemoveEmptyFiles() {
 bool Journal::IsOfThisBatch(diag::Findings& findings) const {
   const std::filesystem::path& manifest = is_unfinished_ ? part() : file_;
   const std::optional<Seal>& seal = is_unfinished_ ? journal_seal_ : previous_seal_;
-  if (!seal) {  // compare the first record, which has the options that determine the objects
+  if (!seal) {  // compares the first record, which has the options that determine the objects
     const auto is_enough = [](const manifest::Record&) { return false; };
     return ReadResumable(manifest, options_, is_enough, findings).has_value();
   }

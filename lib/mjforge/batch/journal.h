@@ -49,8 +49,8 @@ class Journal {
   /// Seal (options, sizes and checksums of files) of the previous, finished batch; empty if there
   /// is none.
   const std::optional<manifest::Seal>& previous_seal() const { return previous_seal_; }
-  /// Returns true if the journal contains the archive with this name, because an earlier run or
-  /// this run completed the archive.
+  /// Returns true if an earlier run or this run completed an archive with this name, according to
+  /// the journal or the previous seal.
   bool HasMadeArchive(const std::string& archive) const;
   /// Names and SHA-256 of the assets of all records so far.
   const std::map<std::string, std::string>& assets() const { return seal_.assets; }

@@ -70,7 +70,8 @@ class ShardMerger {
  private:
   bool is_family() const { return destination_.kind == output::Destination::Kind::kFamily; }
 
-  // Merges the rows of all shards (their archives) into the family files of the whole batch.
+  // Merges the rows of all shards (the archives in their seals) into the whole batch's family
+  // files.
   bool WriteFamily() {
     std::vector<std::filesystem::path> rows;
     for (const manifest::SealedFile& file : whole_.archives)

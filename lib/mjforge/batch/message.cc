@@ -1,4 +1,4 @@
-// Binary encoding of tasks and results.
+// Binary encoding of the tasks and results that the leading process and its workers exchange.
 
 #include "mjforge/batch/message.h"
 

@@ -28,7 +28,7 @@ struct Chunk {
 struct QuarantinedVariant {
   std::uint64_t index = 0;
   bool too_slow = false;
-  std::string how;  // end of the worker: "was killed by SIGSEGV"
+  std::string how;  // description of the worker's end: "was killed by SIGSEGV"
 };
 
 /// Work for a worker: the variants to make. Variants in `quarantined` are not made, but recorded as

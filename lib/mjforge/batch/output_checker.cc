@@ -85,7 +85,7 @@ bool CheckSealed(const std::filesystem::path& folder, const manifest::SealedFile
     ReportUnreadable(path, why_not, findings);
     return false;
   }
-  // If the size is right, suggest --verify, because resuming otherwise compares only sizes.
+  // Suggests --verify if the size is right, because resuming otherwise compares only sizes.
   std::string ignored;
   const bool has_size = bytes::HasSize(path, file.content.size, ignored);
   ReportDamage(path, why_not, findings, has_size ? "--resume --verify" : "--resume");
@@ -99,7 +99,7 @@ bool OutputChecker::Check(const manifest::Record& record, diag::Findings& findin
 
 bool OutputChecker::CheckAssets(const manifest::Record& record, diag::Findings& findings) {
   const std::filesystem::path folder = (folder_ / record.file).parent_path();
-  // Limit the memory for check results, because each record may have generated assets of its own.
+  // Limits the memory for check results, because each record may have generated assets of its own.
   if (assets_.size() > kMaxRememberedAssets) assets_.clear();
   return std::ranges::all_of(record.assets, [&](const auto& asset) {
     const auto& [name, sha256] = asset;

@@ -1,4 +1,4 @@
-// Comparison of files with the seal and the records of their batch.
+// Checks that the files of a batch are as its seal and its records say.
 
 #pragma once
 

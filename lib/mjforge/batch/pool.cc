@@ -31,8 +31,8 @@ constexpr int kBugStatus = 70;  // EX_SOFTWARE of sysexits.h
 // Limit of consecutive deaths of workers that were not making a variant. After more, the batch
 // fails.
 constexpr int kMaxIdleDeaths = 10;
-// Limit of the time between two checks of the workers that counts as wall time. A longer pause
-// means that the leading process and the workers were stopped (Ctrl-Z).
+// Largest part of the time between two checks of the workers that counts as wall time. A longer
+// time means that the leading process and the workers were stopped (Ctrl-Z).
 constexpr Seconds kMaxLookInterval{1};
 
 // Value that is sent in place of a length if the message is in the worker's mailbox.
@@ -149,9 +149,9 @@ Pool::Pool(std::uint64_t jobs, std::size_t tasks_per_worker,
 Pool::~Pool() {
   for (const auto& worker : workers_) {
     const bool runs = worker->process > 0;
-    // SIGCONT wakes an idle worker that was stopped (Ctrl-Z). Send the signal before Close(), which
-    // makes the worker exit: during the exit, SIGCONT would revoke the SIGSTOP with which the leak
-    // check of AddressSanitizer attaches to the process, and the check would wait forever.
+    // SIGCONT wakes an idle worker that was stopped (Ctrl-Z). The signal is sent before Close(),
+    // which makes the worker exit: during the exit, SIGCONT would revoke the SIGSTOP with which the
+    // leak check of AddressSanitizer attaches to the process, and the check would wait forever.
     if (runs) ::kill(worker->process, worker->assigned.empty() ? SIGCONT : SIGKILL);
     worker->Close();
     if (runs) ::waitpid(worker->process, nullptr, 0);
@@ -160,7 +160,7 @@ Pool::~Pool() {
 
 void Pool::Start(WorkerProcess& worker) {
   const auto [leader_end, worker_end] = MakeSockets(SOCK_STREAM);
-  // Ignore failures: smaller buffers only cost more context switches.
+  // Ignores failures: smaller buffers only cost more context switches.
   for (const int end : {leader_end, worker_end})
     ::setsockopt(end, SOL_SOCKET, SO_SNDBUF, &kBufferBytes, sizeof(int));
   worker.mailbox = Share<WorkerMailbox>();  // results may still refer to the previous mailbox
@@ -181,7 +181,7 @@ bool Pool::HasRoom() const {
   const auto has_room = [this](const auto& worker) {
     return worker->assigned.size() < tasks_per_worker_;
   };
-  // Submit no more tasks if results are taken more slowly than they arrive.
+  // Accepts no more tasks if results are taken more slowly than they arrive.
   const bool keeps_up = results_.size() <= workers_.size();
   return !stopped_ && keeps_up && waiting_.empty() && std::ranges::any_of(workers_, has_room);
 }

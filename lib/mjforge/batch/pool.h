@@ -52,11 +52,11 @@ class WorkerMailbox {
   void Publish(std::size_t size) {
     messages_[published_++ % messages_.size()].size.store(size, std::memory_order_release);
   }
-  /// Returns the next published message, which remains until it is released. There must be such a
-  /// message.
+  /// Returns the next published message, which remains until it is released. The caller must know
+  /// that there is such a message.
   std::string_view Take() {
     const SharedMessage& message = messages_[taken_++ % messages_.size()];
-    // Limit the size, because a crashing worker may have overwritten the size.
+    // Limits the size, because a crashing worker may have overwritten it.
     return {message.bytes.data(),
             std::min(message.size.load(std::memory_order_acquire), message.bytes.size())};
   }
@@ -98,7 +98,8 @@ class Pool {
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
 
-  /// Returns true if a worker has room for a task and at most one result per worker is waiting.
+  /// Returns true if a worker has room for a task, no task waits for a worker, and results do not
+  /// pile up.
   bool HasRoom() const;
   void Submit(Task task);
   /// Returns a result, in any order, or nullopt if none is available. With `may_wait`, waits for a

@@ -1,4 +1,4 @@
-// Child processes: forking, waiting, shared memory and sockets.
+// Child processes with fork(2), Unix sockets, and anonymous shared memory.
 
 #include "mjforge/batch/process.h"
 

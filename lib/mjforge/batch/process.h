@@ -1,4 +1,4 @@
-// Child processes: forking, waiting, shared memory and sockets.
+// Functions for child processes: fork, wait, exchange bytes, share memory.
 
 #pragma once
 

@@ -29,7 +29,7 @@ std::optional<ResumedVariants> JournaledSink::Open(diag::Findings& findings) {
   RemoveAbandoned();
   const std::optional<ResumedVariants> resumed =
       request_.resume ? Continue(findings) : ResumedVariants();
-  // After an error, remove the files that journal_.Open() created, but keep an unfinished batch.
+  // After an error, removes the files that journal_.Open() created, but keeps an unfinished batch.
   if (!resumed && !journal_.is_unfinished()) journal_.Drop();
   if (!resumed || (resumed->done() == 0 && !journal_.Start(checkpoint_, findings)))
     return std::nullopt;

@@ -20,7 +20,7 @@ using Clock = std::chrono::steady_clock;
 
 // Approximate limit, in bytes, of results that wait because a result with lower indices is missing.
 constexpr std::size_t kMaxWaitingBytes = std::size_t{8} << 20;
-// Time that workers have to finish their current variants after a signal.
+// Time that workers have to finish their current variants when the batch must stop.
 constexpr std::chrono::seconds kGrace{2};
 constexpr auto kProgressEvery = std::chrono::milliseconds(100);
 
@@ -77,7 +77,7 @@ class BatchRun {
       static_cast<manifest::StatusCounts&>(summary_) = *resumed;
       summary_.resumed = resumed->done();
       if (observer_.resumed && summary_.resumed > 0) observer_.resumed(summary_.resumed);
-      has_lost_worker_ = summary_.resumed < range_.count;  // until Make() succeeds
+      has_lost_worker_ = summary_.resumed < range_.count;  // assumed until Make() succeeds
       try {
         Make(*sink, output_findings);
       } catch (const std::runtime_error& error) {
@@ -100,7 +100,7 @@ class BatchRun {
     if (todo.count == 0) return;
     const std::uint64_t jobs = std::min(request_.jobs == 0 ? Cores() : request_.jobs, todo.count);
     Schedule schedule(all_, todo, request_.destination, jobs);
-    // Assign more tasks in advance to workers that finish faster than the leader is scheduled.
+    // Assigns quick workers more tasks, because they may finish before the leader runs again.
     const bool is_quick = request_.variant.validation == manifest::Validation::kNone;
     const Request request = WithSuperset();
     Pool pool(jobs, is_quick ? kMaxTasksPerWorker : 2, request_.time_limit, [&] {
@@ -115,7 +115,7 @@ class BatchRun {
         pool.Submit({*chunk, {}});
         chunk = schedule.Next();
       }
-      // Take only one result at a time, so that workers get new tasks in between.
+      // Takes only one result at a time, so that workers get new tasks in between.
       if (std::optional<ChunkResult> result = pool.Wait(!HasNext())) {
         waiting_bytes_ += SizeOf(*result);
         const std::uint64_t first = result->chunk.first;
@@ -162,7 +162,7 @@ class BatchRun {
     waiting_bytes_ -= SizeOf(result);
     RenumberSources(result);
     const bool taken = sink.Take(result, output_findings);
-    // Name the first variant of the chunk, because the sink does not report which variant failed.
+    // Names the first variant of the chunk, because the sink does not report which variant failed.
     if (!taken) output_findings.SetVariant(request_.variant.seed, result.chunk.first);
     if (!taken || result.files_failed) {
       summary_.files_failed = true;

@@ -1,4 +1,4 @@
-// Performs tasks in a worker: makes variants, records, segments, assets, findings with sources.
+// Handler of tasks in a worker: makes variants, and writes or returns files, records and findings.
 
 #include "mjforge/batch/worker.h"
 
@@ -64,7 +64,7 @@ class ChunkMaker {
     result.findings.assign(finding_summary.groups().begin(), finding_summary.groups().end());
     for (const FindingSummary::Group& group : result.findings) AddSources(group.finding, result);
     for (const diag::Finding& finding : result.output_findings) AddSources(finding, result);
-    // Report the files that were read since the last task: attached MJCF files.
+    // Reports the files that were read since the last task: attached MJCF files.
     while (reported_sources_ < sources_.size())
       result.inputs.push_back(sources_.Name(++reported_sources_));
     return result;

@@ -1,4 +1,4 @@
-// Handler that performs tasks in a worker process.
+// Options, snapshot path and task handler of the worker processes of a batch.
 
 #pragma once
 
@@ -16,7 +16,7 @@ forge::Options OptionsOf(const Request& request);
 std::filesystem::path SnapshotPath(const output::Destination& destination);
 
 /// Makes a handler that makes the variants of a task and, if the destination is a folder, writes
-/// them. Call this function in the worker, because it initializes MuJoCo. With `lists_variants`,
+/// them. Must be called in the worker, because it initializes MuJoCo. With `lists_variants`,
 /// results contain ChunkResult::variants. The references must outlive the handler.
 TaskHandler MakeTaskHandler(const forge::Recipe& recipe, diag::Sources& sources,
                             const Request& request, const output::OverwritePolicy& overwrite,

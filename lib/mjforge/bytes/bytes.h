@@ -31,8 +31,8 @@ inline constexpr const char* kStandardInput = "-";
 inline constexpr std::uint64_t kMaxMjcf = std::uint64_t{256} << 20;
 inline constexpr std::uint64_t kMaxAsset = std::uint64_t{256} << 20;
 inline constexpr std::uint64_t kMaxLine = std::uint64_t{64} << 20;
-/// Limit of the pixels of all texture files of an object or an MJCF file together, 8192 x 8192.
-/// MuJoCo needs at least six bytes of memory per pixel.
+/// Maximum number of pixels (8192 x 8192) of all texture files of an object or an MJCF file
+/// together. MuJoCo needs at least six bytes of memory per pixel.
 inline constexpr std::uint64_t kMaxPixels = std::uint64_t{1} << 26;
 
 /// An open file that is read sequentially from its start.
@@ -58,8 +58,9 @@ class File {
   int descriptor_;
 };
 
-/// Returns the content of a file or of standard input, which may be read several times. Returns
-/// nullopt, and sets `why_not`, if reading fails or the content has more than `limit` bytes.
+/// Returns the content of a file or of standard input. Keeps the content of standard input, so that
+/// several calls can return it. Returns nullopt, and sets `why_not`, if reading fails or the
+/// content has more than `limit` bytes.
 std::optional<std::string> Read(const std::filesystem::path& file, std::uint64_t limit,
                                 std::string& why_not);
 /// Returns the first `limit` bytes of a file or of standard input, or the whole content if it is
@@ -71,8 +72,9 @@ std::optional<std::string> ReadStart(const std::filesystem::path& file, std::uin
 /// unknown formats.
 std::string_view KindOf(std::string_view text);
 
-/// Returns width times height from the header of a PNG file; 0 if the header is incomplete. Returns
-/// nullopt for other files, and sets `why_not` if the file cannot be read.
+/// Returns the number of pixels (width times height) in the header of a PNG file; 0 if the header
+/// is incomplete. Returns nullopt if the file is not a PNG file, or, with `why_not` set, if it
+/// cannot be read.
 std::optional<std::uint64_t> PngPixels(const std::filesystem::path& file, std::string& why_not);
 
 /// A picture with 8 bits per channel: rows from the top; red, green, blue and, if `has_alpha`,
@@ -128,8 +130,8 @@ class Checksum {
   Checksum& operator=(const Checksum&) = delete;
 
   void Add(std::string_view bytes);
-  /// Adds the next `count` bytes of a file. Returns false if the file has fewer or, with `why_not`
-  /// set, if reading fails.
+  /// Adds the next `count` bytes of a file. Returns false if the file has fewer bytes, or if
+  /// reading fails; sets `why_not` only if reading fails.
   bool Add(File& file, std::uint64_t count, std::string& why_not);
   /// Returns the checksum of all bytes added so far, in hexadecimal.
   std::string Text() const;
@@ -148,9 +150,9 @@ struct Fingerprint {
   std::uint64_t size = 0;
   std::string checksum;
 };
-/// Compares the beginnings of a file with the fingerprints `prefixes`, which are in ascending order
-/// of size. Returns the number of prefixes before the first one that does not match; 0 if the file
-/// cannot be opened.
+/// Compares the beginning of a file with each of the fingerprints `prefixes`, which are in
+/// ascending order of size. Returns the number of fingerprints before the first one that does not
+/// match; 0 if the file cannot be opened.
 std::size_t CountSound(const std::filesystem::path& file, std::span<const Fingerprint> prefixes);
 
 enum class Soundness { kSound, kChanged, kUnreadable };

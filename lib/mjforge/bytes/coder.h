@@ -2,11 +2,11 @@
 
 #pragma once
 
-// Numbers and enumerators keep their bytes in memory, so only a program on the same kind of machine
-// can decode them. Texts and lists are preceded by their length (8 bytes), optional values by a
-// flag, and alternatives of a variant by their index (1 byte). A struct is the sequence of the
-// members to which Fields::Of(struct) returns references (std::tie), so that one order of members
-// serves both directions.
+// Numbers and enumerators are stored as they are in memory, so only a program on the same kind of
+// machine can decode them. Texts and lists are preceded by their length (8 bytes), optional values
+// by a flag, and alternatives of a variant by their index (1 byte). Fields::Of(struct) returns
+// references to the members of a struct (std::tie); encoding and decoding use the same tuple, so
+// their order of members cannot differ.
 
 #include <cstddef>
 #include <cstdint>
@@ -57,7 +57,8 @@ class CodeReader {
   explicit CodeReader(std::string_view bytes) : bytes_(bytes) {}
 
   void Raw(auto& value) { std::memcpy(&value, Take(sizeof(value)).data(), sizeof(value)); }
-  /// Returns a length. Throws if fewer bytes are left, because each item has at least one byte.
+  /// Reads the length of a text or list. Throws if it exceeds the number of bytes left: an item has
+  /// at least one byte.
   std::size_t Size(std::size_t /*size*/) {
     std::uint64_t size = 0;
     Raw(size);
@@ -79,7 +80,7 @@ class CodeReader {
   std::string_view bytes_;
 };
 
-/// Returns the default value of a variant's alternative.
+/// Returns a variant that holds the default value of its alternative `index`.
 template <typename Variant, std::size_t i = 0>
 Variant Alternative(std::size_t index) {
   if constexpr (i < std::variant_size_v<Variant>)
@@ -127,7 +128,8 @@ void Code(Coder& coder, T& value) {
 
 }  // namespace internal
 
-/// Encodes a value to `out`, or only counts its bytes if `out` is null; returns their number.
+/// Encodes a value to `out`, or only counts its bytes if `out` is null. Returns the number of
+/// bytes.
 template <typename Fields, typename T>
 std::size_t EncodeTo(char* out, const T& value) {
   internal::CodeWriter writer(out);

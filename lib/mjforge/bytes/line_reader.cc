@@ -59,8 +59,8 @@ bool LineReader::Next(std::string& line, std::string& why_not) {
   if (std::exchange(skips_first_, false) && !ReadLine(line, why_not)) return false;
   line.clear();
   if (!Fill(why_not)) return false;
-  // End here if bytes behind the end of the section were already consumed, because the next line
-  // then belongs to the next section.
+  // Ends the section if bytes behind its end were already consumed, because the next line then
+  // belongs to the next section.
   if (stream_->bytes_after_section() > end_ - begin_) return false;
   return ReadLine(line, why_not);
 }

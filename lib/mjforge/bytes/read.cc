@@ -83,8 +83,8 @@ std::optional<std::string> ReadStandardInput(std::uint64_t limit, std::string& w
 }  // namespace
 
 std::optional<File> File::Open(const std::filesystem::path& file, std::string& why_not) {
-  // Check the kind of the file first, because opening a pipe blocks, and opening a device may have
-  // a side effect.
+  // Checks the kind of the file before opening it, because opening a pipe blocks, and opening a
+  // device may have a side effect.
   if (!SizeOf(file, why_not)) return std::nullopt;
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
   if (descriptor < 0) {
@@ -92,7 +92,7 @@ std::optional<File> File::Open(const std::filesystem::path& file, std::string& w
     return std::nullopt;
   }
   File opened(descriptor);
-  // Check the opened file, too, because another file may have replaced the checked file meanwhile.
+  // Checks the opened file, too, because another file may have replaced it since the first check.
   struct stat status;
   if (::fstat(descriptor, &status) != 0 || !IsRegular(status, why_not)) return std::nullopt;
   return opened;

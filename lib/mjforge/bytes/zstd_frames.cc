@@ -102,7 +102,7 @@ std::vector<Frame> FromWholeFile(File& file, std::uint64_t size, std::string& wh
       at += count;
       left.remove_prefix(count);
     }
-    // Doubles the number of bytes to read if they do not contain a whole frame.
+    // Doubles the number of bytes to read if the bytes read do not contain a whole frame.
     piece = left.size() == bytes.size() ? 2 * piece : kPieceBytes;
   }
   return frames;

@@ -49,9 +49,9 @@ struct Frame {
 std::optional<bool> IsCompressed(File& file, std::string& why_not);
 
 /// Returns the frames of a compressed file from its seek table. If the file has no valid table,
-/// reads the whole file; this leaves out skippable frames, and a frame that is damaged, incomplete
-/// or has more than kMaxFrame bytes, with all frames after it. Returns nullopt, and sets `why_not`,
-/// if the file cannot be read.
+/// reads the whole file. Reading leaves out skippable frames, and stops before a frame that is
+/// damaged, incomplete or longer than kMaxFrame bytes. Returns nullopt, and sets `why_not`, if the
+/// file cannot be read.
 std::optional<std::vector<Frame>> FramesOf(const std::filesystem::path& file, std::string& why_not);
 inline constexpr std::uint64_t kMaxFrame = std::uint64_t{64} << 20;
 

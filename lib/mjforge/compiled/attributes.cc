@@ -1,4 +1,4 @@
-// Table of MJCF attributes and of the arrays of mjModel that contain them.
+// Table of MJCF attributes with their defaults and the arrays of mjModel that contain their values.
 #include "mjforge/compiled/attributes.h"
 
 #include <algorithm>

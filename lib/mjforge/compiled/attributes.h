@@ -1,5 +1,5 @@
-// Table of MJCF attributes and of the arrays of mjModel that contain them, for reading and
-// comparing compiled models.
+// Access to the values of MJCF attributes in mjModel, and tables of the elements to which
+// actuators, equalities and tendon paths refer.
 #pragma once
 
 #include <array>
@@ -15,45 +15,47 @@
 
 namespace mjforge::compiled {
 
-/// Attribute of an element kind, and the array of mjModel that contains its values.
+/// MJCF attribute of one kind of elements, and the array of mjModel that contains the values of
+/// this attribute.
 struct ArrayField {
   using Flags = engine::Flag* mjModel::*;
-  /// Row of the array: the element's id, the first degree of freedom of a joint, or the first
-  /// number of a joint in qpos. kQpos is for hinges and slides only.
+  /// Row of the array for an element: the element's id (kElement) or, for a joint, jnt_dofadr
+  /// (kDof) or jnt_qposadr (kQpos). kQpos applies only to hinges and slides.
   enum class Rows { kElement, kDof, kQpos };
 
   std::string_view attribute;
   std::variant<mjtNum * mjModel::*, float * mjModel::*, int * mjModel::*, Flags> array;
-  int count = 1;  // numbers per element
-  /// MuJoCo's default; nullopt if the attribute has no default.
+  int count = 1;  // numbers per row
+  /// MuJoCo's default, `count` numbers; nullopt if the attribute has no fixed default.
   std::optional<std::array<double, 6>> usual = std::array<double, 6>{};
   Rows rows = Rows::kElement;
-  Flags needs = nullptr;  // array of flags that enable the attribute; null: none
-  // Member with the number of user values (nuser_geom, ...), instead of `count`; null: none.
+  Flags needs = nullptr;  // array of flags; the attribute applies where 1; null: always
+  // Member of mjModel with the number of user values (nuser_geom, ...), which replaces `count`;
+  // null if `count` applies.
   engine::Count mjModel::*variable = nullptr;
 
-  /// Returns true for attributes with the values true and false. `directional` of lights is
-  /// included, although it is a number in mjModel since 3.3.3.
+  /// Returns true if the values of the attribute in MJCF are true and false. Includes `directional`
+  /// of lights, although mjModel stores a number for it since 3.3.3.
   bool IsFlag() const { return std::holds_alternative<Flags>(array) || attribute == "directional"; }
   bool IsFloat() const { return std::holds_alternative<float * mjModel::*>(array); }
 };
 
-/// Returns the attributes of geoms, joints, sites, cameras, lights, tendons, actuators, pairs,
-/// equalities, sensors, materials or bodies, in the order of the table; empty for other kinds of
-/// elements.
+/// Returns the attributes of an element kind (geoms, joints, sites, cameras, lights, tendons,
+/// actuators, pairs, equalities, sensors, materials or bodies), in the order of the table; empty
+/// for other kinds.
 std::span<const ArrayField> ArrayFields(mjtObj kind);
 
-/// Returns the numbers of an attribute; empty if the attribute does not apply to this element. A
-/// float becomes the shortest decimal that reads back as this float (0.1, not 0.100000001).
-/// Trailing zeros of user data are left out.
+/// Returns the values of an attribute of the element `id`; empty if the attribute does not apply to
+/// this element. A float becomes the shortest decimal that reads back as this float (0.1, not
+/// 0.100000001). Trailing zeros of user data are left out.
 sample::Numbers NumbersOf(const mjModel& m, const ArrayField& field, int id);
 
-/// Attributes with which an actuator refers to its elements; kTransmissions is in the order of
-/// mjtTrn.
+/// MJCF attributes by which an actuator names the elements that it acts on, for one transmission
+/// type. The order of kTransmissions is that of mjtTrn.
 struct Transmission {
   mjtObj kind;
   std::string_view first;
-  std::string_view second;  // reference to a second site; empty: none
+  std::string_view second;  // attribute for a second site; empty: none
 };
 inline constexpr Transmission kTransmissions[] = {{mjOBJ_JOINT, "joint", ""},
                                                   {mjOBJ_JOINT, "jointinparent", ""},
@@ -62,7 +64,8 @@ inline constexpr Transmission kTransmissions[] = {{mjOBJ_JOINT, "joint", ""},
                                                   {mjOBJ_SITE, "site", "refsite"},
                                                   {mjOBJ_BODY, "body", ""}};
 
-/// Attributes with which an equality refers to its elements; kEqualities is in the order of mjtEq.
+/// MJCF attributes by which an equality of one type names its two elements. The order of
+/// kEqualities is that of mjtEq.
 struct Equality {
   std::string_view tag;
   mjtObj kind;
@@ -74,7 +77,7 @@ inline constexpr Equality kEqualities[] = {{"connect", mjOBJ_BODY, "body1", "bod
                                            {"joint", mjOBJ_JOINT, "joint1", "joint2"},
                                            {"tendon", mjOBJ_TENDON, "tendon1", "tendon2"}};
 
-/// Element of a tendon's path.
+/// Element of a tendon's path, as in mjModel::wrap_type, wrap_objid and wrap_prm.
 struct Wrap {
   std::string_view tag;  // joint, pulley, site or geom
   mjtObj kind = mjOBJ_UNKNOWN;

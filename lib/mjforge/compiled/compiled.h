@@ -1,4 +1,5 @@
-// Reading of MuJoCo's compiled models into the types of the library `model`.
+// Reads compiled models (mjModel and mjData) into the types of mjforge::model, such as bodies,
+// joints, parts and bounding boxes.
 #pragma once
 
 #include <array>
@@ -19,7 +20,7 @@ struct DeleteData {
   void operator()(mjData* data) const { mj_deleteData(data); }
 };
 using Data = std::unique_ptr<mjData, DeleteData>;
-/// Allocates the data of a model. Throws std::exception if there is not enough memory.
+/// Allocates mjData for a model. Throws std::exception if there is not enough memory.
 Data MakeData(const mjModel& m);
 
 /// Returns the name of an element ("lid"), or its kind and id ("geom 3") if it has no name.
@@ -46,34 +47,35 @@ model::Pose PoseAt(const mjtNum* pos, const mjtNum* quat, int id);
 /// Writes the pose X to `pos` (3 numbers) and `quat` (4 numbers, w first).
 void WritePose(const model::Pose& X, mjtNum* pos, mjtNum* quat);
 
-/// Converts an mjtGeom; nullopt for planes and height fields, which belong to scenes.
+/// Returns the GeomType of an mjtGeom; nullopt for planes, height fields, and other types that only
+/// scenes contain.
 std::optional<model::GeomType> GeomTypeOf(int mjtgeom);
 
 /// Returns true if a geom has any bit in contype or conaffinity.
 bool Collides(const mjModel& m, int geom);
 
-/// Returns X_WG of a geom, as computed by mj_kinematics.
+/// Returns X_WG, the pose of a geom in the world, as computed by mj_kinematics.
 model::Pose GeomPose(const mjData& d, int geom);
 
-/// Returns the surface of a mesh asset in the frame of the geoms that use this mesh, m. Vertices
-/// have single precision.
+/// Returns the triangles of a compiled mesh, m, in the frame of the geoms that use the mesh.
+/// Vertices have single precision.
 model::TriangleMesh MeshOf(const mjModel& m, int mesh);
 
-/// Returns the exact bounding box, in frame A, of a geom at the pose `X_AG`. The box is empty for
-/// planes and height fields.
+/// Returns the smallest box with the axes of frame A around a geom; `X_AG` is the pose of the geom
+/// in A. The box is empty for planes and height fields.
 model::Box3 GeomBox(const mjModel& m, int geom, const model::Pose& X_AG);
 
-/// Returns the bounding box, in the world frame, of all colliding geoms at the poses that
-/// mj_kinematics computed. If `root` is not the world (0), only geoms in the tree of the body
-/// `root` count.
+/// Returns the bounding box, in the world frame, of colliding geoms at the poses that mj_kinematics
+/// computed: of all geoms if `root` is 0 (the world), otherwise of the geoms in the tree of bodies
+/// whose root is `root`.
 model::Box3 CollidingBox(const mjModel& m, const mjData& d, int root);
 
-/// Returns true for hinges and slides, whose position is one number of qpos.
+/// Returns true for hinges and slides, whose position is a single number of qpos.
 bool HasOneNumber(const mjModel& m, int joint);
 
-/// Possible positions of a joint, as in qpos, rad or m: the joint's range, or a full turn about the
-/// reference position (qpos0) of an unlimited hinge. For a ball joint, `low` is 0, and `high` is
-/// the largest angle from the reference orientation (qpos0).
+/// Range of a joint's position in qpos, rad or m. A hinge without a range has one full turn, from
+/// half a turn below to half a turn above its reference position (qpos0). For a ball joint, `low`
+/// is 0, and `high` is the largest angle from the reference orientation (qpos0).
 struct JointRange {
   bool limited = false;
   double low = 0;
@@ -86,7 +88,8 @@ std::optional<JointRange> RangeOf(const mjModel& m, int joint);
 /// mjforge writes (NAME is the model's name), or qpos0 if there is no such keyframe.
 std::span<const mjtNum> StartOf(const mjModel& m);
 
-/// Copies positions, velocities, activations and controls at the start to `d`.
+/// Copies StartOf() to the positions in `d`. If the model has the keyframe NAME_start, also copies
+/// the velocities, activations and controls of this keyframe.
 void CopyStart(const mjModel& m, mjData& d);
 
 /// Returns the qpos of a ball joint that is rotated from its reference orientation (qpos0) by an
@@ -94,23 +97,25 @@ void CopyStart(const mjModel& m, mjData& d);
 std::array<mjtNum, 4> BallAt(const mjModel& m, int joint, const Eigen::Vector3d& axis,
                              double angle);
 
-/// Returns mass, centre of mass and inertia of a body, in the body's frame.
+/// Returns mass, centre of mass, and inertia about the centre of mass of a body, in the body's
+/// frame.
 model::MassProperties MassOf(const mjModel& m, int body);
 
-/// Reads a body without its joints and without its geoms (Body::parts). Body::parent is MuJoCo's id
-/// minus 1, so that the world is -1.
+/// Reads a body, but neither joints nor geoms (Body::parts) of the body. Body::parent is MuJoCo's
+/// id of the parent minus 1; -1 is the world.
 model::Body BodyOf(const mjModel& m, int id);
 model::Joint JointOf(const mjModel& m, int id);
-/// Reads a geom without its attributes and mass. A mesh geom has no Shape::mesh; its pose is the
-/// pose of the surface from MeshOf(). Returns nullopt for planes and height fields.
+/// Reads name, role, shape and pose of a geom, but not its attributes and mass. For a mesh geom,
+/// Part::mesh is the id of the mesh, Shape::mesh is null, and the pose is that of the triangles
+/// from MeshOf(). Returns nullopt for planes and height fields.
 std::optional<model::Part> PartOf(const mjModel& m, int id);
 
-/// Names given to elements that have no name: empty, or the result of NameOf().
+/// Name of an element that has no name in the model: an empty text, or the result of NameOf().
 enum class Nameless { kEmpty, kNumbered };
-/// Reads all bodies with BodyOf(), their joints, and their parts with PartOf(), and also the
-/// `group` of parts. Mass and bounds of the object are in the world frame, at StartOf(). The bounds
-/// contain only `aabb`, the box around all colliding parts. All elements get the source mark
-/// `mark`.
+/// Reads all bodies with BodyOf(), their joints with JointOf(), and their geoms with PartOf(), and
+/// adds the attribute `group` to each part. Mass and bounds of the object are in the world frame,
+/// at the start position (StartOf). The only bounds are `aabb`, the box around all colliding parts.
+/// All bodies, joints and parts get the source mark `mark`.
 model::Object ObjectOf(const mjModel& m, diag::SourceMark mark, Nameless nameless);
 
 }  // namespace mjforge::compiled

@@ -1,4 +1,4 @@
-// Geoms of compiled models: poses, meshes and bounding boxes.
+// Reads poses, meshes and bounding boxes of geoms from compiled models.
 #include <algorithm>
 
 #include "mjforge/compiled/compiled.h"

@@ -1,4 +1,4 @@
-// Joints of compiled models: ranges and start positions.
+// Reads ranges and start positions of joints from compiled models.
 #include <algorithm>
 #include <numbers>
 #include <string>
@@ -25,7 +25,7 @@ std::optional<JointRange> RangeOf(const mjModel& m, int joint) {
 
 namespace {
 
-// Returns the id of the keyframe that mjforge writes; -1 if there is none.
+// Returns the id of the keyframe NAME_start, which mjforge writes; -1 if the model has none.
 int StartKey(const mjModel& m) {
   const std::string name = std::string(m.names) + "_start";  // `names` begins with the model's name
   return mj_name2id(&m, mjOBJ_KEY, name.c_str());

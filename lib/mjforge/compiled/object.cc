@@ -1,4 +1,4 @@
-// Compiled models as objects: bodies, joints, parts and masses.
+// Converts compiled models to model::Object: bodies, joints, parts and masses.
 #include <new>
 
 #include "mjforge/compiled/compiled.h"
@@ -19,9 +19,9 @@ void AddMass(const model::MassProperties& mass_W, model::MassProperties& sum) {
   sum = sum.mass > 0 ? model::Combine(sum, mass_W) : mass_W;
 }
 
-// If the model has a start keyframe, copies the start position of a joint to the last joint of
-// `body`: for a hinge or slide also `ref`, for a free joint to the body's pose. `id` is MuJoCo's id
-// of the joint.
+// If the model has the keyframe NAME_start, stores the start position of a joint in the last joint
+// of `body`, and adds the attribute `ref` to a hinge or slide. The start pose of a free joint
+// becomes the pose of the body. `id` is MuJoCo's id of the joint.
 void SetStart(const mjModel& m, int id, model::Body& body) {
   const mjtNum* start = StartOf(m).data();
   if (start == m.qpos0) return;
@@ -96,7 +96,7 @@ std::optional<model::Part> PartOf(const mjModel& m, int id) {
 
 model::Object ObjectOf(const mjModel& m, diag::SourceMark mark, Nameless nameless) {
   model::Object object;
-  object.name = m.names;  // begins with the model's name
+  object.name = m.names;  // `names` begins with the model's name
   AddMeshes(m, object);
   const auto set_name = [&](auto& element, mjtObj kind, int id) {
     element.mark = mark;

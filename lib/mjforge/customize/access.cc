@@ -1,5 +1,5 @@
-// Access to the page of `mjforge customize`: a secret token, and rejection of requests from other
-// pages.
+// Access control of the page of `mjforge customize`: generation of the token, and checks of the
+// path and the headers of a request.
 
 #include "mjforge/customize/access.h"
 
@@ -23,7 +23,8 @@ bool IsThisMachine(std::string_view host) {
   return std::ranges::find(kNames, WithoutPort(host)) != kNames.end();
 }
 
-// Compares two texts in a time that does not depend on the position of the first difference.
+// Compares two texts in a time that does not depend on the position of the first difference,
+// because this time would let an attacker guess the token digit by digit.
 bool IsEqual(std::string_view a, std::string_view b) {
   if (a.size() != b.size()) return false;
   int difference = 0;

@@ -1,4 +1,5 @@
-// Controls of the page of `mjforge customize`: one for each parameter of a spec.
+// Choice of a control on the page of `mjforge customize` for each parameter of a spec: its kind,
+// bounds and heading.
 
 #include "mjforge/customize/controls.h"
 
@@ -15,7 +16,8 @@ namespace {
 using spec::Distribution;
 using spec::Value;
 
-// Returns true for a color, four numbers from 0 to 1: red, green, blue and opacity.
+// Returns true if a value consists of four numbers from 0 to 1, like a color: red, green, blue and
+// opacity.
 bool IsRgba(const Value& value) {
   const std::vector<spec::Bounds> bounds = spec::BoundsOfComponents(value);
   return bounds.size() == 4 && std::ranges::all_of(bounds, [](const spec::Bounds& each) {
@@ -53,7 +55,7 @@ std::string_view KindOf(const spec::Parameter& parameter, const Value& value, bo
   return value.components > 1 ? "vector" : "number";
 }
 
-// Returns true if a parameter is a whole number or is drawn from whole numbers.
+// Returns true if a parameter is written as a whole number or is drawn from whole numbers.
 bool IsWhole(const spec::Parameter& parameter, const Value& value) {
   if (const auto* draw = std::get_if<spec::Draw>(&value.form))
     return draw->distribution == Distribution::kInteger ||
@@ -73,15 +75,16 @@ std::map<std::string, int> CountPrefixes(const spec::ObjectSpec& spec) {
   return counts;
 }
 
-// Returns the heading of a parameter: its section, or the first word of its name if shared with
-// others.
+// Returns the heading under which a parameter is shown: its section or, without a section, the
+// first word of its name if another parameter's name begins with this word. Returns an empty text
+// if there is no heading.
 std::string GroupOf(const spec::Parameter& parameter, const std::map<std::string, int>& prefixes) {
   if (!parameter.section.empty()) return diag::SafeText(parameter.section);
   std::string prefix = parameter.name.substr(0, parameter.name.find_first_of("_."));
   return prefixes.at(prefix) > 1 ? prefix : "";
 }
 
-// Writes `low` and `high`, in which an infinite bound is null.
+// Writes the members `low` and `high`: a list of bounds each, or null if there are none.
 void WriteBounds(diag::Json& json, const std::vector<spec::Bounds>& bounds) {
   for (const bool is_low : {true, false}) {
     json.Key(is_low ? "low" : "high");

@@ -38,15 +38,15 @@ struct Start {
 /// Answer to a request of the page.
 struct Reply {
   std::string json;     // a JSON object
-  std::string picture;  // WebP, PNG or a tar archive; empty: no picture
+  std::string picture;  // bytes of a WebP, a PNG or a tar archive; may be empty
   /// Files that the spec was read from; the page repeats its request when one of these files
   /// changes.
   std::vector<std::filesystem::path> files;
 };
 
-/// Makes and draws variants for the page. Every request contains the whole state of the page, so
-/// that several pages can ask in turn. Keeps the spec, the last variant and the OpenGL context
-/// between requests.
+/// Makes and draws variants for the page. Several pages can send requests in turn, because every
+/// request contains the whole state of its page. Keeps the spec, the last variant and the OpenGL
+/// context between requests.
 class Studio {
  public:
   explicit Studio(Start start);
@@ -57,14 +57,14 @@ class Studio {
   /// Answers a request, which is one JSON object:
   /// - `action: open` returns the description of the spec, its controls and the first state;
   /// - `action: draw` returns a picture of a variant, its values, facts and findings;
-  /// - `action: check` returns the findings, including those of the physical checks;
+  /// - `action: check` returns the findings, including those of the physics checks;
   /// - `action: film` returns an animation of the simulated drop or, if there is a `name`, of the
   ///   drive of that joint, and its description;
   /// - `action: redraw` returns another random value of the parameter `name`;
   /// - `action: export` returns the variant in a form chosen by `name`: a text for command, params,
   ///   seed and mjcf (a tar archive if the MJCF refers to other files), or a picture for png;
   /// - `action: source` returns the text of the spec's file `name`;
-  /// - `action: pick` returns the part at the place `x`, `y` of the picture;
+  /// - `action: pick` returns the part at the point `x`, `y` of the picture;
   /// - `action: save` writes the settings to the preset `name`;
   /// - `action: preset` returns the settings of the preset `name`.
   /// An invalid request returns `{"error": "..."}`.

@@ -1,4 +1,4 @@
-// Findings as JSON for the page of `mjforge customize`.
+// Writer of findings as JSON for the page of `mjforge customize`: sorted, each once, limited.
 
 #include "mjforge/customize/findings_json.h"
 

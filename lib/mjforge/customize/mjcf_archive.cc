@@ -1,4 +1,4 @@
-// Tar archive of an MJCF file and the files that it refers to.
+// Writer of a tar archive with an MJCF file and the files to which the MJCF file refers.
 
 #include "mjforge/customize/mjcf_archive.h"
 

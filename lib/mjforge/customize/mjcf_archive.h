@@ -1,4 +1,4 @@
-// Tar archive of an MJCF file and the files that it refers to.
+// Tar archive of an MJCF file and the files to which the MJCF file refers.
 
 #pragma once
 
@@ -9,8 +9,9 @@
 
 namespace mjforge::customize {
 
-/// Makes an archive with the folder `name`, which contains `name`.xml and the files that this MJCF
-/// refers to. Returns false, and adds a finding, if a file cannot be read.
+/// Sets `archive` to the bytes of a tar archive with the folder `name`, which contains `name`.xml
+/// and the files to which this MJCF refers. Returns false, and adds a finding, if a file cannot be
+/// read.
 bool ArchiveMjcf(const std::string& name, const mjcf::MjcfDocument& document, std::string& archive,
                  diag::Findings& findings);
 

@@ -1,4 +1,5 @@
-// Positions of the joints in the picture on the page of `mjforge customize`.
+// Setting of joint positions for the picture on the page of `mjforge customize`: first the base
+// pose, then the joints that the page has moved.
 #include "mjforge/customize/moved_joints.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ void MoveToBase(const Request& request, ShownVariant& shown) {
   picture::Subject& subject = *shown.subject;
   subject.Reset(request.pose == BasePose::kZero ? picture::Pose::kZero : picture::Pose::kStart);
   if (request.pose != BasePose::kView) return;
-  diag::Findings ignored;  // making the object already reported unknown names
+  diag::Findings ignored;  // unknown names were already reported when the object was made
   for (const spec::PictureView::Position& position : shown.recipe->spec->view.pose) {
     const std::optional<int> joint = subject.FindJoint(position.joint, ignored);
     if (joint) subject.SetJoint(*joint, position.value, ignored);
@@ -22,7 +23,7 @@ void MoveToBase(const Request& request, ShownVariant& shown) {
 }  // namespace
 
 void MoveJoints(const Request& request, ShownVariant& shown) {
-  diag::Findings ignored;  // none, because all values are within the joints' ranges
+  diag::Findings ignored;  // remains empty, because all values are within the joints' ranges
   MoveToBase(request, shown);
   shown.joints = shown.subject->joints();
   for (std::size_t i = 0; i < shown.joints.size(); ++i) {

@@ -1,4 +1,4 @@
-// Presets: named sets of parameter values, stored beside the spec as files for --params.
+// Listing and saving of presets: files of parameter values for the option --params.
 
 #include "mjforge/customize/presets.h"
 

@@ -1,4 +1,4 @@
-// Presets: named sets of parameter values, stored beside the spec as files for --params.
+// Presets: named sets of parameter values, stored in files that the option --params reads.
 
 #pragma once
 
@@ -13,14 +13,14 @@
 
 namespace mjforge::customize {
 
-/// Presets of a spec, which are named sets of values: lamp.tall.params.yaml is `tall` of lamp.yaml.
+/// Presets of a spec: the file lamp.tall.params.yaml is the preset `tall` of the spec lamp.yaml.
 class Presets {
  public:
-  /// Finds presets in `folder`; `stem` is the name of the spec's file without its ending.
+  /// `folder` is the folder of the presets; `stem` is the name of the spec's file without `.yaml`.
   Presets(std::filesystem::path folder, std::string stem)
       : folder_(std::move(folder)), stem_(std::move(stem)) {}
 
-  /// Returns true if a preset can have this name: letters, digits, _ and -.
+  /// Returns true if a preset can have this name: 1 to 60 letters, digits, _ and -.
   static bool IsValidName(std::string_view name);
   /// Returns the names of the presets that exist, sorted.
   std::vector<std::string> List() const;

@@ -1,4 +1,5 @@
-// Request of the page of `mjforge customize`, read from JSON.
+// Reader of a JSON request of the page of `mjforge customize`: types and ranges of the members, and
+// conversion of settings to YAML.
 
 #include "mjforge/customize/request.h"
 
@@ -35,7 +36,8 @@ std::optional<BasePose> FindPose(std::string_view word) {
   return static_cast<BasePose>(found - kWords);
 }
 
-// Reads the members of one request, and keeps the reason of the first failure.
+// Reads members of one request, and keeps the reason of the first failure. Functions leave `out`
+// unchanged if the member is missing.
 class Reader {
  public:
   Reader(const Json& root, std::string& why_not) : root_(root), why_not_(why_not) {}
@@ -73,8 +75,8 @@ class Reader {
     out = static_cast<Number>(number);
   }
 
-  /// Reads a word and converts it by `find`. `wanted` describes the valid words for the error
-  /// message.
+  /// Reads a word and converts it by `find`, which returns nullopt for invalid words. `wanted`
+  /// describes the valid words in the error message.
   template <typename T>
   void Word(const char* key, std::optional<T> (*find)(std::string_view), std::string_view wanted,
             T& out) {
@@ -121,8 +123,8 @@ class Reader {
     if (why_not_.empty()) why_not_ = fmt::format("'{}' is not {}", key, wanted);
   }
 
-  // Converts a JSON value to YAML flow text. An object {"yaml": "..."} already contains the YAML
-  // text.
+  // Appends a JSON value to `out` as YAML flow text. An object {"yaml": "..."} already contains the
+  // YAML text. Returns false for values that no parameter can have.
   static bool Flow(const Json& value, std::string& out) {
     if (value.IsNumber()) {
       out += expr::ExactNumberText(value.GetDouble());
@@ -137,7 +139,8 @@ class Reader {
         if (!out.ends_with('[')) out += ", ";
         std::string expression;
         if (!Flow(item, item.IsObject() ? expression : out)) return false;
-        // Quotes an expression, because a comma would end an item of a YAML flow sequence.
+        // Quotes the text of an object, an expression, because an unquoted comma would end the item
+        // of the YAML flow sequence.
         if (item.IsObject()) out += QuoteForYaml(expression);
       }
       out += ']';

@@ -1,4 +1,4 @@
-// Conversion of parameter values to text: a shell command, and YAML for --params.
+// Quoting of parameter settings for the shell and for YAML.
 
 #include "mjforge/customize/settings_text.h"
 
@@ -19,7 +19,7 @@ bool ConsistsOf(std::string_view text, const std::string& characters) {
   return !text.empty() && text.find_first_not_of(characters) == text.npos;
 }
 
-// Returns true for words that YAML does not read as texts.
+// Returns true for words that YAML reads as booleans or null instead of texts.
 bool IsYamlWord(std::string_view text) {
   constexpr std::array<std::string_view, 9> kWords = {"true", "false", "yes", "no", "on",
                                                       "off",  "null",  "y",   "n"};
@@ -42,8 +42,8 @@ std::string QuoteForYaml(std::string_view text) {
 }
 
 std::string LiteralForYaml(std::string_view text) {
-  // A text in an expression cannot contain ' or }, because expressions have no escapes. Such a text
-  // is written after an empty expression, which makes the whole value a text.
+  // A text within an expression cannot contain ' or }, because expressions have no escapes. Writes
+  // such a text after an expression for the empty text, which makes the whole value a text.
   constexpr std::string_view kOpen = "${";
   std::string value = "${''}";
   if (text.find_first_of("'}") == text.npos) {

@@ -1,4 +1,4 @@
-// Conversion of parameter values to text: a shell command, and YAML for --params.
+// Conversion of parameter settings to text: a shell command, and YAML for the option --params.
 
 #pragma once
 
@@ -11,10 +11,10 @@
 
 namespace mjforge::customize {
 
-/// Returns a text as YAML that is read as that text, with quotes only if they are needed.
+/// Returns YAML of a text. Adds quotes only if YAML would not read the text as a simple word.
 std::string QuoteForYaml(std::string_view text);
 
-/// Returns YAML of an expression whose value is the text: `${'a + b'}` for the text "a + b".
+/// Returns YAML that a spec reads as this text and not as an expression: `${'a + b'}` for "a + b".
 std::string LiteralForYaml(std::string_view text);
 
 /// Returns the command that makes `count` variants with these settings, from `index` on. Several

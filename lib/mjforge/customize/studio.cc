@@ -1,4 +1,4 @@
-// Answers to the requests of the page of `mjforge customize`.
+// Answers to the requests of the page of `mjforge customize`, one function per action.
 
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kQuality = 85;
 constexpr int kQuickQuality = 70;
-// Limits of a film: number of frames, and shortest time of a frame, ms.
+// Limits of a film: largest number of frames, and shortest time for which a frame is shown, ms.
 constexpr std::size_t kMostFrames = 24;
 constexpr int kShortestFrame = 40;
 
@@ -35,7 +35,7 @@ void WriteSettings(diag::Json& json, const std::optional<forge::Recipe>& recipe)
             });
 }
 
-// Copies an image into one of the nine cells of a larger image, in three rows of three.
+// Copies an image into one of the nine cells (three rows of three) of a larger image.
 void PutInCell(const picture::Image& tile, int cell, picture::Image& image) {
   const int left = cell % 3 * tile.width;
   const int top = cell / 3 * tile.height;
@@ -54,14 +54,16 @@ Reply Failure(std::string_view message) {
   return JsonReply([&](diag::Json& json) { json.Member("error", diag::SafeText(message)); });
 }
 
-// Describes a variant without a picture: "index 3 failed: size of part 'rod' is 0; ...".
+// Returns the reason why a variant has no picture: "index 3 failed: size of part 'rod' is 0".
 std::string FailureText(std::uint64_t index, const diag::Findings& findings) {
   const auto found = std::ranges::find(findings, diag::Severity::kError, &diag::Finding::severity);
   return fmt::format("index {} failed: {}", index,
                      found == findings.end() ? "no picture" : diag::SafeText(found->message));
 }
 
-// Describes a film: "Drop, 0.25 s, shown 5.1 times slower".
+// Returns the description of a film of the drop or, if `joint` is not empty, of the drive of this
+// joint: "Drop, 0.25 s, shown 5.1 times slower". `time` is the simulated and `shown` the shown
+// time, s.
 std::string FilmText(const std::string& joint, double time, double shown) {
   constexpr double kSlow = 1.1;  // smallest factor that the text mentions
   const std::string slower =
@@ -129,8 +131,8 @@ Reply Studio::State::Answer(const Request& request) {
   return Failure("there is no action '" + request.action + "'");
 }
 
-// Describes the controls of the spec without settings, because settings would hide ranges and
-// choices.
+// Loads the spec without settings to describe its controls, because settings would hide the ranges
+// and choices of the spec.
 Reply Studio::State::Open(const Request& request) {
   diag::Sources sources;
   diag::Findings findings;
@@ -164,8 +166,8 @@ Reply Studio::State::Open(const Request& request) {
   return reply;
 }
 
-// Returns the presets beside the spec's file, or in the working folder for specs of the search
-// path, which may not be writable.
+// Returns the presets beside the spec's file; for specs of the search path, whose folders may not
+// be writable, those in the working folder.
 Presets Studio::State::PresetsOf(const ShownVariant& shown) const {
   const std::filesystem::path& file = shown.recipe->file;
   return {file.parent_path(), std::filesystem::path(start.reference).stem().string()};
@@ -213,9 +215,10 @@ std::optional<picture::Image> Studio::State::DrawPicture(const Request& request,
   return renderer->Draw(*shown.subject, request.picture, findings);
 }
 
-// Draws nine variants from `index` on, three in a row. Sets `texts` to nine texts: the reason why a
-// variant has no picture, or an empty text if the variant has a picture. Draws the variant of
-// `index` last, so that this variant stays in the cache.
+// Draws nine variants from the request's index on, in three rows of three. Sets `texts` to a text
+// for each variant: the reason why it has no picture, or an empty text if it has one. Draws the
+// variant of the request's index last, because the cache keeps the last variant. Returns nullopt if
+// there is no renderer.
 std::optional<picture::Image> Studio::State::DrawNine(const Request& request,
                                                       std::vector<std::string>& texts) {
   texts.assign(9, "");
@@ -260,13 +263,14 @@ Reply Studio::State::Draw(const Request& request) {
   return reply;
 }
 
-// Returns all findings about a variant, including those of the physical checks.
+// Returns all findings about a variant, including those of the physics checks.
 Reply Studio::State::Check(const Request& request) {
   const ShownVariant& shown = cache.Make(request, CheckLevel::kPhysics);
   return JsonReply([&](diag::Json& json) { WriteFindings(json, shown.Findings(), shown.sources); });
 }
 
-// Returns an animation of the drop or, if the request has a name, of the drive of that joint.
+// Returns an animation of the simulated drop or, if the request has a name, of the drive of the
+// joint with this name.
 Reply Studio::State::Film(const Request& request) {
   ShownVariant& shown = cache.Make(request, CheckLevel::kNone);
   if (shown.subject == nullptr) return Failure("the variant has errors");
@@ -354,7 +358,7 @@ Reply Studio::State::Pick(const Request& request) {
   });
 }
 
-// Returns the text of a file from which the spec was read; other files are not accessible.
+// Returns the text of a file from which the spec was read. The page cannot read other files.
 Reply Studio::State::Source(const Request& request) {
   const ShownVariant& shown = cache.LoadSpec(request);
   for (std::uint32_t i = 1; i <= shown.sources.size(); ++i) {

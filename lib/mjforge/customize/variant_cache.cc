@@ -1,5 +1,5 @@
-// Cache of `mjforge customize`: the texts of the spec's files, and the last variant, kept from one
-// request of the page to the next.
+// Loading of the spec, and making of variants, for the requests of `mjforge customize`; reuses the
+// results of the last request.
 
 #include "mjforge/customize/variant_cache.h"
 
@@ -31,7 +31,7 @@ diag::Findings ShownVariant::Findings() const {
   return all;
 }
 
-// Discards the cached files of the spec if the revision has changed.
+// Discards everything that was read from the spec's files if the revision has changed.
 void VariantCache::Renew(std::uint64_t revision) {
   if (std::exchange(revision_, revision) == revision) return;
   snapshot_ = {};
@@ -67,8 +67,8 @@ void VariantCache::QuoteTexts(Request& request) {
     const auto words = expr::WordsOf(text);
     const bool is_read_as_text =
         !words.empty() && text.starts_with(words[0]) && std::ranges::all_of(words, is_plain);
-    // Writes an option of a choice as a plain text, because the value must be spelled like the
-    // option in the spec.
+    // Writes an option of a parameter with choices as a plain text, because the value must be
+    // spelled like the option in the spec.
     text = is_read_as_text || choices_.contains(name) ? QuoteForYaml(text) : LiteralForYaml(text);
   }
 }

@@ -1,4 +1,4 @@
-// Cache of `mjforge customize`: the texts of the spec's files, and the last variant, kept from one
+// Cache of `mjforge customize`: keeps the texts of the spec's files and the last variant from one
 // request of the page to the next.
 
 #pragma once
@@ -18,7 +18,7 @@
 
 namespace mjforge::customize {
 
-/// Checks of a variant; each includes the checks before it.
+/// Checks of a variant: none, loading in MuJoCo, or also the physics checks.
 enum class CheckLevel { kNone, kLoad, kPhysics };
 
 /// A spec with settings, and one of the spec's variants.
@@ -35,20 +35,23 @@ struct ShownVariant {
   diag::Findings Findings() const;
 };
 
-/// Loads a spec with settings and makes variants. Keeps the last variant, and the texts of the
-/// spec's files until the revision of a request changes.
+/// Loads a spec with settings and makes variants. Keeps the last variant. Keeps the texts of the
+/// spec's files until a request has another revision.
 class VariantCache {
  public:
   VariantCache(std::string reference, std::vector<std::filesystem::path> search_path)
       : reference_(std::move(reference)), search_path_(std::move(search_path)) {}
 
-  /// Converts the values of a request that are texts to YAML. A text that the spec would read as an
-  /// expression, such as `pi` or `a + b`, becomes an expression of this text: `${'a + b'}`.
+  /// Converts those settings of a request that are plain texts (Request::values) to YAML. A text
+  /// that the spec would read as an expression, such as `pi` or `a + b`, becomes an expression
+  /// whose value is this text: `${'a + b'}`.
   void QuoteTexts(Request& request);
-  /// Returns the spec with the settings of the request, without making a variant. The recipe is
-  /// nullopt if the spec or a setting has errors.
+  /// Returns the spec with the settings of the request, without making a variant; a variant of the
+  /// last request with the same settings remains. The recipe is nullopt if the spec or a setting
+  /// has errors.
   ShownVariant& LoadSpec(const Request& request);
-  /// Returns the variant of the request, with at least the checks of `level`.
+  /// Returns the variant of the request, with at least the checks of `level`. The variant is
+  /// nullopt if the spec or a setting has errors.
   ShownVariant& Make(const Request& request, CheckLevel level);
 
   /// Returns the files on which the current spec and variant depend, including those that are
@@ -64,12 +67,13 @@ class VariantCache {
   std::string reference_;
   std::vector<std::filesystem::path> search_path_;
   std::uint64_t revision_ = 0;
-  // Names that expressions can use, and parameters that choose among constants.
+  // Names of the spec that expressions can use, and names of the parameters that choose among
+  // constants; for QuoteTexts().
   std::optional<std::set<std::string, std::less<>>> names_;
   std::set<std::string> choices_;
   spec::Snapshot snapshot_;
   std::optional<picture::Loader> loader_ = std::make_optional<picture::Loader>();
-  std::vector<std::filesystem::path> assets_;  // files of the last object
+  std::vector<std::filesystem::path> assets_;  // mesh and texture files of the last object
   std::string key_;                            // revision and settings of `shown_`; empty: no spec
   std::string variant_key_;  // seed and index of the variant in `shown_`; empty: no variant
   ShownVariant shown_;

@@ -1,4 +1,5 @@
-// Description of a variant as JSON for the page of `mjforge customize`.
+// Writers of a variant's values, facts and joints, and of a part's properties, as JSON for the page
+// of `mjforge customize`.
 
 #include "mjforge/customize/variant_json.h"
 

@@ -8,11 +8,12 @@
 namespace mjforge::customize {
 
 /// Writes three members: `values` of the parameters; `facts`, which are mass (kg), size (m) and
-/// counts, or null if there is no object; and `joints`, a list of the movable joints.
+/// counts, or null if there is no object; and `joints`, a list of the hinges and slides.
 void WriteVariant(diag::Json& json, const ShownVariant& shown);
 
-/// Writes members about the part that has the geom `geom`: `part`, `material`, `mass` (kg, with all
-/// pieces of the part), `file` and `line`. Writes no members if no part has this geom.
+/// Writes members about the part to which the geom `geom` belongs: `part` (its name), `material`,
+/// `mass` (kg, of the whole shape if the part is a piece of one), `file` and `line` in the spec.
+/// Writes no members if there is no such part. The variant must have an object.
 void WritePart(diag::Json& json, const ShownVariant& shown, std::string_view geom);
 
 }  // namespace mjforge::customize

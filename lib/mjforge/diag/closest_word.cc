@@ -1,4 +1,4 @@
-// Suggestions for misspelled words by edit distance.
+// Finds the known word that is closest to a misspelled word, by edit distance.
 
 #include <algorithm>
 #include <cstddef>
@@ -15,8 +15,8 @@ namespace {
 // a comparison is proportional to the square of the length.
 constexpr std::size_t kLongestWord = 128;
 
-// Returns the Damerau-Levenshtein distance in its form "optimal string alignment", in which no
-// substring is edited twice.
+// Returns the "optimal string alignment" distance: the Damerau-Levenshtein distance with the
+// restriction that no substring is edited twice.
 std::size_t Distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
@@ -35,10 +35,10 @@ std::size_t Distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
-// Returns true if `word` may be a misspelling of `candidate`, which is `distance` edits away: equal
-// except for case, or at most one edit per three letters of the word (one edit if the word has
-// three to five letters). A word of two letters may only be one edit away from a candidate of two
-// letters. A word of one letter is not a misspelling of a different word.
+// Returns true if `word` may be a misspelling of `candidate`. `distance` is their edit distance
+// without regard to case. Accepts 0 edits, one edit in a word of three to five letters, and one
+// edit per three letters of a longer word, but fewer edits than the candidate has letters. Accepts
+// one edit in a word of two letters only if the candidate has two letters, too.
 bool IsSlip(std::string_view word, std::string_view candidate, std::size_t distance) {
   if (distance == 0) return true;
   if (word.size() <= 2) {

@@ -1,4 +1,4 @@
-// The table of the codes of findings, made from codes.inc.
+// Table of the codes of findings, generated from codes.inc, and functions that query the table.
 
 #include "mjforge/diag/codes.h"
 

@@ -1,4 +1,4 @@
-// Codes of findings: names, one-line meanings, and the exit status that a code causes.
+// Codes of findings (errors and warnings): names, one-line meanings, and the exit status of a code.
 
 #pragma once
 
@@ -7,9 +7,9 @@
 
 namespace mjforge::diag {
 
-/// All kinds of findings, grouped by the stage that reports them; the stage is the first part of
-/// the code's name. Tests check that docs/errors.md has a chapter with an example for each code,
-/// and run the examples.
+/// All kinds of findings, grouped by the stage of the program that reports them. The name of a code
+/// begins with the stage ("spec/unknown-key"). Tests check that docs/errors.md has a chapter with
+/// an example for each code, and run the examples.
 enum class Code {
 #define MJFORGE_CODE(code, name, meaning) code,
 #include "mjforge/diag/codes.inc"
@@ -26,8 +26,8 @@ std::span<const CodeInfo> AllCodes();
 
 std::string_view CodeName(Code code);
 
-/// Returns true for codes of failed input or output (exit status 3). The other codes mean that the
-/// input is wrong (exit status 1).
+/// Returns true for codes of files that cannot be read or written (exit status 3). An error with
+/// another code causes exit status 1.
 bool IsInputOutput(Code code);
 
 }  // namespace mjforge::diag

@@ -1,10 +1,11 @@
-// Findings with places in source texts, their rendering, and text that is safe to show.
+// Findings (errors and warnings with their places in source files), and texts for messages:
+// rendered findings, escaped text, suggestions for misspelled words.
 
 #pragma once
 
-// A finding is an error or a warning: it describes what is wrong, where to correct it, and what was
-// probably meant. Stages add findings to a list and continue. Nothing in this library prints or
-// exits.
+// A finding describes what is wrong, where to correct it, and what was probably meant. Parsers,
+// checks and other stages of the program add findings to a list and continue. Nothing in this
+// library prints or exits.
 
 #include <algorithm>
 #include <compare>
@@ -24,7 +25,7 @@
 namespace mjforge::diag {
 
 /// A place in a text of Sources. Lines and columns count from 1, columns in bytes. A
-/// default-constructed mark has no place, and converts to false.
+/// default-constructed mark refers to no place, and converts to false.
 struct SourceMark {
   std::uint32_t file = 0;  // 1-based number in Sources
   std::uint32_t line = 0;
@@ -38,9 +39,9 @@ struct SourceMark {
 /// findings quote lines of the texts.
 class Sources {
  public:
-  /// Adds a text and returns its number, which marks contain (SourceMark::file). Messages show
-  /// `name` unchanged. If a file is too long to be stored, `text` may be a piece of the file that
-  /// begins at line `first_line`.
+  /// Adds a text and returns its number, which marks contain (SourceMark::file). `name` is the name
+  /// of the text in messages. If a file is too long to be stored, `text` may be a piece of the file
+  /// that begins at line `first_line`.
   std::uint32_t Add(std::string name, std::string text, std::uint32_t first_line = 1);
 
   const std::string& Name(std::uint32_t file) const { return files_[file - 1].name; }
@@ -84,13 +85,13 @@ struct Finding {
 
 class Findings {
  public:
-  /// Adds a finding. The returned reference is valid until the next call of Add or Warn.
+  /// Adds a finding. The returned reference is valid until the list changes.
   Finding& Add(Finding finding) { return list_.emplace_back(std::move(finding)); }
   Finding& Add(Code code, SourceMark mark, std::string message, std::string hint = {});
   Finding& Warn(Code code, SourceMark mark, std::string message, std::string hint = {});
   void Append(Findings other);
 
-  /// Returns true if any finding whose index is at least `first` is an error.
+  /// Returns true if any finding at position `first` of the list, or after it, is an error.
   bool HasErrors(std::size_t first = 0) const;
   bool empty() const { return list_.empty(); }
   std::size_t size() const { return list_.size(); }
@@ -100,11 +101,11 @@ class Findings {
   auto end() const { return list_.end(); }
   const Finding& operator[](std::size_t i) const { return list_[i]; }
 
-  /// Sets the seed and the index of each finding that has neither.
+  /// Sets the seed and the index of the variant in each finding that has neither.
   void SetVariant(std::uint64_t seed, std::uint64_t index);
   /// Sorts the findings by file, line and column. Findings at the same place remain in their order.
   void Sort();
-  /// Removes repetitions of a finding (same code, place and message), except the first finding.
+  /// Keeps only the first of several findings with the same code, place and message.
   void Unique();
   void clear() { list_.clear(); }
   /// Keeps only the first `size` findings.
@@ -151,8 +152,8 @@ std::optional<std::string_view> ClosestWord(std::string_view word,
 
 /// Returns "did you mean 'x'?" with the closest candidate; an empty text if no candidate is close.
 std::string DidYouMean(std::string_view word, std::span<const std::string_view> candidates);
-/// Returns "did you mean 'x'?" for a list of any type; `name` is the member that contains the
-/// candidate.
+/// Returns "did you mean 'x'?" with the closest of the words in a list of any type; `name` is a
+/// projection (a pointer to a member, for example) from an item of the list to its word.
 template <typename List, typename Name = std::identity>
 std::string DidYouMean(std::string_view word, const List& list, Name name = {}) {
   std::vector<std::string_view> candidates(std::size(list));

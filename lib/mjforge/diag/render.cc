@@ -12,8 +12,8 @@ namespace mjforge::diag {
 namespace {
 
 constexpr int kLineColumns = 120;
-// Number of bytes that are decoded before and after the caret: enough for a line of output, so that
-// a line of 100 MB is not decoded as a whole.
+// Maximum number of bytes that are decoded on each side of the caret: enough for a line of output.
+// Without this limit, a line of 100 MB would be decoded as a whole.
 constexpr std::size_t kWindowBytes = 1024;
 constexpr std::string_view kDots = "...";
 

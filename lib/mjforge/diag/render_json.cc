@@ -20,7 +20,8 @@ void Place(Json& json, SourceMark mark, const Sources& sources) {
 
 }  // namespace
 
-// Omits members without a value (place, hint, seed, index), except the list of notes.
+// Omits members without a value (file, line, column, hint, seed, index); `notes` may be an empty
+// list.
 std::string RenderJson(const Finding& finding, const Sources& sources) {
   // No number format is needed, because all numbers are integers.
   return JsonObject(nullptr, [&](Json& json) {

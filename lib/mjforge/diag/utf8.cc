@@ -67,7 +67,7 @@ Utf8Char DecodeUtf8(std::string_view text) {
     if ((byte(i) & 0xc0) != 0x80) return {};
     value = (value << 6) | (byte(i) & 0x3fu);
   }
-  // Reject overlong forms, surrogates, and values beyond the last plane.
+  // Rejects overlong forms, surrogates, and values beyond the last plane.
   constexpr std::array<char32_t, 5> kLeast = {0, 0, 0x80, 0x800, 0x10000};
   if (value < kLeast[length] || (value >= 0xd800 && value <= 0xdfff) || value > 0x10ffff) return {};
   return {value, length, true};

@@ -1,4 +1,4 @@
-// GJK distance of convex shapes, and penetration depth by libccd (EPA).
+// Distance of convex shapes by the GJK algorithm, and penetration depth by libccd (EPA).
 #include "mjforge/distance/distance.h"
 
 #include <ccd/ccd.h>

@@ -39,7 +39,7 @@ double DistanceUpTo(double limit, const PlacedShape& a, const PlacedShape& b);
 /// the shapes' size.
 double SignedDistance(const PlacedShape& a, const PlacedShape& b);
 
-/// Vector to a point from the nearest point of the shapes' convex hull, m; zero if the hull
+/// Vector from the nearest point of the shapes' convex hull to the point `p_W`, m; zero if the hull
 /// contains the point.
 Eigen::Vector3d FromHull(std::span<const PlacedShape> shapes, const Eigen::Vector3d& p_W);
 

@@ -1,4 +1,5 @@
-// Keywords of MJCF and sizes of buffers, for releases 2.2 to 4.0 of MuJoCo.
+// Functions of the compatibility layer for MuJoCo 2.2 to 4.0: MJCF keywords of actuator types, and
+// sizes of the buffers of mjData.
 #include "mjforge/engine/api.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace {
 template <typename Type>
 using Words = std::initializer_list<std::pair<Type, std::string_view>>;
 
-// Returns the word of a type; "user" if the table does not have the type.
+// Returns the MJCF keyword of an enumerator; "user" if `words` does not contain the enumerator.
 template <typename Type>
 std::string_view Find(Type type, const Words<Type>& words) {
   const auto found = std::ranges::find(words, type, &std::pair<Type, std::string_view>::first);
@@ -43,8 +44,8 @@ std::string_view WordOf(mjtBias bias) {
 #if mjVERSION_HEADER >= 300
 namespace {
 
-// Smallest arena, bytes: enough for collision detection between two meshes. Untouched pages cost
-// nothing.
+// Memory, bytes, added to the computed size of the arena: enough for collision detection between
+// two meshes. The operating system provides only the pages that MuJoCo touches.
 constexpr double kLeast = 16e6;
 
 }  // namespace
@@ -71,7 +72,8 @@ BufferSizes BufferSizesOf(const mjModel& m) {
 void SetBufferSizes(mjModel& m, const BufferSizes& sizes) {
   m.nconmax = sizes.contacts;
   m.njmax = sizes.rows;
-  // MuJoCo computes the size of the stack in bytes (8 per number) as an int.
+  // MuJoCo computes the size of the stack in bytes (8 per number) as an int. This limit is half of
+  // the largest int.
   constexpr double kMost = std::numeric_limits<int>::max() / 16.0;
   m.nstack = static_cast<int>(std::min(sizes.numbers, kMost));
 }

@@ -1,5 +1,5 @@
-// Compatibility layer over MuJoCo's C API for releases 2.2 to 4.0: one name for everything that
-// differs between releases.
+// Compatibility layer over MuJoCo's C API for releases 2.2 to 4.0: one name for each function,
+// member, type or constant that differs between releases.
 //
 // Releases are compared by MuJoCo's own mjVERSION_HEADER: 222 is 2.2.2, 337 is 3.3.7 and, with
 // seven digits from 3.5 on, 3005000 is 3.5.0, so that a later release always has the larger number.
@@ -23,13 +23,13 @@ using Flag = std::remove_pointer_t<decltype(mjModel::jnt_limited)>;  // mjtByte;
 using Count = decltype(mjModel::ngeom);                              // int; from 3.4 mjtSize
 
 #if mjVERSION_HEADER >= 300
-/// Array of mjModel: 1 for each equality that is active at the start.
+/// Array of mjModel with a flag for each equality: 1 if the equality is active at the start.
 inline constexpr auto kEqualityActive = &mjModel::eq_active0;
 #else
 inline constexpr auto kEqualityActive = &mjModel::eq_active;
 #endif
 
-/// Returns the two bodies of a connect or weld. From 3.2.3 on, MuJoCo may store the ids of sites.
+/// Returns the bodies of a connect or weld or, from 3.2.3 on, of the two sites that it connects.
 inline std::pair<int, int> BodiesOfEquality(const mjModel& m, int equality) {
   const int first = m.eq_obj1id[equality];
   const int second = m.eq_obj2id[equality];
@@ -39,7 +39,7 @@ inline std::pair<int, int> BodiesOfEquality(const mjModel& m, int equality) {
   return {first, second};
 }
 
-/// Array of mjModel: 1 for each light that is directional.
+/// Array of mjModel with a number for each light: 1 if the light is directional.
 #if mjVERSION_HEADER >= 333
 inline constexpr auto kLightDirectional = &mjModel::light_type;
 inline void MakeDirectional(mjvLight& light) { light.type = mjLIGHT_DIRECTIONAL; }
@@ -57,7 +57,7 @@ inline int TextureOf(const mjModel& m, int material) {
 #endif
 }
 
-/// Returns the bytes of a texture, row by row.
+/// Returns the pixels of a texture, row by row, in tex_nchannel bytes each (3 before 3.2.1).
 inline std::span<const mjtByte> PixelsOf(const mjModel& m, int texture) {
 #if mjVERSION_HEADER >= 321
   const mjtByte* data = m.tex_data;
@@ -70,7 +70,7 @@ inline std::span<const mjtByte> PixelsOf(const mjModel& m, int texture) {
   return {data + m.tex_adr[texture], static_cast<std::size_t>(channels * pixels)};
 }
 
-/// Removes the texture of a geom, which keeps its colour.
+/// Removes the texture of a geom in an abstract scene (mjvScene), but keeps the colour of the geom.
 inline void RemoveTexture(mjvGeom& geom) {
 #if mjVERSION_HEADER >= 320
   geom.matid = -1;
@@ -79,8 +79,8 @@ inline void RemoveTexture(mjvGeom& geom) {
 #endif
 }
 
-/// Returns the first geom that a ray hits in the groups whose number in `groups` (mjNGROUP numbers)
-/// is not 0; -1 if there is none. In later releases, mj_ray has an output for the normal.
+/// Returns the id of the first geom that a ray hits; -1 if there is none. Ignores geoms whose group
+/// has a 0 in `groups` (mjNGROUP numbers). Later releases have one more output, the normal.
 template <typename Ray = decltype(&mj_ray)>
 int FindGeomOnRay(const mjModel& m, const mjData& d, const mjtNum* from, const mjtNum* direction,
                   const mjtByte* groups, Ray ray = &mj_ray) {
@@ -94,7 +94,8 @@ int FindGeomOnRay(const mjModel& m, const mjData& d, const mjtNum* from, const m
   return geom;
 }
 
-/// Returns the MJCF keyword of a mjtDyn, mjtGain or mjtBias.
+/// Returns the MJCF keyword of an mjtDyn, mjtGain or mjtBias; "user" for types without a keyword
+/// here.
 std::string_view WordOf(mjtDyn dynamics);
 std::string_view WordOf(mjtGain gain);
 std::string_view WordOf(mjtBias bias);
@@ -106,9 +107,9 @@ inline constexpr int kDisablePassive = mjDSBL_SPRING | mjDSBL_DAMPER;
 inline constexpr int kDisablePassive = mjDSBL_PASSIVE;
 #endif
 
-/// Call this function after moving a geom or adding bits to its contype or conaffinity. Releases
-/// from 2.3.3 on store a bounding volume hierarchy for each body, which is disabled here; releases
-/// from 3.0 on also store these bits for each body, which are updated here.
+/// Prepares collision detection for a geom that was moved, or whose contype or conaffinity gained
+/// bits. From 2.3.3 on, disables the mid-phase, because its bounding volume hierarchies are
+/// outdated. From 3.0 on, also adds the bits to those that MuJoCo stores for the body of the geom.
 inline void UpdateCollisionData([[maybe_unused]] mjModel& m, [[maybe_unused]] int geom) {
 #if mjVERSION_HEADER >= 233
   m.opt.disableflags |= mjDSBL_MIDPHASE;
@@ -119,7 +120,8 @@ inline void UpdateCollisionData([[maybe_unused]] mjModel& m, [[maybe_unused]] in
 #endif
 }
 
-/// Enables several contact points between two convex geoms, the default from 3.8 on.
+/// Enables several contact points between two convex geoms (MULTICCD), which is the default from
+/// 3.8 on.
 inline void EnableMultipleContacts(mjOption& option) {
 #if mjVERSION_HEADER >= 3008000
   option.disableflags &= ~mjDSBL_MULTICCD;
@@ -128,8 +130,8 @@ inline void EnableMultipleContacts(mjOption& option) {
 #endif
 }
 
-/// Returns mjOption::enableflags without the bit for several contact points, which releases from
-/// 3.8 on do not have.
+/// Returns mjOption::enableflags without mjENBL_MULTICCD, a bit that releases from 3.8 on do not
+/// have.
 inline int EnableFlags(const mjOption& option) {
 #if mjVERSION_HEADER >= 3008000
   return option.enableflags;
@@ -138,8 +140,8 @@ inline int EnableFlags(const mjOption& option) {
 #endif
 }
 
-/// Makes the solver converge to the last digits. From 3.0 on, its default tolerance is so large
-/// that light bodies shake if they are pressed between heavy bodies.
+/// Lowers the tolerance of the constraint solver from 3.0 on, because the default tolerance of
+/// these releases is so large that light bodies shake if they are pressed between heavy bodies.
 inline void TightenTolerance([[maybe_unused]] mjOption& option) {
 #if mjVERSION_HEADER >= 300
   option.tolerance = 1e-14;
@@ -163,7 +165,7 @@ inline mjtNum DofInertia([[maybe_unused]] const mjModel& m, const mjData& d, int
 #endif
 }
 
-/// Calls mj_rayMesh and mju_rayGeom, which from 3.5 on have an output for the normal.
+/// Wrappers of mj_rayMesh and mju_rayGeom, which from 3.5 on have one more output (normal).
 template <class... Arguments>
 mjtNum RayMesh(Arguments... arguments) {
   if constexpr (requires { mj_rayMesh(arguments...); }) {
@@ -181,15 +183,15 @@ mjtNum RayGeom(Arguments... arguments) {
   }
 }
 
-/// True if mjData has separate buffers of fixed sizes; from 2.3 on, contacts, rows and stack share
-/// one arena.
+/// True if mjData has separate buffers of fixed sizes for contacts, constraint rows and the stack,
+/// as in 2.2; from 2.3 on, all share one arena.
 inline constexpr bool kHasFixedBuffers = mjVERSION_HEADER < 230;
 
 /// Sizes of the buffers that mj_makeData allocates.
 struct BufferSizes {
-  int contacts = 0;    // -1: limited only by the memory
+  int contacts = 0;    // largest number; -1: limited only by the memory
   int rows = 0;        // constraint rows
-  double numbers = 0;  // numbers on the stack
+  double numbers = 0;  // size of the stack (from 3.0 on, of the arena) in units of mjtNum
 };
 BufferSizes BufferSizesOf(const mjModel& m);
 /// Sets the sizes for the next call of mj_makeData.

@@ -15,9 +15,9 @@ namespace {
 // Limit of the captured text, bytes, because Qhull prints a few pages for each bad mesh.
 constexpr std::size_t kMaxText = std::size_t{1} << 20;
 
-std::mutex mutex;                          // protects the variables below
+std::mutex mutex;                          // protects `captures` and `own_stderr`
 std::vector<std::string*> captures;        // texts of all existing CapturedStderr
-std::FILE* own_stderr = nullptr;           // the stream that is replaced
+std::FILE* own_stderr = nullptr;           // the original `stderr`
 thread_local std::string* thread_capture;  // text of this thread's CapturedStderr, or null
 
 // Appends text to the CapturedStderr of the calling thread or, if the thread has none, to the
@@ -50,7 +50,7 @@ CapturedStderr::CapturedStderr() {
   const std::lock_guard lock(mutex);
   if (captures.empty() && CapturingStream() != nullptr) {
     own_stderr = stderr;
-    stderr = CapturingStream();  // the GNU C library permits this
+    stderr = CapturingStream();  // `stderr` is assignable in the GNU C library
   }
   captures.push_back(&text_);
   thread_capture = &text_;

@@ -19,7 +19,8 @@ namespace {
 
 using diag::Code;
 
-// Warnings of the current load. MuJoCo calls handlers on the loading thread, without user data.
+// Warnings of the load that the thread runs. Local to the thread, because MuJoCo calls handlers on
+// the loading thread, without user data.
 thread_local std::vector<std::string> thread_warnings;
 
 // Returns true for the messages of mju_malloc and of LodePNG about a lack of memory.
@@ -28,17 +29,17 @@ bool IsOutOfMemory(std::string_view message) {
          message.find("memory allocation failed") != std::string_view::npos;
 }
 
-// Handler of mju_error, which must not return. Within a compilation MuJoCo catches its own errors
-// (longjmp in mjCModel::Compile); elsewhere the exception leaves mj_loadXML, whose std::lock_guard
-// releases the mutex.
+// Handler of MuJoCo's errors, which must not return. MuJoCo itself catches errors within a
+// compilation (longjmp in mjCModel::Compile). Elsewhere the exception leaves mj_loadXML, and the
+// std::lock_guard in mj_loadXML releases MuJoCo's mutex.
 [[noreturn]] void ThrowError(const char* message) {
   if (IsOutOfMemory(message)) throw std::bad_alloc();
   throw std::runtime_error(message);
 }
 void StoreWarning(const char* message) { thread_warnings.emplace_back(message); }
 
-// Inserts Qhull's reason into MuJoCo's error message "qhull error". If the model was loaded in
-// spite of Qhull's messages, adds these to the warnings instead.
+// Inserts Qhull's last message after the words "qhull error" of MuJoCo's error. If the model was
+// loaded in spite of Qhull's messages, adds all messages to the warnings instead.
 void AddQhullMessages(const std::vector<std::string>& messages, Loaded& loaded) {
   constexpr std::string_view kError = "qhull error";
   const std::size_t at = loaded.error.find(kError);
@@ -50,8 +51,8 @@ void AddQhullMessages(const std::vector<std::string>& messages, Loaded& loaded) 
   }
 }
 
-/// Enlarges a model's stack, in MuJoCo 2.2, to the size that MuJoCo reserves for models without
-/// `nstack`, plus room for a list of all pairs of bodies.
+/// Enlarges the stack of a model in MuJoCo 2.2 to the size that MuJoCo reserves for models without
+/// `nstack`, plus room for a list of all pairs of bodies. Changes nothing in later releases.
 void ReserveStack(mjModel& m) {
   if (!kHasFixedBuffers) return;
   BufferSizes sizes = BufferSizesOf(m);
@@ -85,7 +86,7 @@ Loaded Load(const char* file, const mjVFS* vfs) {
   return loaded;
 }
 
-// Parts of MuJoCo's warnings and errors, and the shortage that each part identifies.
+// Phrases in MuJoCo's warnings and errors, each with the shortage that the phrase reports.
 constexpr std::pair<std::string_view, Shortage> kShortages[] = {
     {"contact buffer is full", {"ignores contacts that exceed its buffer", "a larger `nconmax`"}},
     {"constraint buffer is full",
@@ -94,8 +95,8 @@ constexpr std::pair<std::string_view, Shortage> kShortages[] = {
     {"could not create mjData",
      {"rejects the model, because it cannot address so many constraint rows",
       "a smaller `njmax`"}}};
-// Stack sizes to try, in numbers (8 bytes): lists of pairs of 4,000 and 15,000 bodies fit.
-// Untouched pages cost nothing. The other buffers are small, because a load needs only the stack.
+// Stack sizes that LoadWithStack() tries, in numbers (8 bytes): enough for the lists of all pairs
+// of 4,000 and of 15,000 bodies. The operating system provides only the pages that MuJoCo touches.
 constexpr std::string_view kStackSizes[] = {"10000000", "120000000"};
 
 /// Adds the shortage that MuJoCo's message reports to `shortages`; returns false if the message
@@ -109,8 +110,8 @@ bool AddShortage(const std::string& message, std::vector<Shortage>& shortages) {
   return true;
 }
 
-/// Loads a text with `load`. If the stack of MuJoCo 2.2 is too small, loads copies of the text with
-/// larger stack sizes.
+/// Loads a text with `load`. If MuJoCo 2.2 reports a shortage, loads copies of the text with larger
+/// stacks and small other buffers, because a load needs only the stack.
 template <typename LoadText>
 Loaded LoadWithStack(const std::string& text, const LoadText& load) {
   const auto load_once = [&](const std::string& attempt) {

@@ -1,4 +1,5 @@
-// Loads MJCF in MuJoCo without side effects: no exit, no output, no log file.
+// Loads MJCF in MuJoCo without side effects: MuJoCo does not exit the process, print, or write a
+// log file.
 #pragma once
 
 #include <filesystem>
@@ -27,10 +28,10 @@ struct DeleteModel {
 };
 using Model = std::unique_ptr<mjModel, DeleteModel>;
 
-/// Prefix of warnings about the convex hull of a mesh, which do not prevent loading.
+/// Prefix of warnings about the convex hull of a mesh. A model with such warnings is loaded.
 inline constexpr std::string_view kHullWarning = "qhull: ";
 
-/// A limit of memory in MuJoCo 2.2 that a model exceeds.
+/// A memory limit of MuJoCo 2.2 that a model exceeds, as parts of a message.
 struct Shortage {
   std::string_view effect;  // "ignores contacts that exceed its buffer"
   std::string_view remedy;  // "a larger `nconmax`"
@@ -41,13 +42,13 @@ struct Loaded {
   Model model;
   std::string error;
   std::vector<std::string> warnings;
-  std::optional<FileFault> fault;  // set if MuJoCo was not called because of a bad file
-  /// Memory limits of MuJoCo 2.2 that the text exceeds, empty for releases from 2.3 on. `model` may
-  /// have larger buffers than the text requests.
+  std::optional<FileFault> fault;  // set if a bad file or mesh kept MuJoCo from being called
+  /// Memory limits of MuJoCo 2.2 that the MJCF text exceeds; empty for releases from 2.3 on.
+  /// `model` may have larger buffers than the text requests.
   std::vector<Shortage> shortages;
 };
 
-/// MuJoCo's loader, with files in memory.
+/// Loads MJCF texts, whose files may be in memory, and MJCF files.
 class Engine {
  public:
   /// Installs handlers in the whole process: MuJoCo's errors become exceptions
@@ -57,25 +58,25 @@ class Engine {
 
   /// The reason why a file cannot be put into memory.
   struct AssetProblem {
-    std::size_t asset = 0;  // index of the asset
+    std::size_t asset = 0;  // index in the list of assets
     diag::Code code = diag::Code::kMujocoError;
     std::string message;
   };
-  /// Puts the files into memory under the names that the MJCF text uses. Reads each file at most
-  /// once; the bytes of generated files must live until the text is loaded. Returns the first
-  /// problem; nullopt if there is none.
+  /// Replaces the files in memory by `assets`, under the names that the MJCF text uses. Reads each
+  /// file at most once; the bytes of generated assets must live until the text is loaded. Returns
+  /// the first problem; nullopt if there is none.
   std::optional<AssetProblem> SetAssets(const bytes::Assets& assets);
 
-  /// Puts the files into memory, and loads an MJCF text that may refer to them. If a file cannot be
-  /// put into memory, the reason is in Loaded::error.
+  /// Calls SetAssets(), and loads an MJCF text that may refer to these files. If SetAssets() fails,
+  /// its message is in Loaded::error.
   Loaded LoadText(const std::string& text, const bytes::Assets& assets);
   /// Loads an MJCF text that may refer to the files of the last SetAssets().
   Loaded LoadText(const std::string& text);
   /// Loads an MJCF text as if it were a file in `folder`; reads the files that the text names from
   /// the disk.
   Loaded LoadTextIn(const std::filesystem::path& folder, const std::string& text);
-  /// Loads an MJCF file or standard input, unchanged; reads the files that the MJCF names from the
-  /// disk.
+  /// Loads an MJCF file or standard input, without a backport; reads the files that the MJCF names
+  /// from the disk.
   Loaded LoadFile(const std::filesystem::path& file);
 
  private:

@@ -1,5 +1,5 @@
-// Mixes contact parameters of geom pairs, and makes a model use a list of pairs for one call of
-// MuJoCo.
+// Mixes the contact parameters of geom pairs, and replaces the pairs of an mjModel by a list for
+// one call of MuJoCo.
 #include "mjforge/engine/geom_pairs.h"
 
 #include <algorithm>
@@ -50,8 +50,8 @@ void Append(std::vector<mjtNum>& list, const Array& row) {
 
 }  // namespace
 
-/// Makes a model use only the pairs of a GeomPairs during the lifetime of this object; does nothing
-/// if `kTaken` is false.
+/// Replaces the pairs of a model by those of a GeomPairs during the lifetime of this object; does
+/// nothing if `kTaken` (the value of kTakesPairs) is false.
 template <class Model, bool kTaken>
 class GeomPairs::ScopedPairs {
  public:
@@ -87,7 +87,8 @@ void GeomPairs::Clear() {
   for (std::vector<mjtNum>* list : {&margin_, &gap_, &friction_, &solref_, &solimp_}) list->clear();
 }
 
-// Mixes the parameters exactly like mj_collideGeoms (src/engine/engine_collision_driver.c, 2.2.2).
+// Mixes the contact parameters of the geoms exactly like mj_collideGeoms
+// (src/engine/engine_collision_driver.c, 2.2.2).
 void GeomPairs::Add(const mjModel& m, int geom1, int geom2) {
   if (m.geom_type[geom1] > m.geom_type[geom2]) std::swap(geom1, geom2);
   const int a = geom1;

@@ -15,21 +15,22 @@ constexpr bool TakesPairs() {
 }
 }  // namespace internal
 
-/// True if this release accepts an explicit list of all pairs. Up to 2.3, MuJoCo tests all geoms of
-/// two nearby bodies against each other; later releases have bounding volume hierarchies.
+/// True if this release can restrict collision detection to a list of geom pairs
+/// (mjOption::collision, up to 2.3.5). Such a release may test all geoms of two nearby bodies
+/// against each other; later releases have bounding volume hierarchies instead.
 inline constexpr bool kTakesPairs = internal::TakesPairs<mjModel>();
 
 /// A list of geom pairs, each with the contact parameters that MuJoCo would mix for the pair.
 class GeomPairs {
  public:
   void Clear();
-  /// Adds a pair of geoms that are not height fields. Contacts equal those that MuJoCo finds
-  /// without the list if pairs are added in MuJoCo's order: by the lower body, then by the higher
-  /// body, then by geoms.
+  /// Adds a pair of geoms, neither of which may be a height field. Contacts equal those that MuJoCo
+  /// finds without the list if pairs are added in MuJoCo's order: by the lower of the two body ids,
+  /// then by the higher body id, then by geom ids.
   void Add(const mjModel& m, int geom1, int geom2);
 
-  /// Calls mj_step or mj_collision with only these pairs; if kTakesPairs is false, MuJoCo finds all
-  /// pairs itself.
+  /// Calls mj_step (or mj_collision) with only the pairs of this list; if kTakesPairs is false,
+  /// MuJoCo finds all pairs itself.
   void Step(mjModel& m, mjData& d);
   void Collide(mjModel& m, mjData& d);
 

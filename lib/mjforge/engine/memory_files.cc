@@ -1,4 +1,5 @@
-// MuJoCo's virtual file system (mjVFS), before and after its change in MuJoCo 3.2.
+// Access to MuJoCo's virtual file system (mjVFS), by the functions of MuJoCo 3.2 and later, or by
+// the members of the structure in older releases.
 #include "mjforge/engine/memory_files.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// MuJoCo's virtual file system (mjVFS), before and after its change in MuJoCo 3.2.
+// Files in memory for mj_loadXML, in MuJoCo's virtual file system (mjVFS).
 #pragma once
 
 #include <map>
@@ -14,19 +14,20 @@ class MemoryFiles {
  public:
   MemoryFiles();
 
-  /// Returns the file system for mj_loadXML. Texts and files must live as long as the file system
-  /// is used.
+  /// Returns the file system for mj_loadXML. Texts and bytes that were passed to SetText() and
+  /// Add() must live as long as the file system is used.
   const mjVFS* Get();
 
   /// File name of the model's text.
   static constexpr const char* kTextName = "mjforge-object.xml";
   void SetText(const std::string& text);
 
-  /// Removes all files except the text.
+  /// Removes all files except the text of the model.
   void Clear();
   enum class Added { kYes, kTooMany, kNameTaken };
-  /// Adds a file. `name` has no folder and no capital letters. A file may be added twice with the
-  /// same name if `bytes` has the same address.
+  /// Adds a file. `name` must have no folder and no capital letters. Returns kNameTaken if other
+  /// bytes have this name (the same `bytes` object may be added again), and kTooMany if MuJoCo
+  /// before 3.2 has no room for the file or its name.
   Added Add(const std::string& name, const std::string& bytes);
 
  private:
@@ -39,7 +40,8 @@ class MemoryFiles {
     void operator()(mjVFS* vfs) const;
   };
   /// Files that MuJoCo has copied into its file system, by name. Clear() only marks files as not
-  /// wanted; Get() removes the files that were not added again.
+  /// wanted, and Get() removes only the files that were not added again, because copying takes
+  /// time.
   std::map<std::string, Entry> files_;
 #else
   // MuJoCo's functions are not used here, because they copy files and touch all of the 2 MB

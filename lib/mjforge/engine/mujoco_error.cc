@@ -1,4 +1,4 @@
-// The reason and the line in an error message of MuJoCo.
+// Finds the reason, the line, and the XML element of an error message of MuJoCo.
 #include "mjforge/engine/mujoco_error.h"
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 namespace mjforge::engine {
 namespace {
 
-// Words before the line number in messages of MuJoCo's compiler (mjCError; the second words from
-// 3.0 on), MuJoCo's reader (mjXError) and tinyxml2.
+// Words before the line number in messages of MuJoCo's compiler (the first entry up to 2.3, the
+// second from 3.0 on), MuJoCo's XML reader, and tinyxml2.
 constexpr std::string_view kLineWords[] = {", line = ", ", line ", "', line ",
                                            "Line number=", "on line "};
 constexpr std::string_view kPrefixes[] = {"XML Error: ", "Error: ", "XML parse error "};
@@ -61,7 +61,7 @@ Refusal ParseRefusal(std::string_view message) {
   for (const std::string_view prefix : kPrefixes) {
     if (reason.starts_with(prefix)) reason.remove_prefix(prefix.size());
   }
-  // Remove the last line, which names the element.
+  // Omits the last line of the message, which names the element.
   const std::size_t where = std::min(reason.rfind("\nObject name"), reason.rfind("\nElement "));
   refusal.reason = OneLine(reason.substr(0, where));
   return refusal;

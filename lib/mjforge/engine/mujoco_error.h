@@ -1,4 +1,4 @@
-// The reason and the line in an error message of MuJoCo.
+// Parses error messages of MuJoCo, and describes the XML element on a line.
 #pragma once
 
 #include <string>
@@ -6,14 +6,15 @@
 
 namespace mjforge::engine {
 
-/// Reason and line of an error message of MuJoCo.
+/// Parts of an error message of MuJoCo.
 struct Refusal {
-  std::string reason;  // text of one line, without MuJoCo's "Error: " and final full stop
+  std::string reason;  // one line, without MuJoCo's "Error: " and without a full stop at the end
   int line = 0;        // line of the XML; 0 if unknown
 };
 Refusal ParseRefusal(std::string_view message);
 
-/// Returns a text on one line, without full stops at its end.
+/// Returns a text with each run of white space replaced by a blank, and without full stops at its
+/// end.
 std::string OneLine(std::string_view text);
 
 /// Describes the element that starts on a line of an XML text: "geom 'head'", or "the geom on line

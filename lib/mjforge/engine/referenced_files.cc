@@ -1,4 +1,5 @@
-// Checks the files to which an MJCF text refers (kinds, sizes, pixels), and its meshes.
+// Searches an MJCF text and its included files for references to unsafe files, for faulty meshes,
+// and for too many pixels.
 #include "mjforge/engine/referenced_files.h"
 
 #include <algorithm>
@@ -24,8 +25,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The files to which an MJCF text, or a file that it includes, refers. MuJoCo 2.2 finds all files
-/// relative to the folder of the text.
+/// An MJCF text with all files that it includes. Finds the first faulty reference or mesh. Relative
+/// file names, also those in included files, are relative to the folder of the text, as in MuJoCo
+/// 2.2.
 class FileScan {
  public:
   FileScan(std::string_view text, fs::path folder) : text_(text), folder_(std::move(folder)) {
@@ -61,7 +63,7 @@ class FileScan {
  private:
   struct Document {
     std::unique_ptr<pugi::xml_document> xml;
-    pugi::xml_node include;  // element of the text that includes the file; null for the text itself
+    pugi::xml_node include;  // `<include>` in the text that leads to this file; null for the text
   };
 
   void Add(std::string_view text, const pugi::xml_node& include) {
@@ -152,8 +154,8 @@ class FileScan {
     return std::nullopt;
   }
 
-  /// Returns the first fault in the file or in the numbers of a mesh or skin. A file of another
-  /// format is no fault, because MuJoCo reports it.
+  /// Returns the first fault in the files or in the inline numbers (`vertex`, `face`, ...) of a
+  /// mesh or skin. A file of an unknown format is no fault here, because MuJoCo reports the format.
   std::optional<FileFault> FindBadMesh(const pugi::xml_node& mesh) const {
     std::size_t vertices = 0;
     for (const fs::path& file : FilesOf(mesh)) {
@@ -221,8 +223,8 @@ class FileScan {
 
   std::string_view text_;
   fs::path folder_;
-  std::deque<Document> documents_;                             // the first is that of the text
-  std::map<std::string, const pugi::xml_document*> included_;  // by name; null: not readable
+  std::deque<Document> documents_;                             // first: the MJCF text
+  std::map<std::string, const pugi::xml_document*> included_;  // by name; null: done
   std::string texture_folder_;
   std::string mesh_folder_;
   std::string strip_path_;

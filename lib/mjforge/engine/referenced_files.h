@@ -1,4 +1,5 @@
-// Checks the files that an MJCF text refers to, and its meshes, before MuJoCo reads them.
+// Checks the files to which an MJCF text refers, and the meshes in files and text, before MuJoCo
+// reads them.
 #pragma once
 
 #include <cstddef>

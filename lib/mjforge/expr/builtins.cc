@@ -1,4 +1,5 @@
-// Built-in functions, operators and constants: documentation, computation, dimension rules.
+// Tables of the built-in functions, operators and constants of expressions: usage texts, C++
+// functions, rules for dimensions.
 #include "mjforge/expr/builtins.h"
 
 #include <algorithm>
@@ -49,7 +50,8 @@ constexpr std::array kConstants = {
     Constant{"true", 1, true},
 };
 
-// Min() and Max() return NaN if any argument is NaN, so that the invalid argument is reported.
+// Min() and Max(), unlike std::min and std::max, return NaN if either argument is NaN, because
+// callers of Expression::Evaluate() report a result of NaN.
 double Min(double a, double b) { return b < a || std::isnan(b) ? b : a; }
 
 double Max(double a, double b) { return b > a || std::isnan(b) ? b : a; }
@@ -65,7 +67,8 @@ using Unary = Builtin::Unary;
 using Binary = Builtin::Binary;
 using Ternary = Builtin::Ternary;
 
-// Returns the boolean as 1 or 0. Returns NaN if an operand is NaN or infinite.
+// Returns `value` as 1 or 0. Returns NaN if `a` or `b`, the operands from which `value` was
+// computed, is NaN or infinite.
 double Truth(bool value, double a, double b = 0) {
   if (!std::isfinite(a) || !std::isfinite(b)) return std::numeric_limits<double>::quiet_NaN();
   return value ? 1 : 0;
@@ -124,7 +127,8 @@ const std::array kBuiltins = {
     Builtin{"cos", Unary(std::cos), ArgumentRule::kAngle, ResultRule::kCount},
     Builtin{"exp", Unary(std::exp), ArgumentRule::kCount, ResultRule::kCount},
     Builtin{"floor", Unary(std::floor), ArgumentRule::kSame, ResultRule::kSame},
-    // std::lerp is exact at both ends, which a + t * (b - a) is not.
+    // std::lerp returns exactly a at t = 0 and b at t = 1. The formula a + t * (b - a) can miss b
+    // by a rounding error.
     Builtin{"lerp", Ternary(std::lerp), ArgumentRule::kSameAndCount, ResultRule::kSame},
     Builtin{"log", Unary(std::log)},
     Builtin{"max", Max, ArgumentRule::kSame, ResultRule::kSame, true},

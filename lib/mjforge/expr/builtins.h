@@ -7,11 +7,16 @@
 
 namespace mjforge::expr {
 
-/// Dimensions that a built-in function requires of its arguments. kSame: all arguments have one
-/// common dimension. kSameAndCount: all but the last have one common dimension, and the last is a
-/// plain number. kSameAfterFirst: all but the first have one common dimension.
+/// Dimensions that a built-in function or operator requires of its arguments. kSame: all arguments
+/// have one common dimension. kSameAndCount: the last argument is a plain number, all others have
+/// one common dimension. kSameAfterFirst: all arguments except the first have one common dimension.
+/// kCount: the only argument is a plain number. kAngle: the only argument is an angle in rad. Plain
+/// numbers and numbers of unknown dimension satisfy every rule.
 enum class ArgumentRule { kAnything, kSame, kSameAndCount, kSameAfterFirst, kCount, kAngle };
-/// Dimension of a built-in function's result. kSame: the common dimension of the arguments.
+/// Dimension of the result of a built-in function or operator. kSame: the common dimension that the
+/// ArgumentRule determines. kCount: a plain number. kProduct, kQuotient, kPower: the product,
+/// quotient or power of the two arguments' dimensions. kRoot: the square root of the argument's
+/// dimension.
 enum class ResultRule { kSame, kCount, kAngle, kProduct, kQuotient, kPower, kRoot };
 
 /// A built-in function or operator.
@@ -28,16 +33,17 @@ struct Builtin {
 
   /// Number of arguments; 0 for a variadic function.
   int arity() const { return is_variadic ? 0 : static_cast<int>(function.index()) + 1; }
-  /// Calls the function with the first numbers of `values`: one, two or three, depending on the
-  /// function.
+  /// Calls the function with the first numbers of `values`, as many as `function` has parameters.
   double Call(const std::array<double, 3>& values) const;
 };
 
-/// Returns the function with this name; null if there is none.
+/// Returns the built-in function with this name; null if there is none. Does not find `len`, `sum`,
+/// `torque` and `distance`, whose first argument is a name.
 const Builtin* FindBuiltin(std::string_view name);
-/// Returns the operator with one operand: "-" or "!".
+/// Returns the operator with one operand. `sign` must be "-" or "!".
 const Builtin& UnaryOperator(std::string_view sign);
-/// Returns the operator with two operands ("+", "<", "&&", ...) or three ("?").
+/// Returns the operator with two operands ("+", "<", "&&", ...) or three ("?"). `sign` must be the
+/// sign of such an operator.
 const Builtin& Operator(std::string_view sign);
 
 /// The constants `pi`, `true` and `false`.
@@ -49,7 +55,8 @@ struct Constant {
 /// Returns the constant with this name; null if there is none.
 const Constant* FindConstant(std::string_view name);
 
-/// Returns the usage of a built-in function ("clamp(x, lo, hi)"); an empty text for other names.
+/// Returns the usage of a built-in function or constant ("clamp(x, lo, hi)"); an empty text for
+/// other names.
 std::string_view UsageOf(std::string_view function);
 
 }  // namespace mjforge::expr

@@ -17,7 +17,8 @@ namespace {
 // Largest absolute exponent of a base unit, far above the exponents that mechanics needs.
 constexpr double kMaxPower = 20;
 
-// Names of products of base units.
+// Dimensions that have names of their own. Dimension::Text() prefers these names to products of
+// base units ("N" to "kg m/s^2").
 constexpr std::array<std::pair<Dimension, std::string_view>, 8> kNames = {{
     {{0, 0, 0}, "1"},
     {{0, 0, 0, 1}, "rad"},
@@ -29,7 +30,8 @@ constexpr std::array<std::pair<Dimension, std::string_view>, 8> kNames = {{
     {{0, 1, -1}, "Ns/m"},
 }};
 
-// Returns the unit for a single word: a suffix of numbers ("mm") or a named product ("Nms").
+// Returns the unit that a single word names: a unit that can follow a number ("mm"), or a name in
+// kNames ("Nms"). Returns nullopt for other words.
 std::optional<NamedUnit> FindWord(std::string_view word) {
   if (word == "1") return NamedUnit{Dimension::Count()};
   for (const auto& [dimension, name] : kNames) {
@@ -66,7 +68,7 @@ Dimension operator/(const Dimension& a, const Dimension& b) { return a * Power(b
 
 Dimension Power(const Dimension& base, double exponent) {
   if (!base.is_known_) return {};
-  // The exponents 1 and -1 preserve an angle, so that rad^-1 times rad is 1.
+  // The exponents 1 and -1 preserve an angle. Without rad^-1, the quotient rad / rad would be rad.
   Dimension power =
       Dimension::Checked(base.m_ * exponent, base.kg_ * exponent, base.s_ * exponent, 0);
   if (power == Dimension::Count() && (exponent == 1 || exponent == -1))

@@ -10,8 +10,8 @@
 namespace mjforge::expr {
 namespace {
 
-constexpr double kMaxCount = 12;        // larger numbers without a unit are not taken for counts
-constexpr std::size_t kMaxQuoted = 40;  // maximum length of an operand that messages quote
+constexpr double kMaxCount = 12;        // largest number taken for a count
+constexpr std::size_t kMaxQuoted = 40;  // maximum bytes of an operand that a message quotes
 
 bool IsOperator(const Builtin& builtin) { return !IsNameCharacter(builtin.name.front()); }
 
@@ -57,7 +57,8 @@ class DimensionChecker {
     return true;
   }
 
-  // Returns the common dimension of the arguments that Fits() accepted.
+  // Returns the common dimension that Fits() found. Valid only for the rules kSame, kSameAndCount
+  // and kSameAfterFirst, after Fits() returned true.
   Dimension common() const { return common_; }
 
  private:

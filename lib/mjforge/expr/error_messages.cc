@@ -83,7 +83,7 @@ Error MissingValue(std::span<const Token> tokens, std::size_t at) {
 
 Error Unexpected(std::span<const Token> tokens, std::size_t at, const SymbolTable& names) {
   const Token& token = tokens[at];
-  const Token& before = tokens[at - 1];  // exists, because an operand was read
+  const Token& before = tokens[at - 1];  // exists, because an operand precedes `token`
   if (token.kind != Token::Kind::kSign || token.text == "(" || token.text == "!") {
     return Syntax(token, fmt::format("an operator is missing before {}", Quoted(token)),
                   token.text == "!" || token.text == "(" || token.IsName("not")

@@ -1,5 +1,5 @@
-// Expressions of specs, their units and names, and the conversion of numbers to text and back. All
-// results are independent of the locale.
+// Expressions in specs: compilation, evaluation, built-in functions and units. Also converts
+// numbers to text and back. All results are independent of the locale.
 #pragma once
 
 #include <cstddef>
@@ -18,25 +18,26 @@
 
 namespace mjforge::expr {
 
-/// Appends `value` (finite) with at most 10 significant digits, correctly rounded, as short as
-/// possible: "0.015", "1e-08", "-3". Never "-0".
+/// Appends a finite number, rounded correctly to at most 10 significant digits and without trailing
+/// zeros: "0.015", "1e-08", "-3". Appends -0 as "0".
 void AppendNumber(std::string& out, double value);
 std::string NumberText(double value);
-/// Size in bytes of a buffer for WriteNumber() and WriteExactNumber(): sign, 16 digits, point,
-/// zeros.
+/// Size in bytes of a buffer that suffices for WriteNumber() and WriteExactNumber(), including the
+/// bytes after the end of the text that these functions may overwrite.
 inline constexpr std::size_t kLongestNumber = 40;
 /// Writes the same text as AppendNumber() to `out`, and returns the end of the text. `out` must
 /// have room for kLongestNumber bytes, all of which may be overwritten.
 char* WriteNumber(char* out, double value);
 
-/// Appends the shortest text that is parsed as exactly `value` (finite). Records use this form,
-/// because they must reproduce a value to the last bit.
+/// Appends the shortest text that is parsed as exactly `value` (finite). Files that record the
+/// values of a variant use this form, because the variant must be reproducible to the last bit.
 void AppendExactNumber(std::string& out, double value);
 char* WriteExactNumber(char* out, double value);
 std::string ExactNumberText(double value);
 
 /// Parses a text that is a number in YAML 1.2 (`3`, `-0.5`, `1e-3`, `.5`, `0x1F`, `0o17`). Returns
-/// nullopt for all other texts, including `.inf` and `.nan`.
+/// nullopt for other texts, for `.inf` and `.nan`, and for numbers outside the range of a double
+/// or, with `0x` and `0o`, of 64 bits.
 std::optional<double> ParseNumber(std::string_view text);
 
 /// Returns true for an ASCII letter followed by ASCII letters, digits and underscores.
@@ -50,8 +51,8 @@ bool HasWord(std::string_view words, std::string_view word);
 /// Splits a text at spaces, tabs and line ends.
 std::vector<std::string_view> WordsOf(std::string_view text);
 
-/// The numbers of a list, and their prefix sums. A text in the list is represented by its
-/// TextKey().
+/// A list that an expression can read: the items as numbers, and the prefix sums of these numbers.
+/// A text item is represented by its TextKey().
 class Sequence {
  public:
   Sequence() : Sequence(std::vector<double>()) {}
@@ -68,10 +69,10 @@ class Sequence {
 
 struct Error {
   diag::Code code = diag::Code::kExprSyntax;
-  std::size_t offset = 0;  // offset in bytes from the start of the expression's text
+  std::size_t offset = 0;  // byte offset in the expression's text, or in the body of `function`
   std::string message;
   std::string hint;
-  std::string function = {};  // function whose body contains `offset`; empty: the text itself
+  std::string function = {};  // spec function that has the error; empty: the expression
 };
 
 class Program;  // private to lib/mjforge/expr
@@ -80,42 +81,43 @@ class Program;  // private to lib/mjforge/expr
 class Expression {
  public:
   struct Input {
-    std::string name;  // name in the expression, "r" or "size.x"; for a list, its name
+    std::string name;  // name as in the expression: "r", "size.x", or that of a list
     int slot = 0;
     Type type = Type::kNumber;  // for a list, the type of its items
-    int list = -1;              // index of a list among the lists; -1: not a list
+    int list = -1;              // index in the array of lists; -1: not a list
   };
 
   const std::string& text() const { return text_; }
-  /// Type of the result. If it is kText, Evaluate() returns the TextKey() of one of texts() or of
-  /// an input's text.
+  /// Type of the result. If the type is kText, Evaluate() returns the TextKey() of one of texts(),
+  /// or of a text in a variable or list of inputs().
   Type type() const { return type_; }
   /// Dimension of the result.
   const Dimension& dimension() const { return dimension_; }
   std::span<const Input> inputs() const { return inputs_; }
   /// Texts in quotes that occur in the expression.
   const std::vector<std::string>& texts() const { return texts_; }
-  /// The names of the spec's functions that the expression calls, directly or through other
-  /// functions.
+  /// Names of the spec's functions that the expression calls, directly or through other functions.
   const std::set<std::string>& functions() const { return functions_; }
-  /// Value of an expression without inputs; nullopt for other expressions.
+  /// Value of the expression if it does not depend on variables or items of lists; otherwise
+  /// nullopt.
   std::optional<double> constant() const { return constant_; }
 
-  /// Computes the value from the variables and lists, which are indexed by the slots and list
-  /// numbers of the SymbolTable that Compile() used. The result may be NaN or infinite; the caller
+  /// Computes the value from variables, indexed by slot, and lists, indexed by list number; the
+  /// SymbolTable that Compile() used assigns both. The result may be NaN or infinite; the caller
   /// must report such a result. An operand that is NaN makes the result NaN, unless `and`, `or` or
   /// `?:` ignores this operand.
   double Evaluate(std::span<const double> variables, std::span<const Sequence> lists = {}) const {
     return constant_ ? *constant_ : Run(variables, lists);
   }
-  /// Returns a message about the first invalid access to a list ("there is no widths[7]: 'widths'
-  /// has 5 values"); an empty text if there is none. See Program::OutOfRange for invalid accesses.
+  /// Returns a message about the first invalid access to a list or vector ("there is no widths[7]:
+  /// 'widths' has 5 values"); an empty text if there is none. Program::OutOfRange defines invalid
+  /// accesses.
   std::string DescribeMissingItem(std::span<const double> variables,
                                   std::span<const Sequence> lists) const;
 
   enum class Result { kNoText, kAny };
-  /// Compiles `text`. On failure, returns nullopt and sets `error`. docs/manual.md, "Expressions",
-  /// describes the language.
+  /// Compiles `text`. On failure, returns nullopt and sets `error`. A text as the result is an
+  /// error if `result` is kNoText. docs/manual.md, "Expressions", describes the language.
   static std::optional<Expression> Compile(std::string_view text, const SymbolTable& names,
                                            Error& error, Result result = Result::kNoText);
 
@@ -133,13 +135,14 @@ class Expression {
   std::shared_ptr<const Program> program_;
 };
 
-/// Returns the names in `text`, in order of first use, without built-in functions and constants. A
+/// Returns the names in `text`, in order of first use, without reserved names (see IsReserved()). A
 /// component of a vector is returned as the name of the vector. Returns an empty list if `text` has
 /// invalid tokens. The dependency graph of parameters is made from these names before any name is
 /// declared.
 std::vector<std::string> NamesUsedIn(std::string_view text);
 
-/// Returns true for reserved names: constants, functions and operators (`pi`, `min`, `and`).
+/// Returns true for names that a spec must not define: `and`, `or`, `not`, the constants (`pi`),
+/// and the built-in functions (`min`) except `len`, `sum`, `torque` and `distance`.
 bool IsReserved(std::string_view name);
 
 /// Documentation of a built-in function or constant for messages and the manual.

@@ -1,4 +1,4 @@
-// Compiled expressions: compilation, evaluation, and the message about an invalid index of a list.
+// Expression: compilation, evaluation, and the message about an invalid access to a list or vector.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ std::string Expression::DescribeMissingItem(std::span<const double> variables,
   const auto input = std::ranges::find_if(inputs_, [&](const Input& one) {
     return one.slot == access->list.slot && one.list == access->list.list;
   });
-  const bool is_vector = input->list < 0;  // input->name has the form "size.x"
+  const bool is_vector = input->list < 0;  // input->name is then that of a component, "size.x"
   const std::string name = is_vector ? input->name.substr(0, input->name.rfind('.')) : input->name;
   const std::string has =
       fmt::format("'{}' has {} value{}", name, access->size, access->size == 1 ? "" : "s");

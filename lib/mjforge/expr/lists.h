@@ -33,15 +33,16 @@ class ListValues {
   const Sequence* sequence_ = nullptr;
 };
 
-/// A built-in function of a list and a number, which `len`, `min` and `max` ignore. The result is
-/// NaN if the number is not a valid index or count, and for `min` and `max` of an empty list.
+/// A built-in function with two arguments: a list or vector, and a number, which is an index or the
+/// count of values to add. `len`, `min` and `max` ignore the number. The result is NaN if the
+/// number is not a valid index or count, and for `min` and `max` of an empty list.
 struct ListBuiltin {
   std::string_view name;  // "[]" for the access to an element
   double (*function)(const ListValues& list, double argument);
 };
 
-/// Returns the function "[]", "len", "sum" (of the first numbers), "min" or "max"; null for other
-/// names.
+/// Returns the function "[]", "len", "sum" (of the first `count` values), "min" or "max"; null for
+/// other names.
 const ListBuiltin* FindListBuiltin(std::string_view name);
 
 }  // namespace mjforge::expr

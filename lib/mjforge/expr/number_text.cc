@@ -14,7 +14,7 @@
 namespace mjforge::expr {
 namespace {
 
-constexpr int kDigits = 10;  // significant digits in MJCF files: 0.1 nm for lengths of 0.1 m to 1 m
+constexpr int kDigits = 10;  // significant digits in MJCF files: 0.1 nm in lengths of 0.1 m to 1 m
 
 // Powers of ten up to 10^22, which are exact as doubles.
 constexpr std::array<double, 23> kPowers = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
@@ -22,15 +22,17 @@ constexpr std::array<double, 23> kPowers = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  
                                             1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 constexpr int kLargestPower = static_cast<int>(kPowers.size()) - 1;
 
-// The number d.ddddddddd * 10^exponent, where `digits` is the whole number of the ten digits d.
+// The decimal number `digits` * 10^(exponent - 9). `digits` has ten decimal digits; `exponent` is
+// the power of ten of the first of them.
 struct Decimal {
   std::uint64_t digits = 0;
   int exponent = 0;
 };
 
-// Returns the value times 10^(9 - exponent), which has ten digits before the point. Returns nullopt
-// if the power of ten is not exact. The two factors are exact, so the error of the product is at
-// most half a unit in the last place, about 1e-6 for a product below 1e10.
+// Returns `magnitude` * 10^(9 - exponent), which has ten digits before the point if `exponent` is
+// the decimal exponent of `magnitude`. Returns nullopt if the power of ten is not exact as a
+// double. Only the last operation rounds, so the error is at most half a unit in the last place:
+// about 1e-6 for a result below 1e10.
 std::optional<double> Scaled(double magnitude, int exponent) {
   const int shift = kDigits - 1 - exponent;
   if (shift >= 0 && shift <= kLargestPower) return magnitude * kPowers[static_cast<size_t>(shift)];
@@ -38,8 +40,9 @@ std::optional<double> Scaled(double magnitude, int exponent) {
   return std::nullopt;
 }
 
-// Returns the correctly rounded decimal. Returns nullopt if the rounding is uncertain, because the
-// power of ten is not exact or the fraction is too close to one half.
+// Returns `magnitude` correctly rounded to ten digits. Returns nullopt if the rounding is
+// uncertain, because the power of ten is not exact, or because the fraction to be rounded is too
+// close to one half.
 std::optional<Decimal> Rounded(double magnitude) {
   const int binary_exponent =
       static_cast<int>((std::bit_cast<std::uint64_t>(magnitude) >> 52) & 0x7ff) - 1023;
@@ -69,8 +72,9 @@ std::uint64_t EightDigits(std::uint64_t number) {
   return tens | (twos - 10 * tens) << 8;
 }
 
-// The 16 digits of a number. The first digit is in the lowest byte of `high`, so that storing both
-// words writes the digits in order.
+// The 16 decimal digits of a number below 10^16, one per byte. The first digit is in the lowest
+// byte of `high`; on a little-endian processor, storing both words therefore writes the digits in
+// order.
 static_assert(std::endian::native == std::endian::little);
 struct Digits {
   std::uint64_t high;
@@ -79,7 +83,7 @@ struct Digits {
   explicit Digits(std::uint64_t number)
       : high(EightDigits(number / 100'000'000)), low(EightDigits(number % 100'000'000)) {}
 
-  /// Returns the count of digits without trailing zeros.
+  /// Returns the count of digits up to the last digit that is not zero.
   std::size_t count() const {
     const int zeros = low != 0 ? std::countl_zero(low) : 64 + std::countl_zero(high);
     return static_cast<std::size_t>(16 - zeros / 8);
@@ -93,8 +97,9 @@ struct Digits {
   }
 };
 
-// Writes a number without an exponent. `exponent`, at least -4, is the decimal exponent of the
-// first digit. Returns the end of the text; some bytes after the end are overwritten.
+// Writes the digits as a number without an exponent ("0.00123", "1230"). `exponent`, from -4 to 15,
+// is the power of ten of the first digit. Returns the end of the text; some bytes after the end are
+// overwritten.
 char* WritePositional(char* out, const Digits& digits, int exponent) {
   if (exponent < 0) {
     constexpr std::array kStart = {'0', '.', '0', '0', '0', '0'};
@@ -134,17 +139,17 @@ char* WriteChars(char* out, Args... args) {
   return std::to_chars(out, out + kLongestNumber, args...).ptr;
 }
 
-// Writes a value that has at most 15 digits, if 1e-3 <= |value| < 1e4. Returns null for other
-// values.
+// Writes `value` if 1e-3 <= |value| < 1e4 and a decimal of at most 15 digits is parsed as exactly
+// `value`. Returns null for other values.
 char* WriteShortDecimal(char* out, double value) {
-  // A decimal of 15 digits is unchanged by a conversion to double and back.
+  // Every decimal of at most 15 digits is unchanged by a conversion to double and back.
   constexpr int kCertain = 15;
   const double magnitude = std::abs(value);
   if (!(magnitude >= 1e-3 && magnitude < 1e4)) return nullptr;
   int exponent = -3;
   for (const double power : {1e-2, 1e-1, 1e0, 1e1, 1e2, 1e3}) exponent += magnitude >= power;
-  // The decimal is parsed as the double `whole` / `power`, because the quotient of two exact
-  // numbers is rounded in the same way as a parsed decimal.
+  // The decimal is parsed as the double `whole` / `power`: both numbers are exact as doubles, so
+  // their quotient is rounded only once, in the same way as a parsed decimal.
   const double power = kPowers[static_cast<size_t>(kCertain - 1 - exponent)];
   const double scaled = magnitude * power;
   auto whole = static_cast<std::uint64_t>(scaled);
@@ -179,9 +184,9 @@ std::optional<double> ParseInteger(std::string_view digits, int base) {
 
 }  // namespace
 
-// Writes the same text as printf("%.10g") in the C locale: without an exponent if 1e-4 <= |value| <
-// 1e10, otherwise with an exponent of at least two digits. MuJoCo writes MJCF files in this format.
-// std::to_chars, which is slower, is used only if the rounding is uncertain.
+// Writes the same text as printf("%.10g") in the C locale, except "0" for -0: without an exponent
+// if 1e-4 <= |value| < 1e10, otherwise with an exponent of at least two digits. std::to_chars,
+// which is slower, is used only if the rounding is uncertain.
 char* WriteNumber(char* out, double value) {
   const double magnitude = std::abs(value);
   if (char* const end = WriteDigit(out, value)) return end;
@@ -206,9 +211,9 @@ std::string NumberText(double value) {
   return text;
 }
 
-// Writes the shortest exact text. Drawn values have few digits, so WriteShortDecimal() is tried
-// first: a decimal of at most 15 digits that is parsed as `value` is the only such decimal, and
-// therefore the shortest.
+// Writes the shortest text that is parsed as exactly `value`. Most drawn values have few digits, so
+// WriteShortDecimal() is tried first. No two decimals of at most 15 digits are parsed as the same
+// double, so a decimal that it finds is the shortest.
 char* WriteExactNumber(char* out, double value) {
   const bool minus_zero = value == 0 && std::signbit(value);
   char* end = minus_zero ? nullptr : WriteDigit(out, value);
@@ -230,7 +235,7 @@ std::optional<double> ParseNumber(std::string_view text) {
   if (text.starts_with("0o")) return ParseInteger(text.substr(2), 8);
   const bool negative = text.starts_with('-');
   if (negative || text.starts_with('+')) text.remove_prefix(1);
-  // Reject "inf", "nan" and a second sign, which std::from_chars would accept.
+  // Rejects "inf", "nan" and a second sign, which std::from_chars would accept.
   if (text.empty() || (!IsDigit(text.front()) && text.front() != '.')) return std::nullopt;
   double value = 0;
   const char* end = text.data() + text.size();

@@ -19,23 +19,23 @@ namespace {
 
 using diag::Code;
 
-// Limits on text and nesting, within which the parser cannot exhaust the stack.
+// Maximum size of the text and maximum nesting depth. Within both, the stack cannot overflow.
 constexpr std::size_t kMaxBytes = 10'000;
 constexpr int kMaxDepth = 200;
-// Maximum count of calls of a spec's functions, because chains of n calls can have 2^n steps.
+// Maximum count of calls of spec functions that are expanded: n functions can make 2^n calls.
 constexpr int kMaxCalls = 1000;
 
-// Recursive descent with one function per level of precedence, from the loosest operator:
-//   choice:     any ? choice : choice
+// Recursive descent with one function per level of precedence, from the loosest operators:
+//   choice:     any ("?" choice ":" choice)?
 //   any:        all (or all)*
 //   all:        negation (and negation)*
 //   negation:   not negation | comparison
-//   comparison: sum (< <= > >= == != sum)?
-//   sum, term:  left to right
+//   comparison: sum ((< | <= | > | >= | == | !=) sum)?
+//   sum:        term ((+ | -) term)*, with term: signed ((* | / | %) signed)*
 //   signed:     - signed | + signed | ! signed | power
 //   power:      primary (^ signed)?
-// Each function adds its steps to the program. A call of a spec's function parses the body of that
-// function, with the operands of the call as its arguments.
+// Each function adds its steps to the program. A call of a spec function is expanded: another
+// Parser reads the function's body, with the operands of the call as its arguments.
 class Parser : ProgramBuilder {
  public:
   Parser(std::string_view text, std::vector<Token> tokens, ParseState& state,
@@ -101,7 +101,7 @@ class Parser : ProgramBuilder {
 
   using Rule = OptionalOperand (Parser::*)();
 
-  // Parses rule (sign rule)*, rejects texts; `keyword` also spells the first sign ("or" for "||").
+  // Parses rule (sign rule)*; operands must not be texts. `keyword` also stands for the first sign.
   OptionalOperand Chain(Rule rule, std::initializer_list<std::string_view> signs, Type type,
                         std::string_view keyword = {}) {
     const std::size_t first = at_;
@@ -144,7 +144,7 @@ class Parser : ProgramBuilder {
     return Unary("!", &Parser::Negation, Type::kBoolean);
   }
 
-  // Parses the operand of a unary operator, whose sign was already read.
+  // Parses the operand of a unary operator, whose sign was already read, and adds the operator.
   OptionalOperand Unary(std::string_view sign, Rule rule, Type type) {
     const OptionalOperand operand = RejectText((this->*rule)());
     if (!operand) return operand;
@@ -375,7 +375,7 @@ class Parser : ProgramBuilder {
   }
 
   ParseState& state_;
-  bool beside_text_ = false;  // true while the left operand of the current comparison is a text
+  bool beside_text_ = false;  // true while the right operand of a comparison with a text is read
 };
 
 }  // namespace

@@ -21,15 +21,15 @@ struct ParsedExpression {
   Type type = Type::kNumber;
   Dimension dimension = {};
   std::vector<Expression::Input> inputs;  // in order of first use
-  std::vector<std::string> texts;         // quoted texts
-  std::set<std::string> functions;        // names of called functions
+  std::vector<std::string> texts;         // texts in quotes
+  std::set<std::string> functions;        // names of the spec's functions that are called
 };
 
 /// Operand with its type and dimension: the result of a parsed part of an expression.
 struct TypedOperand {
   Operand value;
   Type type = Type::kNumber;
-  std::size_t token = 0;  // index of the token, if the operand is a text in quotes
+  std::size_t token = 0;  // index of the token of a text operand, for errors
   Dimension dimension = {};
 };
 
@@ -43,10 +43,11 @@ struct Argument {
   }
 };
 
-/// State that the parser of an expression shares with the parsers of the functions that it calls.
+/// State that the parser of an expression shares with the parsers of the bodies of the spec
+/// functions that the expression calls.
 struct ParseState {
-  /// Key of a call: the function and, for each argument, the index of its step in the program, the
-  /// bits of its constant, its type and its dimension.
+  /// Identifies a call: the function and, for each argument, the index of its step in the program,
+  /// the bits of its constant, its type and its dimension.
   using Call =
       std::pair<const SpecFunction*, std::vector<std::tuple<int, std::uint64_t, Type, Dimension>>>;
 
@@ -55,12 +56,13 @@ struct ParseState {
   Error& error;
   int depth = 0;
   int calls = 0;
-  /// Results of earlier calls. A repeated call is not expanded again, so that a chain of n
-  /// functions, each of which calls the next one twice, needs fewer than 2^n steps.
+  /// Results of earlier calls. A call with the same arguments is not expanded again. A chain of n
+  /// functions, each of which calls the next one twice in the same way, then takes n expansions
+  /// instead of 2^n.
   std::map<Call, TypedOperand> results = {};
 };
 
-/// Parses and checks `text`. On failure, returns false and sets `error`.
+/// Parses and checks `text`, and sets `parsed`. On failure, returns false and sets `error`.
 bool Parse(std::string_view text, const SymbolTable& names, Expression::Result wanted,
            ParsedExpression& parsed, Error& error);
 

@@ -10,7 +10,7 @@
 namespace mjforge::expr {
 namespace {
 
-// Programs with at most this many steps run on the stack, without allocation.
+// Programs with at most this many steps keep their results on the stack, without allocation.
 constexpr std::size_t kFewSteps = 32;
 
 }  // namespace

@@ -20,8 +20,8 @@ struct Operand {
   bool IsSame(const Operand& other) const;
 };
 
-/// Sequence of steps. A step whose operands are constants is computed when it is added (constant
-/// folding), and equal steps are added only once.
+/// Sequence of steps. A call of a Builtin whose operands are all constants becomes a constant
+/// (constant folding), and equal steps are added only once.
 class Program {
  public:
   Operand Variable(int slot);
@@ -37,14 +37,15 @@ class Program {
   double Run(std::span<const double> variables, std::span<const Sequence> lists) const;
 
   /// An invalid access to a list or vector: an index or a count that is out of range or not a whole
-  /// number, or the minimum or maximum of an empty list.
+  /// number, or `min` or `max` of an empty list.
   struct OutOfRange {
     const ListBuiltin* builtin;
     ListSource list;
     double argument;
     std::size_t size;
   };
-  /// Returns the first invalid access to a list or vector; nullopt if there is none.
+  /// Returns the first invalid access to a list or vector; nullopt if there is none. Ignores an
+  /// access whose number is NaN, or whose list contains NaN.
   std::optional<OutOfRange> FindOutOfRange(std::span<const double> variables,
                                            std::span<const Sequence> lists) const;
 

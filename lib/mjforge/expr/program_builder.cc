@@ -1,4 +1,4 @@
-// Semantic actions of the parser: resolves names, checks types, and adds steps to the program.
+// Semantic actions of the parser: resolution of names, checks of types, and steps of the program.
 #include "mjforge/expr/program_builder.h"
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 namespace mjforge::expr {
 namespace {
 
-// Returns the common dimension of all values of a list or vector; an unknown dimension if the
-// dimensions differ. Booleans are counts.
+// Returns the dimension that was declared for all values of a list or vector; an unknown dimension
+// if each component has its own. Booleans are counts.
 Dimension DimensionOfItems(const SymbolTable::Variable& variable) {
   if (variable.type == Type::kBoolean) return Dimension::Count();
   const bool is_one = variable.dimensions.size() == 1;
@@ -148,7 +148,8 @@ ProgramBuilder::OptionalOperand ProgramBuilder::AddElement(const Token& list,
   const TypedOperand& index = argument.operand;
   if (!CheckCount(argument, "the number of a value in a list", list.offset, error_))
     return std::nullopt;
-  // A constant index of a vector is checked here, because the number of components is known.
+  // A constant index of a vector is checked during compilation, because the number of components is
+  // known.
   if (const bool is_known = !variable.is_list() && index.value.step < 0; is_known) {
     const double number = index.value.constant;
     for (int i = 0; i < variable.components; ++i) {

@@ -25,9 +25,10 @@ class ProgramBuilder : protected TokenCursor {
   OptionalOperand Fail(Error error);
   OptionalOperand FailText(const TypedOperand& operand);
 
-  /// Adds a number and its unit; `token` is the token of the number, which was already read.
+  /// Returns the operand for a number with its unit, in SI units. Sets an error if the unit is
+  /// unknown. `token` is the token of the number, which was already read.
   OptionalOperand Number(const Token& token);
-  /// Returns a constant whose token was just read.
+  /// Returns the operand for a constant, whose token must be the last one that was read.
   TypedOperand Literal(double value, Type type, Dimension dimension = {}) const;
   TypedOperand Quoted(const Token& token);
   /// Adds a call of a function or operator. If the dimensions of the arguments are wrong, sets an
@@ -45,7 +46,8 @@ class ProgramBuilder : protected TokenCursor {
   /// `count` is not null, the function applies only to the first `count` values.
   OptionalOperand AddListCall(const ListBuiltin& builtin, std::size_t token, const Argument* count);
 
-  /// Returns the operand for torque(NAME) of the joint with this name.
+  /// Returns the operand for torque(`joint`). Sets an error if the expression cannot use the torque
+  /// of this joint.
   OptionalOperand AddTorque(const Token& joint);
   /// Adds steps that compute the Euclidean distance of two points, which are sites or vectors of
   /// three components. `offset` is the offset of the function's name.

@@ -1,4 +1,4 @@
-// Text of rounded numbers, speeds and distances for messages.
+// Conversion of numbers, speeds and joint distances to short texts for messages.
 #include "mjforge/expr/rounded_text.h"
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace mjforge::expr {
 
 std::string RoundedText(double value, int digits) {
-  constexpr double kLargest = 1e9;  // limit from which numbers are written with an exponent
+  constexpr double kLargest = 1e9;  // numbers from this magnitude on may have an exponent
   std::string text = fmt::format("{:.{}g}", value, digits);
   if (text.find("e+") == text.npos || std::abs(value) >= kLargest) return text;
   return fmt::format("{:.0f}", value);

@@ -6,14 +6,14 @@
 namespace mjforge::expr {
 
 /// Returns the number rounded to `digits` significant digits, but with all digits before the point:
-/// "0.0123", "1.23", "1235". Numbers from 1e9 on have an exponent instead.
+/// "0.0123", "1.23", "1235". Numbers of magnitude 1e9 or more, or below 1e-4, may have an exponent.
 std::string RoundedText(double value, int digits = 3);
 
-/// Returns a speed, given in m/s, with its unit: in m/s, or in mm/s below 1 m/s.
+/// Returns a speed, given in m/s, as text with its unit: mm/s below 1 m/s, otherwise m/s.
 std::string SpeedText(double speed);
 
-/// Returns a distance between joint positions with its unit: for a slide (m) in mm, for a hinge or
-/// ball (rad) in deg.
+/// Returns the distance between two positions of a joint as text with its unit: in mm for a slide
+/// (given in m), in deg for a hinge or ball joint (given in rad).
 std::string DistanceText(bool is_slide, double distance);
 
 /// Texts of a number and of the limit that it exceeds. The texts have as few digits as possible,

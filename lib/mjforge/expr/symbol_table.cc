@@ -1,4 +1,4 @@
-// Symbol table of an expression, and the syntax of names.
+// SymbolTable, the syntax of names, and lists of words.
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -22,8 +22,8 @@ std::string_view TypeName(Type type);  // "number", "boolean", "text"
 /// numbers.
 double TextKey(std::string_view text);
 
-/// Return the names of variables: "torque(shoulder)" for the joint `shoulder` in torque(shoulder),
-/// "grip.pos" for the site `grip` in distance(grip, tip).
+/// Names of the variables for the torque of a joint and the position of a site: "torque(shoulder)"
+/// for torque(shoulder), "grip.pos" for the site `grip` in distance(grip, tip).
 std::string TorqueVariable(std::string_view joint);
 std::string PositionVariable(std::string_view site);
 
@@ -39,11 +39,11 @@ struct SpecFunction {
   std::string Usage() const;  // "bulge(z)"
 };
 
-/// Symbol table: the names that an expression may use, and the slot of each name, which is its
-/// index in the array of variables passed to Evaluate(). A vector `v` of n components has n slots
+/// Symbol table: the names that an expression may use. A name has a slot, its index in the array of
+/// variables that is passed to Evaluate(). A vector `v` of n components has n consecutive slots
 /// (`v.x v.y v.z v.w`). Booleans are 0 and 1; texts are represented by their TextKey(). The slot of
-/// a list contains its length, and the list itself has a number, its index in the array of lists.
-/// Slots are not reused after Forget().
+/// a list contains the length of the list; a list also has a number, its index in the array of
+/// lists. Slots are not reused after Forget().
 class SymbolTable {
  public:
   struct Variable {
@@ -62,8 +62,8 @@ class SymbolTable {
                           Dimensions dimensions = {});
   /// Declares a list of any length.
   const Variable& DeclareList(const std::string& name, Type type, Dimensions dimensions = {});
-  /// Declares a name whose members are unknown: NAME.MEMBER is a number for every MEMBER. Reading
-  /// can then continue after an error in the declaration of NAME.
+  /// Declares a name whose members are unknown: NAME.MEMBER is a number for every MEMBER. Used
+  /// after an error in the declaration of NAME, so that its uses are not reported as well.
   void DeclareUnknown(std::string name) { unknown_.insert(std::move(name)); }
   /// Ends the scope of a name, such as a loop's variable.
   void Forget(std::string_view name);

@@ -11,8 +11,9 @@
 namespace mjforge::expr {
 namespace {
 
-// A sign comes after longer signs that begin with it (`<` after `<=`). `=`, `&`, `|` and `..` are
-// not valid in expressions, but they are tokens, so that the parser can report them by name.
+// Signs of expressions. A longer sign comes before the signs with which it begins (`<=` before
+// `<`), because the first match is taken. `=`, `&`, `|` and `..` are not valid in expressions, but
+// they are tokens, so that the parser can name them in its errors.
 constexpr std::array<std::string_view, 26> kSigns = {
     "..", "<=", ">=", "==", "!=", "&&", "||", "+", "-", "*", "/", "^", "%",
     "(",  ")",  "[",  "]",  ",",  "?",  ":",  "<", ">", "!", "=", "&", "|"};

@@ -12,8 +12,8 @@ constexpr Dimension kLength = {1, 0, 0};
 constexpr Dimension kMass = {0, 1, 0};
 constexpr Dimension kTime = {0, 0, 1};
 
-// Units of length come first, because the first of several equally similar names is suggested for a
-// misspelled unit.
+// Units of length come first, because the hint for a misspelled unit suggests the first of several
+// equally similar names.
 constexpr std::array kUnits = {
     Unit{"mm", "millimetre, 0.001 m", kLength, 1, 1000},
     Unit{"cm", "centimetre, 0.01 m", kLength, 1, 100},

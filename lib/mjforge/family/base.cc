@@ -1,4 +1,5 @@
-// Text changes of the base MJCF of a family: inertias, mocap bodies, materials and poses.
+// Line by line edits of the base MJCF of a family: inertias, mocap bodies, materials, poses and
+// friction losses of joints.
 
 #include "mjforge/family/base.h"
 
@@ -12,7 +13,7 @@
 namespace mjforge::family {
 namespace {
 
-// Calls the function with each line, including its line end.
+// Calls `visit` with each line, including its line end.
 void ForEachLine(std::string_view text, const std::function<void(std::string_view)>& visit) {
   while (!text.empty()) {
     const std::size_t size = std::min(text.find('\n'), text.size() - 1) + 1;
@@ -30,8 +31,8 @@ std::string_view TagOf(std::string_view line) {
   return line.substr(0, line.find_first_of(" />\n", 1));
 }
 
-// Returns the text in which `change` may have changed each line. `change` gets the tag of the
-// element on the line (TagOf), and a copy of the line.
+// Returns a copy of the text after `change` has edited its lines. Calls `change` for each line with
+// the tag of the element on the line (TagOf) and the line, which `change` may modify.
 template <typename Change>
 std::string WithLines(std::string_view text, const Change& change) {
   std::string out;
@@ -55,7 +56,8 @@ std::string Attribute(std::string_view name, const Numbers& numbers) {
   return text + '"';
 }
 
-// Sets an attribute of the element on a line to numbers: replaces or adds the attribute.
+// Sets an attribute of the element on this line to numbers; replaces an attribute with the same
+// name.
 template <typename Numbers>
 void SetAttribute(std::string& line, std::string_view name, const Numbers& numbers) {
   const std::string text = Attribute(name, numbers);
@@ -68,7 +70,7 @@ void SetAttribute(std::string& line, std::string_view name, const Numbers& numbe
   }
 }
 
-// View of one array of a variant; operator[] returns the numbers of an element.
+// View of the array called `name` of a variant; operator[] returns the numbers of one element.
 class ArrayRows {
  public:
   ArrayRows(const Numbers& numbers, std::string_view name) {
@@ -92,7 +94,8 @@ class ArrayRows {
 };
 
 // Makes the base MJCF of a family from the MJCF text of a variant: drops the comment about the
-// variant, and gives each body an `<inertial>` with the values that MuJoCo computed.
+// variant, gives each body an <inertial> with the values that MuJoCo computed and, if `mocap` is
+// true, makes children of the world without joints mocap bodies.
 class BaseWriter {
  public:
   BaseWriter(const Numbers& numbers, bool mocap)
@@ -112,8 +115,8 @@ class BaseWriter {
     const std::string_view tag = TagOf(line);
     if (tag == "worldbody") is_in_world_ = true;
     if (tag == "/worldbody") is_in_world_ = false;
-    // Skip the opening comment, which describes one variant, and the inertias, because BeginBody()
-    // writes those of all bodies.
+    // Skips the opening comment, which describes one variant, and <inertial> elements, because
+    // BeginBody() writes an <inertial> for every body.
     if (tag.starts_with('!') || (is_in_world_ && tag == "inertial")) return;
     if (is_in_world_ && tag == "joint" && depth_ == 1) MakeFree();
     base_ += line;
@@ -194,7 +197,8 @@ std::string WithMaterials(std::string_view base, std::span<const Material> mater
   std::string missing;
   for (const Material& material : materials) {
     ForEachLine(material.elements, [&](std::string_view line) {
-      // Add a texture only once, because several materials may share it.
+      // Adds a texture only once, even if several materials share it. `start` is the beginning of
+      // the line with tag and name.
       const std::string_view start = line.substr(0, line.find('"', line.find('"') + 1) + 1);
       if (base.find(start) == base.npos && missing.find(start) == missing.npos) missing += line;
     });

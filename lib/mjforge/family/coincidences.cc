@@ -1,4 +1,4 @@
-// Flags for special poses of a variant: frames that MuJoCo treats as equal (sameframe), and joints
+// Computation of flags for special poses by MuJoCo's rules: equal frames (sameframe), and joints
 // that allow a simple body (body_simple).
 
 #include "mjforge/family/coincidences.h"

@@ -1,5 +1,5 @@
-// Flags for special poses of a variant: frames that MuJoCo treats as equal (sameframe), and joints
-// that allow a simple body (body_simple).
+// Flags for special poses of a variant's elements: frames that MuJoCo treats as equal (sameframe),
+// and joints that allow a simple body (body_simple).
 
 #pragma once
 
@@ -16,8 +16,9 @@ namespace mjforge::family {
 int ElementCount(const mjModel& m, mjtObj kind);
 std::string ElementName(const mjModel& m, mjtObj kind, int id);
 
-/// Names of the arrays of flags for special poses, with one flag per element; the world body has
-/// none. The first three names are those of mjModel's arrays; `jnt_simple` is mjforge's own.
+/// Names of the arrays of flags for special poses. Each array has one flag per element, except for
+/// the world body. The first three arrays correspond to mjModel's arrays with these names; mjModel
+/// has no `jnt_simple`.
 inline constexpr std::string_view kBodyFlags = "body_sameframe";
 inline constexpr std::string_view kGeomFlags = "geom_sameframe";
 inline constexpr std::string_view kSiteFlags = "site_sameframe";

@@ -1,5 +1,5 @@
-// Families: the numbers in which the variants of one structure differ, for simulators that step
-// thousands of worlds with one model.
+// Families: variants with the same structure (integers and names of mjModel), and the numbers in
+// which they differ, for simulators that step thousands of worlds with one model.
 
 #pragma once
 
@@ -38,13 +38,14 @@ struct ArrayShape {
   };
 
   std::string name;  // "geom_size"
-  /// Dimensions for one variant: {elements, numbers per element}, {} or {2, 3}.
+  /// Dimensions of the array in one variant. The first one is the number of elements, unless
+  /// `elements` is empty; {} for a single number.
   std::vector<std::uint64_t> dims;
   Type type = Type::kNumber;
   bool is_always_stored = false;  // stored even if all variants have the same numbers
   /// Names of the elements of the first dimension. Empty: the array is stored as a whole.
   std::vector<std::string> elements;
-  /// Position of each number within its joint, for arrays indexed like qvel or qpos.
+  /// Only for arrays indexed like qvel or qpos: position of each number among those of its joint.
   std::vector<std::uint64_t> components;
 
   /// Number of doubles of one variant.
@@ -72,7 +73,7 @@ inline constexpr MaterialArray kMaterialArrays[] = {{"mat_rgba", 4},        {"ma
                                                     {"mat_specular", 1},    {"mat_shininess", 1},
                                                     {"mat_reflectance", 1}, {"mat_texrepeat", 2}};
 
-/// Names and values of a variant's parameters, as in its record.
+/// Names and values of a variant's parameters, as in the variant's record in the manifest.
 using Parameters = std::vector<std::pair<std::string, sample::ParameterValue>>;
 
 /// Values of the arrays of mjModel for one variant: sizes, poses, masses, colours and so on.
@@ -92,19 +93,20 @@ struct Numbers {
 /// because releases of MuJoCo choose different frames for a mesh.
 Numbers Read(const mjModel_& m, const model::Object& object, const mjcf::MjcfDocument& document);
 
-/// Returns a variant's MJCF as a family's base MJCF: with `<inertial>` in every body, so that the
-/// masses of bodies do not depend on the geoms. With `mocap`, bodies that are fixed to the world
-/// become mocap bodies.
+/// Returns a variant's MJCF as a family's base MJCF: with <inertial> in every body, because the
+/// masses of bodies must not depend on the geoms. If `mocap` is true, children of the world without
+/// joints become mocap bodies.
 std::string BaseOf(const mjcf::MjcfDocument& document, const Numbers& numbers, bool mocap);
 
-/// Encodes a chunk, a group of variants of one family, which is then appended to a file of rows
-/// (rows.h).
+/// Encodes a chunk: consecutive variants of one family, which are appended together to a file of
+/// rows (rows.h).
 class ChunkEncoder {
  public:
   /// Adds a variant and returns an empty text. If the variant cannot be in one family with the
   /// first variant, returns the difference instead: "geom_type of 'handle' is box, not cylinder".
   std::string Add(const Numbers& numbers, const Parameters& parameters);
-  /// Returns the header, which precedes the chunk in the file; empty if there are no variants.
+  /// Returns the bytes of the header, with the base MJCF `base`. The header precedes the chunk in
+  /// the file. Returns an empty text if there are no variants.
   std::string Header(std::string_view base) const;
   /// Returns the bytes of the chunk; empty if there are no variants.
   std::string Bytes() const;
@@ -116,15 +118,15 @@ class ChunkEncoder {
   std::uint64_t count_ = 0;
   std::vector<double> values_;
   std::vector<std::string> parameters_;  // names of the parameters
-  std::vector<Material> materials_;      // distinct; `numbers` are those of the first variant
-  std::string details_;                  // materials and parameters of each variant
+  std::vector<Material> materials_;      // distinct; `numbers` of the first variant with each
+  std::string details_;                  // encoded materials and parameters of each variant
 };
 
 /// Returns the bytes that store an asset of the base MJCF in a file of rows.
 std::string AssetBlock(std::string_view name, std::string_view content);
 
-/// Values that are the same for all variants of a family, such as the seed, which its .npz file
-/// contains as JSON.
+/// Values that are the same for all variants of a family, such as the seed. The family's .npz file
+/// contains them as JSON.
 struct Facts {
   std::vector<std::pair<std::string, std::string>> members;  // names and JSON values
 };
@@ -132,16 +134,16 @@ struct Facts {
 /// Returns true for an empty file and for one that begins like a file of rows.
 bool IsRows(const std::filesystem::path& file);
 
-/// Writes the variants of all files of rows, one after the other, as an .npz file for each family.
+/// Writes an .npz file for each family with its variants from all files of rows, in their order.
 /// Loads the base MJCF of each family in MuJoCo. `place` returns the path of a family's .npz file
-/// by the family's key, Structure::FamilyKey(); the same path for several families is an error.
+/// from the family's key, Structure::FamilyKey(); the same path for several families is an error.
 /// Returns the files, which the caller must commit; an empty list after adding a finding.
 std::vector<std::unique_ptr<output::PartFile>> WriteNpz(
     std::span<const std::filesystem::path> rows, const Facts& facts,
     const std::function<std::filesystem::path(const std::string& key)>& place,
     diag::Findings& findings);
 
-/// Name of the first member of a family's .npz file.
+/// Name of the first member of a family's .npz file, which contains the facts as JSON.
 inline constexpr std::string_view kFirstMember = "family";
 
 }  // namespace mjforge::family

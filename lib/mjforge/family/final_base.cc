@@ -1,11 +1,11 @@
-// Completion of a family's base MJCF: moves elements a little if their flags for special poses
-// differ between variants.
+// Completion of a family's base MJCF: adds materials and joint friction of all variants, and moves
+// elements a little if their flags for special poses differ between variants.
 //
-// MuJoCo takes shortcuts for special poses: it does not transform a geom whose pose equals that of
-// its body to 1e-6. Flags of the compiled model (geom_sameframe) select the shortcuts. All variants
-// are simulated with the flags of the base; therefore a flag that is set in the base must be right
-// for every variant. A flag that is not set costs time, and changes the weights of constraints a
-// little (dof_invweight0 of bodies with body_simple).
+// MuJoCo takes shortcuts for special poses: for example, MuJoCo does not transform a geom whose
+// pose equals that of its body to 1e-6. Flags of the compiled model (geom_sameframe) select the
+// shortcuts. All variants are simulated with the flags of the base; therefore a flag that is set in
+// the base must be right for every variant. A flag that is not set costs time, and changes the
+// weights of constraints a little (dof_invweight0 of bodies with body_simple).
 
 #include "mjforge/family/final_base.h"
 
@@ -28,13 +28,14 @@ using structure::kInertia;
 using structure::kInertiaRotation;
 using structure::kNone;
 
-// Offsets of moved elements: m for positions, and half the angle in rad for rotations about x, y
-// and z. The offsets are far above the tolerance of 1e-6, and differ between inertia frames and
-// other elements, so that moved elements do not get equal poses.
+// Offsets of moved elements: along x, y and z in m, and half the angles of rotations about x, y and
+// z in rad. The offsets are far above MuJoCo's tolerance of 1e-6 for equal frames, and differ
+// between inertia frames and other elements, because equal offsets would give them equal poses.
 constexpr double kBodyOffset = 1e-5;
 constexpr double kOffset = 2e-5;
 
-// A kind of element with flags for special poses: the names of its arrays, and its tag in MJCF.
+// A kind of element with flags for special poses: names of the arrays with its flags, positions and
+// orientations, and its tag in MJCF.
 struct Flagged {
   std::string_view flags;
   std::string_view tag;
@@ -48,8 +49,8 @@ constexpr Flagged kFlagged[] = {{kBodyFlags, "inertial", "body_ipos", "body_iqua
 
 constexpr unsigned Bit(int flag) { return 1U << static_cast<unsigned>(flag); }
 
-// Returns true if an element may have the flag `base` in the base MJCF. Bit v of `variants` is set
-// if the element has the flag v in any variant.
+// Returns true if the flag `base` of an element in the base MJCF is valid for all variants. Bit v
+// of `variants` is set if the element has the flag v in any variant.
 bool IsRight(std::string_view array, unsigned base, unsigned variants) {
   if (array == kJointFlags) return base == 0 || variants == Bit(1);
   switch (base) {
@@ -64,8 +65,8 @@ bool IsRight(std::string_view array, unsigned base, unsigned variants) {
   }
 }
 
-// Returns true if the element has the rotation of its body in all variants, or the rotation of the
-// inertia frame in all variants.
+// Returns true if an element has the orientation of its body in all variants, or the orientation of
+// the body's inertia frame in all variants.
 bool HasOneRotation(unsigned variants) {
   return IsRight({}, kBodyRotation, variants) || IsRight({}, kInertiaRotation, variants);
 }
@@ -97,7 +98,7 @@ class BaseCompletion {
   }
 
  private:
-  // Compiles the base and returns its flags; nullopt after adding a finding.
+  // Compiles a base MJCF and returns the flags for special poses; nullopt after adding a finding.
   std::optional<Numbers> FlagsOf(const std::string& text) {
     if (!engine_) engine_.emplace();
     const engine::Loaded loaded = engine_->LoadText(text, assets_);
@@ -116,7 +117,7 @@ class BaseCompletion {
     return std::span(survey_.flags).subspan(at, shape->size());
   }
 
-  // Calls `act` for each element whose flag in the base may be wrong for a variant. If
+  // Calls `act` for each element whose flag in the base is not valid for all variants (IsRight). If
   // `if_different` is true, also calls `act` for each element whose flag differs between variants.
   template <typename Act>
   void ForEachWrong(const Flagged& array, const Numbers& flags, bool if_different, const Act& act) {
@@ -168,9 +169,9 @@ class BaseCompletion {
     return survey_.first.data() + at + shape->width() * element;
   }
 
-  // Sets `frictionloss` of each joint that has no friction in the first variant but has friction in
-  // another one to its largest value, because simulators leave out the friction of joints that have
-  // none in the base.
+  // Finds joints that have no friction in the first variant but have friction in another variant.
+  // Sets their `frictionloss` to the largest value of any variant, because simulators ignore the
+  // friction of joints that have none in the base.
   std::string WithFriction(const std::string& text) {
     const auto& [shape, at] = starts_.at("dof_frictionloss");
     std::vector<std::pair<std::string, double>> joints;

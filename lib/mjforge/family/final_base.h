@@ -1,5 +1,5 @@
-// The base MJCF of a finished family, with all materials and without flags for special poses that
-// are wrong for a variant.
+// The final base MJCF of a family: has the materials of all variants, and makes MuJoCo set no flag
+// for special poses (coincidences.h) that is wrong for any variant.
 
 #pragma once
 
@@ -14,13 +14,13 @@ namespace mjforge::family {
 
 struct FinalBase {
   std::string text;
-  /// Elements that are stored even if they are constant, because their numbers in the base differ
-  /// from those of the variants: indices of elements by the name of the array.
+  /// Indices of elements, by the name of an array, that are stored in the .npz file even if all
+  /// variants have the same numbers, because the numbers in the base are different.
   std::map<std::string, std::set<std::size_t>> moved;
 };
 
-/// Completes the base MJCF of a family's header, and loads the result in MuJoCo. Returns nullopt
-/// after adding a finding.
+/// Makes the final base MJCF from the base in a family's header. Checks the result by loading it in
+/// MuJoCo. Returns nullopt after adding a finding.
 std::optional<FinalBase> Complete(const Header& header, const bytes::Assets& assets,
                                   const Survey& survey, diag::Findings& findings);
 

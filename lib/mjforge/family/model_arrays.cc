@@ -1,4 +1,5 @@
-// Reader of arrays of mjModel whose numbers MJCF determines directly, and of the elements' names.
+// Reader of a variant's numbers from its compiled model: arrays of mjModel, materials, the start
+// state and mesh vertices, each with the names of the elements.
 
 #include <algorithm>
 #include <cmath>
@@ -128,8 +129,8 @@ class Reader {
     return shape;
   }
 
-  // Sets the name of the element to which each row of the array belongs. The world body has no
-  // row; a joint has one for each of its degrees of freedom or coordinates.
+  // Sets the name of the element to which each row of the array belongs. The world body has no row.
+  // In arrays indexed like qvel or qpos, a joint has a row for each of its numbers.
   void NameRows(const Field& field, ArrayShape& shape) const {
     const int count = ElementCount(m_, field.kind);
     for (int id = field.kind == mjOBJ_BODY ? 1 : 0; id < count; ++id) {
@@ -158,7 +159,7 @@ class Reader {
   }
 
   // Replaces the poses of mesh geoms by their poses in MJCF, because releases of MuJoCo choose
-  // different frames for a mesh. Replaces the sizes by 0, because the vertices determine the sizes.
+  // different frames for a mesh. Sets their sizes to 0, because the vertices determine the sizes.
   void PlaceMeshes() {
     if (m_.ngeom == 0) return;
     double* const size = ArrayAt("geom_size");
@@ -202,7 +203,7 @@ class Reader {
     AddWhole("opt_wind", {3}, option.wind);
   }
 
-  // Adds the start state: that of the keyframe, or qpos0 and zeros if there is no keyframe.
+  // Adds the start state: the state of the keyframe or, without a keyframe, qpos0 and zeros.
   void AddStart() {
     const std::span<const mjtNum> qpos = compiled::StartOf(m_);
     const bool has_key = qpos.data() != m_.qpos0;
@@ -217,9 +218,8 @@ class Reader {
     add("start_ctrl", m_.nu, m_.key_ctrl);
   }
 
-  // Adds the vertices of meshes whose vertices are in the MJCF, in m, with the rounding that the
-  // MJCF has. Adds only the scale of a mesh from a file, because MuJoCo determines the order of its
-  // vertices.
+  // Adds the vertices, in m, of meshes that are not from files, rounded as in MJCF. For a mesh from
+  // a file, adds only the scale, because MuJoCo determines the order of the vertices.
   void AddVertices() {
     for (const auto& asset : object_.meshes) {
       if (!asset->file.empty()) {
@@ -243,8 +243,8 @@ class Reader {
   std::vector<std::size_t> starts_;  // positions of the arrays in numbers_.values
 };
 
-// Returns the first line that contains `start`, the start of an element, with its line end; empty
-// if there is none.
+// Returns the first line that contains `start`, the beginning of an element, with the line end;
+// empty if there is no such line.
 std::string LineWith(std::string_view text, const std::string& start) {
   const std::size_t at = text.find(start);
   if (at == text.npos) return {};

@@ -1,4 +1,5 @@
-// Writer of a family's .npz file: turns rows of variants into arrays with one entry per variant.
+// Writer of a family's .npz file: converts rows, each with all numbers of one variant, into arrays
+// that each have one entry per variant.
 
 #include <algorithm>
 #include <limits>
@@ -187,9 +188,9 @@ class FamilyFile {
     });
   }
 
-  // Writes the names of all materials, and the numbers of those materials whose numbers vary
-  // between variants. A variant without a material gets the numbers of the first variant with that
-  // material.
+  // Writes the names of all materials, and arrays with the numbers of those materials whose numbers
+  // vary between variants. For a variant that lacks a material, writes the numbers of the first
+  // variant with that material.
   void WriteMaterials() {
     if (survey_.materials.empty()) return;
     std::vector<std::string> names;
@@ -245,8 +246,8 @@ class FamilyFile {
     ForEachRow([&](const RowView& row) { WriteValue(row.parameters[number], parameter); });
   }
 
-  // Writes the value of a parameter. A list that is shorter than the longest one is filled up with
-  // NaN, empty texts or false.
+  // Writes the value of a parameter. Fills up a list that is shorter than the parameter's longest
+  // list with NaN, empty texts or false.
   void WriteValue(const sample::ParameterValue& value, const Survey::Parameter& parameter) {
     const std::size_t code_points = std::max<std::uint64_t>(parameter.code_points, 1);
     const auto write = [&](const auto& one) {
@@ -284,7 +285,7 @@ class FamilyFile {
   output::NpzWriter* npz_ = nullptr;
 };
 
-// Returns the headers of all families in the files, in the order of their first chunks.
+// Returns the first header of each family in the files, in the order of the files.
 std::vector<Header> HeadersOf(std::span<const RowsFile> files) {
   std::vector<Header> headers;
   for (const RowsFile& file : files) {

@@ -1,4 +1,4 @@
-// Encoding and decoding of files of rows, which contain the numbers of variants.
+// Encoding and decoding of files of rows (rows.h): blocks with headers, assets and variants.
 
 #include "mjforge/family/rows.h"
 
@@ -22,7 +22,7 @@ enum class Block : std::uint64_t {
 // Number of bytes at the start of each block: its kind, then the size of the rest.
 constexpr std::uint64_t kBlockStart = 2 * sizeof(std::uint64_t);
 
-// A material of a variant.
+// A material of a variant, as stored in the file.
 struct MaterialUse {
   std::uint64_t number = 0;  // position among the materials of the chunk
   std::array<double, 10> numbers{};
@@ -53,9 +53,9 @@ std::string WithStart(Block block, std::string_view content) {
   return Encode(block) + Encode(content);
 }
 
-// Describes why two variants cannot be in one family; returns an empty text if they can. Ignores
-// flags for special poses, because Complete() in final_base.h removes flags that are not set in all
-// variants.
+// Returns a description of the difference because of which two variants cannot be in one family; an
+// empty text if they can. Ignores flags for special poses, because Complete() in final_base.h makes
+// a base without those flags that are wrong for any variant.
 std::string DifferenceOf(const structure::Structure& structure, const Shapes& shapes,
                          const structure::Structure& other, const Shapes& other_shapes) {
   for (const structure::Difference& difference : structure::DifferencesOf(other, structure)) {
@@ -238,8 +238,9 @@ void RowsFile::ForEach(const std::function<void(const RowView&)>& visit) {
 
 void RowsFile::ForEachPart(std::uint64_t first, std::uint64_t count,
                            const std::function<void(std::span<const double>)>& visit) {
-  // If a row has more doubles than this (variants with meshes), only the requested part is read.
-  // Shorter rows are read as whole chunks, because one large read is faster than many small ones.
+  // Largest number of doubles in a row for which whole chunks are read, because one large read is
+  // faster than many small ones. For longer rows (variants with meshes), reads only the requested
+  // numbers.
   constexpr std::uint64_t kLargeRow = 8192;
   std::vector<double> part(count);
   const auto show = [&](const char* from) {

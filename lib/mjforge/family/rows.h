@@ -1,9 +1,11 @@
-// The file of rows: variants of families, from which the .npz files of families are written.
+// The file of rows, which stores variants of one or more families, one row per variant. The .npz
+// files of families are written from such files.
 //
-// A file consists of blocks: headers (shapes of the arrays, names of the parameters, base MJCF),
-// assets, and chunks of variants, whose header is the last one before them. A chunk has the numbers
-// of all its variants, then its materials, and then materials and parameters of each variant. All
-// chunks with the same structure are a family, whose header is the first one with this structure.
+// A file consists of blocks: headers (structure, shapes of the arrays, names of the parameters,
+// base MJCF), assets, and chunks of variants. A chunk belongs to the last header before the chunk.
+// A chunk has the numbers of all its variants, then its materials, and then materials and
+// parameters of each variant. Headers without a difference (DifferenceOf) are of one family; the
+// first of these headers applies to all chunks of the family.
 
 #pragma once
 
@@ -23,16 +25,16 @@ struct Header {
   std::string base;
 };
 Header DecodeHeader(std::string_view bytes);
-/// Describes why two headers cannot be of one family; returns an empty text if they can.
+/// Returns a description of the difference because of which two headers cannot be of one family;
+/// an empty text if they can.
 std::string DifferenceOf(const Header& header, const Header& other);
 
 /// A variant (row) in a file of rows.
 struct RowView {
   std::span<const double> values;
-  /// Materials of the variant; their `numbers` are those of the first variant, see
-  /// `material_numbers`.
+  /// Materials of the variant. Material::numbers are not those of this variant.
   std::vector<const Material*> materials;
-  /// Material::numbers of `materials` in this variant.
+  /// Numbers (as Material::numbers) of each of `materials` in this variant.
   std::vector<std::array<double, 10>> material_numbers;
   std::vector<sample::ParameterValue> parameters;
 };
@@ -42,10 +44,10 @@ class RowsFile {
  public:
   explicit RowsFile(const std::filesystem::path& file);
 
-  /// Headers of the families in the file, in the order of their first chunks.
+  /// Returns the first header of each family in the file, in the order of the file.
   std::vector<Header> Headers() const;
-  /// Selects the family of this header for the functions below. If the file does not contain the
-  /// family, count() is 0.
+  /// Selects the family of this header for all functions below except assets(). If the file does
+  /// not contain the family, count() is 0, and header() must not be called.
   void Select(const Header& header);
 
   const Header& header() const { return families_[selected_].header; }
@@ -54,7 +56,7 @@ class RowsFile {
   }
   const bytes::Assets& assets() const { return assets_; }
 
-  /// Calls the function with each variant of the selected family, in order.
+  /// Calls the function with each variant of the selected family, in the order of the file.
   void ForEach(const std::function<void(const RowView&)>& visit);
   /// Calls the function with a part of the numbers of each variant: `count` numbers from position
   /// `first` on.

@@ -1,5 +1,5 @@
-// Properties of all variants of a family together: constant numbers, materials, lengths of texts,
-// flags for special poses.
+// Survey of all variants of a family: which numbers vary, all materials, the lengths of lists and
+// texts, and the flags for special poses of any variant.
 
 #pragma once
 
@@ -18,10 +18,10 @@ struct Survey {
   std::uint64_t count = 0;      // number of variants
   std::vector<double> first;    // numbers of the first variant
   std::vector<bool> varies;     // true for each number that differs between variants
-  std::vector<unsigned> flags;  // in kFlag arrays: bit v is set if any variant's flag is v
-  std::vector<double> largest;  // largest value of each number
+  std::vector<unsigned> flags;  // for numbers of kFlag arrays: bit v is set if any flag is v
+  std::vector<double> largest;  // largest value of each number in any variant
 
-  /// All materials in the order of their first variants, with the numbers of these variants.
+  /// All materials; the numbers of each are those of the first variant that has the material.
   std::vector<Material> materials;
   std::vector<std::array<bool, 10>> material_varies;  // for each material: numbers that vary
   std::set<std::string> other_textures;  // materials whose texture differs between variants
@@ -36,7 +36,8 @@ struct Survey {
   };
   std::vector<Parameter> parameters;
 
-  /// Returns the position in `materials` of material `id` of the variant `row`; -1 for no material.
+  /// Returns the position in `materials` of the variant's material `row.materials[id]`; -1 if `id`
+  /// is -1, which means no material.
   double MaterialId(const RowView& row, double id) const;
 };
 

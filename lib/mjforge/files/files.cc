@@ -46,7 +46,7 @@ Content ContentOf(const TexturePixels& picture) {
 
 struct Maker::State {
   std::optional<engine::Engine> engine;     // created for the first texture
-  std::map<std::string, Content> textures;  // key: MJCF element and kind of marks
+  std::map<std::string, Content> textures;  // key: MJCF element and attribute `mark`
 
   // Functions that make one file. Each returns nullopt, after adding a finding, if the file cannot
   // be made.
@@ -101,7 +101,7 @@ bool Maker::Make(const model::Object& object, mjcf::MjcfDocument& document,
     text.replace(file.hash_position, content->hash.size(), content->hash);
     const std::size_t begin = text.rfind('"', file.hash_position) + 1;
     const std::string name = text.substr(begin, text.find('"', file.hash_position) - begin);
-    // Equal meshes can have the same file name; add the file once.
+    // Adds each file once, because equal meshes can have the same file name.
     if (std::ranges::count(document.assets, name, &bytes::Asset::name) == 0)
       document.assets.push_back({.name = name, .file = {}, .made = content->bytes});
   }

@@ -19,10 +19,10 @@ class Maker {
   ~Maker();
 
   /// Makes the files that `document` lacks (MjcfDocument::generated_files), and adds these files to
-  /// the document's assets. Puts the hash of each content into the file's name in the text, so that
-  /// files with equal names have equal contents. The result depends only on the object and the
-  /// text. Returns false, and adds a finding, if a mesh has no convex hull or MuJoCo cannot make a
-  /// texture.
+  /// the document's assets. Inserts a hash of the content into each file's name in the document's
+  /// text; files with equal names have equal contents. The result depends only on the object and
+  /// the text. Returns false, and adds a finding, if a mesh without faces has no convex hull or if
+  /// MuJoCo cannot make a texture.
   bool Make(const model::Object& object, mjcf::MjcfDocument& document, diag::Findings& findings);
 
  private:

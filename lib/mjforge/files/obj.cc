@@ -38,7 +38,8 @@ std::vector<double> NumbersOf(const model::MeshAsset& asset, std::string_view na
   return {found->numbers.begin(), found->numbers.end()};
 }
 
-// Returns the faces of the convex hull, which MuJoCo uses for a mesh without faces.
+// Returns the triangles of the convex hull of points (`numbers`: x, y, z of each), because MuJoCo
+// uses the hull for a mesh without faces. Sets `why_not` if there is no hull.
 std::vector<std::array<int, 3>> HullOf(const std::vector<double>& numbers, std::string& why_not) {
   std::vector<Eigen::Vector3d> points;
   for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)

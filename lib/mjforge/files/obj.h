@@ -1,4 +1,4 @@
-// Meshes as text in the OBJ format.
+// Conversion of a mesh to the text of a Wavefront OBJ file.
 
 #pragma once
 
@@ -9,9 +9,9 @@
 
 namespace mjforge::files {
 
-/// Returns the mesh in the Wavefront OBJ format, in m, with the same digits as in its MJCF element.
-/// A mesh without faces gets the faces of its convex hull. Returns nullopt and sets `why_not` if
-/// this hull does not exist.
+/// Returns the mesh in the OBJ format, in m, with the same digits as in its MJCF element. A mesh
+/// without faces gets the faces of its convex hull. Returns nullopt and sets `why_not` if this hull
+/// does not exist.
 std::optional<std::string> ObjOf(const model::MeshAsset& asset, std::string& why_not);
 
 }  // namespace mjforge::files

@@ -1,4 +1,4 @@
-// Generation of textures by MuJoCo, with reproducible random marks.
+// Generation of built-in textures by MuJoCo, with reproducible random marks.
 
 #include "mjforge/files/texture.h"
 
@@ -19,8 +19,8 @@ const model::Attribute* Find(const model::Texture& texture, std::string_view nam
   return found == texture.attributes.end() ? nullptr : &*found;
 }
 
-// Marks each pixel independently with probability `random`, in a colour that is truncated to bytes,
-// as MuJoCo does.
+// Gives each pixel the mark's color with the probability in the attribute `random` (default 0.01),
+// independently of other pixels. Truncates the color to bytes, like MuJoCo.
 void AddRandomMarks(const model::Texture& texture, TexturePixels& picture) {
   const model::Attribute* share = Find(texture, "random");
   const model::Attribute* color = Find(texture, "markrgb");
@@ -28,7 +28,7 @@ void AddRandomMarks(const model::Texture& texture, TexturePixels& picture) {
   std::array<std::uint8_t, 3> mark = {};
   for (std::size_t i = 0; color != nullptr && i < mark.size(); ++i)
     mark[i] = static_cast<std::uint8_t>(255 * color->numbers[i]);
-  std::mt19937_64 random;  // the C++ standard fixes the numbers of this generator
+  std::mt19937_64 random;  // reproducible: the C++ standard defines its numbers
   constexpr double kUnit = 0x1p-64;
   for (std::size_t i = 0; i + 2 < picture.rgb.size(); i += 3) {
     if (static_cast<double>(random()) * kUnit < probability)

@@ -1,4 +1,4 @@
-// Pixels of generated textures.
+// Generation of the pixels of built-in textures (gradient, checker, flat).
 
 #pragma once
 

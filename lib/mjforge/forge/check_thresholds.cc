@@ -1,4 +1,4 @@
-// Thresholds of checks for files that have no spec.
+// Reads thresholds of checks (settings `checks.NAME`) for files that have no spec.
 
 #include "mjforge/forge/forge.h"
 
@@ -6,7 +6,8 @@ namespace mjforge::forge {
 
 std::optional<model::Checks> LoadChecks(const std::vector<spec::Setting>& settings,
                                         diag::Sources& sources, diag::Findings& findings) {
-  // Minimal spec, so that the thresholds are read by the same code as in any other spec.
+  // Minimal spec, so that the thresholds are read by the same code as the settings of any other
+  // spec.
   constexpr const char* kSpec =
       "mjforge: 1\n"
       "name: checks\n"

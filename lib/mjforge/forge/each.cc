@@ -1,4 +1,4 @@
-// Generation of each object of a scene as a file of its own, and of their placement.
+// Writing of each object of a scene to its own file, and of placement.json with the objects' poses.
 
 #include <algorithm>
 #include <filesystem>
@@ -14,8 +14,8 @@ std::string FileOf(const std::string& name, const mjcf::TargetRules& rules) {
   return name + '/' + std::string(rules.file_in_folder);
 }
 
-// Adds those findings of `found` that `findings` does not contain yet. Objects that are made from
-// the same spec cause the same findings.
+// Adds those findings of `found` that `findings` does not contain yet, because several objects that
+// are made from the same spec cause the same findings.
 void AddNew(const diag::Findings& found, diag::Findings& findings) {
   for (const diag::Finding& finding : found) {
     const bool is_known = std::ranges::any_of(findings, [&](const diag::Finding& known) {
@@ -61,7 +61,7 @@ bool Generator::WritePart(split::ScenePart& part, manifest::PlacedFile& placed, 
   AddNew(found, variant.findings);
   if (found.HasErrors()) return false;
   AddJoints(object, placed);
-  // Ignore warnings, because the validation of the whole scene has already added them.
+  // Ignores warnings, because the validation of the whole scene has already added them.
   if (diag::Findings loaded; loader_ && !loader_->Validate(document, object, loaded)) {
     AddNew(loaded, variant.findings);
     return false;

@@ -1,4 +1,4 @@
-// Generation of variants from a spec: parameters, object, MJCF, validation, record.
+// Generation of variants from a spec: draws parameters, builds the object, writes MJCF, validates.
 // Most callers need no other header:
 //
 //   diag::Sources sources;
@@ -73,8 +73,9 @@ struct Recipe {
   /// Names and values of the applied settings: first from parameter files, then from the caller.
   /// Each name occurs once, with its last value.
   std::vector<std::pair<std::string, std::string>> settings;
-  /// Texts of all of the spec's files (spec::SnapshotText) if the spec has no file, or if it was
-  /// loaded from such a snapshot and its files were changed or removed since; otherwise empty.
+  /// Text with the contents of all of the spec's files (spec::SnapshotText) if the spec was read
+  /// from standard input, or from such a snapshot whose files were changed or removed since; else
+  /// empty.
   std::string snapshot;
 };
 
@@ -83,39 +84,40 @@ struct Recipe {
 std::optional<Recipe> LoadRecipe(const std::string& reference, const spec::LoadOptions& options,
                                  diag::Sources& sources, diag::Findings& findings);
 
-/// Reads thresholds of checks for a file that has no spec. Settings have names like `checks.KEY`.
+/// Returns the thresholds of checks for a file that has no spec. Settings have names like
+/// `checks.KEY`. Returns nullopt, after adding findings, if a setting is not a valid threshold.
 std::optional<model::Checks> LoadChecks(const std::vector<spec::Setting>& settings,
                                         diag::Sources& sources, diag::Findings& findings);
 
 /// Returns the name of a variant's object: `text` with every ${index} replaced.
 std::string ExpandName(std::string_view text, std::uint64_t index);
-/// Returns true if names made from `text` are valid ([A-Za-z][A-Za-z0-9_]*), or adds a finding.
+/// Returns true if names that ExpandName() makes from `text` are valid; otherwise adds a finding.
 bool CheckName(std::string_view text, diag::Findings& findings);
 
 /// Returns a record with the fields that are equal in all variants of a batch.
 manifest::Record BatchRecord(const Recipe& recipe, const Options& options);
 
-/// Generates variants of a recipe. Keeps parsed and loaded files between variants; its memory does
-/// not grow with the number of variants.
+/// Generates variants of a recipe. Keeps parsed and loaded files between variants. A generator's
+/// memory does not grow with the number of variants.
 class Generator {
  public:
   /// The recipe and its sources must outlive the generator. Attached XML files are added to the
   /// sources.
   Generator(const Recipe& recipe, diag::Sources& sources, const Options& options);
 
-  /// Generates a variant, which is a pure function of the index; replaces the content of `variant`.
+  /// Generates the variant with this index, and replaces the content of `variant`. The result
+  /// depends only on the recipe, the options and the index.
   void Make(std::uint64_t index, Variant& variant);
 
-  /// Returns all geoms and sites that occur in any of the Options::pad variants from
-  /// Options::layout_first on. Stops early if `*stop` is true.
+  /// Returns all geoms and sites of the Options::pad variants from index Options::layout_first on,
+  /// without variants that cannot be made. Stops early if `*stop` is true.
   std::shared_ptr<const padding::Superset> FindSuperset(const std::atomic<bool>* stop = nullptr);
 
-  /// Fills `variant` as a failed variant with this finding, without generating the variant.
+  /// Replaces `variant` by a failed variant with this finding, without generating it.
   void Fail(std::uint64_t index, diag::Finding finding, Variant& variant);
 
  private:
-  // kRejected: the spec's requirements rejected all draws, so that further attempts would fail,
-  // too.
+  // kRejected: the spec's requirements rejected all draws. Further attempts would fail, too.
   enum class Outcome { kOk, kFailed, kRejected };
   void Reset(std::uint64_t index, std::uint64_t attempt, Variant& variant);
   Outcome Attempt(std::uint64_t index, std::uint64_t attempt, Variant& variant);
@@ -133,14 +135,14 @@ class Generator {
   /// Sets `reference_` for Layout::kOne: the first valid variant, whose structure all variants must
   /// have.
   void FindReference();
-  /// Returns true if a variant has the structure of the batch; otherwise adds a finding.
+  /// Returns true if Options::layout allows the structure of a variant; otherwise adds a finding.
   bool CheckStructure(Variant& variant) const;
   // SplitScene() divides a scene into objects, WriteEach() writes all objects, WritePart() writes
   // one. All return false after an error.
   bool SplitScene(const model::Object& scene, Variant& variant);
   bool WriteEach(Variant& variant);
   bool WritePart(split::ScenePart& part, manifest::PlacedFile& placed, Variant& variant);
-  /// Adds the hashes of the files that the object refers to; returns false if one cannot be read.
+  /// Adds the SHA-256 of each asset to the record; returns false if an asset cannot be read.
   bool HashAssets(Variant& variant);
   void Finish(Outcome outcome, Variant& variant);
 
@@ -164,10 +166,10 @@ class Generator {
   std::optional<std::pair<manifest::Record, structure::Structure>> reference_;
 };
 
-/// Loads the recipe of a record from `spec` or, if `spec` is empty, from the recorded spec: from
-/// its recorded path, which is relative to `folder` (of the manifest), or else by its recorded name
-/// in the working directory, in `folder`, one folder up, and in the search path. Returns nullopt,
-/// with findings, if the spec is missing or has changed since.
+/// Loads the recipe of a record from `spec` or, if `spec` is empty, from the recorded spec. Looks
+/// for the recorded spec at its recorded path, which is relative to `folder` (the manifest's
+/// folder), then for its recorded name in the working directory, in `folder`, one folder up, and in
+/// the search path. Returns nullopt, with findings, if the spec is missing or has changed.
 std::optional<Recipe> LoadRecordedRecipe(const manifest::Record& record, const std::string& spec,
                                          const std::filesystem::path& folder,
                                          diag::Sources& sources, diag::Findings& findings);

@@ -1,4 +1,4 @@
-// Generator: attempts, assembly, validation and the record of one variant.
+// Generator: draws, assembles, writes and validates one variant, and fills in its record.
 
 #include <algorithm>
 
@@ -10,13 +10,13 @@
 namespace mjforge::forge {
 namespace {
 
-// Returns the path of a file relative to a folder; empty if file and folder share only the root
-// folder, because such a path would differ between machines.
+// Returns the path of a file relative to a folder. Returns an empty path if file and folder share
+// only the root folder, because such a path would differ between machines.
 std::string RelativePath(const std::filesystem::path& file, const std::filesystem::path& folder) {
   std::error_code error;
   const auto absolute = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, error);
   if (error) return {};
-  // Remove a final slash, which weakly_canonical() keeps if the folder does not exist yet.
+  // Removes a final slash, which weakly_canonical() keeps if the folder does not exist yet.
   const auto root = absolute.has_filename() ? absolute : absolute.parent_path();
   const auto below = root.relative_path();
   if (!below.empty() && *below.begin() != *file.relative_path().begin()) return {};
@@ -150,8 +150,8 @@ Generator::Outcome Generator::Attempt(std::uint64_t index, std::uint64_t attempt
   std::optional<sample::Evaluator> values =
       sample::Sample(spec, key, sample::kRootStream, {}, variant.findings, &sampler_);
   if (!values) {
-    // If the requirements of the spec rejected all draws (kSampleRejected), do not try further
-    // attempts, because they would fail, too.
+    // If the requirements of the spec rejected all draws (kSampleRejected), further attempts would
+    // fail, too.
     const bool rejected =
         std::ranges::count(variant.findings, diag::Code::kSampleRejected, &diag::Finding::code) > 0;
     return rejected ? Outcome::kRejected : Outcome::kFailed;
@@ -198,7 +198,7 @@ bool Generator::Build(sample::Evaluator& values, Variant& variant) {
   std::optional<model::Object> object = Assemble(values, variant);
   if (!object || !SettlePiles(*object, variant)) return false;
   if (options_.each && !SplitScene(*object, variant)) return false;
-  // With --each, ignore warnings about the scene, because WritePart() adds the warnings about each
+  // Drops warnings about the scene with --each, because WritePart() adds the warnings about each
   // object.
   diag::Findings of_scene;
   mjcf::Adapt(*object, target, options_.each ? of_scene : variant.findings);

@@ -1,4 +1,4 @@
-// Layout of a batch: the structure that all of its variants must have.
+// Check that all variants of a batch have the same structure (--layout one).
 
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@ std::optional<std::string> ChoiceText(const ParameterValue& value) {
 }
 
 // Lists the parameters that may be choices and differ between two variants: "shape is box, not
-// round". Lists at most kShownParameters, and the number of further ones.
+// round". Lists at most kShownParameters of them, and the number of further ones.
 std::string ChoicesText(const manifest::Record& record, const manifest::Record& reference) {
   std::string text;
   std::size_t count = 0;
@@ -41,8 +41,8 @@ std::string ChoicesText(const manifest::Record& record, const manifest::Record& 
   return text;
 }
 
-// Returns the place in the spec of the body, part, joint or site with this name, with or without
-// the object's prefix; an empty mark if there is none.
+// Returns the place in the spec of the body, part, joint or site with the name `element`, with or
+// without the object's name as a prefix; an empty mark if there is none.
 diag::SourceMark MarkOf(const model::Object& object, std::string_view element) {
   const std::string whole = fmt::format("{}_{}", object.name, element);
   const auto is_it = [&](const auto& one) { return one.name == element || one.name == whole; };

@@ -1,4 +1,4 @@
-// Padding of a family: the geoms and sites that any of its variants has.
+// Search for the geoms and sites that any variant of a family has, to pad all variants with.
 
 #include "mjforge/forge/forge.h"
 

@@ -1,4 +1,4 @@
-// Recipe and options with which a recorded variant was made.
+// Loads the recipe and the options with which a recorded variant was made.
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 namespace mjforge::forge {
 namespace {
 
-// Returns the file of the record's spec, or the spec's recorded name if no file is found. Looks for
-// the name in the working directory, in the record's folder and one folder up, because the comment
-// in a generated file has the name of the spec without its folder, and the default output folder of
-// `generate` is below the working directory.
+// Returns the file of the record's spec, or the spec's recorded name if no file is found. Tries the
+// recorded path first. Then looks for the name in the working directory, in the record's folder and
+// one folder up, because the comment in a generated file has the name of the spec without its
+// folder, and `generate` writes to a folder below the working directory by default.
 std::string FindSpec(const manifest::Record& record, const std::filesystem::path& folder) {
   std::error_code ignored;
   for (const std::filesystem::path& file :

@@ -101,13 +101,13 @@ std::string_view TextOf(const Original& original, const Variant& variant) {
   return found == output.assets.end() ? std::string_view() : std::string_view(*found->made);
 }
 
-// Returns true if the recorded file equals the regenerated file or, if the recorded file is
-// missing, if the recorded hash equals the hash of the regenerated file. Otherwise adds a finding.
+// Returns true if the recorded file equals the regenerated file. Compares only their hashes if a
+// manifest lists the file but the file is missing. Adds a finding if they differ.
 bool HasSameText(const Original& original, const Variant& variant, diag::Sources& sources,
                  diag::Findings& findings) {
   std::error_code ignored;
   const std::filesystem::path& holder = original.archive.empty() ? original.file : original.archive;
-  // Compare hashes if there is no file. A family (.npz), for example, contains the numbers of its
+  // Compares hashes if there is no file. A family (.npz), for example, contains the numbers of its
   // variants, but not their files.
   const bool has_no_file = original.file.empty() || !std::filesystem::exists(holder, ignored);
   if (original.from_manifest && has_no_file) {
@@ -137,8 +137,8 @@ bool HasSameText(const Original& original, const Variant& variant, diag::Sources
   return false;
 }
 
-// Returns true if all files that the object refers to have the recorded hashes; otherwise adds
-// findings.
+// Returns true if all assets of the record have the same hashes as those of the regenerated object;
+// otherwise adds findings.
 bool HasSameAssets(const Original& original, const Variant& variant, diag::Findings& findings) {
   bool same = true;
   for (const auto& asset : original.record.assets) {
@@ -176,8 +176,8 @@ bool Regenerate(const Original& original, const Recipe& recipe, Options options,
                 diag::Sources& sources, diag::Findings& findings) {
   Variant variant;
   const bool failed = original.from_manifest && original.record.status != manifest::Status::kOk;
-  // Skip validation, because the recorded variant passed validation or was not validated, and
-  // validation does not affect the bytes.
+  // Skips validation, because it does not affect the bytes, and the recorded variant either passed
+  // validation or was not validated.
   if (!failed) options.validation = Validation::kNone;
   WarnOfOtherMujoco(original.record, findings);
   Generator generator(recipe, sources, options);
@@ -188,8 +188,8 @@ bool Regenerate(const Original& original, const Recipe& recipe, Options options,
       HasSameAssets(original, variant, differences)) {
     return true;
   }
-  // Try each kind of validation, because the comment in a file contains neither the attempt nor the
-  // kind of validation that rejected earlier attempts.
+  // Tries each kind of validation, because the comment in a file contains neither the attempt nor
+  // the kind of validation that rejected earlier attempts.
   if (!original.from_manifest) {
     for (const Validation validation : {Validation::kLoad, Validation::kPhysics}) {
       options.on_invalid = OnInvalid::kResample;

@@ -12,7 +12,7 @@ std::optional<std::filesystem::path> CatalogueFolder() {
   std::error_code error;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
   if (error) return std::nullopt;
-  // Search the parent folders of the program. In an installation, share/ is beside bin/; a build
+  // Searches the parent folders of the program. In an installation, share/ is beside bin/; a build
   // tree has a link to share/ at its top.
   for (std::filesystem::path folder = program.parent_path(); folder.has_relative_path();
        folder = folder.parent_path()) {

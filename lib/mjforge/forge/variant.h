@@ -54,13 +54,14 @@ struct Options {
   std::uint64_t batch = 0;  // number of variants; 0: unknown (sample::Sampler)
   Validation validation = Validation::kLoad;
   Layout layout = Layout::kAny;    // kOne and kSplit need a validation
-  std::uint64_t layout_first = 0;  // Layout::kOne: index of the batch's first variant
-  /// The variants form a family: each has the numbers of its compiled model, and structures may
-  /// differ in fields that depend on numbers being exactly zero or equal. Needs a validation.
+  std::uint64_t layout_first = 0;  // index of the batch's first variant (for Layout::kOne, `pad`)
+  /// True: the variants form a family, which contains the numbers of their compiled models.
+  /// Structures may then differ in flags that depend on numbers being exactly zero or equal. Needs
+  /// a validation.
   bool family = false;
   /// Padding of a family: every variant gets all geoms and sites of this number of variants from
-  /// layout_first on; 0: no padding. batch::OptionsOf replaces other values by the number of
-  /// variants of the batch.
+  /// layout_first on; 0: no padding. batch::OptionsOf replaces a number above 0 (--pad sets 1) by
+  /// the number of variants of the batch.
   std::uint64_t pad = 0;
   /// The geoms and sites to pad with, from FindSuperset(). Null: the generator finds them.
   std::shared_ptr<const padding::Superset> superset = nullptr;

@@ -1,4 +1,4 @@
-// Columns of a table of records, one for each member of their JSON.
+// Conversion of JSON records to the columns of a table.
 
 #include "mjforge/manifest/columns.h"
 
@@ -16,8 +16,8 @@ std::string_view TextOf(const rapidjson::Value& value) {
   return {value.GetString(), value.GetStringLength()};
 }
 
-// Returns the inner column with that key; adds the column if there is none. The column usually has
-// the index `next`.
+// Returns the inner column with that key; adds the column if there is none. Tries the column `next`
+// first, because the members of all records usually have the same order.
 Column& InnerOf(Column& column, std::string_view key, std::size_t next) {
   std::vector<Column>& inner = column.inner;
   if (next < inner.size() && inner[next].key == key) return inner[next];

@@ -1,4 +1,4 @@
-// Columns of a table of records, one for each member of their JSON.
+// Records as a table with one column for each member of their JSON objects.
 
 #pragma once
 
@@ -29,7 +29,7 @@ struct Column {
   std::vector<Column> inner;          // columns of the items or members, in order of occurrence
 };
 
-/// Reads members of records, one record per row.
+/// Makes columns from members of JSON records, one record per row. Ignores other members.
 class Columns {
  public:
   explicit Columns(const std::vector<std::string>& members);

@@ -13,9 +13,9 @@ namespace mjforge::manifest {
 inline constexpr std::size_t kParserBytes = std::size_t{16} << 10;
 
 /// Parses a JSON text. Returns false if the text is not JSON, is nested more than
-/// diag::kMaxJsonDepth deep or contains a number that is too large. Numbers are correctly rounded;
-/// RapidJSON's own parser errs by up to three units in the last place. The document's texts are
-/// parts of `text`, which is changed and must outlive the document.
+/// diag::kMaxJsonDepth deep or contains a number that is too large. Rounds numbers correctly,
+/// unlike RapidJSON's own parser, which errs by up to three units in the last place. The document's
+/// texts are parts of `text`, which is changed and must outlive the document.
 bool ParseExactly(std::string& text, rapidjson::Document& document);
 
 }  // namespace mjforge::manifest

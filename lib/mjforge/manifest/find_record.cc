@@ -1,4 +1,4 @@
-// Finding one record of a manifest by bisection.
+// Finds the record of one variant in a manifest by bisection.
 
 #include <fmt/format.h>
 
@@ -13,8 +13,8 @@ namespace {
 using Outcome = RecordReader::Outcome;
 using Path = std::filesystem::path;
 
-// Returns the index of the first record that starts after the offset `cut`; nullopt if no record
-// follows.
+// Returns the variant index of the first record that starts after the offset `cut` in the file;
+// nullopt if no record follows.
 std::optional<std::uint64_t> IndexAfter(const Path& file, std::uint64_t cut) {
   diag::Sources sources;
   diag::Findings ignored;
@@ -25,8 +25,8 @@ std::optional<std::uint64_t> IndexAfter(const Path& file, std::uint64_t cut) {
   return outcome == Outcome::kRecord ? std::optional(record.index) : std::nullopt;
 }
 
-// Returns the section between two of `cuts` that contains the record if the manifest is in index
-// order. Finds the section by bisection.
+// Returns the section between two successive offsets in `cuts` that contains the record of variant
+// `index` if the manifest is in index order. Finds the section by bisection.
 bytes::FileSection SectionOf(const Path& file, std::uint64_t index,
                              const std::vector<std::uint64_t>& cuts) {
   const auto is_before = [&](std::uint64_t cut) {
@@ -38,8 +38,8 @@ bytes::FileSection SectionOf(const Path& file, std::uint64_t index,
                            : bytes::FileSection{.begin = *(end - 1), .end = *end};
 }
 
-// Returns the record with this index from a section of the manifest; nullopt if the section does
-// not contain the record. Sets `is_read` if all lines were read.
+// Returns the record with this index from a section of the manifest; nullopt if it is not there.
+// Sets `is_read` to true in the latter case if all lines could be read.
 std::optional<Record> FindIn(const bytes::FileSection& section, const Path& file,
                              std::uint64_t index, diag::Sources& sources, diag::Findings& findings,
                              bool& is_read) {

@@ -70,7 +70,7 @@ struct Record : mjcf::Provenance {
   std::string mujoco;     // release of MuJoCo that checked the variant; empty: not checked
   std::string structure;  // key of the structure (structure.h); empty: not loaded in MuJoCo
   Layout layout = Layout::kAny;
-  std::optional<std::uint64_t> layout_first;  // Layout::kOne: index of the batch's first variant
+  std::optional<std::uint64_t> layout_first;  // index of the batch's first variant (kOne, pad)
   /// Padding of a family (--pad): number of variants, from layout_first on, whose geoms and sites
   /// every variant of the family has; 0: no padding.
   std::uint64_t pad = 0;
@@ -116,22 +116,22 @@ std::optional<std::vector<std::uint64_t>> CutsOf(const std::filesystem::path& fi
 /// have a hundred million lines.
 class RecordReader {
  public:
-  /// Returns a reader; nullopt, after adding a finding, if the file cannot be read. Later, each
-  /// line that is not a record becomes a finding at that line, so sources and findings must outlive
-  /// the reader. If `section` is a part of the file, lines are counted from the start of the
-  /// section.
+  /// Returns a reader; nullopt, after adding a finding, if the file cannot be read. Sources and
+  /// findings must outlive the reader, because Next() adds findings. If `section` is a part of the
+  /// file, lines are counted from the start of the section.
   static std::optional<RecordReader> Open(const std::filesystem::path& file, diag::Sources& sources,
                                           diag::Findings& findings,
                                           const bytes::FileSection& section = {});
 
   enum class Outcome { kRecord, kBadLine, kEnd, kUnreadable };
-  /// Replaces `record` with the record on the next line. After a line that is not a record, the
-  /// next call continues with the following line. Adds a finding for each of the first kMaxBadLines
-  /// such lines, for more than kMaxSkippedLines, and for an error of the file system.
+  /// Replaces `record` with the record on the next line. After kBadLine (the line is not a record),
+  /// the next call continues with the following line. Adds a finding for each of the first
+  /// kMaxBadLines bad lines. Returns kUnreadable, after adding a finding, if reading fails or if
+  /// more than kMaxSkippedLines lines are bad.
   Outcome Next(Record& record);
   static constexpr std::uint64_t kMaxBadLines = 50;
-  /// Maximum number of bad lines, because a small compressed file can contain thousands of
-  /// millions.
+  /// Maximum number of lines that are not records. A small compressed file can contain thousands of
+  /// millions of such lines.
   static constexpr std::uint64_t kMaxSkippedLines = 1'000'000;
 
   /// Number of the last line read, counted from 1.
@@ -156,8 +156,8 @@ class RecordReader {
 };
 
 /// Returns the record with this index; nullopt, after adding a finding, if there is none. Bisects a
-/// manifest in index order; reads the whole manifest only if bisection does not find the record and
-/// no seal shows that the manifest is complete.
+/// manifest in index order. If bisection does not find the record, reads the whole manifest, unless
+/// all lines read are good and a seal shows that the manifest is complete.
 std::optional<Record> FindRecord(const std::filesystem::path& file, std::uint64_t index,
                                  diag::Sources& sources, diag::Findings& findings);
 

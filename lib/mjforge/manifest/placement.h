@@ -31,7 +31,7 @@ struct Placement {
 
 /// Appends a number as in MJCF files: with at most 10 digits; magnitudes below 1e-15, rounding
 /// errors of rotations, become 0. A pose therefore has the same text on all processors, although
-/// processors with fused multiply-add compute other last bits.
+/// the last bits of its numbers differ between processors with and without fused multiply-add.
 void AppendFileNumber(std::string& out, double value);
 
 /// Returns the placement as JSON, with a line for each object.

@@ -1,4 +1,4 @@
-// Writing, reading and comparing records by the table of fields, and the JSON Schema of that table.
+// Writing, reading and comparing records by the table RecordFields(), and its JSON Schema.
 
 #include <fmt/format.h>
 
@@ -47,7 +47,7 @@ void AppendRecord(std::string& out, const Record& record) {
 
 void AppendWithPaths(std::string& out, std::string_view line, const std::string& archive,
                      const std::string& spec_file) {
-  // Quotes within values are escaped, so `next` is found only where it is a key.
+  // Quotes within texts are escaped, so `next` is found only where it is a key.
   const auto insert = [&](std::string_view key, const std::string& value, std::string_view next) {
     const std::size_t at = line.find(next);
     out += line.substr(0, at);

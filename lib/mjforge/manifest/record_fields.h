@@ -21,7 +21,7 @@ struct RecordField {
   /// was expected: "a text".
   std::string_view (*read)(const rapidjson::Value&, Record&);
   bool (*is_absent)(const Record&) = nullptr;            // true: the field is left out; null: never
-  bool (*same)(const Record&, const Record&) = nullptr;  // null: records of a batch may differ
+  bool (*same)(const Record&, const Record&) = nullptr;  // null: may differ within a batch
 };
 
 /// Returns all fields in the order in which a line has them.

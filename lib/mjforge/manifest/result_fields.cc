@@ -63,8 +63,8 @@ constexpr JsonMember<Result::SimReady> kSimReady[] = {
     {"full_range_sweep", &Result::SimReady::full_range_sweep},
     {"self_collision", &Result::SimReady::self_collision}};
 
-// Calls `use` with the key, the value and the table of members of each list or object within a
-// physics result, in the order of writing.
+// Calls `use` for each list and each object within a physics result, in the order in which they are
+// written. Passes the key, the value and the table of the value's members.
 template <typename AnyResult, typename Use>
 void ForEachPart(AnyResult& result, const Use& use) {
   use("joints", result.joints, kJoint);

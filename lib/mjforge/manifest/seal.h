@@ -24,8 +24,8 @@ struct SealedFile {
 /// checksum of its manifest and archives. Hashes of objects are in the records. The file of the
 /// seal is beside the manifest and gets its final name just before the manifest does.
 struct Seal {
-  /// Options that determine the output but are not in records: --name, the archive's name with its
-  /// %05d (empty: a folder), and --per-archive (0: not a series).
+  /// Options that determine the output but are not in records. `name` is --name; `output` is the
+  /// archive's name with its %05d (empty: a folder); `per_archive` is --per-archive (0: no series).
   std::string name;
   std::string output;
   std::uint64_t per_archive = 0;

@@ -24,7 +24,7 @@ T ValueAt(std::string_view bytes, std::size_t at) {
   return value;
 }
 
-// Returns true if `count` numbers of type float, from the byte `at` on, are finite.
+// Returns true if all `count` floats from the byte `at` on are finite.
 bool AreFinite(std::string_view bytes, std::size_t at, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     if (!std::isfinite(ValueAt<float>(bytes, at + i * sizeof(float)))) return false;
@@ -36,8 +36,8 @@ bool AreFinite(std::string_view bytes, std::size_t at, std::size_t count) {
 using Counts = std::array<std::uint64_t, 4>;
 constexpr std::size_t kHeader = 4 * sizeof(std::int32_t);
 
-// Reads the counts, and returns the fault of a count; an empty text if there is none or the content
-// is shorter than a header.
+// Reads the counts of the header into `counts`. Returns a message about a negative count; an empty
+// text if there is none or the content is shorter than a header.
 std::string ReadCounts(std::string_view content, Counts& counts) {
   for (std::size_t i = 0; i < counts.size() && content.size() >= kHeader; ++i) {
     const auto count = ValueAt<std::int32_t>(content, i * sizeof(std::int32_t));
@@ -47,7 +47,8 @@ std::string ReadCounts(std::string_view content, Counts& counts) {
   return {};
 }
 
-// Returns the first fault of the numbers and faces behind a header.
+// Returns the first fault of the data after a header: `numbers` floats, and `faces` triples of
+// indices below `vertices`. Returns an empty text if there is no fault.
 std::string FindDataFault(std::string_view content, std::uint64_t numbers, std::uint64_t faces,
                           std::uint64_t vertices) {
   if (!AreFinite(content, kHeader, numbers)) return kNotFinite;

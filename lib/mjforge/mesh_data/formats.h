@@ -1,4 +1,4 @@
-// Checks of the content of mesh and skin files, one function per format.
+// Checks of the content of mesh and skin files, one function per format, and parsing of numbers.
 #pragma once
 
 #include <string_view>
@@ -12,7 +12,7 @@ Check CheckStl(std::string_view content);
 Check CheckMsh(std::string_view content);
 Check CheckSkn(std::string_view content);
 
-/// Returns true for numbers that are finite as float.
+/// Returns true for numbers that remain finite when converted to float.
 bool IsFiniteFloat(double number);
 
 /// Parses an integer, with or without a sign; returns nullopt for other words.

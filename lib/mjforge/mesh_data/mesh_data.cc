@@ -1,4 +1,4 @@
-// Formats of mesh and skin files, and parsing of the numbers in them.
+// Selection of the check for a mesh or skin file by its format, and parsing of numbers.
 #include "mjforge/mesh_data/mesh_data.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Checks of meshes in the Wavefront OBJ format.
+// Check of mesh files in the Wavefront OBJ format.
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -15,7 +15,7 @@ namespace {
 struct Kind {
   std::string_view keyword;
   std::string_view name;
-  std::size_t numbers;  // numbers that a line must have
+  std::size_t numbers;  // least number of numbers in a line
 };
 // Kinds of data, in the order of their indices in a corner of a face: `vertex/texcoord/normal`.
 constexpr std::array<Kind, 3> kKinds = {
@@ -36,7 +36,8 @@ class ObjCheck {
   }
 
  private:
-  // Number of lines of a kind of data, and the greatest index by which a face refers to that kind.
+  // Number of lines so far with a kind of data, and the greatest index by which a face refers to
+  // that kind.
   struct Data {
     std::size_t count = 0;
     double greatest = 0;
@@ -77,9 +78,9 @@ class ObjCheck {
     if (!rest.empty()) Report(line_, fmt::format("'{}' is not a corner of a face", word));
   }
 
-  // Checks an index of a face. A negative index counts back from the last line, before the face,
-  // with data of this kind. An index above the number of lines before the face is checked at the
-  // end, because later lines may have the data.
+  // Checks an index of a face. A negative index counts back from the last line before the face that
+  // has this kind of data. Positive indices are checked at the end of the file (CheckGreatest),
+  // because the data may be in later lines.
   void CheckIndex(std::size_t kind, std::string_view word) {
     Data& data = data_[kind];
     const std::optional<double> index = ParseInteger(word);
@@ -94,8 +95,8 @@ class ObjCheck {
     if (*index == 0 || -*index > static_cast<double>(data.count)) ReportIndex(kind, word, line_);
   }
 
-  // Reports the greatest index by which faces refer to this kind of data if it is out of range.
-  // MuJoCo does not read the indices of texture coordinates and normals if the file has no such
+  // Reports the greatest index by which faces refer to this kind of data if this index is out of
+  // range. MuJoCo does not use indices of texture coordinates and normals if the file has no such
   // data.
   void CheckGreatest(std::size_t kind) {
     const Data& data = data_[kind];

@@ -1,5 +1,6 @@
-// Steps of adapting an object to its target, the host program that loads the file. Each step reads
-// its own fields of TargetRules, and changes nothing if these fields require no change.
+// Steps that adapt an object to its target: the host, which is the program that loads the MJCF
+// file. Each step reads its own fields of TargetRules, and changes nothing if these require no
+// change.
 #pragma once
 
 #include <span>
@@ -16,21 +17,24 @@ namespace mjforge::mjcf {
 std::string JoinNames(std::span<const std::string_view> names);
 
 // adapt_names.cc
-/// Reports names of elements that the host program uses itself, or to which it gives a special
-/// meaning by a prefix or suffix.
+/// Reports as errors names of elements that the host uses itself, or to which the host gives a
+/// special meaning because of their prefix or suffix.
 void CheckNames(const model::Object& object, const TargetRules& rules, diag::Findings& findings);
 
 // adapt_geoms.cc
-/// Adapts groups, colors, densities and margins of parts.
+/// Sets groups of parts, drops densities and margins, and splits parts that both collide and are
+/// visible, each if the host requires this.
 void AdaptGeoms(model::Object& object, const TargetRules& rules, diag::Findings& findings);
 
 // adapt_start.cc
-/// Moves the zero configuration (qpos0) to the start state of the object if the spec or the target
-/// requires this. Drops start positions and velocities if the host reads or needs no keyframe.
+/// Makes the object's start state its zero configuration (qpos0) if the spec or the target requires
+/// this. Drops start positions and velocities if the host does not read keyframes, or needs none
+/// because qpos0 describes the whole start.
 void AdaptStart(model::Object& object, const TargetRules& rules, diag::Findings& findings);
 
 // adapt_bodies.cc
-/// Adds bodies, sites and geoms that the host requires; drops joints that the host adds itself.
+/// Adds bodies, sites and geoms that the host requires. Drops the root's free joint if the host
+/// adds one itself, and cameras and lights that target the root if the host renames the root.
 void AdaptBodies(model::Object& object, const TargetRules& rules, diag::Findings& findings);
 
 // adapt_shapes.cc

@@ -1,4 +1,5 @@
-// Bodies that a host requires around the object, and joints that the host adds itself.
+// Adaptation of bodies to a target: adds an outer body, sites at the bounds and geoms for regions;
+// drops the free joint that the host adds itself.
 
 #include <algorithm>
 #include <array>
@@ -21,7 +22,7 @@ model::Attribute MakeAttribute(std::string_view name, std::initializer_list<doub
   return {name, model::Applies::kBoth, numbers, {}};
 }
 
-// Makes an invisible site, like the sites of robosuite's own objects.
+// Makes an invisible site at a bound of the object, like the sites of robosuite's own objects.
 model::Site MakeBoundsSite(std::string name, const Eigen::Vector3d& pos, diag::SourceMark mark) {
   model::Site site;
   site.name = std::move(name);
@@ -46,8 +47,7 @@ void PutIntoOuterBody(model::Object& object) {
   object.bodies.insert(object.bodies.begin(), std::move(outer));
 }
 
-// Adds a geom that robocasa reads as a region. The geom `reg_NAME` becomes the region NAME in
-// robocasa.
+// Adds a visual geom `reg_NAME`, which robocasa reads as the region NAME.
 void AddRegionGeom(std::string_view name, const model::Shape& shape, const model::Pose& X_BG,
                    diag::SourceMark mark, model::Body& body) {
   model::Part part;
@@ -69,11 +69,11 @@ void AddRegionBox(model::Object& object) {
                 {.p = (box.min + box.max) / 2}, root.mark, root);
 }
 
-// Adds a geom for the space above each region, because robocasa reads regions from such geoms: the
-// area of the region, extruded by its height. robocasa's name of the region `inside` is `int`.
+// Adds a geom for the space above each region, from which robocasa reads the region: its area,
+// extruded by its height. Polygons become boxes. robocasa calls the region `inside` `int`.
 void AddRegionSpaces(model::Object& object, const TargetRules& rules, diag::Findings& findings) {
   constexpr double kOpenHeight = 0.5;                   // m, for regions without an upper limit
-  std::set<std::string, std::less<>> names = {"bbox"};  // names of geoms so far
+  std::set<std::string, std::less<>> names = {"bbox"};  // names of robocasa's regions so far
   for (model::Body& body : object.bodies) {
     for (const model::Region& region : body.regions) {
       const std::string name = region.site == "inside" ? "int" : region.site;

@@ -1,4 +1,5 @@
-// Groups, colors, densities and margins of parts for a target.
+// Adaptation of parts to a target: geom groups, densities, margins, and separate parts for
+// collision and visual geoms.
 
 #include <algorithm>
 #include <utility>
@@ -25,8 +26,8 @@ struct AffectedParts {
   }
 };
 
-// Returns true if `group`, the group that the spec gives the part, differs from the group that the
-// target requires for a geom of this part.
+// Returns true if the attribute `group` of the part's spec differs from the group that the target
+// requires for any geom of this part.
 bool Contradicts(const Part& part, const model::Attribute& group, const TargetRules& rules) {
   const double number = group.numbers.empty() ? -1 : group.numbers[0];
   const bool on_collision = part.role != Role::kVisual && group.applies != Applies::kVisual;
@@ -38,8 +39,8 @@ bool Contradicts(const Part& part, const model::Attribute& group, const TargetRu
 void SetGroup(Part& part, const TargetRules& rules, AffectedParts& affected) {
   const auto group = std::ranges::find(part.attributes, "group", &model::Attribute::name);
   if (group != part.attributes.end()) {
-    // Leaves parts of attached files out of the warning, because their groups were set for other
-    // viewers.
+    // Does not warn about parts of attached files, because the groups in these files were not
+    // chosen for this target.
     if (!part.as_is && Contradicts(part, *group, rules)) affected.Add(part);
     part.attributes.erase(group);
   }

@@ -1,4 +1,5 @@
-// Checks for names that clash with names, prefixes or suffixes of the host.
+// Check for names of elements that clash with names that the target's host adds itself, or that
+// have a special meaning for the host because of their prefix or suffix.
 
 #include <set>
 
@@ -17,8 +18,8 @@ class HostNameChecker {
   HostNameChecker(const model::Object& object, const TargetRules& rules, diag::Findings& findings)
       : rules_(rules), prefix_(object.name + "_"), findings_(findings) {}
 
-  /// Checks the name of an element. `word` is what a spec calls the element ("part"); `kind` is its
-  /// MJCF tag ("geom").
+  /// Checks the name of an element. `word` is the element's name in messages ("part"); `kind` is
+  /// its MJCF tag ("geom").
   void Check(std::string_view word, std::string_view kind, std::string_view name,
              diag::SourceMark mark) {
     if (!rules_.has_prefix && name.starts_with(prefix_)) {
@@ -86,7 +87,9 @@ void CheckNames(const model::Object& object, const TargetRules& rules, diag::Fin
       if (!is_dropped) checker.Check("joint", "joint", joint.name, joint.mark);
     }
     for (const model::Site& site : body.sites) checker.Check("site", "site", site.name, site.mark);
-    std::string_view last;  // previous name, because parts split by role get one finding
+    // Name of the previous part. SplitRoles() makes two neighbouring parts with the same name,
+    // which must get only one finding.
+    std::string_view last;
     for (const model::Part& part : body.parts) {
       if (part.name != last) checker.Check("part", "geom", part.name, part.mark);
       last = part.name;

@@ -16,9 +16,9 @@ using model::Attribute;
 using model::Element;
 using model::Section;
 
-// Returns the quoted name of an element, or, if it has no name, its tag and references: "exclude of
-// 'base' and 'lid'". `root` is the host's name of the root body; the text has `object`, the name
-// that the user knows, in its place.
+// Returns the quoted name of an element or, if it has no name, its tag and references: "exclude of
+// 'base' and 'lid'". Replaces `root`, the root body's name for the host, by `object`, the name that
+// the user knows.
 std::string Describe(const Element& element, std::string_view root = {},
                      std::string_view object = {}) {
   if (!element.name.empty()) return fmt::format("'{}'", element.name);
@@ -32,7 +32,7 @@ std::string Describe(const Element& element, std::string_view root = {},
   return text;
 }
 
-// Returns tag and name of an element: "jointpos 'angle'".
+// Returns tag and name of an element, "jointpos 'angle'"; without a name, tag and references.
 std::string DescribeWithTag(const Element& element) {
   return element.name.empty() ? Describe(element)
                               : fmt::format("{} '{}'", element.tag, element.name);
@@ -57,7 +57,8 @@ void DropSections(model::Object& object, const TargetRules& rules, diag::Finding
   object.sections.clear();
 }
 
-// Drops unsupported elements and attributes, and elements that refer to dropped elements.
+// Drops elements and attributes that the target does not support (TargetRules::unsupported), and
+// elements that refer to dropped elements.
 class UnsupportedFilter {
  public:
   UnsupportedFilter(const TargetRules& rules, diag::Findings& findings)

@@ -25,9 +25,9 @@ using model::Role;
 using model::TriangleMesh;
 
 // Number of sides of the prism that replaces a cylinder. Fewer than 20, because MJX drops half of
-// the corners of faces with 20 or more corners. All corners are on the cylinder, some of them on
-// the x and y axes, so that the prism is inside the cylinder and has equal extents along the axes.
-// The middle of a side is 2 % of the radius inside the cylinder.
+// the corners of faces with 20 or more corners; a multiple of 4, because the prism then has corners
+// on the x and y axes and therefore the extents of the cylinder. All corners are on the cylinder.
+// The middle of each side is 2 % of the radius inside the cylinder.
 constexpr int kSides = 16;
 
 TriangleMesh MakePrism(const Eigen::Vector3d& size) {

@@ -1,4 +1,5 @@
-// The start state of an object: as MuJoCo's zero configuration (qpos0), as a keyframe, or as both.
+// Adaptation of an object's start state to a target: the start becomes MuJoCo's zero configuration
+// (qpos0), a keyframe, or both.
 
 #include <algorithm>
 #include <utility>
@@ -14,11 +15,10 @@ namespace {
 
 using diag::Code;
 
-// Returns true if the start of the object should become its zero configuration (qpos0), unless
-// elements depend on qpos0 (obstacles). The spec may choose. Otherwise there are three reasons: a
-// keyframe has poses of free bodies in the world frame, which are wrong if the file is attached to
-// another frame; placed bodies would overlap at any other zero configuration; some hosts read no
-// keyframes.
+// Returns true if the start of the object should become its zero configuration (qpos0). The key
+// `start:` of the spec decides. Without this key, there are three reasons: a keyframe has poses of
+// free bodies in the world frame, which are wrong if the file is attached to another frame; placed
+// bodies would overlap at any other zero configuration; some hosts read no keyframes.
 bool WantsStartAtZero(const model::Object& object, const TargetRules& rules) {
   if (object.start_form) return *object.start_form == model::StartForm::kZero;
   const auto needs_zero = [](const model::Body& body) {
@@ -27,8 +27,8 @@ bool WantsStartAtZero(const model::Object& object, const TargetRules& rules) {
   return std::ranges::any_of(object.bodies, needs_zero) || !rules.supports_sections;
 }
 
-// Reports elements that prevent the start from becoming the zero configuration: as errors if the
-// spec asks for such a start (`is_asked`), otherwise as warnings.
+// Reports elements that depend on qpos0 and therefore prevent the start from becoming the zero
+// configuration: as errors if the spec asks for such a start (`is_asked`), otherwise as warnings.
 void ReportObstacles(std::vector<start::Obstacle> obstacles, bool is_asked,
                      diag::Findings& findings) {
   for (start::Obstacle& obstacle : obstacles) {
@@ -54,8 +54,8 @@ bool HasMotion(const model::Object& object) {
          });
 }
 
-// Warns of velocities and setpoints, which a simulation that begins at the zero configuration does
-// not have.
+// Warns of velocities and setpoints, because a simulation that begins at the zero configuration
+// ignores them: they are only in the keyframe.
 void WarnOfMotion(const model::Object& object, diag::Findings& findings) {
   const auto warn = [&](diag::SourceMark mark, std::string message) {
     findings.Warn(Code::kStartNotZero, mark, std::move(message),
@@ -81,8 +81,8 @@ void WarnOfMotion(const model::Object& object, diag::Findings& findings) {
   }
 }
 
-// Moves the zero configuration to the start if this is wanted and possible. Returns true if the
-// zero configuration is the start afterwards.
+// Makes the start the zero configuration if this is wanted and possible. Returns true if the start
+// is the zero configuration afterwards.
 bool MoveZero(model::Object& object, const TargetRules& rules, diag::Findings& findings) {
   if (!WantsStartAtZero(object, rules)) return false;
   std::vector<start::Obstacle> obstacles = start::FindObstacles(object);
@@ -95,8 +95,8 @@ bool MoveZero(model::Object& object, const TargetRules& rules, diag::Findings& f
   return true;
 }
 
-// Drops start positions and velocities. Warns of each joint whose start the file loses; positions
-// are not lost if the start is the zero configuration (`is_zero`).
+// Drops start positions and velocities. Warns of each joint whose position or velocity the file
+// loses. Positions are not lost if the start is the zero configuration (`is_zero`).
 void DropStart(bool is_zero, model::Object& object, const TargetRules& rules,
                diag::Findings& findings) {
   for (model::Body& body : object.bodies) {

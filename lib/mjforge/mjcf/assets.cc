@@ -10,7 +10,7 @@
 namespace mjforge::mjcf {
 namespace {
 
-// Attributes with the data of a mesh, which are not written if the data is in a generated file.
+// Attributes of <mesh> that are not written if a generated file contains the same data.
 constexpr std::string_view kMeshData[] = {"vertex", "normal", "texcoord", "face"};
 
 using NumberFormat = ElementWriter::NumberFormat;
@@ -28,9 +28,9 @@ void WriteInline(const model::MeshAsset& asset, ElementWriter& writer) {
   if (mesh.in_micrometres) writer.WriteRaw(" scale=\"1e-06 1e-06 1e-06\"");
   WriteVectors("vertex", mesh.vertices, writer,
                mesh.in_micrometres ? NumberFormat::kMicrometres : NumberFormat::kExact);
-  // Lets MuJoCo compute the normals, from the triangles that share a vertex, if they will be almost
-  // the same. MuJoCo's normals are wrong at the seam of a texture, where triangles share no vertex,
-  // and for triangles below a square micrometre, whose area it treats as zero.
+  // Omits normals where MuJoCo computes almost the same ones, from the triangles that share a
+  // vertex. MuJoCo's normals are wrong at the seam of a texture, where triangles share no vertex,
+  // and for triangles below a square micrometre, whose area MuJoCo treats as zero.
   const bool are_computed = mesh.in_micrometres && mesh.texcoords.empty();
   if (are_computed)
     writer.WriteRaw(" smoothnormal=\"true\"");
@@ -114,8 +114,8 @@ class AssetWriter {
     document_.generated_files.push_back(file);
   }
 
-  // Writes a reference to a file that is named after the texture's pattern, because several
-  // materials may share one image.
+  // Writes a reference to a generated file. Names the file after the texture's pattern, not after
+  // the texture, because several textures may share one image.
   void WriteGeneratedTexture(std::size_t index) {
     std::string_view type = "cube";
     std::string_view pattern;
@@ -129,8 +129,8 @@ class AssetWriter {
     if (type != "2d") writer_.WriteRaw(" gridsize=\"6 1\" gridlayout=\"RLUDFB\"");
   }
 
-  // Returns a lower-case file name for an asset without the object's name, which may differ between
-  // variants.
+  // Returns the beginning of an asset's file name: `label` in lower case, without the prefix of the
+  // object's name, which may differ between variants.
   std::string StemOf(std::string_view label) const {
     if (label.starts_with(object_.name + '_')) label.remove_prefix(object_.name.size() + 1);
     constexpr std::size_t kLongest = 60;  // names in archives have at most 100 bytes

@@ -1,4 +1,5 @@
-// Writers of bodies, joints, sites and geoms, in depth-first order.
+// Writers of <body>, <inertial>, <joint>, <site> and <geom>, for the bodies of an object in
+// depth-first order.
 
 #include <algorithm>
 #include <array>
@@ -24,8 +25,8 @@ struct PrincipalInertia {
   Eigen::Vector3d moments;
 };
 
-// Diagonalizes the inertia here, because MuJoCo's diagonalization of `fullinertia` stops at
-// off-diagonal terms of 1e-12 kg m^2 (mju_eig3), a large error for a small object.
+// Replaces MuJoCo's diagonalization of the attribute fullinertia (mju_eig3), which stops at
+// off-diagonal terms of 1e-12 kg m^2: a large error for a small object.
 PrincipalInertia Diagonalize(const Eigen::Matrix3d& inertia) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(inertia);
   Eigen::Matrix3d axes = solver.eigenvectors();
@@ -36,10 +37,10 @@ PrincipalInertia Diagonalize(const Eigen::Matrix3d& inertia) {
 /// Returns `value` rounded to the ten significant digits with which it is written.
 double Written(double value) { return expr::ParseNumber(expr::NumberText(value)).value_or(value); }
 
-/// Reduces the largest moment C of a flat body (A + B = C) by a rounding error if the moments, as
-/// written, violate A + B >= C, because MuJoCo rejects such a body.
+/// Reduces the largest principal moment C of a flat body (A + B = C) by a relative 2e-9 if the
+/// rounded moments in the file would violate A + B >= C, because MuJoCo rejects such a body.
 void KeepRealizable(Eigen::Vector3d& moments) {
-  constexpr double kRounding = 2e-9;  // relative
+  constexpr double kRounding = 2e-9;  // relative, above the rounding error of ten digits
   const double sum = moments[0] + moments[1];
   if (std::abs(moments[2] - sum) > kRounding * sum) return;
   if (Written(moments[0]) + Written(moments[1]) < Written(moments[2]))
@@ -140,8 +141,8 @@ class BodyWriter {
     writer_.CloseEmpty();
   }
 
-  // Writes a geom whose attributes need no completion (`as_is`), without mass: a region of
-  // robocasa, or a geom of an attached file, whose body has an <inertial> element.
+  // Writes a geom of a part with `as_is`: a geom that robocasa reads as a region, or a geom of an
+  // attached file. The mass is 0, because attached bodies have an <inertial> element.
   void WriteAttachedGeom(const model::Part& part) {
     writer_.OpenElement("geom", part.mark);
     writer_.WriteText("name", part.name);
@@ -231,8 +232,8 @@ std::string_view GroupAttribute(int group) {
 std::vector<int> DepthFirstOrder(const model::Object& object) {
   const std::size_t count = object.bodies.size();
   std::vector<int> order;
-  // Children of each body as linked lists, built from back to front to preserve the order. An
-  // additional list at the end has the children of the world.
+  // Children of each body as linked lists, filled from back to front to preserve the order. The
+  // last element of `first_child` is the list of the children of the world.
   std::vector<int> first_child(count + 1, -1);
   std::vector<int> next_sibling(count, -1);
   for (std::size_t i = count; i-- > 0;) {

@@ -1,4 +1,5 @@
-// Streaming XML writer: tags, escaped texts, numbers in three formats.
+// Implementation of the streaming XML writer: tags and indentation, escaping of texts, numbers in
+// three formats.
 
 #include "mjforge/mjcf/element_writer.h"
 
@@ -19,7 +20,7 @@ namespace {
 // blanks.
 constexpr std::size_t kDeepest = 24;
 
-// Table of the bytes that must be escaped, for speed: every character of every text is looked up.
+// True for bytes that must be escaped. A table, because every character of every text is looked up.
 constexpr auto kNeedsEscape = [] {
   std::array<bool, 256> needs{};
   for (std::size_t c = 0; c < 0x20; ++c) needs[c] = true;
@@ -145,8 +146,8 @@ void ElementWriter::WriteIntegers(std::string_view name, std::span<const int> va
   WriteList(name, values, WriteInteger);
 }
 
-// Uses a buffer, because appending each number to the string would take a third of the time of
-// writing a mesh. The name, a word of MJCF, always fits into the buffer.
+// Collects numbers in a buffer, because appending each number to the text would take a third of the
+// time of writing a mesh. The name, a word of MJCF, always fits into the buffer.
 template <typename T, typename Write>
 void ElementWriter::WriteList(std::string_view name, std::span<const T> values,
                               const Write& write) {
@@ -181,7 +182,8 @@ void ElementWriter::WriteAttribute(const model::Attribute& attribute) {
     WriteText(attribute.name, attribute.text);
     return;
   }
-  // Flushes rounding errors of cameras and lights, whose poses were transformed with their body.
+  // Replaces rounding errors by zero in poses of cameras and lights, which may have been
+  // transformed together with their body.
   const bool is_place =
       attribute.name == "pos" || attribute.name == "quat" || attribute.name == "dir";
   if (const std::string_view text = attribute.numbers.text(); !text.empty() && !is_place) {

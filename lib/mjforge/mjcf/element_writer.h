@@ -21,14 +21,15 @@ class ElementWriter {
   /// zero (FlushNoise); integers in micrometres.
   enum class NumberFormat { kExact, kFlushed, kMicrometres };
 
-  /// The writer appends to the document's text and origins. The text must not contain a newline
-  /// yet, because lines are counted from 1. Finish() completes the text.
+  /// Makes a writer that appends to the document's text and origins. The text must not contain a
+  /// newline yet, because the writer counts lines from 1. Finish() completes the text.
   explicit ElementWriter(MjcfDocument& document);
 
-  /// Writes a line without escaping.
+  /// Writes a line of XML at the current indentation, without escaping.
   void WriteLine(std::string_view text);
 
-  /// Writes `<tag`. Write the attributes next, then call CloseEmpty() or BeginContent().
+  /// Writes `<tag`. `mark` is the place in the spec that produces this line. The caller writes the
+  /// attributes next, and then calls CloseEmpty() or BeginContent().
   void OpenElement(std::string_view tag, diag::SourceMark mark = {});
   void CloseEmpty() { FinishLine("/>\n"); }
   void BeginContent();
@@ -85,7 +86,7 @@ class ElementWriter {
   template <typename T, typename Write>
   void WriteList(std::string_view name, std::span<const T> values, const Write& write);
 
-  std::string& text_;  // longer than `size_`, because each call of append() takes time
+  std::string& text_;  // grows in steps, because append() takes time; `size_` bytes are used
   std::size_t size_;
   std::vector<LineOrigin>& origins_;
   int line_ = 1;  // current line, 1-based

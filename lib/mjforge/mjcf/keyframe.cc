@@ -1,4 +1,5 @@
-// Start state of an object in MuJoCo's order, and the keyframe that contains this state.
+// Start state of an object as MuJoCo's qpos, qvel, act and ctrl, and the <keyframe> that contains
+// this state.
 
 #include <algorithm>
 
@@ -45,7 +46,8 @@ void AddVelocities(const model::Body& body, std::vector<double>& qvel) {
   }
 }
 
-// Adds controls and activations of the actuators that the target has not dropped.
+// Adds the controls and activations of the object's actuators. Ignores setpoints of actuators that
+// were dropped for the target.
 void AddSetpoints(const model::Object& object, StartState& start) {
   if (object.setpoints.empty()) return;
   bool acts = false;

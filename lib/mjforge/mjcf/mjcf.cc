@@ -1,5 +1,5 @@
-// MJCF file of an object: the order of its sections, the origins of its lines, the size of its
-// meshes.
+// Writing of a complete MJCF file: calls the writers of its sections in the order of the file. Also
+// finds the origin of a line and the total size of the meshes.
 
 #include "mjforge/mjcf/mjcf.h"
 
@@ -18,7 +18,7 @@ diag::SourceMark MjcfDocument::Origin(int line) const {
 
 std::size_t MeshBytes(std::string_view text) {
   std::size_t bytes = 0;
-  // Adds up the lengths of lines, because ElementWriter puts each element on a line of its own.
+  // Adds up the lengths of lines, because ElementWriter writes each <mesh> on a line of its own.
   while (!text.empty()) {
     const std::size_t size = std::min(text.find('\n'), text.size() - 1) + 1;
     const std::string_view line = text.substr(0, size);

@@ -18,8 +18,8 @@
 
 namespace mjforge::mjcf {
 
-/// Content of the comment at the beginning of a generated file, which is enough to regenerate the
-/// file.
+/// Content of the comment at the beginning of a generated file. Together with the spec, it is
+/// enough to regenerate the file.
 struct Provenance {
   std::string version;
   std::string spec;  // name or path of the spec, as given on the command line
@@ -29,11 +29,11 @@ struct Provenance {
   std::optional<std::uint64_t> place_seed;  // --place-seed
   std::uint64_t index = 0;
   std::string name;  // object's name; empty: the name of the spec
-  std::string part;  // object of the scene that is in this file (--each); empty: the whole scene
+  std::string part;  // object of a scene that this file contains (--each); empty: the whole scene
   std::string target;
   std::string assets_as;    // form of assets (kAssetForms); empty: inline
   std::string sampler;      // empty: random
-  std::uint64_t batch = 0;  // variants in the batch; 0: variants do not depend on their number
+  std::uint64_t batch = 0;  // size of the batch; 0: the variant does not depend on this size
 };
 /// Reads the opening comment of a generated file; returns nullopt if the file has no such comment
 /// or the comment is malformed.
@@ -47,7 +47,7 @@ struct LineOrigin {
   bool operator==(const LineOrigin&) const = default;
 };
 
-/// Storage of meshes and textures that are generated, not copied from a file.
+/// Form in which meshes and textures are written that are generated, not copied from a file.
 enum class AssetForm {
   kInline,  // in the MJCF text
   kFiles    // in OBJ and PNG files beside the text, made by the library `files`
@@ -55,11 +55,11 @@ enum class AssetForm {
 inline constexpr std::string_view kAssetForms[] = {"inline", "files"};
 constexpr std::span<const std::string_view> WordsOf(AssetForm) { return kAssetForms; }
 
-/// Folder beside an MJCF file with all files to which it refers.
+/// Folder beside an MJCF file that contains all files to which the MJCF file refers.
 inline constexpr std::string_view kAssetFolder = "assets/";
 
-/// Returns zero for values whose magnitude is below 1e-15 (m, or a component of a unit vector),
-/// which are rounding errors of rotations and sums.
+/// Returns zero for values below 1e-15 in magnitude, otherwise the value. For lengths in m and
+/// components of unit vectors, such small values are rounding errors of rotations and sums.
 inline double FlushNoise(double value) { return std::abs(value) < 1e-15 ? 0.0 : value; }
 
 /// Number of digits of the hash in the name of a generated file.
@@ -83,7 +83,7 @@ struct MjcfDocument {
   /// Offset, in bytes, at which a child element of <worldbody> may be inserted, right before the
   /// root body; npos for a scene, which has its own floor.
   std::size_t world_position = 0;
-  /// True if the host adds a free joint to the root body, so that the file must not have one.
+  /// True if the host adds a free joint to the root body; the text then has no such joint.
   bool host_adds_free_joint = false;
   double lift = 0;  // m, added to the height of the children of the world
   /// Existing files that the text refers to.
@@ -115,17 +115,17 @@ StartState StartStateOf(const model::Object& object, double lift);
 std::vector<int> DepthFirstOrder(const model::Object& object);
 
 /// Adapts the object to the program that will load it (TargetRules). Drops elements that this
-/// program ignores, with a warning, and reports elements that it cannot load as errors. Moves the
-/// zero configuration to the object's start if the spec or the program requires this. Call before
-/// WriteMjcf(), which does not adapt, because the adapted object is also compared with the compiled
-/// model.
+/// program does not support, with a warning, and reports as errors elements that it cannot load.
+/// Makes the object's start its zero configuration if the spec or the program requires this. Must
+/// be called before WriteMjcf(). A separate step, because the adapted object is also compared with
+/// the compiled model.
 void Adapt(model::Object& object, Target target, diag::Findings& findings);
 
 /// Returns the total size of all <mesh> elements of an MJCF text, bytes.
 std::size_t MeshBytes(std::string_view text);
 
-/// Returns a <texture> element without mark="random", because random marks differ between releases
-/// of MuJoCo.
+/// Returns a <texture> element as text, with the name "texture" and without mark="random", because
+/// random marks differ between releases of MuJoCo.
 std::string TextureElement(const model::Texture& texture);
 
 /// Writes the object as MJCF; replaces the content of `document`, reusing its memory.

@@ -13,13 +13,14 @@
 namespace mjforge::mjcf {
 namespace {
 
-// Format of the comment: `mjforge VERSION key=value ...`, separated by single spaces. Bytes that
-// would end a value or the comment are written as %XX.
+// Format of the comment: `mjforge VERSION key=value ...`, separated by single spaces. In values,
+// bytes other than printable ASCII, and those that would end a value or the comment, are written
+// as %XX.
 constexpr std::string_view kOpening = " mjforge ";
 constexpr std::string_view kSetting = "set:";
 
-// Appends a value with escapes. Copies the characters between two escaped characters at once,
-// because appending each character would take a twentieth of the time of a small variant.
+// Appends a value, with %XX for bytes that need it. Copies the bytes between two escaped bytes at
+// once, because appending them one by one would take a twentieth of the time of a small variant.
 void AppendEncoded(std::string_view value, std::string& out) {
   constexpr std::string_view kDigits = "0123456789ABCDEF";
   std::size_t copied = 0;  // characters of `value` that have been appended

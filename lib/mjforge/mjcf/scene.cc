@@ -1,4 +1,5 @@
-// Floor, light and camera of the scene target.
+// Writers of the floor, light and camera that the target `scene` adds, and the height by which the
+// object is raised onto the floor.
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +10,8 @@
 namespace mjforge::mjcf {
 namespace {
 
-// Names of the floor, light and camera contain a hyphen, so that they never clash with names of the
-// object, which cannot contain a hyphen.
+// The names of floor, light and camera contain a hyphen ("scene-floor"). Therefore they never clash
+// with names of the object, which cannot contain a hyphen.
 
 bool IsFinite(const model::Box3& box) { return box.min.allFinite() && box.max.allFinite(); }
 
@@ -40,8 +41,8 @@ SceneView ViewOf(const Eigen::Vector3d& min, const Eigen::Vector3d& max) {
           center + 1.1 * radius / std::sin(kHalfView) * Eigen::Vector3d(1, -1.5, 1).normalized()};
 }
 
-// Returns the height of the lowest point of the geoms that collide, which may be below the exact
-// solids that these geoms approximate.
+// Returns the z coordinate of the lowest point of all colliding geoms at the start, m. Geoms that
+// approximate an exact solid may be lower than the solid. Returns infinity if no geom collides.
 double LowestOfGeoms(const model::Object& object) {
   model::Box3 box;
   const std::vector<model::Pose> X_WB = model::BodyPoses(object);

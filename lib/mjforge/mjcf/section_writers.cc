@@ -5,8 +5,8 @@
 namespace mjforge::mjcf {
 namespace {
 
-// Returns true for sections that are written before the bodies. `custom` is among them, because it
-// refers to no body and later elements may refer to it.
+// Returns true for sections that are written before the bodies. The section `custom` is among them,
+// because `custom` refers to no body, and later elements may refer to `custom`.
 bool IsSetting(const model::Section& section) {
   return section.info->is_element || section.info->name == "custom";
 }

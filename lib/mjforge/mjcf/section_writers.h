@@ -7,9 +7,9 @@
 
 namespace mjforge::mjcf {
 
-/// Writes textures, materials and meshes without the <asset> element around them. Adds the files of
-/// these elements to the document. If `as_files`, writes references to generated files in place of
-/// inline data.
+/// Writes textures, materials and meshes without the <asset> element around them. Adds to the
+/// document the files that these elements name. If `as_files` is true, writes references to
+/// generated files in place of inline data.
 void WriteAssets(const model::Object& object, bool as_files, ElementWriter& writer,
                  MjcfDocument& document);
 
@@ -23,21 +23,23 @@ void WriteBodies(const model::Object& object, const TargetRules& rules, double l
 void WriteElement(const model::Element& element, ElementWriter& writer);
 /// Writes settings of the whole model (option, size, visual, statistic, custom).
 void WriteSettings(const model::Object& object, ElementWriter& writer);
-/// Writes sections that refer to bodies (contact, equality, tendon, actuator, sensor), and the
-/// keyframe.
+/// Writes sections that may refer to elements of the bodies (contact, equality, tendon, actuator,
+/// sensor), and the keyframe. `lift`, m, is added to the height of free bodies in the keyframe.
 void WriteSections(const model::Object& object, double lift, ElementWriter& writer);
 
-/// Writes a keyframe with the start state, unless the start state is MuJoCo's default.
+/// Writes a keyframe with the start state, unless the start state is MuJoCo's default. `lift`, m,
+/// is added to the height of free bodies.
 void WriteKeyframe(const model::Object& object, double lift, ElementWriter& writer);
 
-/// Returns the height, m, by which the object must be raised to rest on the floor at z = 0.
+/// Returns the height, m, by which the object must be raised to rest on the floor at z = 0;
+/// negative if the object must be lowered.
 double LiftOntoFloor(const model::Object& object);
 /// Writes a <size> element with room for the contacts and constraints of a large object if the
 /// default sizes of MuJoCo 2.2 might not be enough. `scene` is true if the file has a floor.
 void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer);
-/// Writes texture and material of the floor.
+/// Writes texture and material of the scene's floor.
 void WriteSceneAssets(ElementWriter& writer);
-/// Writes floor, light and camera.
+/// Writes floor, light and camera of a scene around the object.
 void WriteSceneWorld(const model::Object& object, ElementWriter& writer);
 
 }  // namespace mjforge::mjcf

@@ -1,5 +1,5 @@
-// Writer of the size element, for objects that exceed the default sizes of MuJoCo 2.2. MuJoCo 3
-// allocates dynamically, but accepts the element.
+// Writer of the <size> element, for objects that exceed the default buffer sizes of MuJoCo 2.2.
+// MuJoCo 3 allocates dynamically, but accepts the element.
 
 #include <algorithm>
 #include <cmath>
@@ -13,23 +13,25 @@
 namespace mjforge::mjcf {
 namespace {
 
-// Number of geoms for which MuJoCo's default nconmax of 100 contacts is enough; a geom flat on the
-// floor makes at most four.
+// Number of geoms for which MuJoCo's default nconmax of 100 contacts is enough: a geom that lies
+// flat on the floor has at most four contacts.
 constexpr std::size_t kGeomsThatFit = 24;
 constexpr double kContactsThatFit = 100;
 // Assumed number of contacts of a box that rests on a box, or of two convex geoms with the flag
 // multiccd. Boxes can have up to eight contacts; in the bundled scenes, a pair has at most 4.2 on
 // average.
 constexpr double kContactsOfFaces = 4;
-// Maximum number of contacts that are allocated for flat geoms in addition to one contact per geom:
-// for each child of the world, or for each pair of touching children.
+// Maximum number of contacts, in addition to one per geom or pair of geoms, that are allocated for
+// geoms that lie flat: in ContactsOf() for each child of the world, in CountContactsAtStart() for
+// each pair of touching children of the world.
 constexpr double kFlatContacts = 24;
 // Factor by which the number of contacts at the start is multiplied, because contacts come and go
 // while placed bodies settle. In the bundled scenes, there are at most 1.1 times as many contacts
 // as at the start.
 constexpr double kSpareShare = 1.5;
 constexpr double kSpareContacts = 50;
-// Number of constraints, without contacts, for which MuJoCo's default njmax of 500 is enough.
+// Number of constraint rows, without those of contacts, for which MuJoCo's default njmax of 500 is
+// enough.
 constexpr std::size_t kRowsThatFit = 300;
 // Number of bodies for which MuJoCo's default stack is enough. The stack contains a list of pairs
 // of bodies that might touch, but its default size grows with the square of the constraints, not of
@@ -41,8 +43,7 @@ constexpr std::size_t kBodiesThatFit = 1'000;
 constexpr double kMatrixBytes = 1.9e9;
 constexpr double kMostStack = 1.2e8;  // numbers of 8 bytes; 1 GB
 
-/// Returns the tree of each body, as the index of the body or its ancestor that is a child of the
-/// world.
+/// Returns, for each body, the index of the child of the world to whose tree the body belongs.
 std::vector<std::size_t> TreesOf(const model::Object& object) {
   std::vector<std::size_t> trees(object.bodies.size());
   for (std::size_t i = 0; i < trees.size(); ++i) {
@@ -53,8 +54,9 @@ std::vector<std::size_t> TreesOf(const model::Object& object) {
 }
 
 /// Returns, for each child of the world, the number of colliding geoms of its tree that can lie on
-/// other geoms. The geoms of the first child, the root, count only in a scene, which has a floor.
-/// Placed bodies get 0, because CountContactsAtStart() counts their contacts.
+/// other geoms; 0 for all other bodies. The geoms of the first child, the root, count only in a
+/// scene, which has a floor. Placed bodies get 0, because CountContactsAtStart() counts their
+/// contacts.
 std::vector<std::size_t> CountLyingGeoms(const model::Object& object, bool scene) {
   const std::vector<std::size_t> trees = TreesOf(object);
   std::vector<std::size_t> geoms(trees.size());
@@ -68,11 +70,11 @@ std::vector<std::size_t> CountLyingGeoms(const model::Object& object, bool scene
 }
 
 /// Returns the number of contacts to allocate for the geoms that can lie on others
-/// (CountLyingGeoms): four for each geom that lies flat, up to a limit for each child of the world,
-/// and one for each further geom. Few of the many pieces of a dish or a drawer lie flat; in a stack
-/// of bowls each piece has about one contact.
+/// (CountLyingGeoms): one for each geom and, because a geom that lies flat has four, three more for
+/// each, up to a limit per child of the world. The limit is low, because few of the many pieces of
+/// a dish or a drawer lie flat; in a stack of bowls each piece has about one contact.
 double ContactsOf(const std::vector<std::size_t>& geoms) {
-  constexpr double kFlatContactsOfRoot = 300;  // larger, because the root may be large
+  constexpr double kFlatContactsOfRoot = 300;  // higher limit, because the root may be large
   double contacts = 0;
   for (std::size_t i = 0; i < geoms.size(); ++i) {
     const auto count = static_cast<double>(geoms[i]);
@@ -81,10 +83,12 @@ double ContactsOf(const std::vector<std::size_t>& geoms) {
   return contacts;
 }
 
-constexpr double kNear = 2e-4;  // m; placed bodies start at most 0.1 mm apart
+// Largest distance, m, of bounding boxes that count as touching. Bodies that are placed on others
+// start at most 0.1 mm apart.
+constexpr double kNear = 2e-4;
 
-// A colliding geom, its pose and bounding box in the world, and the child of the world that its
-// body belongs to.
+// A colliding geom, its pose and bounding box in the world, and the index of the child of the world
+// to whose tree the geom belongs.
 struct PlacedGeom {
   const model::Shape* shape;
   model::Pose X_WG;
@@ -92,7 +96,7 @@ struct PlacedGeom {
   std::size_t tree;
 };
 
-// Returns all colliding geoms, sorted along x.
+// Returns all colliding geoms, sorted by the smallest x coordinate of their bounding boxes.
 std::vector<PlacedGeom> PlaceGeoms(const model::Object& object) {
   const std::vector<model::Pose> X_WB = model::BodyPoses(object);
   const std::vector<std::size_t> trees = TreesOf(object);
@@ -113,7 +117,7 @@ bool AreNear(const model::Box3& a, const model::Box3& b) {
          (b.min.array() <= a.max.array() + kNear).all();
 }
 
-// Returns true if the geoms' bounding boxes, aligned with the frame of `a`, touch.
+// Returns true if the bounding boxes of both geoms, aligned with the axes of geom `a`, touch.
 bool AreNearInFrameOf(const PlacedGeom& a, const PlacedGeom& b) {
   return AreNear(model::BoundsOf(*a.shape, {}),
                  model::BoundsOf(*b.shape, a.X_WG.Inverse() * b.X_WG));
@@ -131,9 +135,9 @@ bool HasMultipleContacts(const model::Object& object) {
   return false;
 }
 
-// Geoms of two children of the world that may touch each other.
+// Pairs of geoms, of the trees of two children of the world, that may touch each other.
 struct TouchingGeoms {
-  std::vector<std::size_t> of_first, of_second;  // indices of geoms, once for each pair
+  std::vector<std::size_t> of_first, of_second;  // indices of the geoms of each pair
   double flat_pairs = 0;                         // pairs that may have several contacts
 };
 
@@ -142,11 +146,11 @@ std::size_t CountDistinct(std::vector<std::size_t> indices) {
   return static_cast<std::size_t>(std::unique(indices.begin(), indices.end()) - indices.begin());
 }
 
-/// Estimates the number of contacts between different children of the world at the start. Counts
-/// pairs of geoms whose bounding boxes touch, and further contacts for pairs of boxes. Bounding
-/// boxes around the pieces of nested bowls touch many others, although each piece touches about one
-/// piece; therefore two children of the world have at most as many counted pairs as the larger
-/// number of their geoms that touch the other child.
+/// Estimates the number of contacts between the trees of different children of the world at the
+/// start. Counts pairs of geoms whose bounding boxes touch, and further contacts for pairs that may
+/// have several. The bounding box of a piece of a bowl touches the boxes of many pieces of a nested
+/// bowl, although the piece itself touches about one of them. Therefore at most as many pairs of
+/// two trees count as the tree with more touching geoms has such geoms.
 double CountContactsAtStart(const model::Object& object) {
   const bool many = HasMultipleContacts(object);
   const std::vector<PlacedGeom> geoms = PlaceGeoms(object);
@@ -207,8 +211,8 @@ double MostRows(double dofs) {
   return 4 * std::floor(rows / 4);
 }
 
-/// Returns the number of contacts to allocate for bodies that are placed on others and therefore
-/// touch them at the start; 0 if there are no such bodies.
+/// Returns the number of contacts to allocate for bodies that are placed on other bodies and
+/// therefore touch them at the start; 0 if there are no placed bodies.
 double ContactsOfPlacedBodies(const model::Object& object) {
   const bool any = std::ranges::any_of(
       object.bodies, [](const model::Body& body) { return !body.place_name.empty(); });
@@ -229,7 +233,7 @@ void WriteSize(double njmax, double nconmax, double nstack, ElementWriter& write
 void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer) {
   if (!model::ElementsOf(object, "size").empty()) return;
   const std::size_t bodies = object.bodies.size();
-  // Skip counting for small objects, which have few constraints.
+  // Assumes that the constraints of at most 100 bodies fit into the default size.
   const std::size_t rows = bodies > 100 ? CountConstraints(object) : 0;
   std::vector<std::size_t> lying;
   if (scene || bodies > 1) lying = CountLyingGeoms(object, scene);
@@ -239,8 +243,8 @@ void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer) 
   if (contacts_fit && rows <= kRowsThatFit && bodies <= kBodiesThatFit) return;
   const double dofs = CountDofs(object);
   const double most = MostRows(dofs);
-  // Value of nconmax; 0 for MuJoCo's default. A contact needs four constraint rows, its pyramid
-  // edges (condim 3).
+  // Value of nconmax; 0 for MuJoCo's default. With condim 3, a contact needs four constraint rows,
+  // for the edges of its friction pyramid.
   double contacts = scene ? kContactsThatFit : 0;
   if (!contacts_fit) contacts = std::min(needed, most / 4);
   const double njmax = std::min(4 * contacts + static_cast<double>(rows) + (scene ? 0 : 500), most);
@@ -252,7 +256,7 @@ void WriteSizes(const model::Object& object, bool scene, ElementWriter& writer) 
     // has at most six degrees of freedom.
     nstack = 400 * contacts + 1e6;
   } else if (bodies > kBodiesThatFit || standard > kMostStack) {
-    // Adds one number for each pair of bodies, because MuJoCo's stack has a list of pairs.
+    // Adds bodies^2 numbers, because MuJoCo's stack contains a list of pairs of bodies.
     nstack = std::min(standard, kMostStack) + static_cast<double>(bodies * bodies);
   }
   WriteSize(njmax, contacts, nstack, writer);

@@ -7,13 +7,14 @@
 namespace mjforge::mjcf {
 namespace {
 
-// Source: models/objects/objects.py of robosuite 1.4 and 1.5, and of robocasa 0.2.
+// Names of elements that robosuite and robocasa add to each object. Source:
+// models/objects/objects.py of robosuite 1.4 and 1.5, and of robocasa 0.2.
 constexpr HostName kRobosuiteNames[] = {
     {"body", "main"},        {"joint", "joint0"},  {"site", "default_site"},
     {"site", "bottom_site"}, {"site", "top_site"}, {"site", "horizontal_radius_site"},
 };
 
-// Source: put_model of MJX 3.17, whose enumerations are shorter than MuJoCo's.
+// Elements and values that MuJoCo has but MJX lacks. Source: put_model of MJX 3.17.
 constexpr UnsupportedFeature kMjxUnsupported[] = {
     {.section = "sensor", .element = "jointlimitpos"},
     {.section = "sensor", .element = "jointlimitvel"},

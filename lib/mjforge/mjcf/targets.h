@@ -1,4 +1,4 @@
-// Targets: the host programs that read generated files, and a table of their requirements.
+// Targets: the host programs that read generated MJCF files, and the requirements of each host.
 #pragma once
 
 #include <optional>
@@ -24,20 +24,20 @@ struct HostName {
 };
 
 /// An element or attribute that the host does not accept. An empty `element` matches all elements
-/// of the section. An empty `attribute` matches the whole element; an empty `text` matches all
-/// values except 0 and "disable".
+/// of the section. An empty `attribute` matches the whole element. An empty `text` matches all
+/// values of the attribute except 0 and "disable".
 struct UnsupportedFeature {
   std::string_view section;
   std::string_view element = {};
   std::string_view attribute = {};
-  std::string_view text = {};  // value of the attribute
-  bool drops_element = true;   // false: only the attribute is dropped
+  std::string_view text = {};  // unsupported value of the attribute
+  bool drops_element = true;   // false: drops only the attribute
 };
 
 /// Row of the table of targets.
 struct TargetRules {
   Target target;
-  std::string_view name;  // value of --target
+  std::string_view name;  // value of the option --target
   std::string_view doc;
 
   // Requirements on geoms.
@@ -45,40 +45,40 @@ struct TargetRules {
   int visual_group = 2;
   bool keeps_groups = true;             // a part's own `group` takes precedence
   bool shows_collision_copies = false;  // the host shows copies of collision geoms
-  bool writes_mass = false;  // write geoms with a mass, because the host overwrites densities
-  int sphere_sizes = 1;      // count of the numbers in a sphere's size
-  bool supports_round_shapes = true;  // cylinders and ellipsoids collide with boxes and meshes
-  bool supports_margins = true;       // geoms may have a margin
+  bool writes_mass = false;             // geoms have a mass, because the host overwrites densities
+  int sphere_sizes = 1;                 // count of the numbers in a sphere's size
+  bool supports_round_shapes = true;    // cylinders and ellipsoids collide with boxes and meshes
+  bool supports_margins = true;         // geoms may have a margin
 
-  // Elements of the file around the object.
+  // Elements that the file has in addition to the object.
   bool has_scene = false;          // floor, light and camera
   bool always_has_assets = false;  // <asset>, even if it is empty
   bool has_outer_body = false;     // unnamed parent of the root, with sites at the bounds
   bool has_region_geoms = false;   // geom `reg_bbox` around the object, `reg_NAME` for regions
 
-  // Elements and names that the host adds itself.
-  bool has_prefix = true;                    // the file has `NAME_` before every name
+  // Names in the file, and names and elements that the host adds itself.
+  bool has_prefix = true;                    // every name in the file begins with `NAME_`
   std::string_view root = {};                // name of the root body; empty: the object's name
   bool has_free_joint = true;                // the file has the free joint of the root
-  std::string_view visual_copy_suffix = {};  // suffix of visual copies that the host adds
+  std::string_view visual_copy_suffix = {};  // end of names of visual copies that the host adds
   std::string_view region_prefix = {};       // prefix of geoms that the host reads as regions
   std::span<const HostName> host_names = {};
 
-  /// Returns true if geoms, bodies and names may have to change for this target.
+  // Name of the MJCF file, if each object of a scene (--each) gets a folder of its own.
   std::string_view file_in_folder = {};
 
-  bool repeats_start = false;  // the file has a keyframe even if the start is at zero
+  bool repeats_start = false;  // the file has a keyframe even if the start is qpos0
 
-  // Support for elements, which are otherwise dropped with a warning.
+  // Elements that the host supports. Unsupported elements are dropped with a warning.
   bool supports_sections = true;       // sections such as contact and sensor
   bool supports_texture_sides = true;  // textures composed of several files
   std::span<const UnsupportedFeature> unsupported = {};
 
-  /// Returns true if objects may have to change for this target.
+  /// Returns true if shapes, geoms, names or bodies may have to change for this target.
   bool adapts() const { return target != Target::kMujoco && target != Target::kScene; }
 };
 
-/// Returns the table of all targets, in the order of Target.
+/// Returns the rules of all targets, in the order of Target.
 std::span<const TargetRules> Targets();
 std::vector<std::string_view> TargetNames();
 const TargetRules& RulesOf(Target target);

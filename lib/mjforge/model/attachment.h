@@ -12,12 +12,13 @@
 
 namespace mjforge::model {
 
-/// A body of an MJCF file, and everything below it. The numbers come from MuJoCo's compiler:
-/// autolimits, default classes, angle units and inertia options are already applied. The names are
-/// those of the file. Characters that specs do not allow in names are replaced, also in references.
+/// A body of an MJCF file with all its descendants, as a part of an object. The numbers come from
+/// MuJoCo's compiler: autolimits, default classes, angle units and inertia options are already
+/// applied. The names are those of the file, but characters that specs do not allow in names are
+/// replaced, both in the names and in references to them.
 struct Attachment {
-  /// The requested body comes first, with parent -1, and parents come before children. Every body
-  /// has an explicit inertia (explicit_inertial, mass_properties).
+  /// The requested body, whose parent is -1, and then its descendants, parents before children.
+  /// Every body has an explicit inertia (Body::explicit_inertial, Body::mass_properties).
   std::vector<Body> bodies;
   std::vector<Material> materials;
   std::vector<Texture> textures;
@@ -33,10 +34,10 @@ struct Attachment {
 class AttachmentSource {
  public:
   virtual ~AttachmentSource() = default;
-  /// Returns the body named `body` of `file`; the first body if `body` is empty. Returns null after
-  /// an error. Every call adds all findings of the file, including warnings, at `mark`, with notes
-  /// that refer to places in the XML. Each file is read only once; the result remains valid as long
-  /// as this source exists.
+  /// Returns the body of `file` whose name is `body`, or the first body if `body` is empty. Returns
+  /// null after an error. Every call adds all findings about the file, including warnings, at
+  /// `mark`, a place in the spec; notes of these findings refer to places in the XML. Each file is
+  /// read only once. The result remains valid as long as this source exists.
   virtual const Attachment* Attach(const std::filesystem::path& file, const std::string& body,
                                    diag::SourceMark mark, diag::Findings& findings) = 0;
 };

@@ -57,11 +57,11 @@ class AttributeNumbers {
 
 /// An MJCF attribute and its value: `numbers` or, if `numbers` is empty, `text`.
 struct Attribute {
-  std::string_view name;  // refers to text in the table of fields
+  std::string_view name;  // view of a string in static storage
   Applies applies = Applies::kBoth;
   AttributeNumbers numbers;
   std::string text;
-  std::string_view refers = {};  // kind of element to which the text refers; see FieldInfo
+  std::string_view refers = {};  // kind of element that `text` names; see KindOf(); empty: none
 
   bool operator==(const Attribute&) const = default;
 };
@@ -73,10 +73,11 @@ auto* FindAttribute(Attributes& attributes, std::string_view name) {
   return found == attributes.end() ? nullptr : &*found;
 }
 
-/// Adds an attribute unless there is one with its name.
+/// Adds an attribute unless `attributes` contains one with the same name.
 void AddUnlessPresent(Attribute attribute, std::vector<Attribute>& attributes);
 
-/// Sets the numbers of an attribute, adding it if missing. `name` must be in static storage.
+/// Sets the numbers of the attribute called `name`; adds this attribute if it is missing. `name`
+/// must be in static storage.
 template <typename Range = sample::Numbers>
 void SetNumbers(std::vector<Attribute>& attributes, std::string_view name, const Range& numbers) {
   Attribute* attribute = FindAttribute(attributes, name);
@@ -85,8 +86,8 @@ void SetNumbers(std::vector<Attribute>& attributes, std::string_view name, const
   attribute->numbers.Change().assign(numbers.begin(), numbers.end());
 }
 
-/// Returns the number at index `position` of an attribute of `owner`, an element with attributes.
-/// Returns `usual` if the attribute is missing or has too few numbers.
+/// Returns the number at index `position` of the attribute called `name`. `owner` is a struct with
+/// a member `attributes`. Returns `usual` if the attribute is missing or has too few numbers.
 template <typename Owner>
 double NumberOf(const Owner& owner, std::string_view name, std::size_t position, double usual) {
   const Attribute* attribute = FindAttribute(owner.attributes, name);
@@ -96,7 +97,7 @@ double NumberOf(const Owner& owner, std::string_view name, std::size_t position,
 
 /// An MJCF element that is copied without interpretation, such as a sensor or a camera.
 struct Element {
-  std::string_view tag;  // refers to text in the table of sections
+  std::string_view tag;  // view of a string in the table of sections (spec/mjcf_sections.cc)
   std::string name;      // empty if the element has no name
   std::vector<Attribute> attributes;
   std::vector<Element> children;
@@ -106,19 +107,20 @@ struct Element {
 /// Returns the text of an attribute; `usual` if the element does not have the attribute.
 std::string_view TextOf(const Element& element, std::string_view name, std::string_view usual = {});
 
-/// Returns an attribute of three numbers; `usual` if the element does not have the attribute.
+/// Returns the first three numbers of an attribute; `usual` if the element does not have the
+/// attribute or the attribute has fewer numbers.
 Eigen::Vector3d VectorOf(const Element& element, std::string_view name,
                          const Eigen::Vector3d& usual = Eigen::Vector3d::Zero());
 
-/// Returns the attribute `quat`; the identity if the element does not have the attribute.
+/// Returns the attribute `quat`; the identity if it is missing or has fewer than four numbers.
 Eigen::Quaterniond QuaternionOf(const Element& element);
 
-/// Returns an element's name as written in the spec, without the prefix "OBJECT_" (the object's
-/// name).
+/// Returns an element's name as written in the spec: `name` without the prefix "OBJECT_", where
+/// OBJECT is the object's name; `name` itself if it does not have this prefix.
 std::string_view OwnName(std::string_view name, std::string_view object);
 
-/// Returns the kind of element to which an attribute of `element` refers: `refers` or, if `refers`
-/// is "@objtype", the value of the attribute objtype of `element`.
+/// Returns the kind of element ("joint", "body") that an attribute of `element` names: `refers` or,
+/// if `refers` begins with "@", the text of another attribute of `element` ("@objtype": objtype).
 std::string_view KindOf(const Attribute& attribute, const Element& element);
 
 /// The elements of one section of MJCF (contact, sensor, ...).

@@ -9,15 +9,15 @@
 namespace mjforge::model {
 
 /// Bounds of the collision parts (of all parts if none collides) at the start state, in the
-/// object's frame W; see BodyPoses(). Solids contribute their exact extents, not those of their
-/// convex pieces.
+/// object's frame W; see BodyPoses(). A solid that consists of convex pieces contributes its exact
+/// extent, not the extents of the pieces.
 struct Bounds {
   Box3 aabb;
   double top_offset = 0;         // aabb.max.z, m
   double bottom_offset = 0;      // aabb.min.z, m
   double horizontal_radius = 0;  // largest distance from the z axis of W, m
-  bool declared = false;         // true if the bounds are `total_size` of the spec
-  Box3 swept;                    // box around all joint positions; see SweptBounds()
+  bool declared = false;         // true if `total_size` of the spec replaces the computed bounds
+  Box3 swept;                    // contains the parts at all joint positions; see SweptBounds()
   Eigen::Vector3d half_size() const { return (aabb.max - aabb.min) / 2; }
 };
 

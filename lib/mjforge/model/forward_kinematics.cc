@@ -1,4 +1,5 @@
-// Forward kinematics: the motion of single joints, and the poses of the bodies of a tree.
+// Forward kinematics: search for joints, the motion of a single joint, and the poses of all bodies
+// of a tree.
 #include "mjforge/model/forward_kinematics.h"
 
 #include <algorithm>

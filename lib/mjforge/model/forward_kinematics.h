@@ -12,8 +12,9 @@
 
 namespace mjforge::model {
 
-/// Returns the position of a joint in qpos0, at which the joint's body has the pose X_PB: `ref` for
-/// a hinge or slide, the identity for a ball joint. Returns an empty list for a free joint.
+/// Returns a joint's numbers in qpos0, the position at which the joint does not move its body from
+/// X_PB: `ref` for a hinge or slide, the identity quaternion for a ball joint. Returns an empty
+/// list for a free joint.
 sample::Numbers ZeroPosition(const Joint& joint);
 
 /// Returns the number of a joint's values in qvel.
@@ -42,7 +43,7 @@ std::vector<Pose> SubtreePoses(const std::vector<Body>& bodies, std::size_t firs
                                JointPositions positions = {});
 
 /// Returns a flag for each body whose index is at least `first`, parallel to SubtreePoses(): true
-/// for the body `first` and its descendants.
+/// for the body `first` and its descendants; for all bodies if `first` is 0.
 std::vector<bool> InSubtree(const std::vector<Body>& bodies, std::size_t first);
 
 /// Returns the pose of a body in its parent with its joints at their start positions: X_PB,

@@ -1,4 +1,4 @@
-// Point test: returns whether a point is inside a shape or an object.
+// Point test: whether a point is inside a shape, or inside a colliding part of an object.
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,9 @@
 namespace mjforge::model {
 namespace {
 
-// Relative tolerance. A point on the surface is inside, but its computed coordinates may have
-// errors of a few units in the last place of the numbers from which they are computed.
+// Relative tolerance of the point test. A point on the surface counts as inside, but its computed
+// coordinates have rounding errors: a few units in the last place of the numbers from which they
+// are computed.
 constexpr double kDoubleRounding = 1e-14;
 
 double SegmentDistance(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
@@ -40,8 +41,8 @@ double SolidAngle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eige
   return 2 * std::atan2(a.dot(b.cross(c)), below);
 }
 
-// Returns true if the point is on the surface or inside. For a point inside, the solid angles of
-// all triangles add up to 4 pi; for a point outside, to 0.
+// Returns true if the point is inside or at most `guard` (m) away from the surface. For a point
+// inside, the solid angles of all triangles add up to 4 pi; for a point outside, to 0.
 bool MeshContains(const TriangleMesh& mesh, const Eigen::Vector3d& p, double guard) {
   double angle = 0;
   for (const auto& triangle : mesh.triangles) {

@@ -53,17 +53,18 @@ Eigen::Vector3d Middle(const TriangleMesh& mesh) {
   return mesh.vertices.empty() ? sum : Eigen::Vector3d(sum / double(mesh.vertices.size()));
 }
 
-// Divisors in the moments of a tetrahedron or a triangle (a, b, c) with weight w and s = a + b + c:
-// the mass is w / `mass`, the centre of mass s / `first`, the second moments are w / `second` (aa'
-// + bb' + cc' + ss').
+// Divisors in the formulas for an element of a mesh: a tetrahedron of a solid (corners 0, a, b, c)
+// or a triangle of a shell (corners a, b, c). An element with the weight w and the density 1 has
+// the mass w / `mass`, the centre of mass s / `first` with s = a + b + c, and the matrix of second
+// moments w / `second` (aa' + bb' + cc' + ss').
 struct Divisors {
   double mass = 1;
   double first = 1;
   double second = 1;
 };
 
-// Returns the sum of the mass properties over all triangles (a, b, c), whose corners are relative
-// to the mean vertex M.
+// Returns the mass properties of a mesh as a sum over all triangles. `weight_of` returns the weight
+// of a triangle (see Divisors) from its corners a, b, c, which are relative to the mean vertex M.
 template <typename WeightOf>
 MassProperties SumOf(const TriangleMesh& mesh, double density, const Divisors& divisors,
                      const WeightOf& weight_of) {
@@ -92,9 +93,9 @@ MassProperties SumOf(const TriangleMesh& mesh, double density, const Divisors& d
   return result;
 }
 
-// Returns the mass properties of a solid: the sum over the tetrahedra between M and each triangle,
-// with weights det(a b c). Source: Tonon, "Explicit exact formulas for the 3-D tetrahedron inertia
-// tensor", 2004.
+// Returns the mass properties of a solid: the sum over the tetrahedra that the mean vertex M forms
+// with each triangle, whose weights are det(a b c). Source: Tonon, "Explicit exact formulas for the
+// 3-D tetrahedron inertia tensor", 2004.
 MassProperties MeshMass(const TriangleMesh& mesh, double density) {
   return SumOf(mesh, density, {.mass = 6, .first = 4, .second = 120},
                [](const auto& a, const auto& b, const auto& c) { return a.dot(b.cross(c)); });

@@ -94,11 +94,12 @@ MassProperties SubtreeMass(const std::vector<Body>& bodies, std::size_t first) {
   return sum;
 }
 
-// Divides masses for simulators other than MuJoCo. In MuJoCo, a body with joints may get its mass
-// from bodies that are fixed to it. Other simulators treat a fixed body as a body with a fixed
-// joint, and require mass on both sides of each joint.
+// Exists for simulators other than MuJoCo. In MuJoCo, all mass of a body with joints may be in
+// bodies that are fixed to it. Other simulators treat a fixed body as a body with a fixed joint,
+// and require mass on both sides of each joint.
 void ShareMass(std::vector<Body>& bodies) {
-  std::vector<std::size_t> movers(bodies.size());  // M: the body or its ancestor with joints
+  // For each body, the body M that moves it: the body itself or its nearest ancestor with joints.
+  std::vector<std::size_t> movers(bodies.size());
   std::vector<Pose> X_MB(bodies.size());
   for (std::size_t i = 1; i < bodies.size(); ++i) {
     movers[i] = i;

@@ -1,4 +1,5 @@
-// Attributes of elements, sections of MJCF in an object, and names of elements.
+// Access to MJCF attributes and elements that are copied without interpretation: attributes by
+// name, sections of an object, and names without the object's prefix.
 
 #include "mjforge/model/object.h"
 

@@ -1,6 +1,6 @@
 // Public header of the library `model`: objects as numbers, and their geometry (bodies, parts,
-// masses, bounds, poses, regions); interfaces to the reader of attached MJCF and to the search for
-// places.
+// masses, bounds, poses, regions); interfaces to the reader of attached MJCF files and to the
+// placement of bodies in regions.
 
 #pragma once
 

@@ -28,7 +28,7 @@
 namespace mjforge::model {
 
 /// Maximum number of parts of an object. MuJoCo's loading time grows with the square of the number
-/// of parts; for the maximum, it is within the default time limit even on a slow machine.
+/// of parts; with this number, it is within the default time limit even on a slow machine.
 inline constexpr int kMaxParts = 40'000;
 
 /// Suffix of the visual geom of a part with two geoms; the collision geom has the part's name.
@@ -87,21 +87,21 @@ struct Part {
   Shape shape;
   int mesh = -1;  // index in Object::meshes
   Pose X_BG;
-  /// Mass, kg; 0 for most visual parts. If `density`, kg/m^3, is positive, MJCF contains the
-  /// density instead, so that MuJoCo computes the mass from the number in the spec.
+  /// Mass, kg; 0 for most visual parts. If `density`, kg/m^3, is positive, too, MJCF contains this
+  /// number of the spec instead of the mass, and MuJoCo computes the mass.
   double mass = 0;
   double density = 0;
   /// Mass properties of the exact solid at 1 kg/m^3, in the geom's frame G. If nullopt, `shape` is
   /// exact.
   std::optional<MassProperties> solid;
-  /// Convex hull of the exact solid, in the solid's frame S. If null, `shape` has the same hull. A
-  /// single piece of each solid has the hull of the whole solid; all others have an empty hull.
+  /// Convex hull of the exact solid, in the solid's frame S. If null, `shape` has the same hull. If
+  /// a solid has several pieces, one has the hull of the solid; the others have an empty hull.
   std::shared_ptr<const solid::Extent> extent;
   Pose X_GS;
   bool is_shell = false;  // true: mass on the mesh's surface; `solid->mass` is its area
   int material = -1;      // index in Object::materials
-  /// True for a geom of an attached file, which is written with its own name and only its own
-  /// attributes. `role` then determines only whether the geom collides.
+  /// True for a geom (of an attached file, or a region for robocasa) that is written with its own
+  /// name and only its own attributes. `role` then determines only whether the geom collides.
   bool as_is = false;
   std::vector<Attribute> attributes;
   diag::SourceMark mark;
@@ -115,8 +115,8 @@ struct Joint {
   std::optional<Eigen::Vector2d> range;  // nullopt: the joint is not limited
   /// Start position as in qpos: m or rad; w, x, y, z for a ball joint. Empty: the joint's zero.
   sample::Numbers start;
-  /// Start velocity as in qvel, m/s or rad/s. The linear velocity of a free joint is in the frame
-  /// of its body's X_PB. Empty: at rest.
+  /// Start velocity as in qvel, m/s or rad/s. The linear velocity of a free joint is in the frame P
+  /// in which X_PB of its body is given. Empty: at rest.
   sample::Numbers start_velocity;
   std::vector<Attribute> attributes;
   diag::SourceMark mark;
@@ -147,12 +147,12 @@ struct Body {
   std::vector<Element> elements;      // cameras and lights
   std::vector<Attribute> attributes;  // attributes of <body>
   MassProperties mass_properties;     // in B
-  /// True if MJCF contains the inertia (<inertial>), so that MuJoCo does not compute it: for bodies
+  /// True if MJCF contains the inertia (<inertial>) and MuJoCo does not compute it: for bodies
   /// with mesh parts, because MuJoCo's releases compute the mass of meshes differently; for bodies
   /// whose geoms differ from the exact solid; and for attached bodies, which have the inertia of
   /// their file.
   bool explicit_inertial = false;
-  /// Index of the body whose `mjcf:` adds this body (maybe itself); -1 if not from an MJCF file.
+  /// Index of the body (maybe this body) whose key `mjcf:` adds this body; -1 if no key adds it.
   int attached = -1;
   diag::SourceMark mark;
 };
@@ -181,7 +181,7 @@ struct Object {
   std::vector<Expectation> expectations;
   std::vector<Pile> piles;
   std::vector<std::string> left_out;  // full names of bodies for which no place was found
-  std::vector<diag::Finding> unmet_expectations;  // a finding per violated condition of `expect:`
+  std::vector<diag::Finding> unmet_expectations;  // violated conditions (`that`) of `expect:`
 };
 
 /// Returns the pose X_WB of every body at the start state. W is the object's frame, in which X_PB

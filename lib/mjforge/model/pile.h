@@ -30,7 +30,7 @@ struct Pile {
   std::string at;    // name of the region in the spec: "crate.inside"
   int support = -1;  // index of the body to which the region belongs
   Region region;
-  // True: the largest body is released first; false: in the order of `items`.
+  // True: bodies are released by decreasing size; false: in the order of `items`.
   bool is_big_first = true;
   double time = 3;  // s, time limit for coming to rest after the last release
   std::vector<Item> items;

@@ -1,4 +1,5 @@
-// Interface to the search for places of bodies: inputs and result of one try.
+// Interface to the placement of bodies in regions: inputs and result of one attempt, and stable
+// poses.
 
 #pragma once
 
@@ -25,25 +26,26 @@ struct Beside {
   double gap = 0;    // distance of the bounding boxes in the direction of the side, m
 };
 
-/// A try to place a body, with the values drawn from `place:` of its spec. Points and directions
-/// are in the frame of the object.
+/// An attempt to place a body, with the values drawn from `place:` of its spec. Points and
+/// directions are in the frame of the object. The footprint of a body is its projection onto the
+/// plane of the region.
 struct PlaceTry {
   int support = -1;                // index of the body to which the region or site belongs
   const Region* region = nullptr;  // null: the body is placed by a site of the support
-  /// Pose of the support's site in the support, and of the body's own site in the body. The body is
-  /// placed so that both sites coincide, except for the yaw. Used only if `region` is null; the
-  /// body may then overlap the support.
+  /// Pose of a site of the support in the support, and pose of a site of the body in the body. Used
+  /// only if `region` is null: the body is then placed such that both sites coincide, except for
+  /// the yaw, and may overlap the support.
   Pose X_SupportSite;
   Pose X_BodySite;
   /// Position of the footprint in the region: two numbers from -1 to 1, which span all positions at
-  /// which the footprint is inside; in a disc, a point of the unit disc. If `beside` is given, an
-  /// offset along the neighbour's side: 0 aligns the centres of the two bounding boxes, -1 and 1
-  /// align their ends. Left and right use the second number, front and back the first.
+  /// which the footprint is inside; in a disc, a point of the unit disc. If `beside` is given, one
+  /// of the numbers (y for Side::kLeft and kRight, x for kFront and kBack) is the offset along the
+  /// neighbour's side: 0 aligns the centres of the two bounding boxes, -1 and 1 align their ends.
   Eigen::Vector2d uv = Eigen::Vector2d::Zero();
   std::optional<Beside> beside;
-  /// Rotation about the vertical, rad. Before this rotation, the body's front faces `facing`, or is
-  /// along `direction`, or has the direction of the neighbour's front. If none of these is given,
-  /// the body's axes are parallel to the axes of the region.
+  /// Rotation about the vertical, rad. Before this rotation, the body's front faces the point
+  /// `facing`, or is along `direction`, or has the direction of the neighbour's front. If `facing`,
+  /// `direction` and `beside` are nullopt, the body's axes are parallel to the region's axes.
   double yaw = 0;
   std::optional<Eigen::Vector2d> facing;     // point that the front faces, m
   std::optional<Eigen::Vector2d> direction;  // horizontal vector of any length but 0
@@ -54,21 +56,21 @@ struct PlaceTry {
   /// Least distance to all other bodies, m. Exceptions are the support, and bodies whose parts are
   /// all below the region: the distance to them may be smaller, but they must not overlap the body.
   double clear = 0;
-  double overhang = 0;  // part of the footprint that may be outside of the region, 0 .. 1
+  double overhang = 0;  // share of the footprint that may be outside of the region, 0 .. 1
 };
 
 enum class PlaceVerdict {
   kStands,
   kTooLarge,  // the footprint does not fit into the region at any position
   kTooHigh,   // the body is higher than the free height above the region
-  kOutside,   // the place that `beside` requires is outside of the region
-  kBlocked,   // the distance to `blocker` is too small
+  kOutside,   // the position beside the neighbour (`beside`) is outside of the region
+  kBlocked,   // the distance to the body `blocker` is too small, or the body would tip over on it
 };
 
 struct PlaceResult {
   PlaceVerdict verdict = PlaceVerdict::kStands;
   Pose X_SupportBody;   // pose of the body in its support, only for kStands
-  int blocker = -1;     // index of the body that blocks the place
+  int blocker = -1;     // index of a body in Object::bodies, only for kBlocked
   double distance = 0;  // distance from the body to the blocker, m; 0 if they overlap
   // Sides of the footprint's bounding rectangle, m.
   Eigen::Vector2d footprint = Eigen::Vector2d::Zero();
@@ -82,8 +84,8 @@ struct StablePose {
   double probability = 0;       // probability that a random throw ends in this pose
 };
 
-/// Searches for places for the bodies of one object. All descendants of a body are "below" that
-/// body. Bodies and their joints are at the start state.
+/// Places bodies of one object between other bodies, the obstacles. Descendants of a body are
+/// "below" that body in the tree. Bodies and their joints are at the start state.
 class Placer {
  public:
   Placer() = default;
@@ -91,20 +93,21 @@ class Placer {
   Placer& operator=(const Placer&) = delete;
   virtual ~Placer() = default;
 
-  /// Removes all obstacles, and starts with another object, which must outlive all following calls.
-  /// Between calls, bodies may be added and moved, but the parts of obstacles and of tried bodies
-  /// must not change.
+  /// Removes all obstacles, and continues with another object, which must outlive all following
+  /// calls. Between calls, bodies may be added and moved, but the parts of obstacles and of bodies
+  /// that were passed to Try() must not change.
   virtual void Begin(const Object& object) = 0;
 
   /// Makes the body, with all bodies below it, an obstacle at its present pose. Bodies that are
   /// placed later must have at least the distance `clear`, m, to this obstacle.
   virtual void AddObstacle(int body, double clear = 0) = 0;
 
-  /// Tries a place for a body, with all bodies below it. The body must not be an obstacle.
+  /// Returns the pose of a body, with all bodies below it, that `where` describes, or the reason
+  /// why the body cannot stand there. Does not move the body, which must not be an obstacle.
   virtual PlaceResult Try(int body, const PlaceTry& where) = 0;
 
-  /// Returns the diameter, m, of the largest upright cylinder that has the height of the body and
-  /// fits into the region of `where` between the obstacles.
+  /// Returns the diameter, m, of the largest upright cylinder that is as high as the body and fits
+  /// into the region of `where` between the obstacles.
   virtual double WidestGap(int body, const PlaceTry& where) = 0;
 
   /// Returns the stable poses of a body, with all bodies below it, the most probable pose first.

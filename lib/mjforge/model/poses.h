@@ -19,13 +19,13 @@ struct Pose {
 
 /// Returns the numbers of MJCF's `quat` in the order w, x, y, z.
 inline Eigen::Vector4d Wxyz(const Eigen::Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
-/// Returns the rotation about the moving x, y and z axes in this order (MuJoCo's eulerseq "xyz");
-/// angles in rad.
+/// Returns the rotation by three angles, rad, about the moving x, y and z axes in this order
+/// (MuJoCo's eulerseq "xyz").
 Eigen::Quaterniond FromEuler(const Eigen::Vector3d& angles);
 /// Returns the rotation by `angle`, rad, about `axis`, which may have any length but 0.
 Eigen::Quaterniond FromAxisAngle(const Eigen::Vector3d& axis, double angle);
-/// Returns the frame whose x axis is along `x` and whose y axis is in the plane of x and y, like
-/// MuJoCo's xyaxes. The vectors must not be parallel or zero.
+/// Returns the orientation of the frame whose x axis is along `x` and whose y axis is in the plane
+/// of `x` and `y`, like MuJoCo's xyaxes. The vectors must not be parallel or zero.
 Eigen::Quaterniond FromXyAxes(const Eigen::Vector3d& x, const Eigen::Vector3d& y);
 /// Returns the smallest rotation that maps +z to the direction of `z` (not zero), like MuJoCo's
 /// zaxis.

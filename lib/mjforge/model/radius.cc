@@ -18,7 +18,7 @@ namespace {
 // a^2 (this is the trust region problem; More and Sorensen, "Computing a trust region step", 1983).
 // With d = l - a^2, t1 = a u / d and t2 = b v / (d + a^2 - b^2), |t| decreases strictly with d.
 // Newton's method on 1 / |t| - 1, restricted to a bracket, finds the root. The distance is
-// stationary at the root, so that an error in d changes the distance only quadratically.
+// stationary at the root; therefore an error in d changes the distance only quadratically.
 double FarthestOnEllipse(double u, double v, double a, double b) {
   u = std::abs(u);
   v = std::abs(v);
@@ -48,10 +48,10 @@ double FarthestOnEllipse(double u, double v, double a, double b) {
   return Eigen::Vector2d(u + a * t.x(), v + b * t.y()).norm();
 }
 
-// Returns the horizontal radius of a cylinder. The distance from the z axis is a convex function,
-// so that it is largest at an extreme point, on the rim of an end disc. Seen from above, a disc
-// with the unit normal n is an ellipse, with half axes r across the tilt and r |n_z| along the
-// tilt.
+// Returns the horizontal radius of a cylinder. The distance from the z axis is a convex function
+// and therefore largest at an extreme point of the cylinder, on the rim of an end disc. Seen from
+// above, a disc with the unit normal n is an ellipse, with half axes r across the tilt and r |n_z|
+// along the tilt.
 double CylinderRadius(double radius, double half_length, const Pose& X_AG) {
   const Eigen::Vector3d n = X_AG.q * Eigen::Vector3d::UnitZ();
   const double tilt = n.head<2>().norm();

@@ -1,4 +1,4 @@
-// Regions: named level places on a body, on which other bodies can stand.
+// Regions: named level areas of a body, on which other bodies can stand.
 
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace mjforge::model {
 
-/// Group of the sites of regions. Viewers hide this group.
+/// Group (MJCF attribute) of the sites that represent regions. Viewers hide this group by default.
 inline constexpr int kRegionGroup = 5;
 
 enum class RegionType { kBox, kDisc, kPolygon };
@@ -22,9 +22,8 @@ enum class RegionType { kBox, kDisc, kPolygon };
 /// Returns the name of a type in specs: "box", "disc" or "polygon".
 std::string_view RegionTypeName(RegionType type);
 
-/// A level area of a body B, or the interior of a container, with the space above. The area is in
-/// the xy plane of the region's frame R. The z axis of R points up in the start state of the
-/// object.
+/// A level area of a body B, or the floor of a container, and the space above. The area is in the
+/// xy plane of the region's frame R. The z axis of R points up in the start state of the object.
 struct Region {
   std::string name;  // name in the spec: "surface"
   std::string site;  // full name of the region's site in MJCF
@@ -49,10 +48,11 @@ double TiltOf(const Pose& X_WR);
 /// origin.
 Eigen::Vector2d MiddleOf(const Region& region);
 
-/// Returns the centre, in the plane of R, of a disc of this radius that is inside the region, at
-/// least the margin away from its edge. In a box, `uv` (-1 to 1) spans all such centres. In a disc,
-/// and in the largest disc about the middle of a polygon, `uv` is a point of the unit disc. If the
-/// disc is too large, returns the middle of the region.
+/// Returns the centre, in the plane of R, of a disc with this radius that is inside the region and
+/// at least Region::margin away from the region's edge. `uv` selects the centre. For a box, its
+/// numbers from -1 to 1 span all such centres. Otherwise, `uv` is a point of the unit disc, which
+/// spans all such centres of a disc, and a part of those of a polygon: the largest disc about its
+/// middle. If the disc is too large for the region, returns the middle of the region.
 Eigen::Vector2d PositionOfDisc(const Region& region, double radius, const Eigen::Vector2d& uv);
 
 /// Returns the largest distance, m, by which a point in the plane of R is beyond the line of any

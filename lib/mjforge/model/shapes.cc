@@ -53,7 +53,7 @@ int SizeCount(GeomType type) {
   return 0;
 }
 
-// Source of the support functions below: Ericson, "Real-Time Collision Detection", 2005, 9.5.
+// Source of Support() and SupportPoint(): Ericson, "Real-Time Collision Detection", 2005, 9.5.
 std::vector<Eigen::Vector3d> VerticesOf(const Shape& shape) {
   if (shape.type == GeomType::kMesh) return shape.mesh->vertices;
   if (shape.type != GeomType::kBox) return {};
@@ -115,8 +115,8 @@ Eigen::Vector3d SupportPoint(const Shape& shape, const Eigen::Vector3d& directio
   return Eigen::Vector3d::Zero();
 }
 
-// All shapes except the mesh are symmetric about their centre, so that one value of the support
-// function per axis gives both sides of the bounding box.
+// Needs one value of the support function per axis for both sides of the bounding box, because all
+// shapes except meshes are symmetric about their centre.
 Box3 BoundsOf(const Shape& shape, const Pose& X_AG) {
   const Eigen::Matrix3d R_AG = X_AG.q.toRotationMatrix();
   if (shape.type == GeomType::kMesh) return MeshBounds(*shape.mesh, X_AG.p, R_AG);

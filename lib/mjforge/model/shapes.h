@@ -24,9 +24,9 @@ std::string_view GeomTypeName(GeomType type);
 /// Returns the number of values in MJCF's attribute `size` of a geom type; 0 for a mesh.
 int SizeCount(GeomType type);
 
-/// A shape in its own frame G, with the same origin and axes as MuJoCo's geom. Components of
-/// `size`, in m, all positive: radius of a sphere; radius and half length of the straight part
-/// along z of a capsule or cylinder; three radii of an ellipsoid; three half lengths of a box.
+/// A shape in its own frame G, which has the origin and axes of MuJoCo's geom. `size`, in m, as in
+/// MJCF: radius of a sphere; radius and half length, along z, of a cylinder or of the straight part
+/// of a capsule; three radii of an ellipsoid; three half lengths of a box. All are positive.
 struct Shape {
   GeomType type = GeomType::kSphere;
   Eigen::Vector3d size = Eigen::Vector3d::Zero();
@@ -42,9 +42,9 @@ struct MassProperties {
 
 double Volume(const Shape& shape);  // m^3
 
-/// Returns the mass properties in the shape's frame for a uniform density, kg/m^3. The method is a
-/// closed form, and for meshes the divergence theorem (Mirtich, "Fast and accurate computation of
-/// polyhedral mass properties", 1996; Tonon, 2004).
+/// Returns the mass properties in the shape's frame for a uniform density, kg/m^3. Uses a closed
+/// form; for meshes, the divergence theorem (Mirtich, "Fast and accurate computation of polyhedral
+/// mass properties", 1996; Tonon, 2004).
 MassProperties MassOf(const Shape& shape, double density);
 
 /// Returns the mass properties of a mesh as a thin shell with 1 kg/m^2.
@@ -78,8 +78,8 @@ struct Box3 {
 Box3 BoundsOf(const Shape& shape, const Pose& X_AG);
 Box3 BoundsOf(const solid::Extent& extent, const Pose& X_AS);
 
-/// Return the largest distance, m, between a point of a shape, or of a solid's convex hull, and the
-/// z axis of A; exact up to rounding.
+/// Return the largest distance, m, of the points of a shape, or of a solid's convex hull, from the
+/// z axis of A; exact up to rounding. Return 0 if `extent` is an empty hull.
 double HorizontalRadius(const Shape& shape, const Pose& X_AG);
 double HorizontalRadius(const solid::Extent& extent, const Pose& X_AS);
 

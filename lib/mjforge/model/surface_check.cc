@@ -1,5 +1,5 @@
-// Check for closed surfaces: the triangles of a mesh must run along each edge equally often in both
-// directions.
+// Check for meshes with a well-defined interior: the triangles must traverse each edge equally
+// often in both directions, and the enclosed volume must be positive.
 
 #include <cstdint>
 #include <unordered_map>
@@ -11,8 +11,8 @@
 namespace mjforge::model {
 namespace {
 
-// Number of triangles that contain an edge in the direction from its smaller to its larger vertex
-// index (`up`), and in the opposite direction (`down`).
+// Number of triangles that traverse an edge from its smaller to its larger vertex index (`up`), and
+// in the opposite direction (`down`).
 struct EdgeUses {
   int up = 0;
   int down = 0;
@@ -32,8 +32,8 @@ std::optional<std::string> FindSurfaceDefect(const TriangleMesh& mesh) {
       ++(from < to ? uses.up : uses.down);
     }
   }
-  // Report the edge with the fewest triangles, so that the result does not depend on the order of
-  // the hash map.
+  // Reports the smallest odd number of triangles at an edge, because the first such edge depends on
+  // the order of the hash map.
   int open = 0;
   bool is_reversed = false;
   for (const auto& [edge, uses] : edges) {

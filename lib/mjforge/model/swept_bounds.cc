@@ -1,4 +1,5 @@
-// Bounds over the ranges of joints, by support functions on arcs of directions.
+// Bounds of an object over the ranges of its joints. For a hinge, computes an upper bound of the
+// shapes' support function over all angles of the hinge.
 
 #include "mjforge/model/swept_bounds.h"
 
@@ -15,7 +16,7 @@ namespace {
 using Eigen::Vector3d;
 
 // A shape and its pose in the object's frame W, with all joints at zero. SweepJoint() replaces
-// shapes by a box along the axes of W, because the final result is also a box along these axes.
+// shapes by a box along the axes of W, because SweptBounds() returns a box along these axes.
 struct PlacedShape {
   Shape shape;
   Pose X;

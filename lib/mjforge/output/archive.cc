@@ -104,7 +104,8 @@ Segment::Segment(ArchiveFormat format)
   Open(writer, tar_->members);
 }
 
-// The destructor of the writer appends the end of the archive to `members`, which nobody reads.
+// The destructor of the writer appends the end of the archive to `members`, which is not used
+// again.
 Segment::~Segment() = default;
 
 bool Segment::Add(const std::string& name, std::string_view bytes, diag::Findings& findings) {

@@ -57,10 +57,10 @@ class ArchiveReader {
   /// nullopt; sets `why_not` only if reading fails.
   std::optional<std::string> Next(std::string& why_not);
   /// Returns the bytes of the member that Next named; nullopt, and sets `why_not`, if reading
-  /// fails. To be called at most once per member.
+  /// fails. May be called at most once per member.
   std::optional<std::string> Content(std::string& why_not);
   /// Returns at most the first `count` bytes of the member that Next named, up to a zero byte;
-  /// fewer if the archive is damaged. To be called in place of Content.
+  /// fewer if the archive is damaged. May be called once per member, in place of Content.
   std::string ReadStart(std::size_t count);
 
  private:

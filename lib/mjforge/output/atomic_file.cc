@@ -107,8 +107,8 @@ bool WriteFile(const std::filesystem::path& file, std::string_view bytes, bool i
   const bool is_written = WriteAll(descriptor, bytes, file, findings);
   const bool is_synced =
       is_written && (durability == Durability::kNone || ::fdatasync(descriptor) == 0);
-  // The lock is held until the file has its final name, because RemoveAbandoned removes temporary
-  // files that nobody has locked.
+  // Holds the lock until the file has its final name, because RemoveAbandoned() removes temporary
+  // files that no process has locked.
   const bool is_renamed =
       is_synced && Flush(descriptor) && std::rename(temporary.c_str(), file.c_str()) == 0;
   if (is_written && !is_renamed) AddCannotWrite(file, errno, findings);

@@ -12,11 +12,12 @@
 
 namespace mjforge::output {
 
-/// Returns the final name that belongs to a temporary one of WriteFile: "x.xml" for
-/// ".x.xml.tmp123-0"; nullopt for all other names.
+/// Returns the final name for a temporary name that WriteFile() gave: "x.xml" for
+/// ".x.xml.tmp123-0". Returns nullopt for other names.
 std::optional<std::string> FinalNameOf(std::string_view temporary);
 
-/// Limit of the comment at the start of an object's file, which includes all settings.
+/// Number of bytes read from an object's file to find its first comment, which contains all
+/// settings.
 inline constexpr std::size_t kCommentBytes = 64 * 1024;
 
 /// Adds the finding "cannot write 'FILE': MESSAGE" with the system's message for `error`, an errno.

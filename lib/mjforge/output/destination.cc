@@ -1,4 +1,4 @@
-// Parsing of -o, and the names of objects, archives and manifests.
+// Parsing of -o, and formatting of the names of objects, archives, families and manifests.
 
 #include "mjforge/output/destination.h"
 

@@ -48,9 +48,9 @@ struct Destination {
   /// Returns the path of the family for the structure with this key; if there is a single family,
   /// its path.
   std::filesystem::path Family(std::string_view key) const;
-  /// Returns the path of the file of a family's rows, one row per variant: NAME-00003-of-00008.rows
-  /// for a shard, which `mjforge merge` joins with the other shards, or NAME.rows while a whole
-  /// family is made.
+  /// Returns the path of the file with the rows of a family, one row per variant. For a shard:
+  /// NAME-00003-of-00008.rows, which `mjforge merge` joins with the rows of other shards. For a
+  /// whole family: NAME.rows, which exists only while the family is made.
   std::filesystem::path Rows(const Shard& shard) const;
   /// Returns the path of the manifest: DIR/manifest.jsonl for a folder, STEM.manifest.jsonl beside
   /// archives, STEM.manifest.jsonl.zst beside compressed archives; with "-00003-of-00008" before
@@ -75,8 +75,8 @@ std::string VariantStem(std::string_view name, std::uint64_t index);
 /// Parses a text of decimal digits, "000042"; returns nullopt if it is not a number.
 std::optional<std::uint64_t> ReadIndex(std::string_view digits);
 
-/// Number of files in a folder; files with larger indices go to subfolders, so that the path of a
-/// file depends only on its index.
+/// Number of variants whose files share a folder. Each further group of this size gets a subfolder.
+/// The path of a file therefore depends only on its index.
 inline constexpr std::uint64_t kFilesPerFolder = 10'000;
 /// Endings of a variant's file name, appended to VariantStem(). An object has a single file. A
 /// scene whose objects have files of their own (--each) has a folder with these files and its

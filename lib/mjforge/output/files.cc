@@ -34,7 +34,7 @@ bool MayReplace(const std::filesystem::path& file, bool force, std::size_t bytes
                 const std::function<bool(std::string_view)>& is_ours, diag::Findings& findings) {
   std::error_code ignored;
   if (!std::filesystem::exists(std::filesystem::symlink_status(file, ignored))) return true;
-  // Rejects pipes, because opening a pipe blocks until somebody writes to it, and devices, which
+  // Rejects pipes, because opening a pipe blocks until a process writes to it, and devices, which
   // must not be replaced.
   if (std::filesystem::is_other(file, ignored)) {
     findings.Add(diag::Code::kOutputCannotWrite, {},

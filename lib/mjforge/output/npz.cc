@@ -144,7 +144,7 @@ Header& AddCommon(Header& header, bool is_large) {
       .Short(kFirstDay);
 }
 
-// Returns a zip extra field with 64-bit numbers; empty if there are no numbers.
+// Returns a zip extra field with 64-bit sizes and offsets (Zip64); empty if there are no numbers.
 std::string LargeNumbers(const std::vector<std::uint64_t>& numbers) {
   if (numbers.empty()) return {};
   Header field;

@@ -238,7 +238,8 @@ void RemoveFormerObjects(const std::filesystem::path& folder, const bytes::Asset
 
 }  // namespace
 
-// Returns true if an existing asset may be replaced by an asset with these bytes.
+// Returns true if an existing file with the content `present` may be replaced by `asset`, which has
+// the content `bytes` and the hash `sha256`.
 bool ObjectFolder::IsOwn(const bytes::Asset& asset, std::string_view present,
                          std::string_view bytes, const std::string& sha256) const {
   // Only a damaged copy may be replaced by a generated asset, whose name has a hash of its content.
@@ -248,7 +249,8 @@ bool ObjectFolder::IsOwn(const bytes::Asset& asset, std::string_view present,
   return overwrite_.assets.contains(sha256) || overwrite_.assets.contains(bytes::Sha256Of(present));
 }
 
-// Writes an asset to `target`, unless that file already has the same bytes.
+// Writes an asset to `target`, unless that file already has the same bytes. Returns false, after
+// adding a finding, if the file may not be replaced or cannot be written.
 bool ObjectFolder::CopyAsset(const bytes::Asset& asset, const std::filesystem::path& target,
                              const std::string& sha256, diag::Findings& findings) const {
   if (IsObject(asset)) {

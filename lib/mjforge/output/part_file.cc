@@ -98,7 +98,7 @@ std::unique_ptr<PartFile> PartFile::Open(const std::filesystem::path& file,
                    "wait for it, or choose another place");
       return nullptr;
     }
-    // The process that had the lock may have renamed the part in between.
+    // The process that had the lock may have renamed the part before releasing the lock.
     if (!IsSameFile(descriptor, temporary)) {
       ::close(descriptor);
       continue;

@@ -1,4 +1,5 @@
-// Null elements: tiny, massless, invisible and without contact forces.
+// Conversion of parts, sites and meshes to null elements: tiny, massless, invisible and without
+// contact forces.
 
 #include "mjforge/padding/null_elements.h"
 
@@ -19,21 +20,22 @@ Eigen::Vector3d MeanVertex(const model::TriangleMesh& mesh) {
   return sum / static_cast<double>(std::max<std::size_t>(mesh.vertices.size(), 1));
 }
 
-// Returns the centre of a part with a convex shape, in the body's frame.
+// Returns a point inside a part with a convex shape, in the body's frame: the centre of the shape,
+// or the mean vertex of a mesh.
 Eigen::Vector3d CenterOf(const model::Part& part) {
   if (part.shape.type != model::GeomType::kMesh) return part.X_BG.p;
   return part.X_BG * MeanVertex(*part.shape.mesh);
 }
 
-// MuJoCo up to 3.4 takes the larger of two geoms' margins and gaps, m, and has no force at
-// distances above margin - gap; later releases add both margins and both gaps, and find contacts
-// below margin + gap. With these numbers, null geoms have no contact force in any release. The
-// attributes `contype` and `conaffinity` are not set to zero instead, because all worlds of a
-// parallel simulation share them.
+// Margin and gap, m, with which null geoms have no contact force in any release of MuJoCo. Releases
+// up to 3.4 use the larger of two geoms' margins and the larger of their gaps, and have no force at
+// distances above margin - gap. Later releases add both margins and both gaps, and find contacts
+// below margin + gap. The attributes contype and conaffinity are not set to zero instead, because
+// all worlds of a parallel simulation share them.
 constexpr double kNullMargin = -2000;
 constexpr double kNullGap = 1000;
 
-// Sets an attribute; an attribute of this name is replaced.
+// Sets an attribute; replaces an attribute with the same name.
 void Set(std::string_view name, sample::Numbers numbers,
          std::vector<model::Attribute>& attributes) {
   std::erase_if(attributes, [&](const model::Attribute& one) { return one.name == name; });

@@ -1,4 +1,4 @@
-// Null elements: parts, sites and meshes that have no effect in a model.
+// Null elements: parts, sites and meshes that do not affect a simulation with the model.
 
 #pragma once
 
@@ -8,11 +8,11 @@
 
 namespace mjforge::padding {
 
-/// Returns the centre of the largest colliding shape of a body, or its origin if no part collides,
-/// m. A null element at this point does not change the bounds of the body.
+/// Returns the centre, m, of the largest colliding part of a body, in the body's frame; the body's
+/// origin if no part collides. A null element at this point does not change the body's bounds.
 Eigen::Vector3d MiddleOf(const model::Body& body);
 
-/// Returns a tiny copy of a mesh, with as many vertices and triangles.
+/// Returns a tiny copy of a mesh, with the same numbers of vertices and triangles.
 std::unique_ptr<model::MeshAsset> NullMesh(const model::MeshAsset& mesh);
 
 /// Make a part or site null (tiny, invisible, without mass and contact forces), with its centre at

@@ -1,4 +1,5 @@
-// Collection of the parts, sites and meshes of all variants, and completion of an object.
+// Collection of the union of the parts, sites and meshes of all variants, and completion of an
+// object by the elements that it lacks.
 
 #include <fmt/format.h>
 
@@ -63,7 +64,7 @@ std::string NewName(const std::string& name, std::string_view type, std::set<std
 
 using Renamed = std::map<std::pair<std::string_view, std::string>, std::string>;
 
-// Redirects references to elements that have other names in the superset.
+// Updates the references of an element and its children to renamed elements.
 void Redirect(const Renamed& renamed, model::Element& element) {
   for (model::Attribute& attribute : element.attributes) {
     const auto found = renamed.find({model::KindOf(attribute, element), attribute.text});
@@ -147,8 +148,9 @@ class Superset::Completion {
   }
 
  private:
-  // Puts the elements of an object into the order of the superset's elements (slots). Elements
-  // without a slot come last. `make` returns an element for a slot that the object does not fill.
+  // Puts the elements `items` of a body, whose keys are `keys`, into the order of the superset's
+  // elements (slots). Calls `rename` with each slot and the item that has its key. `make` returns
+  // an item for a slot whose key no item has. Items without a slot come last.
   template <typename Element, typename Item, typename Rename, typename Make>
   static void Arrange(const Slots<Element>& slots, const std::vector<std::string>& keys,
                       std::vector<Item>& items, const Rename& rename, const Make& make) {
@@ -182,7 +184,8 @@ class Superset::Completion {
     own_meshes_.emplace(part.shape.mesh, std::move(mesh));
   }
 
-  // Keeps only meshes that parts use: first the shared meshes, then the meshes of single parts.
+  // Keeps only meshes that parts use: first the meshes that several parts may share, in the order
+  // of the superset, then the meshes of single parts (OwnMesh).
   void TakeSharedMeshes() {
     std::vector<std::pair<std::size_t, std::unique_ptr<model::MeshAsset>>> shared;
     for (auto& mesh : object_.meshes) {
@@ -208,7 +211,7 @@ class Superset::Completion {
     }
   }
 
-  // Sets the index of a part's mesh.
+  // Sets Part::mesh to the new index of the part's mesh.
   void FindMesh(Part& part) const {
     const auto found = std::ranges::find_if(
         object_.meshes, [&](const auto& mesh) { return &mesh->mesh == part.shape.mesh; });

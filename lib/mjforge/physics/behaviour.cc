@@ -1,4 +1,5 @@
-// Checks of a model's behaviour in simulations, and the texts of their findings.
+// Simulates the drop of a model and its driven joints, and reports values beyond the limits of the
+// checks.
 #include "mjforge/physics/behaviour.h"
 
 #include <fmt/format.h>
@@ -37,8 +38,8 @@ constexpr const char* kInTheWay = "use a shorter range, make room, or add `conta
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 
-// Limits of the timestep. MuJoCo accepts any timestep, but the results
-// are useless if a step is longer than the fall of the drop test.
+// Limits of the timestep. MuJoCo accepts any timestep, but the drop test is useless if a step is
+// longer than the fall.
 constexpr double kShortestStep = 1e-5;  // s
 constexpr double kLongestStep = 0.02;   // s; a fall of 2 mm takes 0.02 s
 
@@ -202,9 +203,9 @@ class Behaviour {
         "look at the axis, its sign, and the range; if it may be so, say why in `silence`");
   }
 
-  /// Reports a value above its limit. `text` has the placeholders {0} (the object's name), {1} and
-  /// {2} (value and limit, multiplied by `scale`), and {3} (`along`: ", as joint 'lid' moves by 90
-  /// deg").
+  /// Adds an error if `value` is above `limit`. `text` has the placeholders {0} (the name of the
+  /// object), {1} and {2} (value and limit, multiplied by `scale`), and {3} (`along`: ", as joint
+  /// 'lid' moves by 90 deg").
   void ReportAbove(Code code, double value, double limit, double scale, const char* text,
                    std::string hint, const std::string& along = {}) {
     if (!(value > limit)) return;
@@ -283,7 +284,7 @@ class Behaviour {
     }
   }
 
-  /// Returns the limit that the joint's entry in checks.joints sets; `usual` if the joint has no
+  /// Returns the limit `own` of the joint's entry in checks.joints; `usual` if the joint has no
   /// entry or the entry does not set this limit.
   static double Limit(const DrivenJoint& driven, std::optional<double> model::JointCheck::*own,
                       double usual) {
@@ -353,7 +354,7 @@ class Behaviour {
 
   const ModelTest& test_;
   mjModel& m_;
-  mjData* end_ = nullptr;  // final state of the last drop
+  mjData* end_ = nullptr;  // state at the end of the last drop
   FilmRecorder* recorder_ = nullptr;
 };
 

@@ -1,4 +1,4 @@
-// Broad phase of collision detection, by axis-aligned bounding boxes.
+// Finds pairs of geoms that may touch, by axis-aligned boxes of bodies and then of geoms.
 #include "mjforge/physics/broad_phase.h"
 
 #include <algorithm>

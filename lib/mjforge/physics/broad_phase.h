@@ -11,9 +11,10 @@
 
 namespace mjforge::physics {
 
-/// Finds pairs of geoms near each other. Replaces MuJoCo's own broad phase, because MuJoCo before
-/// 2.3.3 tests each geom of a body against each geom of another body. Cannot find all contacts of
-/// every model: if works() is false, callers must let MuJoCo find the pairs.
+/// Finds pairs of geoms near each other by bounding boxes. Replaces MuJoCo's own broad phase,
+/// because MuJoCo before 2.3.3 tests each geom of a body against each geom of another body. If
+/// works() is false, the boxes cannot find all contacts of the model, and callers must let MuJoCo
+/// find the pairs.
 class BroadPhase {
  public:
   explicit BroadPhase(const mjModel& m);
@@ -21,12 +22,12 @@ class BroadPhase {
   bool works() const { return works_; }
 
   /// Finds all pairs of geoms that can touch before any body has moved by more than its allowance
-  /// relative to the body `frame`. `allowances` has one distance for each body, m. Uses the poses
+  /// relative to the body `frame`. `allowances` has a distance for each body, m. Uses the poses
   /// that mj_kinematics wrote to `d`. The result is valid until the next call.
   engine::GeomPairs& Find(const mjData& d, const std::vector<double>& allowances, int frame);
 
-  /// Finds all contacts at the poses that mj_kinematics and mj_comPos wrote to `d`, which belongs
-  /// to `m`, the model of this broad phase. Lets MuJoCo find the pairs if works() is false.
+  /// Finds all contacts at the poses that mj_kinematics and mj_comPos wrote to `d`. `m` must be the
+  /// model from which this object was made. Lets MuJoCo find the pairs if works() is false.
   void Collide(mjModel& m, mjData& d);
 
   /// Ids of the bodies with colliding geoms.
@@ -48,7 +49,7 @@ class BroadPhase {
   std::vector<std::vector<int>> geoms_;          // colliding geoms of each body
   std::vector<std::pair<int, int>> body_pairs_;  // pairs that may collide, in MuJoCo's order
   std::vector<Box> local_;       // box of each geom in the geom's frame; empty for planes
-  std::vector<Box> boxes_;       // box of each geom in `frame`, enlarged by allowance and margin
+  std::vector<Box> boxes_;       // box of each geom in frame F of Find(), with allowance and margin
   std::vector<Box> body_boxes_;  // box around the boxes_ of each body's geoms
   engine::GeomPairs pairs_;
 };

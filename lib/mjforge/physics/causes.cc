@@ -1,4 +1,5 @@
-// Causes of faults in a simulation, and remedies for the faults, as texts of findings.
+// Searches a model for the causes of faults in a simulation, and writes texts of messages and
+// hints.
 #include "mjforge/physics/causes.h"
 
 #include <algorithm>
@@ -27,8 +28,8 @@ constexpr double kFarHinge = 5 * std::numbers::pi / 180;  // rad
 constexpr double kFarSlide = 0.005;                       // m
 constexpr double kDeepStart = 0.002;  // m; a larger depth at the start pushes bodies apart fast
 
-// Semi-implicit Euler diverges if (timestep * frequency)^2 exceeds 4, or damping removes more than
-// twice the speed in a step.
+// Semi-implicit Euler diverges if (timestep * angular frequency)^2 exceeds 4, or damping removes
+// more than twice the speed in a step.
 constexpr double kMostSpring = 4;
 constexpr double kMostDamping = 2;
 
@@ -49,7 +50,7 @@ bool HasStartPose(const mjModel& m) {
   return !std::ranges::equal(compiled::StartOf(m), std::span(m.qpos0, compiled::Index(m.nq)));
 }
 
-// Search for the spring, damper or actuator that exceeds the limit of explicit integration most.
+// Finds the spring, damper or actuator that exceeds the limit of explicit integration most.
 class UnstableElementSearch {
  public:
   explicit UnstableElementSearch(const mjModel& m) : m_(m), h_(m.opt.timestep) {
@@ -63,13 +64,14 @@ class UnstableElementSearch {
  private:
   std::string Step() const { return fmt::format("a timestep of {} ms", RoundedText(1000 * h_)); }
 
-  // Keeps an element (spring, damper or actuator) if it exceeds the limit of integration more than
-  // all earlier elements. `excess` is relative to the limit: above 1, the simulation diverges. The
-  // excess grows with the square of the timestep for springs, and with the timestep for dampers.
+  // Stores an element (spring, damper or actuator) in found_ if it exceeds the limit of integration
+  // more than all earlier elements. `excess` is relative to the limit: above 1, the simulation
+  // diverges. The excess grows with the square of the timestep for springs, and with the timestep
+  // for dampers.
   void Add(double excess, bool is_spring, const std::string& what, const std::string& remedy,
            std::string joint = {}, std::string actuator = {}) {
-    // Implicit integrators use the velocity after the step for damping, so that only springs
-    // diverge.
+    // With implicit integrators only springs diverge, because these integrators use the velocity
+    // after the step for damping.
     const bool is_explicit =
         m_.opt.integrator == mjINT_EULER || m_.opt.integrator == mjINT_RK4 || is_spring;
     if (!is_explicit || !(excess > 1) || excess <= excess_) return;
@@ -142,14 +144,14 @@ std::optional<int> WarnedJoint(const mjModel& m, const mjData& d) {
   return joint;
 }
 
-// Returns true for a floor. Contacts with the floor are no cause of a divergence, because objects
+// Returns true for a floor. A contact with the floor is no cause of a divergence, because objects
 // are lifted above the floor before the drop.
 bool IsFloor(const mjModel& m, int geom) {
   return m.geom_bodyid[geom] == 0 && m.geom_type[geom] == mjGEOM_PLANE;
 }
 
-// Returns the two geoms that penetrate each other deepest at the start, as the cause of a
-// divergence; nullopt if no depth exceeds kDeepStart.
+// Names the two geoms that penetrate each other deepest at the start as the cause of a divergence;
+// returns nullopt if no depth exceeds kDeepStart.
 std::optional<Divergence> DeepStart(const mjModel& m, Workspace& workspace) {
   mjData& d = workspace.For(m);
   compiled::CopyStart(m, d);

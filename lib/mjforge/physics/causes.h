@@ -1,4 +1,4 @@
-// Causes of faults in a simulation, and remedies for the faults, as texts of findings.
+// Texts for findings about faults in a simulation: causes and remedies.
 #pragma once
 
 #include <optional>
@@ -22,25 +22,25 @@ struct Divergence {
 };
 
 /// Returns the most probable cause of the divergence of the simulation with data `d`: the spring,
-/// damper or actuator that exceeds the limit of explicit integration most; otherwise the deepest
-/// penetration at the start; otherwise the joint that MuJoCo's warning names. Resets the workspace,
-/// which may own `d`.
+/// damper or actuator that exceeds the limit of explicit integration most; if there is none, the
+/// deepest penetration at the start; otherwise the joint that MuJoCo's warning names. Resets the
+/// data of the workspace, which may be `d`.
 Divergence FindDivergence(const mjModel& m, const mjData& d, Workspace& workspace);
 
 /// Returns the hinge or slide that moved most since the start, as ", as joint 'lid' moves by 90
 /// deg"; an empty text if no joint moved by 5 deg or 5 mm.
 std::string MovedJointText(const mjModel& m, const mjData& d);
 
-/// Returns the hint that lists the possible sources of energy of a settling object.
+/// Returns the hint that lists possible sources of the energy that an object gains as it settles.
 std::string EnergySourcesHint(const mjModel& m);
 
-/// Returns the hint about a joint that reached too little of its range without a collision: it
-/// names the equalities and tendons of the joint, and the start pose.
+/// Returns the hint for a joint that, without a collision, reached too little of its range. The
+/// hint names the equalities and tendons of the joint, and the start pose.
 std::string HeldBackHint(const mjModel& m, int joint);
 
-/// Returns true if a hinge or slide that is independent of `joint` moves one of the two bodies
-/// relative to the other, so that `at` in an entry of checks.joints can move that body out of the
-/// way.
+/// Returns true if a hinge or slide other than `joint`, which no equality ties to `joint`, moves
+/// one of the two bodies relative to the other. Then `at` in an entry of checks.joints can move
+/// that body out of the way.
 bool CanOtherJointSeparate(const mjModel& m, int joint, const std::pair<int, int>& bodies);
 
 /// Returns the hint `usual` for a joint that exceeds its range by `beyond`, rad or m. If `beyond`

@@ -34,7 +34,7 @@ constexpr double kOffAxis = 0.1;
 // Depth of a ball's lowest point below the object's top, m, up to which the ball counts as above
 // the object, because contacts are soft.
 constexpr double kSoft = 0.001;
-// Longest time that a ball which leaves over the rim needs until it is beside the object.
+// Longest time from when a ball leaves over the rim until the ball is beside the object.
 constexpr double kFall = 0.3;                       // s
 constexpr double kGoldenAngle = 2.399963229728653;  // rad, pi (3 - sqrt(5))
 
@@ -50,7 +50,7 @@ struct Ball {
   BallPlace place = BallPlace::kAbove;
   Vector3d p_W = Vector3d::Zero();  // m, position now, or where the ball left the object
   bool was_deep = false;            // the ball has been far below the object's top
-  double rose = -1;  // s, last time at which a ball that had been deep was near the top; -1: never
+  double rose = -1;                 // s, last time near the top after being deep; -1: never
 };
 
 /// Returns the radius of a ball, m. Radii decrease from ball to ball by equal ratios. The largest
@@ -69,11 +69,12 @@ struct ContainmentResult {
   std::vector<Ball> kept;    // balls that were still inside after the object was turned over
 };
 
-/// Simulation of balls in an object that is held in place as if fixed to the world.
+/// Simulation of balls that drop into an object. The object is held in place as if fixed to the
+/// world; gravity is turned instead of the object.
 class ContainmentSimulation {
  public:
-  /// Disables the collisions of the body `removed` and of all its descendants; 0: all bodies
-  /// collide.
+  /// Disables the collisions of the body `removed` and of all its descendants; if `removed` is 0,
+  /// all bodies collide.
   ContainmentSimulation(mjModel& m, mjData& d, std::span<const mjtNum> start,
                         const model::HoldingCheck& holding, int removed)
       : m_(m), d_(d), first_(mj_name2id(&m, mjOBJ_BODY, BallName(0).c_str())) {
@@ -125,7 +126,7 @@ class ContainmentSimulation {
     }
   }
 
-  /// Holds the object in place and computes its box.
+  /// Holds the object in place, and computes its bounding box.
   void Hold(std::span<const mjtNum> pose) {
     const int count = static_cast<int>(balls_.size());
     PlaceObject(m_, d_, pose, m_.body_jntadr[first_], 7 * count);
@@ -196,7 +197,7 @@ std::string BallText(const Ball& ball) {
                      RoundedText(mm.x()), RoundedText(mm.y()), RoundedText(mm.z()));
 }
 
-/// Findings of a containment test.
+/// Reports the balls that a containment test found at the wrong place.
 class ContainmentReport {
  public:
   explicit ContainmentReport(const ProbeTest& test)

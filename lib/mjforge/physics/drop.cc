@@ -69,13 +69,13 @@ class DropSimulation {
     int body = 0;
     Eigen::Vector3d start = Eigen::Vector3d::Zero();  // m, centre of mass of the tree
     Eigen::Vector3d up_B =
-        Eigen::Vector3d::UnitZ();  // world's z axis in the body's frame B, before the nudge
+        Eigen::Vector3d::UnitZ();  // world's z axis in frame B of the body, before the nudge
   };
 
   bool IsNudged() const { return nudge_.tilt != 0 || nudge_.speed != 0; }
 
-  /// Returns true if a slow object may not be at rest: a nudged object may be balancing, and a
-  /// damped joint may creep.
+  /// Returns true if an object whose bodies are slow may not be at rest: a nudged object may be
+  /// balancing, and a damped joint may creep.
   bool MayStillMove() const {
     if (IsNudged()) return Tilt() > checks_.nudge / 2;
     return HasRestRanges(checks_);
@@ -110,7 +110,7 @@ class DropSimulation {
 
   Eigen::Quaterniond TurnOf(int body) const { return compiled::QuaternionAt(d_.xquat, body); }
 
-  /// Stores the poses and the energy at the start.
+  /// Stores the poses and the energy at the start, and computes the scale of energy gains.
   void Begin() {
     starts_.assign(d_.xipos, d_.xipos + 3 * m_.nbody);
     for (Root& root : roots_) {
@@ -127,16 +127,17 @@ class DropSimulation {
     start_energy_ = highest_energy_ = Energy();
   }
 
-  /// Returns the largest distance of a point of a geom from the centre of mass of its tree, m.
+  /// Returns an upper bound of the distance of the points of a geom from the centre of mass of its
+  /// tree of bodies, m.
   double Reach(int geom) const {
     const int root = m_.body_rootid[m_.geom_bodyid[geom]];
     return m_.geom_rbound[geom] +
            (VectorAt(d_.geom_xpos, geom) - VectorAt(d_.subtree_com, root)).norm();
   }
 
-  // Returns the energy, J. The energy flag is set only here, because MuJoCo would otherwise compute
-  // the energy in every step. Poses of bodies are updated first, because mj_step leaves the poses
-  // from before the step.
+  // Returns the potential and kinetic energy, J. Sets the energy flag only here, because MuJoCo
+  // would otherwise compute the energy in every step. Updates the poses of bodies first, because
+  // mj_step leaves the poses from before the step.
   double Energy() {
     mj_kinematics(&m_, &d_);
     mj_comPos(&m_, &d_);

@@ -21,7 +21,7 @@ struct DropOutcome {
   double way = 0;                     // m, displacement of the fastest body's centre of mass
 };
 
-/// Initial disturbance of free bodies: a tilt, and a speed along the floor.
+/// Initial disturbance of all free bodies: a tilt, and a speed along the floor.
 struct Nudge {
   double tilt = 0;     // rad
   double speed = 0;    // m/s

@@ -1,4 +1,4 @@
-// Check that equality constraints hold while joints are driven: the texts of its findings.
+// Reports equality constraints that slip while the joints that they couple are driven.
 #include "mjforge/physics/model_checks.h"
 
 #include <string>

@@ -1,4 +1,5 @@
-// Errors of equality constraints while the joints that they couple are driven.
+// Drives the joints that equality constraints couple, and finds the largest error of each
+// constraint.
 #include "mjforge/physics/equality_drive.h"
 
 #include <algorithm>
@@ -28,7 +29,8 @@ class Equalities {
     return IsActive(equality) && m_.eq_type[equality] == mjEQ_JOINT && m_.eq_obj2id[equality] >= 0;
   }
 
-  /// Returns true if driving the joint tests the equality, because the equality couples the joint.
+  /// Returns true if the equality is active and couples the joint. Then driving the joint tests the
+  /// equality (see DriveEqualities).
   bool IsTestedBy(int equality, int joint) const {
     if (!IsActive(equality) || !compiled::HasOneNumber(m_, joint)) return false;
     const int first = m_.eq_obj1id[equality];
@@ -48,9 +50,9 @@ class Equalities {
     }
   }
 
-  /// Returns the distance by which errors of an equality are divided to be relative, m or rad: for
-  /// an equality of two joints, the travel of joint 1 while joint 2 moves from end to end; for
-  /// other equalities, the size of the model.
+  /// Returns the distance that counts as an error of 100 %, m or rad: for an equality of two
+  /// joints, the travel of joint 1 while joint 2 moves from end to end; for other equalities, the
+  /// size of the model.
   double ScaleOf(int equality) const {
     if (!IsOfJoints(equality)) return m_.stat.extent;
     const auto [low, high] = PositionsOf(equality);

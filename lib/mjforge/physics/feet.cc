@@ -1,4 +1,5 @@
-// Check of an object's feet on a floor: feet that do not touch the floor, and too little friction.
+// Check of the feet of an object that stands on a floor: feet that do not reach the floor, and too
+// little friction.
 #include "mjforge/physics/model_checks.h"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ using expr::RoundedText;
 
 constexpr double kTouches = 0.0005;  // m; a part whose bottom is lower than this touches the floor
 constexpr double kLifted = 0.001;    // m; a part whose bottom is this high or higher is lifted
-constexpr double kHalf = 0.5;        // highest bottom of a foot, as a share of the foot's height
+constexpr double kHalf = 0.5;        // largest gap under a foot, as a share of the foot's height
 constexpr double kAlike = 0.1;       // largest relative difference between sizes of similar parts
 
 /// Part of the object, with all geoms (pieces) of which the part is made.
@@ -75,8 +76,8 @@ std::vector<Foot> FeetOf(const ModelTest& test, const mjData& d, int root, doubl
 }
 
 /// Returns a part on the floor that is similar to a lifted part. Returns null if fewer than two
-/// similar parts are on the floor, or if more similar parts are in the air than on the floor, as if
-/// they were pieces of a curved runner.
+/// similar parts are on the floor, or if more similar parts are in the air than on the floor,
+/// because such parts may be pieces of a curved runner.
 const Foot* LikeOnFloor(const std::vector<Foot>& feet, const Foot& lifted) {
   const Foot* like = nullptr;
   int on_floor = 0;
@@ -132,8 +133,8 @@ std::optional<double> FrictionOf(const mjModel& m, const mjData& d, int root) {
 }
 
 void CheckGlides(const ModelTest& test, const mjData& d, int root) {
-  // Tests slopes of up to 45 degrees only, because the floor's friction of 1 holds no object on a
-  // steeper slope.
+  // Tests slopes of up to 45 degrees only, because friction of 1, the friction of the floor, holds
+  // no object on a steeper slope.
   const double slope = std::min(test.checks().nudge, std::numbers::pi / 4);
   const std::optional<double> friction = FrictionOf(test.m, d, root);
   if (!friction || *friction >= std::tan(slope)) return;

@@ -1,4 +1,4 @@
-// Recorder of a simulation for a film: positions at equal intervals of simulated time.
+// Records positions of a simulation every 5 ms, and selects the positions of a film.
 #include "mjforge/physics/film_recorder.h"
 
 #include <algorithm>

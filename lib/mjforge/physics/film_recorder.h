@@ -20,7 +20,7 @@ class FilmRecorder {
   /// Adds the current run to the film.
   void Keep();
 
-  /// Returns at most `frames` positions of the kept runs, at equal intervals.
+  /// Returns at most `frames` positions of the kept runs, at equal intervals of simulated time.
   Film Finish(std::size_t frames) const;
 
  private:

@@ -1,4 +1,4 @@
-// Floor on which objects are dropped, and other fixed geoms on which they can lie.
+// Finds fixed geoms on which objects can lie, lifts free bodies above a floor, and levels floors.
 #include "mjforge/physics/floor.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace mjforge::physics {
 namespace {
 
-// Largest difference of 1 and the z component of a level plane's normal.
+// Largest difference between 1 and the z component of the normal of a plane that counts as level.
 constexpr double kLevel = 1e-9;
 
 /// Returns the height of the lowest point of all colliding geoms except planes, m; 0 if there are

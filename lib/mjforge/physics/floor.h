@@ -5,7 +5,7 @@
 
 namespace mjforge::physics {
 
-/// Returns the largest contact margin of any geom, m. Contact forces begin at most at this
+/// Returns the largest contact margin of all geoms, m. Contact forces begin at most at this
 /// distance.
 double LargestMargin(const mjModel& m);
 
@@ -20,12 +20,13 @@ struct Ground {
 
   bool is_level_floor() const { return planes == 1 && others == 0; }
 };
-/// Finds the colliding geoms that are fixed to the world. Needs the poses of mj_kinematics.
+/// Finds the colliding geoms that are fixed to the world. Needs the poses that mj_kinematics
+/// computes.
 Ground GroundOf(const mjModel& m, const mjData& d);
 
-/// Lifts all free bodies by the same distance, so that the lowest point of their colliding geoms is
-/// at `height`, m. Needs the poses of mj_kinematics. Returns false if the free bodies have no
-/// colliding geoms, so that they would fall for ever.
+/// Moves all free bodies up (or down) by the same distance, to put the lowest point of their
+/// colliding geoms at `height`, m. Needs the poses that mj_kinematics computes. Returns false if
+/// the free bodies have no colliding geoms, because they would fall for ever.
 bool LiftFreeBodies(const mjModel& m, mjData& d, double height);
 
 /// Makes a plane of the world level, with MuJoCo's default contact parameters whatever the file's

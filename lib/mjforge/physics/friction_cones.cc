@@ -1,4 +1,5 @@
-// Check for large friction, which makes contacts soft if MuJoCo's friction cones are pyramids.
+// Check for large friction coefficients, which make contacts soft if the friction cones are
+// pyramidal.
 #include "mjforge/physics/model_checks.h"
 
 #include <string>

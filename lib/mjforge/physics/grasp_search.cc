@@ -1,4 +1,5 @@
-// Search for grasps: casts rays from both sides, and sorts pairs of faces by their cost.
+// Search for grasps: casts rays from both sides of a point to find opposite faces, and prefers
+// faces of low cost.
 #include "mjforge/physics/grasp_search.h"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ constexpr double kMargin = 0.005;  // m, gap between each jaw and its face befor
 // Distance from a ray to the rays that measure the face's slope.
 constexpr double kAside = 0.0003;   // m
 constexpr double kFriction = 1;     // tangent of the half-angle of the jaws' friction cones
-constexpr double kSeam = 2e-5;      // m, offset of rays, so that they miss the seams between pieces
+constexpr double kSeam = 2e-5;      // m, offset of rays, to miss the seams between pieces
 constexpr double kThinnest = 5e-4;  // m, least distance between the two faces
 constexpr double kOffset = 0.008;   // m, distance from a site to the points beside it
 constexpr double kPerOffset = 20;   // cost per metre of distance from a site; a slope of 1 costs 1
@@ -44,7 +45,7 @@ std::vector<Vector3d> Directions() {
   return directions;
 }
 
-/// Returns two unit vectors perpendicular to `way` and to each other.
+/// Returns two unit vectors that are perpendicular to the unit vector `way` and to each other.
 std::pair<Vector3d, Vector3d> Across(const Vector3d& way) {
   const Vector3d one = way.unitOrthogonal();
   return {one, way.cross(one)};
@@ -61,7 +62,7 @@ struct GraspSearch::FaceLine {
   Vector3d middle = Vector3d::Zero();  // m, midpoint between the faces
   Vector3d way = Vector3d::UnitY();    // direction from the second face to the first
   double width = 0;                    // m
-  double cost = 0;                     // the smallest is best
+  double cost = 0;                     // grasps of low cost are tried first
   int body = 0;                        // id of the body with the first face
 };
 
@@ -135,16 +136,16 @@ double GraspSearch::Distance(const Vector3d& from, const Vector3d& way, int& hit
   return nearest;
 }
 
-/// Returns true if a geom belongs to the tree of `owner` (if `owner` is a root), or else to `owner`
-/// and the bodies welded to it.
+/// Returns true if `owner` is the root of a tree and the geom belongs to this tree, or if `owner`
+/// is another body and the geom belongs to `owner` or to a body welded to it.
 bool GraspSearch::IsPartOf(int geom, int owner) const {
   const int body = m_.geom_bodyid[geom];
   const bool is_root = m_.body_rootid[owner] == owner;
   return is_root ? m_.body_rootid[body] == owner : m_.body_weldid[body] == m_.body_weldid[owner];
 }
 
-/// Returns the lines through a point, in 13 directions of the frame `q_WS`, between two faces of
-/// `owner` (IsPartOf). The friction cones of both faces contain the line.
+/// Returns the lines through the point `p_W`, in 13 directions of the frame `q_WS`, between two
+/// opposite faces of `owner` (IsPartOf). Each line is inside the friction cones of both faces.
 std::vector<GraspSearch::FaceLine> GraspSearch::LinesThrough(const Vector3d& p_W,
                                                              const Eigen::Quaterniond& q_WS,
                                                              int owner) const {
@@ -179,7 +180,7 @@ std::vector<GraspSearch::FaceLine> GraspSearch::LinesThrough(const Vector3d& p_W
   return lines;
 }
 
-/// Returns true if the open gripper touches nothing.
+/// Returns true if the open gripper, placed for this grasp, touches nothing.
 bool GraspSearch::IsFree(const GraspCandidate& candidate) const {
   gripper_.Place(d_, start_, candidate.X_WJ, OpeningFor(candidate, grasping_));
   mj_kinematics(&m_, &d_);
@@ -187,9 +188,9 @@ bool GraspSearch::IsFree(const GraspCandidate& candidate) const {
   return !gripper_.Touches(d_);
 }
 
-/// Returns the grasps of lowest cost, at most grasping.tries. Their lines differ by more than 20
-/// deg, or their midpoints are at least 2 kOffset apart. Each grasp has the first direction of the
-/// fingers in which the open gripper touches nothing.
+/// Returns the grasps of lowest cost, at most grasping.tries. The lines of any two grasps differ by
+/// more than 20 deg, or have midpoints at least 2 kOffset apart. For each line, takes the first
+/// direction of the fingers in which the open gripper touches nothing.
 std::vector<GraspCandidate> GraspSearch::Best(std::vector<FaceLine> lines) const {
   std::ranges::stable_sort(lines, {}, &FaceLine::cost);
   std::vector<GraspCandidate> best;

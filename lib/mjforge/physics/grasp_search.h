@@ -11,28 +11,27 @@
 
 namespace mjforge::physics {
 
-/// Grasp on two opposite faces of one tree of bodies. The line between the faces is inside the
-/// friction cones of both faces, and the open gripper touches nothing.
+/// Pose of the gripper for a grasp of two opposite faces of one tree of bodies. The line between
+/// the faces is inside the friction cones of both faces, and the open gripper touches nothing.
 struct GraspCandidate {
   model::Pose X_WJ;  // pose of the gripper in the world
   double width = 0;  // m, distance between the faces
   int body = 0;      // id of the body with the face on the gripper's +y side
 };
 
-/// Returns the opening of the gripper before it closes, m.
+/// Returns the distance between the jaws before the gripper closes, m.
 double OpeningFor(const GraspCandidate& candidate, const model::GraspingCheck& grasping);
 
-/// Finds grasps on an object whose joints are at `start`. Rays from both sides find the faces. `m`
-/// must be loaded from a text of WithGripper().
+/// Finds grasps of an object whose joints are at `start`, by rays that are cast from both sides.
+/// `m` must be loaded from a text of WithGripper(), and `d` must be the data of `m`.
 class GraspSearch {
  public:
   GraspSearch(const mjModel& m, mjData& d, const Gripper& gripper, std::span<const mjtNum> start,
               const model::GraspingCheck& grasping);
 
-  /// Returns at most grasping.tries grasps, the best first, along lines through a site or through
-  /// points beside the site. The lines have 13 directions of the site's frame. The two faces of a
-  /// grasp belong to `body` or to bodies welded to it; if `body` is a root, to any body of its
-  /// tree.
+  /// Returns at most grasping.tries grasps, the best first. Tries lines through a site and through
+  /// points beside the site, in 13 directions of the site's frame. If `body` is a root, the two
+  /// faces of a grasp belong to bodies of its tree; otherwise to `body` or to bodies welded to it.
   std::vector<GraspCandidate> AtSite(const model::Pose& X_WS, int body) const;
 
   /// Returns at most grasping.tries grasps in the bounding box of a root body's tree, the best

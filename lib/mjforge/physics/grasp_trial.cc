@@ -25,8 +25,8 @@ using diag::Code;
 using Eigen::Vector3d;
 using expr::RoundedText;
 
-// Durations of the phases of a grasp. The gripper stays in place; gravity changes as if the gripper
-// accelerated.
+// Durations of the phases of a grasp. The gripper stays in place; instead of moving the gripper,
+// the test changes gravity.
 constexpr double kClose = 0.5;   // s
 constexpr double kBounce = 0.1;  // s, longest time for which bouncing jaws may lose contact
 constexpr double kLift = 0.3;    // s
@@ -42,11 +42,12 @@ constexpr double kLifting = 1.5;    // load while the object is lifted, multiple
 constexpr double kShaking = 0.5;    // amplitude of shaking, multiple of gravity
 constexpr double kFrequency = 5;    // Hz, of shaking
 constexpr double kMostSlip = 0.02;  // m, largest slip: the size of the jaws' faces
-// If nothing moves faster than kStillSpeed for kStillTime under a constant load, the object slips
-// by less than 2 mm in the rest of kHold, and the simulation stops early.
+// Speed and time that define standstill. If nothing moves faster than kStillSpeed for kStillTime
+// under a constant load, the object slips by less than 2 mm in the rest of kHold, and the phase
+// ends early.
 constexpr double kStillSpeed = 0.001;  // m/s
 constexpr double kStillTime = 0.2;     // s
-constexpr double kImpratio = 10;       // opt.impratio, so that friction resists creep
+constexpr double kImpratio = 10;       // opt.impratio, large to reduce creep in contacts
 // Prefix of the names of sites that are tried if checks.grasps names no sites.
 constexpr std::string_view kSitePrefix = "grasp";
 
@@ -87,7 +88,7 @@ bool HasFreeJoint(const mjModel& m, int root) {
   return m.body_jntnum[root] == 1 && m.jnt_type[m.body_jntadr[root]] == mjJNT_FREE;
 }
 
-/// Simulation of one grasp. If `joint` is given, the gripper holds a body that the joint moves, and
+/// Simulation of one grasp. If `joint` is set, the gripper holds a body that this joint moves, and
 /// the joint is pulled in both directions; otherwise the object is lifted and shaken.
 class GraspSimulation {
  public:
@@ -142,7 +143,7 @@ class GraspSimulation {
   /// Returns true if everything has been slow for kStillTime under a constant load.
   bool IsStill() const { return still_ >= kStillTime; }
 
-  /// Returns true if both jaws touch the object, or lost contact for less than kBounce.
+  /// Returns true if both jaws touch the object, or have lost contact for less than kBounce.
   bool Touches() const { return apart_ < kBounce; }
   bool Holds() const { return Touches() && Slip() <= kMostSlip; }
 
@@ -163,7 +164,7 @@ class GraspSimulation {
     return Holds() ? GraspOutcome::kHeld : GraspOutcome::kSlipped;
   }
 
-  /// Pulls the joint in both directions.
+  /// Pulls the joint in both directions with the force grasping.pull at the gripper.
   GraspOutcome Pull(int joint) {
     Gravity() = Vector3d(0, 0, -kEarthGravity);
     const int dof = m_.jnt_dofadr[joint];
@@ -188,8 +189,8 @@ class GraspSimulation {
   const model::GraspingCheck& grasping_;
   std::optional<int> joint_;
   int body_ = 0;                      // id of the body with the first face of the grasp
-  double apart_ = 0;                  // s, since both jaws last touched the object
-  double still_ = 0;                  // s, since anything last moved faster than kStillSpeed
+  double apart_ = 0;                  // s, time since both jaws last touched the object
+  double still_ = 0;                  // s, time since anything moved faster than kStillSpeed
   Vector3d p_BJ_ = Vector3d::Zero();  // m, gripper's origin in the body's frame, with closed jaws
   Vector3d p_WJ_ = Vector3d::Zero();  // m, gripper's origin in the world
   Stepper stepper_;

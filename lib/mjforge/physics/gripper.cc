@@ -1,4 +1,4 @@
-// Gripper: its MJCF, its placement, and its contacts.
+// Writes the MJCF of the gripper, places the gripper, and reads its contacts.
 #include "mjforge/physics/gripper.h"
 
 #include <algorithm>

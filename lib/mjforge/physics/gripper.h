@@ -12,7 +12,8 @@
 
 namespace mjforge::physics {
 
-/// Returns the MJCF text of an object with a gripper added, whose palm is a mocap body.
+/// Returns the MJCF text of an object to which a gripper is added. The palm of the gripper is a
+/// mocap body.
 std::string WithGripper(std::string_view text, const model::GraspingCheck& grasping);
 
 /// Gripper in a model that was loaded from a text of WithGripper().
@@ -21,7 +22,7 @@ class Gripper {
   explicit Gripper(const mjModel& m);
 
   /// Resets the data, sets the positions of the object's joints to `start`, and places the gripper
-  /// at a pose with `opening` (m) between the jaws.
+  /// at the pose `X_WJ` with the distance `opening`, m, between the jaws.
   void Place(mjData& d, std::span<const mjtNum> start, const model::Pose& X_WJ,
              double opening) const;
 
@@ -30,9 +31,9 @@ class Gripper {
 
   /// Returns true if a geom belongs to the gripper.
   bool Has(int geom) const;
-  /// Returns true if the gripper penetrates anything, by the contacts in `d`.
+  /// Returns true if a contact in `d` shows that the gripper penetrates another body.
   bool Touches(const mjData& d) const;
-  /// Returns true if each jaw touches a body of the tree with this root, by the contacts in `d`.
+  /// Returns true if, by the contacts in `d`, each jaw touches a body of the tree with this root.
   bool Holds(const mjData& d, int root) const;
 
  private:

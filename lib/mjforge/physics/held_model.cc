@@ -1,4 +1,5 @@
-// Copy of a model whose free bodies are held in place, and which has no floor.
+// Makes free bodies too heavy to be moved in a copy of a model, and disables actuators and the
+// floor.
 #include "mjforge/physics/held_model.h"
 
 #include <algorithm>
@@ -6,8 +7,8 @@
 namespace mjforge::physics {
 namespace {
 
-// Armature of a held free body, as a multiple of the mass of its tree; for rotations, of this mass
-// times the square of the tree's size.
+// Armature of a held free body: for translations, a multiple of the mass of its tree; for
+// rotations, the same multiple of this mass times the square of the size of the tree.
 constexpr double kHeldRootMass = 1e6;
 // Tolerance of the solver. In a model with the large mass of held bodies, MuJoCo's default of 1e-8
 // lets MuJoCo 3 and 4 stop before an equality of light joints holds: for example, the lid of a jar

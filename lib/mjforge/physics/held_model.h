@@ -5,8 +5,8 @@
 
 namespace mjforge::physics {
 
-/// Returns a copy of the model without actuators, in which planes of the world do not collide and a
-/// large armature keeps each free body in place.
+/// Returns a copy of the model in which actuators are disabled, planes of the world do not collide,
+/// and a large armature keeps each free body in place.
 engine::Model HeldModel(const mjModel& model);
 
 }  // namespace mjforge::physics

@@ -1,4 +1,5 @@
-// Entries of checks.joints: lookup of joints, and findings about unknown joints and bad positions.
+// Finds the joints that entries of checks.joints name, and reports unknown joints and impossible
+// positions.
 #include "mjforge/physics/joint_checks.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ std::size_t PositionSize(const mjModel& m, int joint) {
   }
 }
 
-// Returns true if a position is outside a range by more than a rounding error.
+// Returns true if a position is outside of a range by more than a rounding error.
 bool IsOutside(const compiled::JointRange& range, double position) {
   const double rounding = 1e-6 * (range.high - range.low);
   return position < range.low - rounding || position > range.high + rounding;

@@ -20,8 +20,9 @@ class JointChecks {
   JointChecks(const mjModel& m, std::string_view object, const model::Checks& checks)
       : m_(m), object_(object), checks_(checks) {}
 
-  /// Reports joints that the model does not have, impossible positions, and `rests` of other joints
-  /// than hinges and slides. Returns false after a report; then no other function may be called.
+  /// Reports joints that the model does not have, impossible positions, and `rests` of joints that
+  /// are neither hinges nor slides. Returns false after a report; then no other function may be
+  /// called.
   bool Verify(static_checks::Reporter& reporter) const;
 
   /// Returns the joints that can be driven and that no entry of checks.joints names.
@@ -31,14 +32,15 @@ class JointChecks {
   /// be driven.
   std::vector<int> JointsOf(const model::JointCheck& check) const;
 
-  /// Returns true if the checks can move the joint from the model's start pose, with or without an
-  /// actuator. Free joints and slides without a range cannot be moved.
+  /// Returns true if the drive test can move the joint from the start pose of the model, with or
+  /// without an actuator. Free joints and slides without a range cannot be driven.
   bool CanBeDriven(int joint) const;
 
   /// Returns true if `check`, an entry of checks.joints, names the joint.
   bool Names(const model::JointCheck& check, int joint) const;
 
-  /// Returns the qpos from which the joints of an entry of checks.joints are driven.
+  /// Returns the positions (qpos) from which the joints of an entry of checks.joints are driven:
+  /// the start pose, changed by `at` of the entry.
   std::vector<mjtNum> StartOf(const model::JointCheck& check) const;
 
  private:

@@ -1,4 +1,5 @@
-// Controller that drives joints: smooth moves, inverse dynamics with critically damped errors.
+// Controller that drives joints: smooth moves, by inverse dynamics with critically damped feedback
+// of errors.
 #include "mjforge/physics/joint_controller.h"
 
 #include <algorithm>
@@ -19,25 +20,27 @@ constexpr double kFastest = 12;      // rad/s, highest speed of a hinge
 constexpr double kLongestMove = 10;  // s
 constexpr double kHoldTime = 0.1;    // s; a move ends if the joint comes no nearer for this time
 constexpr double kMostWaiting = 1;   // s, longest wait for a joint that lags behind the setpoint
-// Tolerance of the end of a move: a share of the range, but at most kNearest, because the range of
-// a screw is many turns.
+// Largest distance from the end of a move at which the move is complete: a share of the range, but
+// at most kNearest, because the range of a screw is many turns.
 constexpr double kThere = 0.01;
 constexpr double kNearest = 0.005;  // rad or m
-// Natural frequency of the controller, rad/s: slower than the 50 rad/s of MuJoCo's limits and
+// Natural frequency of the feedback, rad/s: slower than the 50 rad/s of MuJoCo's limits and
 // contacts, and faster than a move.
 constexpr double kNaturalFrequency = 20;
-// Largest position errors that the controller corrects; larger errors are clamped, to limit the
-// force on a blocked joint. The limit of a driven joint is a share of its range.
+// Largest position errors that the feedback corrects. Larger errors are clamped, to limit the force
+// on a blocked joint. kMostError is a share of the range of a driven joint; kMostHeldError applies
+// to joints that are held.
 constexpr double kMostError = 0.1;
 constexpr double kMostHeldError = 0.1;  // rad or m
 
-/// Returns the duration of a move, s. A hinge turns at most at kFastest unless the move would take
-/// longer than kLongestMove, so that a screw does not reach the end of its range at a high speed.
+/// Returns the duration, s, of a move of a hinge by `angle`. The speed is at most kFastest, unless
+/// the move would take longer than kLongestMove; a screw must not reach the end of its range at a
+/// high speed.
 double TimeOf(double angle) {
   return std::clamp(std::numbers::pi / 2 * std::abs(angle) / kFastest, kMoveTime, kLongestMove);
 }
 
-/// Returns the setpoint at a time, s, of a smooth move from 0 to 1 (half a cosine) that takes
+/// Returns the setpoint at a time, s, of a smooth move from 0 to 1 (half a cosine wave) in
 /// `duration` s.
 Setpoint SmoothMove(double time, double duration) {
   const double share = std::clamp(time / duration, 0.0, 1.0);
@@ -149,7 +152,8 @@ void JointController::Start(JointDrive& drive) {
   added_inertia_[Index(dof)] = AddedInertiaOf(dof);
   drive.driven->range = std::max(drive.driven->range, path.range());
   drive.driven->outside = std::max({0.0, path.low - path.start, path.start - path.high});
-  // If a joint starts outside its range, its limits first push the joint into the range.
+  // Limits push a joint that starts outside of its range into the range, which therefore contains
+  // `home`.
   drive.home = std::clamp(path.start, path.low, path.high);
   drive.lowest = drive.highest = drive.home;
   drive.counts = drive.driven->outside == 0;
@@ -160,8 +164,8 @@ void JointController::Finish(const JointDrive& drive) {
   const JointPath& path = drive.path;
   const double reached = std::min(drive.highest, path.high) - std::max(drive.lowest, path.low);
   Result::Joint& measured = drive.driven->measured;
-  // A joint without a range that is coupled to other joints, such as the rocker of a linkage, need
-  // not make the full turn of its path.
+  // Leaves the reach of a coupled joint without a range unchanged, because such a joint, for
+  // example the rocker of a linkage, need not make the full turn of its path.
   const bool has_own_range = path.limited || !couplings_.IsCoupled(path.joint);
   if (path.range() > 0 && has_own_range)
     measured.reach = std::min(measured.reach, std::max(reached, 0.0) / path.range());
@@ -192,7 +196,7 @@ void JointController::Move(std::vector<JointDrive>& drives) {
     for (JointDrive& drive : drives) {
       const double distance = std::abs(Value(drive.path) - drive.End());
       const double near = std::min(kThere * drive.path.range(), kNearest);
-      // The joint still moves if it creeps nearer or swings about the end of the move.
+      // A joint that creeps nearer, or swings about the end of the move, still moves.
       const double speed = std::abs(d_.qvel[m_.jnt_dofadr[drive.path.joint] + drive.path.axis]);
       const bool moves =
           distance > near && (distance < drive.nearest - near * dt || speed > near / kHoldTime);
@@ -202,8 +206,9 @@ void JointController::Move(std::vector<JointDrive>& drives) {
   }
 }
 
-/// Returns the inertia that equalities and tendons add to a degree of freedom, kg or kg m^2, such
-/// as that of a lid which a screw lifts. Measures the inertia with a test force.
+/// Returns the inertia, kg or kg m^2, that equalities and tendons add to a degree of freedom; for
+/// example, a screw must also accelerate the lid that it lifts. Measures the inertia with a test
+/// force.
 double JointController::AddedInertiaOf(int dof) {
   const double held = engine::DofInertia(m_, d_, dof);
   const double force = held;  // for an acceleration of about 1 m/s^2 or rad/s^2
@@ -237,9 +242,9 @@ void JointController::SetForces(const std::vector<JointDrive>& drives, const Set
   ApplyForces();
 }
 
-/// Applies the forces that give the desired accelerations to joints at rest without gravity. The
-/// forces depend on the whole mass matrix, because each link of a chain feels the forces on other
-/// links.
+/// Applies the forces that would give the desired accelerations to joints at rest without gravity.
+/// Computes them from the whole mass matrix, because each link of a chain feels the forces on the
+/// other links.
 void JointController::ApplyForces() {
   mj_mulM(&m_, &d_, d_.qfrc_applied, accelerations_.data());
   for (int i = 0; i < m_.nv; ++i) {
@@ -268,8 +273,9 @@ std::optional<Setpoint> JointController::SetpointOfOther(const std::vector<Joint
   return std::nullopt;
 }
 
-/// Sets the desired accelerations of a joint, which correct its errors, clamped to `most`. The
-/// setpoint moves about `axis`; about the other axes of a ball joint the setpoint is at rest.
+/// Sets the desired accelerations of a joint, from feedback of the position errors `errors`,
+/// clamped to `most`, and of speed errors. The setpoint moves about `axis`; about the other axes of
+/// a ball joint, the setpoint is at rest.
 void JointController::Correct(int joint, int axis, const std::array<double, 3>& errors, double most,
                               const Setpoint& setpoint) {
   const int dofs = m_.jnt_type[joint] == mjJNT_BALL ? 3 : 1;
@@ -285,7 +291,9 @@ void JointController::Correct(int joint, int axis, const std::array<double, 3>& 
   }
 }
 
-/// Returns the position errors of the one or three degrees of freedom of a joint, m or rad.
+/// Returns the position errors of the degrees of freedom of a joint (three of a ball joint,
+/// otherwise the first number), m or rad. `target` is relative to qpos0, for a ball joint about
+/// `axis`.
 std::array<double, 3> JointController::Errors(int joint, int axis, double target) const {
   const int at = m_.jnt_qposadr[joint];
   if (m_.jnt_type[joint] != mjJNT_BALL) return {m_.qpos0[at] + target - d_.qpos[at], 0, 0};
@@ -304,7 +312,7 @@ std::array<double, 3> JointController::ErrorsOfHeld(int joint, double target) co
   return errors;
 }
 
-/// Returns the position of the joint along the path, relative to the model's reference pose.
+/// Returns the position of the joint along the path, relative to qpos0.
 double JointController::Value(const JointPath& path) const {
   return -Errors(path.joint, path.axis, 0)[Index(path.axis)];
 }
@@ -328,7 +336,8 @@ void JointController::Measure(std::vector<JointDrive>& drives) {
           NoteFreeBody(bodies, deeper, *drive.driven);
         continue;
       }
-      // If several joints are driven, a pair of bodies belongs to the joint that moves one of them.
+      // If one joint is driven, counts all pairs of bodies of its tree for this joint. If several
+      // joints are driven, counts a pair for each joint that moves one of the two bodies.
       const bool is_own =
           drives.size() == 1
               ? m_.body_rootid[bodies.first] == m_.body_rootid[m_.jnt_bodyid[drive.path.joint]]

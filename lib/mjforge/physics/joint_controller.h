@@ -1,4 +1,4 @@
-// Controller that drives joints along paths by forces, and measures how they follow.
+// Controller that drives joints along paths by forces, and measures reach, errors and penetrations.
 #pragma once
 
 #include <array>
@@ -17,10 +17,10 @@
 
 namespace mjforge::physics {
 
-/// Motion of joints that equalities and tendons couple to a driven joint.
+/// Way in which joints move that equalities and tendons couple to a driven joint.
 enum class CoupledJoints {
-  kDriven,   // moved by the controller, too, if an equality determines their motion
-  kPassive,  // moved only by the equality or tendon
+  kDriven,   // by the controller, too, if an equality of joints determines the motion
+  kPassive,  // only by the equality or tendon
 };
 
 /// Drives joints of a model whose free bodies are held in place (HeldModel). `m` and its data `d`
@@ -31,7 +31,7 @@ class JointController {
 
   const JointCouplings& couplings() const { return couplings_; }
 
-  /// Sets the start positions (nq), from which the joints are driven.
+  /// Sets the start positions (qpos, nq numbers), from which joints are driven.
   void Begin(std::span<const mjtNum> start);
 
   /// Returns the pairs of bodies of one tree that penetrate each other at the start positions.
@@ -40,8 +40,9 @@ class JointController {
   /// Records the following drives, unless `recorder` is null.
   void RecordTo(FilmRecorder* recorder) { stepper_.RecordTo(recorder); }
 
-  /// Drives the joints at the same time: all along their first paths, then ball joints along their
-  /// second paths, and so on. Each drive begins at the start positions.
+  /// Drives several joints at the same time: each along its first path, and then ball joints along
+  /// their second and third paths. Each drive begins at the start positions. Returns one result for
+  /// each joint, in the order of `joints`.
   std::vector<DrivenJoint> Run(std::span<const int> joints);
 
  private:
@@ -53,11 +54,11 @@ class JointController {
     DrivenJoint* driven = nullptr;
     std::vector<bool> moved;  // nbody, true for each body that the joint moves
     double home = 0;          // position at which the joint must be at the end of the drive
-    double from = 0;          // ends of the present move, including the push beyond the range
+    double from = 0;          // start and end of the present move, with the push beyond the range
     double to = 0;
     double nearest = 0;  // least distance from the end of the move so far
     double held = 0;     // s, time since the joint last came nearer to the end of the move
-    bool counts = true;  // true if positions extend `lowest` and `highest`
+    bool counts = true;  // true if `lowest` and `highest` include present positions
     double lowest = 0;
     double highest = 0;
 
@@ -65,12 +66,13 @@ class JointController {
   };
 
   void Reset();
-  /// Returns the present penetration depths of pairs of bodies, m.
+  /// Returns the present penetration depth, m, of each pair of bodies that penetrate each other.
   std::map<Bodies, double> DepthsNow() const;
-  /// Returns true if both bodies belong to the same tree of bodies. Other trees and the world are
-  /// held in place during a drive.
+  /// Returns true if both bodies belong to the same tree of bodies. During a drive, other trees and
+  /// the world do not move.
   bool AreOneTree(const Bodies& bodies) const;
-  /// Records the penetration `depth` of bodies of different trees if it is the deepest so far.
+  /// Stores the penetration `depth` of two bodies of different trees in `driven` if it is the
+  /// deepest so far.
   void NoteFreeBody(const Bodies& bodies, double depth, DrivenJoint& driven) const;
   void DriveAll(std::vector<JointDrive>& drives);
   void Start(JointDrive& drive);
@@ -78,9 +80,9 @@ class JointController {
   /// Moves each joint on its path from `from` to `to`.
   void Move(std::vector<JointDrive>& drives);
   double AddedInertiaOf(int dof);
-  /// Applies the forces of one step of a move. `progress.position` is the share of the move that
-  /// should be complete, from 0 to 1, and `progress.speed` and `progress.acceleration` are its
-  /// derivatives.
+  /// Applies the forces of one step of a move. `progress.position` is the share of the move, from 0
+  /// to 1, that should be complete; `progress.speed` and `progress.acceleration` are the
+  /// derivatives of this share with respect to time.
   void SetForces(const std::vector<JointDrive>& drives, const Setpoint& progress);
   void ApplyForces();
   static Setpoint Target(const JointDrive& drive, const Setpoint& progress);

@@ -1,4 +1,5 @@
-// Couplings of joints by equalities and tendons.
+// Finds the joints that equalities and tendons couple, and the motions that equalities of joints
+// require.
 #include "mjforge/physics/joint_couplings.h"
 
 #include <algorithm>
@@ -30,7 +31,7 @@ JointCouplings::JointCouplings(const mjModel& m) : coupled_(static_cast<std::siz
   const auto couple_all = [&] { std::fill(coupled_.begin(), coupled_.end(), true); };
   for (int i = 0; i < m.neq; ++i) {
     if (m.eq_type[i] != mjEQ_JOINT) {
-      couple_all();  // a weld or a closed loop may couple any joints
+      couple_all();  // an equality of bodies or tendons may couple any joints
       continue;
     }
     couple(m.eq_obj1id[i]);

@@ -15,7 +15,8 @@ struct Setpoint {
   double acceleration = 0;  // rad/s^2 or m/s^2
 };
 
-/// Equality of two joints: y = poly(x), relative to the model's reference pose (qpos0).
+/// Equality of two joints: y = poly(x). Positions x and y are relative to the reference pose of the
+/// model (qpos0).
 struct JointEquality {
   int y = 0;                     // id of joint1
   int x = 0;                     // id of joint2
@@ -26,7 +27,7 @@ struct JointEquality {
   double SlopeAt(double value) const;
 };
 
-/// Returns the equality of two joints with this id. The equality must have a joint 2.
+/// Returns the equality with this id, which must be of type joint and have a joint 2.
 JointEquality JointEqualityAt(const mjModel& m, int equality);
 
 /// Joints of a model that equalities and tendons couple to other joints. `m` must outlive this
@@ -35,12 +36,12 @@ class JointCouplings {
  public:
   explicit JointCouplings(const mjModel& m);
 
-  /// Returns true if an equality or a tendon may couple the joint to others.
+  /// Returns true if an equality or a tendon may couple the joint to other joints.
   bool IsCoupled(int joint) const { return coupled_[static_cast<std::size_t>(joint)]; }
 
-  /// Returns the motion that an equality requires of a joint if another joint, which is driven, is
-  /// at `target`; nullopt if no equality determines the motion. Positions are relative to the
-  /// model's reference pose (qpos0).
+  /// Returns the motion of the joint `joint` that an equality requires if the joint `driven` is at
+  /// `target`; nullopt if no equality of these two joints determines the motion. Positions are
+  /// relative to qpos0.
   std::optional<Setpoint> SetpointOf(int joint, int driven, const Setpoint& target) const;
 
  private:

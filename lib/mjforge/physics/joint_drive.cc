@@ -1,4 +1,4 @@
-// Drive test: drives groups of joints while all other joints are held.
+// Drive test: drives groups of joints, while joints that are not coupled to them are held.
 #include "mjforge/physics/joint_drive.h"
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 namespace mjforge::physics {
 namespace {
 
-/// Returns a HeldModel() without gravity, springs, damping and friction, because these do not limit
-/// the range of a joint.
+/// Returns a HeldModel() without gravity, springs, damping and dry friction, because these do not
+/// limit the range of a joint.
 engine::Model WeightlessModel(const mjModel& model) {
   engine::Model held = HeldModel(model);
   held->opt.disableflags |= mjDSBL_GRAVITY | engine::kDisablePassive | mjDSBL_FRICTIONLOSS;

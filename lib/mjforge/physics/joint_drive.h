@@ -13,7 +13,7 @@
 
 namespace mjforge::physics {
 
-/// Result of driving one joint.
+/// Result of driving one joint through its range and back.
 struct DrivenJoint {
   int joint = 0;
   double range = 0;  // rad or m, length of the joint's range
@@ -24,7 +24,7 @@ struct DrivenJoint {
   std::string body2;
   double free_depth = 1e-4;  // m, deepest penetration of bodies of different trees, if above 1e-4
   std::pair<std::string, std::string> free_pair;  // names of the bodies with the depth free_depth
-  double where = 0;                     // rad or m, joint position when body1 is deepest in body2
+  double where = 0;                     // rad or m, joint position with the deepest penetration
   double outside = 0;                   // rad or m, distance of the start position from the range
   std::vector<double> equality_errors;  // largest error of each equality constraint, m or rad
   bool has_diverged = false;
@@ -44,20 +44,20 @@ struct DriveResults {
   std::vector<InitialPenetration> initial_penetrations;
 };
 
-/// Drives one joint like DriveJoints(), together with the other joints of its entry of
+/// Drives one joint like DriveJoints(), together with the other joints of its entry in
 /// checks.joints, and records the drive. Returns false if the joint cannot be driven.
 bool RecordDrive(const mjModel& m, mjData& d, std::string_view object, const model::Checks& checks,
                  int joint, FilmRecorder& recorder);
 
 /// Drives each hinge and slide from its start position (`compiled::StartOf`) to both ends of its
 /// range and back, and a ball joint from its reference orientation (qpos0) about each of its axes.
-/// An unlimited hinge makes a full turn; unlimited slides are left out. A force makes the joint
-/// follow smooth moves of half a second or more. The force accounts for the inertia that the joint
-/// moves, but not for obstacles. Free bodies are held in place, and so are other joints unless they
-/// are coupled to the driven joint. There is no gravity and no floor, and joints have no friction,
-/// springs or actuators. Joints whose bodies cannot get near each other are driven at the same
-/// time, and so are joints that one entry of checks.joints names. `object` is the object's name,
-/// `d` the model's data. May throw std::exception.
+/// A hinge without a range makes a full turn; slides without a range are left out. A force makes
+/// the joint follow smooth moves of half a second or more. The force accounts for the inertia that
+/// the joint moves, but not for obstacles. Free bodies are held in place, and so are other joints
+/// unless they are coupled to the driven joint. There is no gravity and no floor, and joints have
+/// no friction, springs or actuators. Drives joints at the same time if their bodies cannot get
+/// near each other, or if one entry of checks.joints names the joints. `object` is the name of the
+/// object, and `d` the data of the model. May throw std::exception.
 DriveResults DriveJoints(const mjModel& m, mjData& d, std::string_view object,
                          const model::Checks& checks);
 

@@ -1,4 +1,5 @@
-// Check of the forces that joints need, against the forces of actuators and of a person.
+// Check of joints and actuators: compares the forces that joints need with those of actuators and
+// of a person.
 #include "mjforge/physics/model_checks.h"
 
 #include <algorithm>
@@ -110,8 +111,8 @@ class Efforts {
         "the ctrlrange of a position servo is a position, in m or rad");
   }
 
-  /// Warns of an actuator that does not overcome weight, springs and friction everywhere in the
-  /// range of its joint.
+  /// Warns of an actuator that cannot overcome weight, springs and dry friction at some position in
+  /// the range of its joint.
   void CheckStrength(int actuator, int joint) {
     const std::optional<Force> strength = StrengthOf(actuator, joint);
     if (!strength) return;
@@ -165,8 +166,8 @@ class Efforts {
     return Force{std::max(force.down, 0.0), std::max(force.up, 0.0)};
   }
 
-  /// Returns the force that holds a joint at rest at a position against weight and springs, and
-  /// overcomes its dry friction, N or Nm; positive in the direction of the joint.
+  /// Returns the force, N or Nm, that holds a joint at rest at `position` against weight and
+  /// springs, and overcomes its dry friction; positive in the positive direction of the joint.
   double LoadAt(int joint, double position) {
     compiled::CopyStart(m_, d_);
     std::fill_n(d_.qvel, m_.nv, 0.0);
@@ -178,8 +179,8 @@ class Efforts {
     return load + std::copysign(m_.dof_frictionloss[dof], load);
   }
 
-  /// Warns of a joint that neither a person nor an actuator moves from end to end in a reasonable
-  /// time.
+  /// Warns of a joint that neither a person nor an actuator can move from end to end within
+  /// kLongestPush.
   void CheckJoint(int joint) {
     const std::vector<JointPath> paths = PathsOf(m_, joint, compiled::StartOf(m_));
     if (paths.empty() || couplings_.IsCoupled(joint)) return;
@@ -211,8 +212,9 @@ class Efforts {
                        : "damping is in Nms/rad, frictionloss in Nm, armature in kg m^2");
   }
 
-  /// Returns the lever arm at which a person can push a hinge, m: the distance from the axis to the
-  /// farthest corner of the moved geoms' boxes, but at least kShortestLever. Returns 1 for a slide.
+  /// Returns the lever arm, m, at which a person can push a hinge: the distance from the axis to
+  /// the farthest corner of the boxes of moved geoms, but at least kShortestLever. Returns 1 for a
+  /// slide.
   double LeverOf(int joint) const {
     if (IsSlide(joint)) return 1;
     const std::vector<bool> moved = BodiesMovedBy(m_, joint);

@@ -1,4 +1,5 @@
-// Paths on which joints are driven, and the boxes that they sweep.
+// Computes the paths on which joints are driven, the bodies that joints move, and the space that
+// these bodies need.
 #include "mjforge/physics/joint_paths.h"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ using Box = Eigen::AlignedBox3d;
 
 /// Returns a box that contains all colliding geoms that the joint of a path moves, at every
 /// position on the path. For a hinge the box is larger than needed: each point moves by at most
-/// angle times radius, and stays within the sphere about the joint's anchor.
+/// angle times radius, and stays within a sphere about the anchor of the joint.
 Box SweptBox(const mjModel& m, const mjData& d, const JointPath& path,
              const std::vector<bool>& moved) {
   model::Box3 at_start;

@@ -25,8 +25,8 @@ struct JointPath {
   double push = 0;
 };
 
-/// Returns the paths of a joint that starts at its position in `qpos` (nq): three for a ball joint,
-/// none for a free joint or a slide without a range, otherwise one.
+/// Returns the paths of a joint that starts at its position in `qpos` (nq numbers): three paths for
+/// a ball joint, none for a free joint or a slide without a range, and one for other joints.
 std::vector<JointPath> PathsOf(const mjModel& m, int joint, std::span<const mjtNum> qpos);
 
 /// Returns true if the joint moves the body; false if `body` is not the id of a body.
@@ -38,10 +38,10 @@ bool IsOnTendon(const mjModel& m, int joint, int tendon);
 /// Returns a flag for each body of the model: true if the joint moves the body.
 std::vector<bool> BodiesMovedBy(const mjModel& m, int joint);
 
-/// Returns groups of joints that can be driven at the same time, because bodies moved by one joint
-/// of a group do not come near bodies moved by another joint of the group. Ball joints and coupled
-/// joints are alone in their groups. `d` has the positions at which the joints start, and results
-/// of mj_kinematics.
+/// Returns groups of joints that can be driven at the same time, because the bodies that one joint
+/// of a group moves do not come near the bodies that another joint of the group moves. Ball joints
+/// and coupled joints are alone in their groups. `d` has the positions at which the joints start,
+/// and the poses that mj_kinematics computes.
 std::vector<std::vector<int>> IndependentGroups(const mjModel& m, const mjData& d,
                                                 const JointCouplings& couplings,
                                                 std::span<const int> joints);

@@ -15,7 +15,8 @@ namespace {
 using diag::Code;
 using expr::ExceededLimit;
 
-// Relative tolerance for rounding, because limit and range may depend on the same parameter.
+// Relative tolerance for rounding errors, because a spec may compute limit and range from the same
+// parameter.
 constexpr double kSameRange = 1e-6;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Joints that rest outside their range, or outside the positions that `rests` of the spec allows.
+// Check of the positions of joints at rest, against their ranges and `rests` of checks.joints.
 #include "mjforge/physics/joint_rest.h"
 
 #include <algorithm>
@@ -16,14 +16,14 @@
 namespace mjforge::physics {
 namespace {
 
-// Distances by which limits may give way. Under weight, a limit with the default solreflimit gives
-// way by about 0.4 mm.
+// Distances by which joints may exceed their ranges, because limits are soft. Under weight, a limit
+// with the default solreflimit gives way by about 0.4 mm.
 constexpr double kSagOfSlide = 0.001;  // m
 constexpr double kSagOfHinge = 0.02;   // rad
 // Largest speeds of a joint that creeps. A faster joint rolls or swings.
 constexpr double kCreepOfSlide = 0.01;  // m/s
 constexpr double kCreepOfHinge = 0.1;   // rad/s
-// A joint that creeps violates `rests` if it leaves the allowed positions within this time.
+// Time in which a moving joint must not leave the positions that `rests` allows.
 constexpr double kSoon = 10;  // s
 
 /// A hinge or slide outside its range, or outside `rests`, at the end of a drop.
@@ -32,9 +32,9 @@ struct JointOffRange {
   double position = 0;  // rad or m, value in qpos
   double low = 0;       // ends of the allowed positions
   double high = 0;
-  double beyond = 0;                         // distance from the allowed positions
+  double beyond = 0;                         // distance from allowed positions, now or in 10 s
   const model::JointCheck* check = nullptr;  // entry with the violated `rests`; null: range
-  double speed = 0;  // rad/s or m/s, if the joint will leave `rests` within 10 s; else 0
+  double speed = 0;  // rad/s or m/s, if the joint leaves `rests` only within 10 s; else 0
 };
 
 std::vector<JointOffRange> FindJointsOffRange(const ModelTest& test, const mjData& d) {
@@ -73,7 +73,7 @@ std::string_view ForceUnit(const mjModel& m, int joint) {
   return m.jnt_type[joint] == mjJNT_SLIDE ? "N" : "Nm";
 }
 
-/// Returns the force that a joint's friction must hold, N or Nm.
+/// Returns the force that the dry friction of a joint must bear to hold the joint, N or Nm.
 double LoadOf(const mjModel& m, const mjData& d, int joint) {
   const int dof = m.jnt_dofadr[joint];
   return std::abs(d.qfrc_bias[dof] - d.qfrc_passive[dof] - d.qfrc_actuator[dof]);

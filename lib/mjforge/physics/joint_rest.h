@@ -1,4 +1,5 @@
-// Joints that rest outside their range, or outside the positions that `rests` of the spec allows.
+// Predicates and hints for joints at rest: allowed positions (`rests`), and creep in spite of dry
+// friction.
 #pragma once
 
 #include <string>

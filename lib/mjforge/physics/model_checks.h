@@ -10,58 +10,61 @@
 
 namespace mjforge::physics {
 
-/// Warns of a part that is above the floor by more than 1 mm and less than half of its own height,
-/// while similar parts (sizes differ by at most a tenth) stand on the floor. Warns of an object
-/// that would slide on a floor with a slope of checks.nudge. `d` has the state at rest of the tree
-/// of bodies with this root, with poses and contacts, on a level plane at `height`, m.
+/// Warns of a part that is above the floor by more than 1 mm and by less than half of its own
+/// height, while similar parts (sizes differ by at most a tenth) stand on the floor. Warns of an
+/// object that would slide on a floor with a slope of checks.nudge. `root` is the root of the tree
+/// of bodies to check. `d` has the state of this tree at rest, with poses and contacts, on a level
+/// plane at `height`, m.
 void CheckFeet(const ModelTest& test, const mjData& d, int root, double height);
 
-/// Reports joints whose positions in `d` are beyond their ranges, or outside `rests` of
-/// checks.joints. Joints may exceed their range by the share `joint_overshoot` of the range, plus 1
-/// mm (slides) or 0.02 rad (hinges). Joints must stay within `rests` for another 10 s if they keep
-/// their present speed.
+/// Adds an error for each joint whose position in `d` is beyond its range, or outside of `rests` in
+/// checks.joints. A joint may exceed its range by the share `joint_overshoot` of the range, plus 1
+/// mm (slides) or 0.02 rad (hinges). At its present speed, a joint must also stay within `rests`
+/// for 10 s.
 void CheckJointRests(const ModelTest& test, const mjData& d);
 
-/// Warns of two bodies whose contact is ignored because of `exclude` or their contact bits, and
-/// whose penetration at rest exceeds their penetration at the start by more than
-/// `joint_penetration`. `rest` has the positions at rest (nq). A body and its parent are left out,
-/// because axles overlap their wheels. May throw std::exception.
+/// Warns of two bodies whose contacts MuJoCo ignores, because of `exclude` or their contact bits,
+/// and whose penetration at rest exceeds their penetration at the start by more than
+/// `joint_penetration`. `rest` has the positions at rest (qpos, nq numbers). Leaves out a body and
+/// its parent, because axles overlap their wheels. May throw std::exception.
 void CheckRestsInside(const ModelTest& test, std::span<const mjtNum> rest);
 
-/// Returns the longest range that a slide of the object should have, m; infinite if the object has
-/// no size.
+/// Returns the longest range that a slide of the object should have, m: checks.slide_range times
+/// the longest side of the object; infinite if the object has no size.
 double LongestSlide(const model::Object& object, const model::Checks& checks);
 
 /// Warns of hinges with a range above checks.hinge_range, and of slides with a range above
-/// checks.slide_range times the object's longest side, unless they are coupled to other joints.
+/// LongestSlide(). Leaves out joints that are coupled to other joints.
 void CheckRanges(const ModelTest& test);
 
 /// Warns of actuators of hinges and slides that have a gear of 0, that are too weak to hold their
-/// joint somewhere in its range against weight, springs and friction, or whose control range leads
-/// a position servo far beyond the joint's range. Warns of joints whose damping, dry friction or
-/// armature neither a person nor their actuators overcome. May throw std::exception.
+/// joint somewhere in its range against weight, springs and friction, or (position servos) whose
+/// control range goes far beyond the range of the joint. Warns of joints whose damping, dry
+/// friction or armature is too large for a person and for their actuators. May throw
+/// std::exception.
 void CheckEfforts(const ModelTest& test);
 
 /// Warns of bodies on hinges and slides that start more than 3 cm, or more than a quarter of their
 /// own size, from all other bodies of their tree. Warns of joints that, at an end of their range,
-/// move their bodies away from the rest of the tree: a slide by more than 3 cm, unless it lifts the
-/// bodies; a hinge by more than 3 cm and a quarter of the bodies' size. Coupled and unlimited
-/// joints are checked only at the start. Compares bounding boxes of all geoms, including visual
-/// geoms. May throw std::exception.
+/// move their bodies too far from the rest of the tree. For a slide, too far is more than 3 cm,
+/// unless the slide lifts the bodies; for a hinge, more than the larger of 3 cm and a quarter of
+/// the size of the bodies. Coupled and unlimited joints are checked only at the start. Compares
+/// bounding boxes of all geoms, including visual geoms. May throw std::exception.
 void CheckUnsupportedLinks(const ModelTest& test);
 
-/// Drives the joints that equalities couple (DriveEqualities), writes result.equalities, and
-/// reports errors above checks.equality_error. May throw std::exception.
+/// Drives the joints that equalities couple (DriveEqualities), fills in result.equalities, and adds
+/// an error for each equality whose relative error is above checks.equality_error. May throw
+/// std::exception.
 void CheckEqualities(const ModelTest& test);
 
 /// Runs the tests ground_drop 3.0.0, slope_drop, and full_range_sweep 1.4.0 of the families FET003
-/// and FET022 of the SimReady Foundation's benchmark, and mjforge's own test self_collision. Fills
-/// in result.simready. Skips the drops if the model has no free bodies or no floor. `drives` has
-/// the results of DriveJoints(). May throw std::exception.
+/// and FET022 of the SimReady Foundation's benchmark, and a further test, self_collision. Fills in
+/// result.simready. Skips the drops if the model has no free bodies or no floor. `drives` has the
+/// results of DriveJoints(). May throw std::exception.
 void CheckSimReady(const ModelTest& test, const DriveResults& drives);
 
-/// Warns of the colliding geom with the most sliding friction, if that friction is above 2 and the
-/// friction cones are pyramids.
+/// Warns of the colliding geom with the largest sliding friction if that friction is above 2 and
+/// the friction cones of the model are pyramidal.
 void CheckFrictionCones(const ModelTest& test);
 
 /// Simulates the model from its start for checks.settled->time, and adds a finding for each free

@@ -1,4 +1,4 @@
-// Lookup of the names and places of a model's elements.
+// Looks up names of elements of a model, and places of elements in the spec.
 #include "mjforge/physics/model_under_test.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Names of bodies and sites in checks: lookup, and the finding for an unknown name.
+// Looks up bodies, joints and sites that checks name, and reports unknown names.
 #include "mjforge/physics/named_elements.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Penetration of bodies into their parents: collision detection over the range of each joint.
+// Detects collisions of bodies with their parents over the range of each joint.
 #include "mjforge/physics/parent_penetration.h"
 
 #include <algorithm>
@@ -16,8 +16,8 @@
 namespace mjforge::physics {
 namespace {
 
-// Distance that a body moves from one tried position to the next, small enough that a lid does not
-// jump over a rim. On long paths the distance is larger.
+// Distance that a body moves from one tried position of a joint to the next, small enough that a
+// lid does not jump over a rim. On long paths the distance is larger.
 constexpr double kSpacing = 0.002;  // m
 constexpr int kFewestPositions = 8;
 constexpr int kMostPositions = 40;
@@ -30,7 +30,8 @@ class UnfilteredModel {
 
   void Put(std::span<const mjtNum> qpos) { std::ranges::copy(qpos, data_->qpos); }
 
-  /// Returns the number of positions to try in the range of a joint that moves a body.
+  /// Returns the number of positions to try in the range of the joint that moves `body`. `range` is
+  /// the length of the range, rad or m.
   int Positions(int joint, int body, double range) const {
     double way = range;
     if (m_->jnt_type[joint] != mjJNT_SLIDE) way *= Reach(joint, body);
@@ -38,7 +39,7 @@ class UnfilteredModel {
                       kMostPositions);
   }
 
-  /// Moves the joint of a path; the position is relative to qpos0.
+  /// Moves the joint of a path to `position`, which is relative to qpos0.
   void Move(const JointPath& path, double position) {
     const int at = m_->jnt_qposadr[path.joint];
     if (m_->jnt_type[path.joint] == mjJNT_BALL) {
@@ -50,8 +51,8 @@ class UnfilteredModel {
     }
   }
 
-  /// Returns the penetration depth of a body, with all bodies welded to the body, into its parent,
-  /// m.
+  /// Returns the depth, m, to which a body penetrates its parent. Each of the two includes the
+  /// bodies that are welded to it.
   double Depth(int body, int parent) {
     for (;;) {
       mj_kinematics(m_.get(), data_);
@@ -74,7 +75,8 @@ class UnfilteredModel {
   }
 
  private:
-  /// Returns the radius of a body, with all bodies welded to it, about a joint's anchor, m.
+  /// Returns the radius, m, of a sphere about the anchor of a joint that contains a body and all
+  /// bodies welded to it.
   double Reach(int joint, int body) const {
     double reach = 0;
     for (int geom = 0; geom < m_->ngeom; ++geom) {
@@ -120,14 +122,15 @@ class ParentPenetrationSearch {
   }
 
  private:
-  /// Returns the penetration at the start and the increase of the penetration by the joint, each
-  /// only if it is too deep.
+  /// Returns the penetration at the start, if it is too deep, and the increase of the penetration
+  /// that the joint causes, if it is too large.
   std::vector<ParentPenetration> PenetrationsOf(int joint, std::span<const mjtNum> start,
                                                 const model::JointCheck* check) {
     const int body = m_.body_weldid[m_.jnt_bodyid[joint]];
     const int parent = m_.body_weldid[m_.body_parentid[body]];
     const std::vector<JointPath> paths = PathsOf(m_, joint, start);
-    // MuJoCo does not ignore contacts with the world, so that parents in the world need no check.
+    // Skips joints whose parent body is fixed to the world, because MuJoCo does not ignore contacts
+    // with such parents.
     if (parent == 0 || paths.empty()) return {};
     unfiltered_.Put(start);
     ParentPenetration at_start{.joint = joint, .body = body, .parent = parent, .check = check};

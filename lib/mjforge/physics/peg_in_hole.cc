@@ -34,7 +34,7 @@ constexpr double kLongestFall = 2;        // s; a free fall of 1 m takes 0.45 s
 constexpr double kDepthTolerance = 1e-4;  // m, tolerance of depths, because contacts are soft
 constexpr double kNoHole = 0.001;  // m; a geom nearer than this behind the site closes the hole
 constexpr double kPushTime =
-    2;  // duration of a sideways push, in times of a free fall over the peg's width
+    2;  // duration of a push, as a multiple of the time of a free fall over the peg's width
 // Least cosine of the angle between a push and the normal of a contact that resists the push.
 constexpr double kLeastCosine = 0.3;
 
@@ -47,7 +47,7 @@ double LengthOf(const model::FittingCheck& fitting) { return kLengthPerDepth * f
 /// Body that must go into a hole.
 struct Peg {
   int body = 0;
-  model::Pose X_BT;  // pose of the peg's tip in the body's frame
+  model::Pose X_BT;  // pose of the tip of the peg in the frame of the body
 };
 
 /// End of a hole: the first colliding geom on the hole's axis.
@@ -59,7 +59,7 @@ struct HoleEnd {
 /// Result of dropping a peg into a hole.
 struct Insertion {
   double depth = 0;      // m, largest depth of the tip
-  bool is_held = false;  // the hole stops the peg from leaving sideways
+  bool is_held = false;  // true: the hole stops the peg from leaving sideways
 };
 
 /// Simulation of one peg that drops into one hole.
@@ -91,8 +91,8 @@ class PegDrop {
     return Insertion{deepest, is_held};
   }
 
-  /// Returns the end of a hole on its axis; nullopt if the hole has no end. `hole` is the id of a
-  /// site.
+  /// Returns the first geom on the axis of a hole, which ends the hole; nullopt if the hole has no
+  /// end. Ignores geoms of the body `peg`. `hole` is the id of a site.
   std::optional<HoleEnd> EndOf(int hole, int peg) const {
     const model::Pose X_WH = SitePose(d_, hole);
     const Vector3d way = ZAxis(X_WH);
@@ -110,7 +110,7 @@ class PegDrop {
     return end;
   }
 
-  /// Name of the geom that the peg touched last; empty: none.
+  /// Returns the name of the geom that the peg touched last; an empty text if the peg touched none.
   const std::string& touched() const { return touched_; }
 
  private:
@@ -129,9 +129,9 @@ class PegDrop {
     return compiled::PoseAt(d_.xpos, d_.xquat, peg.body) * peg.X_BT.p;
   }
 
-  /// Returns true if geoms behind the mouth of the hole stop the peg in both directions of the
-  /// hole's x axis, or of its y axis, within the width of the peg. Therefore a slot counts as a
-  /// hole, but walls in front of the mouth do not.
+  /// Returns true if the hole holds the peg sideways: geoms behind the mouth of the hole stop the
+  /// peg, within the width of the peg, in both directions of the x axis of the hole, or of its y
+  /// axis. Therefore a slot counts as a hole, but walls in front of the mouth do not.
   bool IsHeld(const Peg& peg, const model::Pose& X_WH) {
     const std::vector<mjtNum> qpos(d_.qpos, d_.qpos + m_.nq);
     const Vector3d sides = SidesOf(peg, X_WH);
@@ -171,7 +171,7 @@ class PegDrop {
     return is_pressed;
   }
 
-  /// Returns true if a contact behind the mouth resists the push.
+  /// Returns true if a contact of the peg behind the mouth of the hole resists the push.
   bool IsPressed(const Peg& peg, const model::Pose& X_WH, const Vector3d& push) const {
     const Vector3d way = ZAxis(X_WH);
     return std::any_of(d_.contact, d_.contact + d_.ncon, [&](const mjContact& contact) {
@@ -304,7 +304,7 @@ class PegTests {
         "in");
   }
 
-  /// Returns the hint for a peg that went in, but not far enough.
+  /// Returns the hint for a peg that did not go far enough into the hole.
   static std::string NarrowHint(const model::FittingCheck& fitting,
                                 const std::optional<Insertion>& insertion,
                                 const std::optional<HoleEnd>& end) {

@@ -1,4 +1,4 @@
-// Laboratory: loads a model with a floor, and runs the tests that its checks ask for.
+// Loads models of objects and files, adds floors, and runs the tests that the checks request.
 #include "mjforge/physics/physics.h"
 
 #include <fmt/format.h>
@@ -45,16 +45,16 @@ std::string FloorElement(std::string_view name) {
   return fmt::format(R"(<geom name="{}" type="plane" size="0 0 1"/>)", name);
 }
 
-/// Returns the document's text with the free joint that the host (the program for which the file
-/// was written) would add. Adds no line ends, like WithSurroundings(), so that line numbers stay
-/// the same.
+/// Returns the text of a document with the free joint that the host (the program for which the
+/// document was written) would add. Adds no line ends, which would change line numbers; neither
+/// does WithSurroundings().
 std::string WithFreeRoot(const mjcf::MjcfDocument& document) {
   std::string text = document.text;
   if (document.world_position == std::string::npos || !document.host_adds_free_joint) return text;
   return text.insert(text.find('\n', document.world_position) + 1, kFree);
 }
 
-/// Returns the document's text with a floor, and with the free joint that the host would add.
+/// Returns the text of a document with a floor, and with the free joint that the host would add.
 std::string WithSurroundings(const mjcf::MjcfDocument& document) {
   std::string text = WithFreeRoot(document);
   if (document.world_position == std::string::npos) return text;
@@ -101,8 +101,8 @@ std::filesystem::path FolderOf(const std::filesystem::path& file) {
   return file.has_parent_path() ? file.parent_path() : ".";
 }
 
-/// Returns MJCF text that includes `file` and adds a floor; the text must be loaded in the file's
-/// folder. If `file` is empty, adds the floor to `text`.
+/// Returns an MJCF text that includes `file` and adds a floor with the name `floor`; the text must
+/// be loaded in the folder of the file. If `file` is empty, returns `text` with the floor.
 std::string WithFloor(const std::filesystem::path& file, std::string text, std::string_view model,
                       const std::string& floor) {
   const std::string world = fmt::format("<worldbody>{}</worldbody>", FloorElement(floor));
@@ -116,8 +116,9 @@ std::string WithFloor(const std::filesystem::path& file, std::string text, std::
   return text;
 }
 
-/// Adds a finding about a file that MuJoCo rejects, or that MuJoCo was not given because of a fault
-/// in the file. `what` is the change that was made to the file; `start` is the file's first place.
+/// Adds an error about a file that MuJoCo rejects, or that was not passed to MuJoCo because of a
+/// fault in the file. `what` names the change that was made to the file, for the message; `start`
+/// is the first place in the file.
 void AddFileRefusal(std::string_view what, const engine::Loaded& loaded,
                     const diag::Sources& sources, diag::SourceMark start, std::string hint,
                     diag::Findings& findings) {
@@ -163,7 +164,7 @@ struct Laboratory::Impl {
   engine::Engine engine;
   Workspace workspace;
 
-  /// Function that loads the model from a text to which probe bodies were added.
+  /// Loads the model from a text to which probe bodies were added.
   using Load = std::function<engine::Loaded(const std::string& text)>;
 
   std::optional<Result> Examine(mjModel& m, const model::Object& object, diag::SourceMark mark,
@@ -203,7 +204,8 @@ struct Laboratory::Impl {
                                engine::ParseRefusal(loaded.error).reason));
       return nullptr;
     }
-    // A fixed object may have free bodies, so that its floor must be below all of them, too.
+    // Lowers the floor of an object that is fixed to the world, because free bodies of the object
+    // may be lower than the floor.
     const int floor = mj_name2id(loaded.model.get(), mjOBJ_GEOM, kFloorName.data());
     if (floor >= 0 && !document.host_adds_free_joint && loaded.model->body_dofnum[1] == 0)
       LevelFloor(*loaded.model, floor);

@@ -17,13 +17,15 @@
 
 namespace mjforge::physics {
 
-/// Measurements of the simulated tests of one object, in SI units, rounded to four digits.
+/// Measurements of the simulated tests of one object, in SI units; numbers are rounded to four
+/// digits.
 struct Result {
-  /// A joint driven to both ends of its range and back, with the root held and without gravity.
+  /// A joint that is driven to both ends of its range and back, without gravity, while free bodies
+  /// are held in place.
   struct Joint {
     std::string name;
-    double overshoot = 0;    // largest distance beyond its range, rad or m
-    double reach = 1;        // share of its range that the joint reached
+    double overshoot = 0;    // largest distance beyond the range of the joint, rad or m
+    double reach = 1;        // share of the range that the joint reached, 0 to 1
     double penetration = 0;  // m, deepest penetration of two bodies, minus their depth at the start
     double return_error = 0;  // final distance from the start, rad or m
     bool operator==(const Joint&) const = default;
@@ -36,7 +38,8 @@ struct Result {
     double share = 0;
     bool operator==(const Equality&) const = default;
   };
-  /// Static stability: the least tilt, in any direction, at which the resting object topples.
+  /// Static stability of the resting object: the least tilt, in any direction, at which the object
+  /// topples.
   struct Stability {
     double angle = 0;   // rad
     double energy = 0;  // J, least energy that topples the object
@@ -46,7 +49,7 @@ struct Result {
   struct Holding {
     int balls = 0;
     int held = 0;     // balls that stayed inside for 3 s
-    int emptied = 0;  // held balls that then left through the mouth; 0 if not turned over
+    int emptied = 0;  // balls of `held` that then left through the mouth; 0 if not turned over
     bool operator==(const Holding&) const = default;
   };
   /// Settling test: free bodies are simulated from their start for checks.settled->time.
@@ -65,7 +68,7 @@ struct Result {
   };
   /// A grasp of the object by a gripper with two parallel jaws.
   struct Grasp {
-    std::string site;  // name; empty: the object has no site for grasps
+    std::string site;  // name of the site; empty: the object has no site for grasps
     std::string body;  // name of the body with the face on the gripper's +y side
     /// Pose of the gripper in the body's frame. The origin is the midpoint between the jaws, m; the
     /// jaws close along y, and the fingers point along z. `quat` is a unit quaternion, w first.
@@ -83,9 +86,9 @@ struct Result {
     std::string self_collision = "skipped";
     bool operator==(const SimReady&) const = default;
   };
-  /// Results of the drop test, down to `nefc`: the object falls from 2 mm above the floor and is
-  /// simulated until it rests or checks.settle_time is over. An object fixed to the world is not
-  /// dropped, but simulated under its weight.
+  /// Results of the drop test, from `dropped` to `nefc`: the object falls from 2 mm above the floor
+  /// and is simulated until it rests or checks.settle_time is over. An object fixed to the world is
+  /// not dropped, but is simulated under its weight.
   bool dropped = false;
   bool at_rest = false;
   double time = 0;         // simulated time, s
@@ -110,13 +113,15 @@ struct Result {
   bool operator==(const Result&) const = default;
 };
 
-/// A simulated test as positions (MuJoCo's qpos) at equal intervals, and its time (s).
+/// A simulated test for a film: positions (MuJoCo's qpos) at equal intervals of time, and the total
+/// time, s.
 struct Film {
   std::vector<std::vector<double>> positions;
   double time = 0;
 };
 
-/// Runs the simulations. Reuses MuJoCo's memory for the next object; make one per process.
+/// Runs the simulated tests. Reuses the memory of mjData for the next object; a process needs only
+/// one Laboratory.
 class Laboratory {
  public:
   Laboratory();
@@ -129,10 +134,10 @@ class Laboratory {
   std::optional<Result> Examine(const mjcf::MjcfDocument& document, const model::Object& object,
                                 diag::Findings& findings);
 
-  /// Simulates the drop of an object or, unless `joint` is empty, the drive of that joint, as
-  /// Examine does, and returns at most `frames` positions. The document must be complete: the
-  /// program that loads it adds no joint. If the drop or drive is impossible, adds a finding and
-  /// returns nullopt.
+  /// Simulates the drop of an object or, unless `joint` is empty, the drive of that joint, like
+  /// Examine(), and returns at most `frames` positions. The document must be complete: a program
+  /// that loads it must not have to add a free joint. If the drop or drive is impossible, adds a
+  /// finding and returns nullopt.
   std::optional<Film> Record(const mjcf::MjcfDocument& document, const model::Object& object,
                              const std::string& joint, std::size_t frames,
                              diag::Findings& findings);

@@ -1,4 +1,5 @@
-// Settling of piles: tries releases until one has no fault, and makes the poses at rest the start.
+// Settles piles: simulates releases until one has no fault, and makes the poses at rest the start
+// poses of the bodies.
 #include "mjforge/physics/pile.h"
 
 #include <fmt/format.h>
@@ -25,12 +26,13 @@ using compiled::VectorAt;
 using diag::Code;
 using expr::RoundedText;
 
-// Largest number of releases of a pile. Each release assigns the release poses to other bodies.
+// Largest number of releases that are tried for a pile. Each try assigns the release poses to other
+// bodies.
 constexpr std::size_t kMostTries = 4;
 constexpr double kEdge = 0.001;  // m, distance by which a centre of mass may be outside the region
-constexpr double kLargeMassRatio = 100;  // ratio of masses at which contacts of MuJoCo get soft
+constexpr double kLargeMassRatio = 100;  // mass ratio from which MuJoCo's contacts are too soft
 
-/// Returns true if a body is in the tree of a root.
+/// Returns true if a body belongs to the tree of bodies with this root.
 bool IsIn(const mjModel& m, int body, int root) { return m.body_rootid[body] == root; }
 
 /// Adds findings about the faults of a pile.
@@ -127,8 +129,8 @@ std::vector<int> IdsOf(const model::Object& object) {
   return ids;
 }
 
-/// Puts the bodies of all piles far from each other, because the bodies of a pile overlap before
-/// its simulation, and MuJoCo's buffers are sized for the contacts at the start.
+/// Moves the bodies of all piles far from each other. Before the simulation the bodies of a pile
+/// overlap, and MuJoCo's buffers would be sized for the contacts between them.
 void Separate(model::Object& object) {
   constexpr double kApart = 100;  // m
   double height = 0;
@@ -138,8 +140,8 @@ void Separate(model::Object& object) {
   }
 }
 
-/// Returns the bodies of a pile in the order of their release. `release` is the number of the
-/// release, from 0. Needs the poses of mj_kinematics and mj_comPos.
+/// Returns the bodies of a pile in the order in which they are released. `release` is the number of
+/// the try, from 0. Needs the poses that mj_kinematics and mj_comPos compute.
 std::vector<PiledBody> BodiesOf(const mjModel& m, const mjData& d, const model::Pile& pile,
                                 std::size_t release, const std::vector<int>& ids) {
   std::vector<PiledBody> bodies;
@@ -161,7 +163,8 @@ std::vector<PiledBody> BodiesOf(const mjModel& m, const mjData& d, const model::
   return bodies;
 }
 
-/// Makes the poses and joint positions of a simulation the start of a body and all its descendants.
+/// Makes the present poses and joint positions in `d` the start of the body `root` and of all its
+/// descendants.
 void TakeStart(const mjModel& m, const mjData& d, const std::vector<int>& ids, int root,
                model::Object& object) {
   for (std::size_t i = 0; i < object.bodies.size(); ++i) {
@@ -185,7 +188,8 @@ struct PileSettler::Impl {
   engine::Engine engine;
   Workspace workspace;
 
-  /// Tries releases until one has no fault; adds findings about the faults of the last release.
+  /// Simulates releases of a pile until one has no fault; adds findings about the faults of the
+  /// last release.
   void Settle(model::Object& object, const model::Pile& pile, diag::Findings& findings) {
     mjcf::MjcfDocument document;
     mjcf::WriteMjcf(object, mjcf::Target::kMujoco, {}, document);
@@ -211,8 +215,8 @@ struct PileSettler::Impl {
     for (const diag::Finding& fault : faults) findings.Add(fault);
   }
 
-  /// Simulates one release, and makes the poses at the end of the simulation the start of the
-  /// bodies. Returns false, and changes no start, if the simulation diverges.
+  /// Simulates one release, and makes the poses at the end the start of the bodies. Reports faults
+  /// to `reporter`. Returns false, and changes no start, if the simulation diverges.
   bool Try(std::size_t release, mjModel& m, const std::vector<int>& ids, model::Object& object,
            const model::Pile& pile, static_checks::Reporter& reporter) {
     std::vector<PiledBody> bodies;
@@ -230,7 +234,7 @@ struct PileSettler::Impl {
     });
     if (HasDiverged(*end)) return false;
     PileReport report(m, *end, object, pile, bodies, reporter);
-    // Motion is no finding if a body left the region, because that body may still fall.
+    // Reports no motion if a body left the region, because that body may still fall.
     if (!report.AddLeft(X_WR) && !rests) report.AddMoving();
     report.AddDeep();
     for (const PiledBody& body : bodies) TakeStart(m, *end, ids, body.id, object);

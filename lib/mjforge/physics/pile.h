@@ -8,7 +8,8 @@
 
 namespace mjforge::physics {
 
-/// Settles piles. Reuses MuJoCo's memory for the next object; make one per process.
+/// Settles the piles of objects. Reuses the memory of mjData for the next object; a process needs
+/// only one PileSettler.
 class PileSettler {
  public:
   PileSettler();
@@ -16,12 +17,12 @@ class PileSettler {
   PileSettler(const PileSettler&) = delete;
   PileSettler& operator=(const PileSettler&) = delete;
 
-  /// Simulates object.piles with the options of the object. Bodies are released one after the other
-  /// from rest, each from a pose that touches nothing; all other bodies are held at their start.
-  /// Tries up to four releases, which differ in the release poses of the bodies. Replaces the start
-  /// of the bodies, and of the joints below them, by their state at rest. Adds findings about
-  /// bodies that left the region, move after Pile::time, or are too deep in another body. Returns
-  /// false after an error.
+  /// Simulates object.piles with the MuJoCo options of the object. The bodies of a pile are
+  /// released one after the other from rest, each from a pose that touches nothing; all other
+  /// bodies are held at their start. Tries up to four releases of each pile, which differ in the
+  /// release poses of the bodies. Replaces the start of the bodies, and of the joints below them,
+  /// by their state at rest. Adds findings about bodies that left the region, that still move after
+  /// Pile::time, or that are too deep in another body. Returns false after an error.
   bool Settle(model::Object& object, diag::Findings& findings);
 
  private:

@@ -17,9 +17,9 @@ namespace {
 using compiled::VectorAt;
 
 constexpr double kClearance = 0.005;  // m, gap between a released body and everything below it
-// While bodies fall into their places, all bodies are damped and steps are short, because MuJoCo
-// 2.2 computes a wrong normal for a deep contact of convex geoms off the middle of a thin plate,
-// and then throws a body through a wall. A damped body falls at most at 1 m/s.
+// Damping and timestep while bodies fall into their places. MuJoCo 2.2 computes a wrong normal for
+// a deep contact of convex geoms off the middle of a thin plate, and then throws a body through a
+// wall; slow bodies and short steps avoid deep contacts. A damped body falls at most at 1 m/s.
 constexpr double kDampingTime = 0.1;       // s
 constexpr double kDampedTimestep = 0.001;  // s
 // A body is released when the previous body is slower than kSlow, but at the latest after
@@ -66,7 +66,8 @@ class PileSimulation {
   }
 
  private:
-  // Returns false if the simulation failed, or a body fell below the region.
+  // Returns false if the simulation diverged, ran out of buffers, or dropped a body below the
+  // region.
   bool CanGoOn() const {
     return !HasDiverged(d_) && !IsCrowded(d_) &&
            std::ranges::none_of(bodies_, [&](const PiledBody& body) {
@@ -83,7 +84,7 @@ class PileSimulation {
                        [&](const PiledBody& piled) { return IsIn(body, piled); });
   }
 
-  // Makes all bodies that are not in the pile too heavy to be moved.
+  // Makes all bodies that do not belong to the pile too heavy to be moved.
   void Hold() {
     released_ = bodies_.size();
     for (int dof = 0; dof < m_.nv; ++dof) {
@@ -94,7 +95,8 @@ class PileSimulation {
     mj_comPos(&m_, &d_);
   }
 
-  // Puts all bodies of the pile above each other, higher than the pile can get.
+  // Moves all bodies of the pile to waiting positions above each other, higher than the pile can
+  // get.
   void Park() {
     double height = X_WR_.p.z();
     for (const PiledBody& body : bodies_) height += 2 * body.radius;
@@ -109,7 +111,8 @@ class PileSimulation {
     held_.assign(d_.qpos, d_.qpos + m_.nq);
   }
 
-  // Moves the centre of mass of a body to a height, above a point of the region.
+  // Moves the centre of mass of a body to `height` (world z, m), above the point `p_R` of the
+  // region.
   void MoveTo(const PiledBody& body, const Eigen::Vector2d& p_R, double height) {
     Eigen::Vector3d p = X_WR_ * Eigen::Vector3d(p_R.x(), p_R.y(), 0);
     p.z() = height;
@@ -141,7 +144,7 @@ class PileSimulation {
     const Eigen::Vector2d p_R = model::PositionOfDisc(pile_.region, body.radius, body.release->uv);
     double height = top + body.radius + kClearance;
     MoveTo(body, p_R, height);
-    // Posts and sloping walls may stand in the region, so that the body must be lifted above them.
+    // Lifts the body above posts and sloping walls that may stand in the region.
     while (Touches(body) && height < parked_) {
       height += body.radius / 2;
       MoveTo(body, p_R, height);
@@ -162,7 +165,7 @@ class PileSimulation {
     });
   }
 
-  // Makes one step, and puts bodies that are not released back to their positions in `held_`.
+  // Makes one step, and moves bodies that are not yet released back to their waiting positions.
   void Step() {
     stepper_->Step();
     for (int joint = 0; joint < m_.njnt; ++joint) {
@@ -186,8 +189,8 @@ class PileSimulation {
     }
   }
 
-  // Simulates until no body moves for a while; returns true if that happens before the time `end`,
-  // s.
+  // Simulates until no body has moved for kRestTime (or less if Pile::time is short); returns true
+  // if that happens before the time `end`, s.
   bool StaysAtRest(double end) {
     const double rest = std::min(kRestTime, pile_.time / 3);
     std::vector<model::Pose> before = Poses();
@@ -229,8 +232,8 @@ class PileSimulation {
   model::Pose X_WR_;
   const std::vector<PiledBody>& bodies_;
   std::size_t released_ = 0;  // number of bodies that are released
-  double parked_ = 0;         // m, height above which bodies wait
-  std::vector<mjtNum> held_;  // qpos, nq; bodies that are not released stay there
+  double parked_ = 0;         // m, height above which bodies wait for their release
+  std::vector<mjtNum> held_;  // qpos (nq) with the waiting positions of bodies
   std::optional<Stepper> stepper_;
 };
 

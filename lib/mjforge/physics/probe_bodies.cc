@@ -1,4 +1,5 @@
-// Probe bodies: their MJCF, and the degrees of freedom that are held in place.
+// Adds probe bodies to MJCF texts, sets positions of objects, and holds degrees of freedom in
+// place.
 #include "mjforge/physics/probe_bodies.h"
 
 #include <algorithm>
@@ -13,8 +14,8 @@
 namespace mjforge::physics {
 namespace {
 
-// Armature of a held degree of freedom, as a multiple of the whole mass (kg or kg m^2). A larger
-// armature would let small bodies tremble in MuJoCo 3.17 and 4.0, whose solver tolerance is
+// Armature of a held degree of freedom (kg or kg m^2), as a multiple of the mass of all bodies. A
+// larger armature would let small bodies tremble in MuJoCo 3.17 and 4.0, whose solver tolerance is
 // proportional to the mean inertia.
 constexpr double kHeldMass = 1e6;
 
@@ -53,8 +54,8 @@ void PlaceObject(const mjModel& m, mjData& d, std::span<const mjtNum> start, int
   std::copy(start.begin() + at, start.end(), d.qpos + at + count);
 }
 
-// Sets dof_M0, too, because MuJoCo reads the diagonal of a diagonal inertia matrix (dof_simplenum)
-// from dof_M0.
+// Sets dof_M0, too, because MuJoCo takes the diagonal of the inertia matrix from dof_M0 where the
+// matrix is diagonal (dof_simplenum).
 void HoldDof(mjModel& m, int dof) {
   m.dof_armature[dof] = m.dof_M0[dof] = kHeldMass * m.body_subtreemass[0];
 }

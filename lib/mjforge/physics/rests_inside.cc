@@ -1,4 +1,5 @@
-// Bodies that come to rest in each other: collision detection of the pairs that MuJoCo ignores.
+// Check for bodies that come to rest in each other: detects collisions of the pairs whose contacts
+// MuJoCo ignores.
 #include "mjforge/physics/model_checks.h"
 
 #include <algorithm>
@@ -33,7 +34,7 @@ bool IsSolid(const mjModel& m, int geom) {
   return compiled::Collides(m, geom) && compiled::GeomTypeOf(m.geom_type[geom]).has_value();
 }
 
-/// Pairs of geoms that MuJoCo does not let collide because of `exclude` or their contact bits.
+/// Pairs of geoms whose contacts MuJoCo ignores because of `exclude` or their contact bits.
 class IgnoredPairs {
  public:
   explicit IgnoredPairs(const mjModel& m) : m_(m) {
@@ -75,16 +76,18 @@ struct Penetration {
   int body1 = 0;     // lower id than body2
   int body2 = 0;
 };
-/// Penetrations by the body_weldid of the two groups, the lower id first.
+/// Penetrations of pairs of groups. Key: body_weldid of the two groups, the lower id first.
 using Penetrations = std::map<std::pair<int, int>, Penetration>;
 
-/// Returns true if the parent of `body` is `parent`, or is welded to `parent`. MuJoCo lets the two
-/// collide only if the parent is fixed to the world.
+/// Returns true if the parent of `body` is `parent` or is welded to `parent`; bodies welded to
+/// `body` count as `body`. MuJoCo lets parent and child collide only if the parent is fixed to the
+/// world.
 bool IsParent(const mjModel& m, int parent, int body) {
   return m.body_weldid[m.body_parentid[m.body_weldid[body]]] == m.body_weldid[parent];
 }
 
-/// Returns a copy of the model in which any two solid geoms may collide, and no other geoms.
+/// Returns a copy of the model in which all solid geoms have matching contact bits, no other geoms
+/// collide, and no bodies are excluded.
 engine::Model WithAllContacts(const mjModel& m) {
   engine::Model copy(mj_copyModel(nullptr, &m));
   copy->nexclude = 0;
@@ -95,7 +98,7 @@ engine::Model WithAllContacts(const mjModel& m) {
   return copy;
 }
 
-/// Returns the penetrations of ignored pairs at these positions.
+/// Returns the penetrations of the pairs in `ignored` at the positions `qpos` (nq numbers).
 Penetrations Find(mjModel& m, const IgnoredPairs& ignored, std::span<const mjtNum> qpos,
                   Workspace& workspace) {
   BroadPhase broad_phase(m);

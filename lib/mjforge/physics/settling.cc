@@ -1,4 +1,5 @@
-// Settling test: simulates an object from its start, and reports free bodies that move.
+// Settling test: simulates an object from its start, and reports free bodies that do not stay where
+// they start.
 #include "mjforge/physics/model_checks.h"
 
 #include <fmt/format.h>
@@ -21,7 +22,7 @@ namespace {
 using diag::Code;
 
 constexpr double kLandingTime = 0.05;  // s, time in which a body touches down on its supports
-constexpr double kUpwards = 0.5;       // least vertical part of the normal of a supporting contact
+constexpr double kUpwards = 0.5;       // least |z| of the normal of a supporting contact
 constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 
 /// A free body, and the bodies that it stands on.
@@ -38,8 +39,8 @@ class SettlingSimulation {
   SettlingSimulation(mjModel& m, mjData& d, const model::SettlingCheck& limits)
       : m_(m), d_(d), limits_(limits), stepper_(m, d) {
     for (const int body : FreeBodies(m)) bodies_.emplace_back().body = body;
-    // The first body of the world is the object's root. If the root is free, motions of other
-    // bodies are relative to the root.
+    // Measures motions relative to the root of the object, which is the first body of the world, if
+    // the root is free.
     if (!bodies_.empty() && bodies_.front().body == 1) {
       reference_ = 1;
       bodies_.erase(bodies_.begin());
@@ -68,9 +69,9 @@ class SettlingSimulation {
   }
 
  private:
-  /// Returns the pose of a body in the frame of the reference body, with the body's centre of mass
-  /// as origin. The centre of mass is without bodies that joints attach to the body, such as a lid
-  /// that falls shut.
+  /// Returns the pose of a body in the frame of the reference body, with the centre of mass of the
+  /// body as origin. Bodies that joints attach to the body, such as a lid that falls shut, do not
+  /// count for this centre of mass.
   model::Pose PoseOf(int body) const {
     const auto turn = [&](int of) { return compiled::QuaternionAt(d_.xquat, of); };
     const model::Pose X_WB = {compiled::VectorAt(d_.xipos, body), turn(body)};
@@ -100,7 +101,8 @@ class SettlingSimulation {
   Stepper stepper_;
 };
 
-// Returns the number rounded to hundredths, because a body at rest still moves by picometres.
+// Returns the text of a number rounded to hundredths, because a body at rest still moves by
+// picometres.
 std::string HundredthsText(double number) {
   return expr::RoundedText(std::round(100 * number) / 100);
 }

@@ -1,4 +1,5 @@
-// Tests of the SimReady Foundation's benchmark: drops on a floor and on a slope, driven joints.
+// Tests of the SimReady Foundation's benchmark: drops on a floor and on a slope, and results of
+// driven joints.
 #include "mjforge/physics/model_checks.h"
 
 #include <fmt/format.h>
@@ -25,20 +26,20 @@ using expr::RoundedText;
 using expr::SpeedText;
 
 // Limits of the benchmark.
-constexpr double kDropHeights = 8;   // drop height, in heights of the object
-constexpr double kRestWithin = 8;    // s, longest time to rest after the object touches the floor
-constexpr double kFloorDepth = 0.1;  // m, largest depth of the object's box in the floor
-constexpr double kExplosion = 10;    // factor by which the object's box may grow
-constexpr double kReach = 0.10;      // rad, part of a hinge's range that may be missing
-constexpr double kReachOfSlide = 0.02;  // part of a slide's range that may be missing, as a share
+constexpr double kDropHeights = 8;   // drop height, as a multiple of the object's height
+constexpr double kRestWithin = 8;    // s, longest time to reach the floor, and then to rest
+constexpr double kFloorDepth = 0.1;  // m, largest depth of the object's bounding box in the floor
+constexpr double kExplosion = 10;    // factor by which the object's diagonal may grow
+constexpr double kReach = 0.10;      // rad, largest part of a hinge's range that is not reached
+constexpr double kReachOfSlide = 0.02;  // share of a slide's range that may not be reached
 // Largest distance of a joint from its start after the sweep, rad or m.
 constexpr double kReturn = 0.01;
 constexpr double kSlope = std::numbers::pi / 4;
-// The benchmark states no friction. With MuJoCo's default of 1 nothing slides on such a slope; 0.5
-// is the default of PhysX.
+// Friction on the slope, which the benchmark does not state: with MuJoCo's default of 1, nothing
+// slides on a slope of 45 degrees; 0.5 is the default of PhysX.
 constexpr double kSlopeFriction = 0.5;
 constexpr double kSlopeTime = 2;    // s
-constexpr double kSlides = 2;       // least sliding distance, in sizes of the object
+constexpr double kSlides = 2;       // least sliding distance, as a multiple of the object's size
 constexpr double kInterval = 0.01;  // s, time between measurements
 constexpr double kStill = 0.1;      // s, time for which a resting object must be slow
 constexpr const char* kPass = "pass";
@@ -70,7 +71,7 @@ class Fall {
     size_ = Extent();
   }
 
-  /// Checks that the object comes to rest on the floor, and does not sink in.
+  /// Checks that the object comes to rest on the floor without sinking in.
   Problem Drop() {
     const model::Box3 box = Box();
     Lift(kDropHeights * (box.max.z() - box.min.z()));
@@ -139,7 +140,7 @@ class Fall {
 
   model::Box3 Box() const { return CollidingBox(m_, d_, roots_); }
 
-  /// Returns the diagonal of the largest bounding box of a free body's tree, m.
+  /// Returns the diagonal, m, of the largest bounding box of a tree of bodies with a free root.
   double Extent() const {
     double extent = 0;
     for (const int root : roots_) {
@@ -186,8 +187,7 @@ void MakeSlope(mjModel& m, int floor) {
   const mjtNum quat[] = {std::cos(kSlope / 2), 0, std::sin(kSlope / 2), 0};
   mju_copy4(m.geom_quat + 4 * floor, quat);
   m.geom_sameframe[floor] = 0;
-  // The friction of a contact is the larger friction of its two geoms, so that all geoms are
-  // changed.
+  // Changes all geoms, because the friction of a contact is the larger friction of its two geoms.
   for (int geom = 0; geom < m.ngeom; ++geom)
     m.geom_friction[3 * geom] = std::min(m.geom_friction[3 * geom], kSlopeFriction);
 }
@@ -256,7 +256,7 @@ class SimReadyTests {
     return std::nullopt;
   }
 
-  /// Reports a problem; returns the verdict for result.simready.
+  /// Adds an error if there is a problem; returns "pass" or "fail" for result.simready.
   std::string Judge(std::string_view test, const Problem& problem) {
     if (!problem) return kPass;
     test_.reporter.Error(diag::Code::kPhysicsSimReady, test_.mark,

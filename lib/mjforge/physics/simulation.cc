@@ -1,4 +1,4 @@
-// Reused simulation data, sizes of the buffers for contacts, and measures of a simulation's state.
+// Allocates mjData, enlarges the buffers for contacts, and measures the state of a simulation.
 #include "mjforge/physics/simulation.h"
 
 #include <algorithm>
@@ -9,14 +9,15 @@
 namespace mjforge::physics {
 namespace {
 
-constexpr int kMostContacts = 10'000;  // largest number of contacts, of 600 bytes each
-// Largest size of the constraint matrices, which MuJoCo clears in each reset, bytes.
+constexpr int kMostContacts = 10'000;  // largest size of the contact buffer; 600 bytes per contact
+// Largest size, bytes, of the constraint matrices, because MuJoCo clears them in each reset.
 constexpr double kMostBytes = 1e9;
 
 }  // namespace
 
 mjData& Workspace::For(const mjModel& m) {
-  // In mjModel, all numbers that the sizes of mjData depend on are declared before nbuffer.
+  // Compares the numbers that mjModel declares before nbuffer, because the sizes of mjData depend
+  // only on these numbers.
   const auto sizes = std::as_bytes(std::span(&m, 1)).first(offsetof(mjModel, nbuffer));
   if (data_ && std::ranges::equal(sizes, sizes_)) {
     mj_resetData(&m, data_.get());
@@ -37,7 +38,7 @@ void MakeRoom(mjModel& m) {
   room.contacts = 2 * std::max(room.contacts, 100);
   room.rows = 2 * std::max(room.rows, 500);  // four rows per contact of condim 3, and some more
   // MuJoCo 2.2 stores a square matrix of the constraint rows, and the Jacobian with its transpose,
-  // all with indices.
+  // each number (8 bytes) with an index (4 bytes).
   const double bytes = engine::kHasFixedBuffers ? 12.0 * room.rows * (room.rows + 2.0 * m.nv) : 0;
   if (room.contacts > kMostContacts || bytes > kMostBytes) throw NoRoom("too many contacts");
   // Stack size, in mjtNum: linear in the number of contacts if the model has few degrees of

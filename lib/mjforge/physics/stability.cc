@@ -1,4 +1,5 @@
-// Static stability: height of the centre of mass over the floor at each tilt, by support functions.
+// Computes static stability from the height of the centre of mass over the floor at each tilt, by
+// support functions of the geoms.
 #include "mjforge/physics/stability.h"
 
 #include <algorithm>
@@ -15,9 +16,9 @@ namespace mjforge::physics {
 namespace {
 
 constexpr int kDirections = 72;                         // number of directions of the tilt
-constexpr double kStep = 0.5 * std::numbers::pi / 180;  // rad, difference of two tilts
-// Tolerance for rounding, as a share of the centre's height, because the centre of a rolling ball
-// does not rise.
+constexpr double kStep = 0.5 * std::numbers::pi / 180;  // rad, from one tilt to the next
+// Tolerance for rounding errors of heights, as a share of the height of the centre of mass, because
+// the centre of a rolling ball does not rise.
 constexpr double kFlat = 1e-9;
 constexpr double kUneven = 10 * std::numbers::pi / 180;  // rad, largest tilt due to uneven sinking
 

@@ -7,18 +7,19 @@
 
 namespace mjforge::physics {
 
-/// Least tilt that topples an object, and its direction.
+/// Least tilt that topples an object, least energy, and the direction of the least tilt.
 struct StabilityMargin {
   Result::Stability least;
   double azimuth = 0;  // rad, from x towards y: direction in which the object topples first
 };
 
-/// Computes the margin of a tree of bodies from the convex hull of its colliding geoms and from its
-/// centre of mass, as mj_kinematics and mj_comPos computed them. While the object tilts, its centre
-/// of mass rises until the object topples; the energy is the weight times this rise. Tries steps of
-/// 0.5 deg in 72 directions. Angle and energy are 0 if the object rolls or stands on a point.
-/// Changes of the height by less than `sink`, m, are ignored at small tilts, because contacts are
-/// up to `sink` deep, and deeper at one end of the object than at the other.
+/// Returns the margin of a tree of bodies that stands on a level floor, from the convex hull of its
+/// colliding geoms and its centre of mass, at the poses that mj_kinematics and mj_comPos computed.
+/// While the object tilts, the centre of mass rises until the object topples; the energy is the
+/// weight times this rise. Tries tilts in steps of 0.5 deg, in 72 directions. Angle and energy are
+/// 0 if the object rolls or stands on a point. At small tilts, ignores changes of the height by
+/// less than `sink`, m, because contacts are up to `sink` deep, and deeper at one end of the object
+/// than at the other.
 StabilityMargin FindStabilityMargin(const mjModel& m, const mjData& d, int root, double sink);
 
 }  // namespace mjforge::physics

@@ -1,5 +1,5 @@
-// Simulation steps with the results of mj_step: finds the pairs of near geoms for several steps
-// ahead, and repeats a step if a body moved farther than expected.
+// Simulation steps: finds the pairs of geoms near each other for several steps ahead, and repeats a
+// step if a body moved farther than expected.
 #include "mjforge/physics/stepper.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using compiled::MatrixAt;
 using compiled::VectorAt;
 using Eigen::Matrix3d;
 
-constexpr double kStepsBetween = 12;        // approximate number of steps with the same pairs
+constexpr double kStepsBetween = 12;        // approximate number of steps with one list of pairs
 constexpr double kLeastAllowance = 0.0005;  // m
 constexpr double kMostAllowance = 0.05;     // m
 
@@ -31,9 +31,10 @@ Stepper::Stepper(mjModel& m, mjData& d)
       allowances_(Index(m.nbody), 2 * kLeastAllowance),
       moved_(Index(m.nbody)) {}
 
-/// Returns the root of the only tree with joints, because the bodies of a falling tree stay near
-/// each other; 0 (the world) if several trees have joints, or if colliding geoms other than planes
-/// are outside of that tree. Planes do not matter, because planes are near everything.
+/// Returns the body relative to which motions of other bodies are measured: the root of the only
+/// tree with joints, because the bodies of a falling tree stay near each other. Returns 0 (the
+/// world) if several trees have joints, or if colliding geoms other than planes are outside of that
+/// tree. Planes do not matter, because their boxes contain everything.
 int Stepper::FrameOf() const {
   int root = -1;
   for (int dof = 0; dof < m_.nv; ++dof) {
@@ -63,7 +64,7 @@ void Stepper::Step() {
   if (is_stale_) FindPairs();
   pairs_->Step(m_, d_);
   if (HadAllPairs() || HasDiverged(d_)) return;
-  // Repeat the step, because a body moved farther than its allowance.
+  // Repeats the step, because a body moved farther than its allowance.
   Restore();
   FindPairs();
   pairs_->Step(m_, d_);
@@ -90,8 +91,8 @@ void Stepper::FindPairs() {
   is_stale_ = false;
 }
 
-/// Returns true if no body had moved farther than its allowance before the last step, so that no
-/// pair was missing in the step. mjData has the poses from before that step. Sets is_stale_.
+/// Returns true if no body had moved farther than its allowance before the last step, which
+/// therefore missed no pair. mjData has the poses from before that step. Also sets is_stale_.
 bool Stepper::HadAllPairs() {
   ++steps_;
   bool had_all = true;

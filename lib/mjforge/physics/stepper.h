@@ -12,7 +12,7 @@
 namespace mjforge::physics {
 
 /// Steps a model with the same results as mj_step, but faster if many geoms are near each other.
-/// `m` and `d` must outlive this object, and contact bits of geoms must not change.
+/// `m` and `d` must outlive this object, and contact bits of geoms must not change during its life.
 class Stepper {
  public:
   Stepper(mjModel& m, mjData& d);
@@ -48,10 +48,10 @@ class Stepper {
   mjModel& m_;
   mjData& d_;
   BroadPhase broad_phase_;
-  int frame_ = 0;  // body relative to which others are tracked; 0: the world
+  int frame_ = 0;  // body relative to which motions are measured; 0: the world
   engine::GeomPairs* pairs_ = nullptr;
   FilmRecorder* recorder_ = nullptr;
-  bool is_stale_ = true;            // true if pairs must be found before the next step
+  bool is_stale_ = true;            // true if the pairs must be found anew before the next step
   int steps_ = 0;                   // number of steps since pairs were found
   std::vector<BodyPose> poses_;     // poses of bodies when pairs were found
   std::vector<double> allowances_;  // m, largest motions up to which no pair is missing

@@ -1,4 +1,5 @@
-// Check for bodies on hinges and slides that are far from all other bodies of their tree.
+// Check for bodies on hinges and slides that are far from all other bodies of their tree, at the
+// start or at an end of a range.
 #include "mjforge/physics/model_checks.h"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ namespace {
 using compiled::Index;
 
 constexpr double kFarOff = 0.03;  // m; a body farther than this from all others hangs in the air
-constexpr double kFarOffOfSize = 0.25;  // this limit as a share of the diagonal of the body's box
+constexpr double kFarOffOfSize = 0.25;  // the limit as a share of the diagonal of the body's box
 
 class UnsupportedLinks {
  public:
@@ -85,11 +86,12 @@ class UnsupportedLinks {
     const bool is_slide = m_.jnt_type[joint] == mjJNT_SLIDE;
     const double way = std::max(path.start - path.low, path.high - path.start);
     const bool is_too_long = path.range() > LongestSlide(test_.object, test_.checks());
-    // Leaves out ranges that are too long, because these are findings by themselves
-    // (physics/joint-range).
+    // Leaves out slides with ranges that are too long, because the check physics/joint-range
+    // reports them.
     if (is_slide && (is_too_long || DistanceAfter(joint, moved, 0) + way <= kFarOff)) return;
-    // The axis of a hinge may be beside the edge of its door. An open door is then away from its
-    // frame by up to the distance of the axis and the door's thickness.
+    // Allows hinges a larger distance: the axis of a hinge may be beside the edge of its door, and
+    // then the open door is away from its frame by up to the distance of the axis and the thickness
+    // of the door.
     const double most =
         is_slide ? kFarOff : std::max(kFarOff, kFarOffOfSize * MovedBox(moved).diagonal().norm());
     for (const double end : {path.low, path.high}) {

@@ -32,7 +32,7 @@ void PutBehind(const Background& background, Image& image) {
   if (background.transparent) return;
   std::size_t at = 0;
   for (int y = 0; y < image.height; ++y) {
-    // Position between top and bottom, in steps of 1/256.
+    // Vertical position of the row, from 0 (top) to 256 (bottom).
     const int down = image.height > 1 ? 256 * y / (image.height - 1) : 0;
     std::array<int, 3> behind = {};
     for (std::size_t c = 0; c < 3; ++c) {

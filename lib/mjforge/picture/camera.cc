@@ -13,20 +13,21 @@ namespace {
 
 // Default direction from the object to the eye: from the front, right and above.
 const Eigen::Vector3d kToEye(1, -1.55, 1.05);
-// Half the field of view along the picture's shorter side. The long lens keeps vertical edges
-// nearly parallel.
+// Half the field of view along the picture's shorter side, rad. A small angle (a long lens) keeps
+// vertical edges nearly parallel.
 constexpr double kHalfAngle = 12.5 * std::numbers::pi / 180;
-// Margin at each side, as a share of half the picture.
+// Margin between the shapes and each side of the picture, as a share of half the picture.
 constexpr double kMargin = 0.10;
-// Margin of the shadow, as a share of half the picture; smaller, because shadows matter less.
+// Margin between the shadow and each side, as a share of half the picture; smaller, because shadows
+// matter less.
 constexpr double kShadowMargin = 0.04;
 
 // Minimum radius of the shapes' bounding sphere, so that a single point can be framed.
 constexpr double kSmallest = 1e-9;  // m
 
-// Returns the coordinate of the eye along `across`, an axis of the picture, from which both edges
-// of the silhouette appear at the same angle to `forward`. `depth` is the coordinate of the eye
-// along `forward`. Bisection finds the tangent of this angle; `most` is its upper bound.
+// Returns the coordinate of the eye along `across`, an axis of the picture, from which the two
+// opposite edges of the silhouette appear at the same angle to `forward`. `depth` is the coordinate
+// of the eye along `forward`. Bisection finds the tangent of the angle, which is at most `most`.
 double CenterEye(const PlacedShapes& shapes, const Eigen::Vector3d& across,
                  const Eigen::Vector3d& forward, double depth, double most) {
   constexpr int kSteps = 40;
@@ -40,7 +41,7 @@ double CenterEye(const PlacedShapes& shapes, const Eigen::Vector3d& across,
   return (shapes.Support(across - most * forward) - shapes.Support(-across - most * forward)) / 2;
 }
 
-// Values of the shapes' support function for the normals of two opposite sides of a frustum.
+// Values of a support function for the outward normals of two opposite sides of a frustum.
 // `tangent` is the tangent of half the angle between the sides.
 struct Sides {
   double tangent = 0;
@@ -65,8 +66,8 @@ class EyeRange {
     });
   }
 
-  // Returns the largest depth of the eye along the viewing direction at which the range is not
-  // empty.
+  // Returns the largest coordinate of the eye along the viewing direction for which there is a
+  // position along the axis that shows all shapes and the shadow.
   double LargestDepth() const {
     double largest = std::numeric_limits<double>::infinity();
     for (const Sides& a : sides_) {
@@ -76,7 +77,8 @@ class EyeRange {
     return largest;
   }
 
-  // Returns the position in the range, for an eye at `depth`, that is nearest to `wanted`.
+  // Returns the position along the axis that is nearest to `wanted` and shows all shapes and the
+  // shadow, for an eye whose coordinate along the viewing direction is `depth`.
   double Nearest(double wanted, double depth) const {
     for (const Sides& side : sides_) wanted = std::max(wanted, side.right + side.tangent * depth);
     for (const Sides& side : sides_) wanted = std::min(wanted, -side.left - side.tangent * depth);
@@ -87,7 +89,8 @@ class EyeRange {
   std::vector<Sides> sides_;
 };
 
-// Sets the camera's axes. The azimuth determines `right` even if the camera looks straight down.
+// Sets the camera's axes. Computes `right` from the azimuth if the view has angles, because the
+// cross product with z would be zero for a camera that looks straight down.
 void SetAxes(const View& view, Camera& camera) {
   constexpr double kDegree = std::numbers::pi / 180;
   camera.forward = -kToEye.normalized();
@@ -108,7 +111,7 @@ void SetAxes(const View& view, Camera& camera) {
 
 // Shapes are inside a frustum if and only if, for each of the frustum's four sides, their support
 // point in the direction of the side's outward normal is inside. Each pair of opposite sides gives
-// an upper bound of the eye's depth.
+// an upper bound of `depth`, the coordinate of the eye along the viewing direction.
 Camera FrameShapes(const PlacedShapes& shapes, double width, double height, const View& view,
                    const std::optional<Shadow>& shadow) {
   Camera camera;
@@ -139,7 +142,7 @@ Camera FrameShapes(const PlacedShapes& shapes, double width, double height, cons
     const double fitted = (camera.center - camera.eye).dot(camera.forward);
     const double distance = view.distance.value_or(fitted / view.zoom);
     camera.eye = camera.center - distance * camera.forward;
-    // The near plane stays in front of the eye even if the eye is inside the shapes.
+    // Keeps the near plane in front of the eye even if the eye is inside the shapes.
     camera.near = std::max(0.5 * (nearest - camera.eye.dot(camera.forward)), 0.01 * camera.radius);
   }
   camera.far = (camera.center - camera.eye).dot(camera.forward) + 12 * camera.radius;
@@ -153,9 +156,9 @@ Eigen::Vector2d Camera::Project(const Eigen::Vector3d& point, int width, int hei
           (1 - p.dot(up) / (depth * tan_y)) * height / 2};
 }
 
-// Consider a viewing ray whose direction has the component 1 along `forward` and dz along z. The
-// inverse of the plane's distance along `forward` is dz / (level - z), where z is the height of the
-// eye. Because dz is linear in the position in the picture, the inverse is, too.
+// A viewing ray whose direction has the component 1 along `forward` and dz along z meets the plane
+// at the distance (level - z) / dz along `forward`, where z is the height of the eye. Because dz is
+// linear in the position in the picture, the inverse of this distance is linear, too.
 LevelDepth DepthOfLevel(const Camera& camera, double level, int width, int height) {
   const double scale = camera.far / (camera.far - camera.near);
   const double to_depth = -scale * camera.near / (level - camera.eye.z());

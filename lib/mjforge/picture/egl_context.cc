@@ -48,8 +48,8 @@ class EglContext : public GlContext {
   }
   std::string_view name() const override { return "EGL"; }
 
-  /// Tries Mesa without a window system, then the first device, then the default display. Returns
-  /// false if none of these provides a context.
+  /// Makes a context current: on Mesa's surfaceless platform, or else on the first EGL device, or
+  /// else on the default display. Returns false if none of these provides a context.
   bool Start() {
     const auto get_platform_display = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
         egl_.GetProcAddress("eglGetPlatformDisplayEXT"));

@@ -1,4 +1,4 @@
-// Text as images, drawn in MuJoCo's own font.
+// Drawing of text: MuJoCo draws a line of text in a large font, which is then scaled down.
 
 #include "mjforge/picture/font.h"
 

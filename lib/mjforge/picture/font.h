@@ -11,8 +11,8 @@
 
 namespace mjforge::picture {
 
-/// MuJoCo's own font, so that pictures do not depend on the fonts of a machine. Needs a current
-/// GlContext while it exists.
+/// MuJoCo's built-in font, which makes pictures independent of the fonts of a machine. A Font needs
+/// a current GlContext while it exists.
 class Font {
  public:
   Font();
@@ -20,7 +20,8 @@ class Font {
   Font(const Font&) = delete;
   Font& operator=(const Font&) = delete;
 
-  /// Draws a line of text; replaces characters other than ASCII by question marks.
+  /// Draws a line of text on a transparent background. Replaces characters other than printable
+  /// ASCII by question marks, and cuts off lines that are longer than about 1,000 pixels.
   Image Draw(std::string_view text, const Background::Color& color);
 
  private:

@@ -1,4 +1,4 @@
-// Animated GIF: a palette for all frames by splitting boxes of colors, frames written by giflib.
+// Encoder of animated GIFs: chooses one palette for all frames, and writes the frames with giflib.
 
 #include <fmt/format.h>
 #include <gif_lib.h>
@@ -24,12 +24,12 @@ struct CountedColor {
   double count;  // number of pixels
 };
 
-// Colors that share an index, and their mean over all pixels.
+// Colors that become one color of the palette: their mean over all pixels of these colors.
 struct ColorBox {
   std::span<CountedColor> colors;
   Background::Color mean = {};
   std::size_t channel = 0;  // channel with the largest error
-  double error = 0;         // sum of squared differences from the mean in this channel
+  double error = 0;         // sum over pixels of squared differences from the mean in this channel
   double middle = 0;        // mean of this channel, not rounded
 
   explicit ColorBox(std::span<CountedColor> all) : colors(all) {
@@ -52,11 +52,12 @@ struct ColorBox {
   }
 };
 
-// Splits the box with the largest error at its mean until there are kMaxColors boxes: a variance
-// based split as by S. J. Wan, S. K. M. Wong and P. Prusinkiewicz (An algorithm for
-// multidimensional data clustering, ACM Transactions on Mathematical Software 14, 1988).
+// Splits the box with the largest error at its mean, until there are kMaxColors boxes or each box
+// has a single color. Source: S. J. Wan, S. K. M. Wong and P. Prusinkiewicz, "An algorithm for
+// multidimensional data clustering", ACM Transactions on Mathematical Software 14, 1988.
 std::vector<ColorBox> SplitColors(std::vector<CountedColor>& colors) {
-  constexpr double kRounding = 0.25;  // smaller errors are rounding; two different colors have 0.5
+  // A box with two colors has an error of at least 0.5; smaller errors are rounding errors of 0.
+  constexpr double kRounding = 0.25;
   std::vector<ColorBox> boxes = {ColorBox(colors)};
   while (boxes.size() < kMaxColors) {
     ColorBox& worst = *std::ranges::max_element(boxes, {}, &ColorBox::error);
@@ -171,9 +172,9 @@ std::string EncodeGif(std::span<const Image> frames, int delay, const Texts& tex
   for (const Image& frame : frames) {
     const std::vector<GifPixelType> pixels = palette.IndicesOf(frame);
     std::vector<GifPixelType> changed = pixels;
-    // Leave unchanged pixels transparent, which makes the file smaller. If any pixel of the
-    // animation is transparent, draw all pixels of each frame, because viewers then clear the
-    // screen after each frame.
+    // Leaves unchanged pixels transparent, which makes the file smaller. If any pixel of the
+    // animation is transparent, writes all pixels of each frame, because viewers then clear the
+    // screen after each frame (DISPOSE_BACKGROUND).
     for (std::size_t i = 0; !palette.has_holes && i < before.size(); ++i) {
       if (pixels[i] == before[i]) changed[i] = kTransparent;
     }

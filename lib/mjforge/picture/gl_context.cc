@@ -1,4 +1,5 @@
-// Choice between EGL and OSMesa, by the environment variable MUJOCO_GL or by what works.
+// Choice between EGL and OSMesa: the library that the environment variable MUJOCO_GL names, or else
+// the first that works.
 
 #include "mjforge/picture/gl_context.h"
 

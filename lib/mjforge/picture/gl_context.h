@@ -1,8 +1,8 @@
-// OpenGL contexts without a display.
+// OpenGL contexts without a display, from EGL or OSMesa.
 //
 // MuJoCo 2.2.2 looks up OpenGL's functions by eglGetProcAddress, or else by OSMesaGetProcAddress,
-// and looks for these two among the global symbols of the process (dlopen(NULL)). Therefore only
-// the library that provides the context makes its symbols global.
+// and finds these two among the global symbols of the process (dlopen(NULL)). Therefore only the
+// symbols of the library that provides the context are made global.
 
 #pragma once
 
@@ -29,7 +29,7 @@ class GlContext {
 std::unique_ptr<GlContext> OpenEgl(std::string& why_not);
 std::unique_ptr<GlContext> OpenOsmesa(std::string& why_not);
 
-/// Hides allocations from AddressSanitizer's leak checker during the lifetime of this object,
+/// Hides from AddressSanitizer's leak checker all allocations during the lifetime of this object,
 /// because graphics drivers never free a few hundred bytes. Does nothing in builds without a leak
 /// checker.
 class LeakCheckPause {
@@ -41,8 +41,9 @@ class LeakCheckPause {
   LeakCheckPause& operator=(const LeakCheckPause&) = delete;
 };
 
-/// Opens the context that MUJOCO_GL names, or else the first that works. Returns null, and sets
-/// `why_not`, if none works.
+/// Opens the context that the environment variable MUJOCO_GL names or, if the variable is not set,
+/// EGL or else OSMesa. Returns null, and sets `why_not`, if this fails or MUJOCO_GL turns rendering
+/// off.
 std::unique_ptr<GlContext> OpenGlContext(std::string& why_not);
 
 /// Sets `function` to the address of a function in an open library; returns false if the library
@@ -52,7 +53,7 @@ bool FindFunction(void* library, const char* name, Function& function) {
   function = reinterpret_cast<Function>(::dlsym(library, name));
   return function != nullptr;
 }
-/// Makes the symbols of an open library global in the process.
+/// Makes the symbols of a library, which must be loaded already, global in the process.
 void ExportSymbols(const char* library);
 
 }  // namespace mjforge::picture

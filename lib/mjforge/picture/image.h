@@ -1,4 +1,4 @@
-// Images, and their bytes as PNG, GIF and WebP.
+// Images, and their encoding as PNG, GIF and WebP.
 
 #pragma once
 
@@ -26,10 +26,10 @@ std::string EncodePng(const Image& image, const Texts& texts);
 std::string EncodeGif(std::span<const Image> frames, int delay, const Texts& texts);
 /// Encodes an image as lossy WebP; `quality` is from 0 to 100.
 std::string EncodeWebp(const Image& image, int quality);
-/// Encodes an image five times as fast as EncodeWebp, to a file that is a third larger.
+/// Encodes an image like EncodeWebp, but five times as fast and to a file that is a third larger.
 std::string EncodeWebpFast(const Image& image, int quality);
 /// Encodes opaque images of one size as an endless, lossy WebP animation. Each image is shown for
-/// `delay` ms; images that are equal become one frame.
+/// `delay` ms; equal consecutive images become one frame.
 std::string EncodeWebpFilm(std::span<const Image> frames, int delay, int quality);
 
 }  // namespace mjforge::picture

@@ -1,4 +1,5 @@
-// Poses that move the joints of a subject through their ranges.
+// Poses for an animation that moves the joints of a subject through their ranges, one after the
+// other.
 
 #include <fmt/format.h>
 
@@ -10,7 +11,7 @@
 namespace mjforge::picture {
 namespace {
 
-constexpr int kFramesPerWay = 12;  // frames of a motion between two positions
+constexpr int kFramesPerWay = 12;  // number of frames of a motion between two positions
 
 // Appends poses that move a joint from `from` to `to`, with a lower speed towards both ends. Omits
 // `to`, because the next motion starts with that position.

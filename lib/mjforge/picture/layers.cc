@@ -1,5 +1,5 @@
-// Names of the layers of a picture, and drawing of the marks (boxes, axes, labels) of bounds,
-// inertia, joints and regions.
+// Names of the layers of a picture, and drawing of the marks (boxes, axes, labels) of the layers
+// bounds, inertia, joints and regions.
 
 #include "mjforge/picture/layers.h"
 
@@ -62,7 +62,7 @@ void DrawEdges(const Vector3d& min, const Vector3d& max, double radius, Scene& s
   }
 }
 
-// Returns a color that differs from the colors of nearby numbers and from the faded object.
+// Returns the color of the mark with this number. Marks with nearby numbers have different colors.
 Color MarkColor(int number) {
   constexpr std::array<Color, 6> kColors = {
       Color{0.85F, 0.20F, 0.15F, 1}, Color{0.10F, 0.45F, 0.85F, 1}, Color{0.10F, 0.60F, 0.30F, 1},
@@ -187,8 +187,8 @@ void DrawBounds(const Subject::State& state, const PlacedShapes& around, Scene& 
                  fmt::format("{:.4g} x {:.4g} x {:.4g} m", size.x(), size.y(), size.z()));
 }
 
-// Draws a box with the inertia of each body. A solid box of mass m and half sizes a, b, c has the
-// inertia I_x = m/3 (b^2 + c^2), and I_y and I_z accordingly, which determines the half sizes.
+// Draws, for each body, a box of equal mass and inertia. A solid box of mass m and half sizes a, b,
+// c has the moments I_x = m/3 (b^2 + c^2), and I_y and I_z accordingly, which determine a, b and c.
 void DrawInertias(const Subject::State& state, const PlacedShapes& around, Scene& scene) {
   const mjModel& m = *state.model;
   const double radius = RadiusOf(around);
@@ -222,8 +222,8 @@ void DrawJoints(const Subject::State& state, const PlacedShapes& around, Scene& 
   }
 }
 
-// Draws the regions, which are boxes and cylinders. MuJoCo states the size of a site like that of a
-// geom.
+// Draws the areas of the regions, whose sites are boxes (three half lengths) and cylinders (radius,
+// half length).
 void DrawRegions(const Subject::State& state, const PlacedShapes& around, Scene& scene) {
   const mjModel& m = *state.model;
   int number = 0;

@@ -1,4 +1,5 @@
-// Marks (boxes, axes, labels) that the layers of a picture draw in addition to the faded object.
+// Marks (boxes, axes, labels) that some layers of a picture draw in addition to the object, which
+// these layers show translucent.
 
 #pragma once
 
@@ -7,7 +8,8 @@
 namespace mjforge::picture {
 
 // Functions that add the marks of a layer to a scene: the bounding box, boxes of equal inertia, the
-// axes and ranges of joints, or the regions. `around` are the object's shapes.
+// axes and ranges of joints, or the regions. `around` are the object's shapes, which determine the
+// size of the marks.
 void DrawBounds(const Subject::State& state, const PlacedShapes& around, Scene& scene);
 void DrawInertias(const Subject::State& state, const PlacedShapes& around, Scene& scene);
 void DrawJoints(const Subject::State& state, const PlacedShapes& around, Scene& scene);

@@ -1,4 +1,4 @@
-// Loading of models from MJCF as subjects of pictures.
+// Loading of MJCF text and files as subjects: models that can be drawn.
 
 #include <exception>
 #include <new>
@@ -9,8 +9,8 @@
 namespace mjforge::picture {
 namespace {
 
-// Size of MuJoCo's stack, in mjtNum. The Jacobian of a tendon takes three numbers for each degree
-// of freedom.
+// Size of MuJoCo's stack, in mjtNum: enough for mj_tendon(), in which the Jacobian of a tendon
+// takes three numbers for each degree of freedom.
 constexpr double kStackSize = 1e6;
 
 std::unique_ptr<Subject> Make(engine::Loaded loaded, std::string& why_not) {
@@ -20,8 +20,8 @@ std::unique_ptr<Subject> Make(engine::Loaded loaded, std::string& why_not) {
   }
   auto state = std::make_unique<Subject::State>();
   state->model = std::move(loaded.model);
-  // Contacts and constraints, which a picture does not need, would take most of the memory of a
-  // large scene.
+  // Allocates no buffers for contacts and constraints. A picture does not need these buffers, which
+  // would take most of the memory of a large scene.
   engine::SetBufferSizes(*state->model, {.contacts = 0, .rows = 0, .numbers = kStackSize});
   try {
     state->data = compiled::MakeData(*state->model);

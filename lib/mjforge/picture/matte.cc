@@ -1,4 +1,5 @@
-// Matting from depths and from translucent geoms on black, with a soft shadow.
+// Implementation of the matting: sums over the samples of each pixel, blurring of the shadow, and
+// the final image.
 
 #include "mjforge/picture/matte.h"
 
@@ -15,7 +16,7 @@ constexpr float kDarkest = 0.62F;
 constexpr double kSoftness = 0.011;
 // Shadows fade out towards the picture's border, over this share of its shorter side.
 constexpr float kEdge = 0.05F;
-// Brightness and alpha up to this level (of 255) are rounding errors and count as zero.
+// Hidden and missing brightness up to this level (of 255) is a rounding error and counts as zero.
 constexpr int kNothing = 2;
 
 // Computes the moving mean over 2 * radius + 1 rows, each of `width` values; rows outside count as
@@ -79,8 +80,9 @@ Matte::Matte(int width, int height, int samples)
   shade_.resize(pixels);
 }
 
-// Adds the samples of the rows [top, bottom). `add_sample` is called with the sample's index, its
-// place in the picture (in samples) and the sums of its pixel.
+// Adds the samples of the rows [top, bottom) of the picture. Calls `add_sample` with the index of
+// the sample in the rendering, its column and row in the picture (in samples), and the sums of its
+// pixel.
 template <typename AddSample>
 void Matte::AddSamples(int top, int bottom, int light, const AddSample& add_sample) {
   const auto columns = static_cast<std::size_t>(width_) * static_cast<std::size_t>(samples_);
@@ -136,7 +138,7 @@ void Matte::Add(const RenderedBand& drawn, int top, int bottom) {
 }
 
 // Replaces the shadow on each floor pixel by the mean over the floor pixels around it. Pixels of
-// the object have no weight, so that the shadow stays dark next to the object.
+// the object have no weight, because the shadow must stay dark next to the object.
 void Matte::Soften() {
   const int radius = static_cast<int>(std::lround(kSoftness * std::min(width_, height_)));
   if (radius < 1 || std::none_of(shade_.begin(), shade_.end(), [](float s) { return s > 0; }))

@@ -1,5 +1,4 @@
-// Creation and deletion of OpenGL objects: the shared buffers, and the meshes and textures of a
-// model.
+// Creation and deletion of the shared OpenGL buffers, and of the meshes and textures of a model.
 
 #include "mjforge/picture/model_context.h"
 

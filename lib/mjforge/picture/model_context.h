@@ -1,4 +1,5 @@
-// OpenGL objects: the buffers that all pictures share, and the meshes and textures of a model.
+// OpenGL objects that MuJoCo's renderer needs: buffers that all models share, and the meshes and
+// textures of one model.
 
 #pragma once
 
@@ -8,7 +9,8 @@
 
 namespace mjforge::picture {
 
-/// Framebuffer and shadow map. Needs a current GlContext while it exists.
+/// Framebuffer and shadow map of the given sizes in pixels. Needs a current GlContext while it
+/// exists.
 class Buffers {
  public:
   Buffers(int width, int height, int shadow_size);

@@ -7,7 +7,7 @@
 namespace mjforge::picture {
 namespace {
 
-// Declarations of GL/osmesa.h and GL/gl.h, repeated here because the headers need another package.
+// Declarations of GL/osmesa.h and GL/gl.h, repeated because these headers need another package.
 constexpr unsigned kRgba = 0x1908;          // GL_RGBA
 constexpr unsigned kUnsignedByte = 0x1401;  // GL_UNSIGNED_BYTE
 using CreateContext = void* (*)(unsigned format, int depth_bits, int stencil_bits, int accum_bits,

@@ -1,4 +1,4 @@
-// Search for the geom that a picture shows at a given place, by a ray from the camera.
+// Picking: finds the geom that a picture shows at a given pixel, by a ray from the camera.
 
 #include "mjforge/picture/camera.h"
 #include "mjforge/picture/picture.h"

@@ -33,7 +33,7 @@ enum class Layer {
   kBounds,     // bounding box of the colliding geoms; top, bottom and horizontal radius
   kInertia,    // boxes with the same inertia as the bodies, and their centres of mass
   kJoints,     // axes, ranges and names of the joints
-  kRegions     // places where other objects can stand: the sites of group 5
+  kRegions     // areas on which other objects can stand: box and cylinder sites of group 5
 };
 /// Names of the layers, in the order of the enumeration.
 std::span<const std::string_view> LayerNames();
@@ -60,7 +60,7 @@ inline constexpr int kMaxSize = 4096;
 struct View {
   std::optional<double> azimuth;    // deg, viewing direction about z; 0: along x, 90: along y
   std::optional<double> elevation;  // deg, viewing direction; -90: down, 90: up
-  std::optional<double> distance;   // m, distance of the eye from the center of the shown shapes
+  std::optional<double> distance;   // m, from the eye to the center of the shown shapes
   double zoom = 1;                  // divides the distance at which all shapes are in the picture
 };
 
@@ -94,7 +94,7 @@ using JointPositions = std::vector<std::pair<int, double>>;
 /// Poses of a model: its start pose, and the start pose with hinges, slides and balls at zero.
 enum class Pose { kStart, kZero };
 
-/// A model in a pose, which is Pose::kStart at first.
+/// A model to be drawn, and its current pose, which is Pose::kStart at first.
 class Subject {
  public:
   struct State;
@@ -104,9 +104,9 @@ class Subject {
   void Reset(Pose pose);
 
   std::vector<Joint> joints() const;
-  /// Returns the number of the joint with this name. The name's prefix ("hammer_") may be left out
-  /// if only one joint fits. Returns nullopt, and adds a finding, if no joint or several joints
-  /// fit.
+  /// Returns the number (MuJoCo's id) of the joint with this name. The name's prefix ("hammer_")
+  /// may be left out if only one joint fits. Returns nullopt, and adds a finding, if no joint or
+  /// several joints fit.
   std::optional<int> FindJoint(std::string_view name, diag::Findings& findings) const;
   /// Moves a hinge (rad) or slide (m). Returns false, and adds a finding, if the joint is neither a
   /// hinge nor a slide, or if the value is outside its range.
@@ -140,7 +140,7 @@ class Loader {
   std::unique_ptr<State> state_;
 };
 
-/// Renders without a display, through EGL or else through OSMesa, which are looked up at run time.
+/// Renders without a display, through EGL or else through OSMesa, which are loaded at run time.
 /// The environment variable MUJOCO_GL chooses a library ("egl", "osmesa") or turns rendering off
 /// ("disable", "off"). A process has at most one renderer at a time, and always uses the same
 /// library, because MuJoCo looks up OpenGL's functions only once.
@@ -152,9 +152,10 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// Draws a subject, on a floor unless the model has geoms fixed to the world. If nothing is
-  /// visible, shows geoms of other groups or else sites, and adds a warning. Returns nullopt, and
-  /// adds a finding, if there is nothing to show. Equal subjects and options give equal bytes.
+  /// Draws a subject, on a floor unless the model has a plane, a height field or other geoms fixed
+  /// to the world. If nothing is visible, shows geoms of other groups or else sites, and adds a
+  /// warning. Returns nullopt, and adds a finding, if there is nothing to show. Equal subjects and
+  /// options give equal bytes.
   std::optional<Image> Draw(Subject& subject, const Options& options, diag::Findings& findings);
 
   /// Draws the subject in each pose, with one camera that frames the subject in all poses.
@@ -177,7 +178,7 @@ class Renderer {
   std::unique_ptr<State> state_;
 };
 
-/// Returns the name of the geom that Renderer::Draw() shows at a place of the picture with
+/// Returns the name of the geom that Renderer::Draw() shows at a point of the picture with
 /// Layer::kVisual; empty if there is no geom or the geom has no name. `x` is 0 at the left edge and
 /// 1 at the right edge; `y` is 0 at the top and 1 at the bottom.
 std::string GeomAt(Subject& subject, const Options& options, double x, double y);
@@ -187,9 +188,8 @@ struct Tile {
   Image image;
   std::vector<std::string> caption;
 };
-/// Arranges tiles of equal size in rows, in a sheet that is as square as their number allows. Rows
-/// of pixels that are transparent in all tiles of a row are left out at the top and the bottom of
-/// the tiles.
+/// Arranges tiles of equal size in a nearly square sheet with few empty places. Crops each row of
+/// tiles at the top and the bottom: omits rows of pixels that are transparent in all of its tiles.
 Image ContactSheet(Renderer& renderer, std::span<const Tile> tiles, const Background& background);
 
 }  // namespace mjforge::picture

@@ -1,4 +1,4 @@
-// Rendering of a subject with MuJoCo: scene, matte, labels and legend.
+// Renderer: draws a subject with MuJoCo in bands of rows, and adds background, labels and legend.
 
 #include <fmt/format.h>
 
@@ -25,14 +25,16 @@ using diag::Code;
 // Returns the width of the shadow map: two texels per pixel of the picture, within limits.
 int ShadowSize(int width, int height) { return std::clamp(2 * std::max(width, height), 512, 4096); }
 
-// Pictures with more samples are drawn in horizontal bands, to limit the size of the framebuffer.
+// Largest number of samples that are rendered at once. Pictures with more samples are drawn in
+// horizontal bands, to limit the size of the framebuffer.
 constexpr int kMostSamples = 1 << 22;
 // Least number of samples along each side of a pixel, unless Options::quick is set.
 constexpr int kFewestSamples = 2;
 
-// Returns the number of samples along each side of a pixel: as many as a picture in one band can
-// have, but at most four, which suffice for smooth edges, or three if there are translucent geoms,
-// which are rendered twice.
+// Returns the number of samples along each side of a pixel: 1 if Options::quick is set, otherwise
+// as many as possible without dividing the picture into bands, at least kFewestSamples. At most
+// four, which suffice for smooth edges, or three if there are translucent geoms, because these are
+// rendered twice.
 int SamplesOf(const Options& options, bool is_opaque) {
   if (options.quick) return 1;
   const double most = std::sqrt(kMostSamples / (double{1} * options.width * options.height));
@@ -43,7 +45,7 @@ int RowsOfBand(const Options& options, int samples) {
   return std::clamp(kMostSamples / (samples * samples * options.width), 1, options.height);
 }
 
-// Renders the scene, and reads its colors and, if wanted, its depths.
+// Renders the scene, and reads its colors and, if `depths` is not null, its depths.
 void Render(const mjrContext& context, mjvScene& scene, const mjrRect& viewport,
             std::vector<std::uint8_t>& colors, std::vector<float>* depths) {
   const std::size_t samples =
@@ -108,8 +110,8 @@ Image Renderer::DrawText(std::string_view text, const Background::Color& color) 
   return state_->font->Draw(text, color);
 }
 
-// Returns buffers of the size that the picture needs; reuses the last buffers if they have this
-// size.
+// Returns buffers of the size that the picture needs; reuses the buffers of the last picture if
+// they have this size.
 const Buffers& Renderer::State::BuffersFor(const Options& options) {
   const int width = options.width * samples;
   const int height = RowsOfBand(options, samples) * samples;
@@ -148,7 +150,7 @@ Image Renderer::State::DrawScene(ModelContext& context, Scene& scene, const Came
 // Draws labels into the upper `height` rows, which show the scene.
 void Renderer::State::DrawLabels(const Scene& scene, const Camera& camera, int height,
                                  Image& image) {
-  constexpr int kAside = 8;  // pixels between a place and its label
+  constexpr int kAside = 8;  // pixels between a point and its label
   std::vector<PlacedText> labels;
   for (const Scene::Label& label : scene.labels()) {
     const Eigen::Vector2d place = camera.Project(label.p_W, image.width, height);
@@ -160,8 +162,8 @@ void Renderer::State::DrawLabels(const Scene& scene, const Camera& camera, int h
   PutLabels(std::move(labels), image);
 }
 
-// Returns the legend in rows, in at most a third of the picture. Coordinates are relative to the
-// top left of the legend.
+// Returns the texts of the legend, arranged in rows that take at most a third of the picture's
+// height. Coordinates are relative to the top left of the legend.
 std::vector<PlacedText> Renderer::State::DrawLegend(const Scene& scene, const Options& options) {
   constexpr int kGap = 10;  // pixels
   std::vector<PlacedText> texts;
@@ -237,7 +239,7 @@ std::optional<std::vector<Image>> Renderer::State::DrawPoses(Subject& subject,
   PlacedShapes all;
   double lowest = std::numeric_limits<double>::infinity();
   for (const Positions& pose : poses) {
-    // Every pose has the same findings, so only the findings of the first pose are kept.
+    // Keeps only the findings of the first pose, because every pose has the same findings.
     diag::Findings again;
     subject.state().Move(pose);
     if (!scene.Fill(subject, options.layer, all.empty() ? findings : again)) return std::nullopt;

@@ -1,4 +1,4 @@
-// Scene of a picture: MuJoCo's list of geoms for a layer, with lights, floor and backdrop.
+// Filling of the scene of a picture: geoms of a layer, lights, floor and backdrop.
 
 #include "mjforge/picture/scene.h"
 
@@ -22,8 +22,8 @@ constexpr int kExtraPerJoint = 64;
 
 // The key light comes from above, behind the camera and to its left. A fill light from the camera
 // and ambient light brighten the shadows. A rim light from the right brightens the faces that the
-// key light does not reach, and gives metals a second highlight. A surface that faces all lights is
-// not brighter than its own color.
+// key light does not reach, and gives metals a second highlight. With the default camera, a level
+// surface has about the brightness of its own color.
 const Eigen::Vector3d kKeyDirection = Eigen::Vector3d(0.22, 0.55, -1.3).normalized();
 const Eigen::Vector3d kRimDirection = Eigen::Vector3d(-0.89, -0.14, -0.43).normalized();
 constexpr float kKey = 0.52F;
@@ -32,9 +32,9 @@ constexpr float kFill = 0.33F;
 constexpr float kAmbient = 0.27F;
 constexpr float kRim = 0.20F;
 constexpr float kRimSpecular = 0.60F;
-constexpr float kFaded = 0.35F;    // factor of alpha for the faded object
-constexpr double kBelow = 0.003;   // depth of the floor, as a share of the object's radius
-constexpr float kFloor = 0.85F;    // gray level of the light floor
+constexpr float kFaded = 0.35F;    // factor of the object's alpha in layers with marks
+constexpr double kBelow = 0.003;   // gap below the object, as a share of the object's radius
+constexpr float kFloor = 0.85F;    // gray level of the floor
 constexpr float kOpaque = 0.995F;  // alpha from which MuJoCo draws a geom as opaque
 
 void SetColor(float* rgba, const std::array<float, 4>& color) {
@@ -69,8 +69,8 @@ bool Collides(const mjModel& m, int geom) {
   return false;
 }
 
-// Returns a color that differs clearly from the colors of nearby numbers, because hues advance by
-// the golden section.
+// Returns the color of the geom with this number in the layer `collision`. Colors of nearby numbers
+// differ clearly, because hues advance by the golden section.
 std::array<float, 4> DistinctColor(int number) {
   const double hue = std::fmod(0.58 + 0.61803398875 * number, 1.0);
   const auto channel = [&](double shift) {
@@ -118,12 +118,12 @@ void Scene::Collect(Subject::State& state, const mjvOption& option) {
   SeparateFaces();
 }
 
-// Shrinks boxes and cylinders by different shares of at most a thousandth, which is invisible, so
-// that no faces of two geoms coincide. MuJoCo lights coincident faces twice, because it adds the
-// key light in a second pass to everything at the depth already drawn.
+// Shrinks boxes and cylinders by different shares of about a thousandth or less, which is
+// invisible, to prevent coincident faces of two geoms. MuJoCo lights coincident faces twice,
+// because a second pass adds the key light to everything at the depth already drawn.
 void Scene::SeparateFaces() {
   constexpr float kShare = 1e-5F;
-  constexpr int kDifferent = 101;  // number of scales; more than the boxes of a typical ring
+  constexpr int kDifferent = 101;  // number of scales; a ring of boxes usually has fewer pieces
   for (int i = 0; i < scene_.ngeom; ++i) {
     mjvGeom& geom = scene_.geoms[i];
     if (geom.type != mjGEOM_BOX && geom.type != mjGEOM_CYLINDER) continue;
@@ -132,8 +132,8 @@ void Scene::SeparateFaces() {
   }
 }
 
-// Collects the visible geoms. If there are none, collects the geoms of all groups, and if the model
-// has no geoms, the sites.
+// Collects the geoms of the visible groups. If there are none, collects the geoms of all groups or,
+// if the model has no geoms, all sites, and adds a warning.
 void Scene::CollectVisible(Subject::State& state, diag::Findings& findings) {
   mjvOption option = VisibleOption();
   Collect(state, option);
@@ -219,7 +219,7 @@ void Scene::Fade() {
   }
 }
 
-// Measures the shapes to frame. Planes and height fields are ground and not measured, unless there
+// Sets the shapes that the camera must frame. Planes and height fields do not count, unless there
 // is nothing else.
 void Scene::Measure(const mjModel& m) {
   shapes_ = PlacedShapes();
@@ -238,7 +238,7 @@ void Scene::Measure(const mjModel& m) {
     floor_height_ = shapes_.Min().z();
     return;
   }
-  // Draw a finite piece of an infinite plane.
+  // Shows a finite piece of an infinite plane.
   constexpr float kPiece = 1;  // m
   for (mjvGeom& geom : Geoms()) {
     const int plane = geom.objtype == mjOBJ_GEOM ? geom.objid : -1;
@@ -256,7 +256,8 @@ mjvGeom* Scene::Add(int type, const Eigen::Vector3d& size, const Eigen::Vector3d
   mjvGeom* geom = scene_.geoms + scene_.ngeom++;
   const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rows = R_W;
   mjv_initGeom(geom, type, size.data(), p_W.data(), rows.data(), rgba.data());
-  // Set the size again, because mjv_initGeom converts the sizes of some types from MJCF's order.
+  // Overwrites the size, because mjv_initGeom converts sizes of some types from MJCF's order;
+  // `size` already has the order of mjvGeom.
   Eigen::Map<Eigen::Vector3f>(geom->size) = size.cast<float>();
   geom->category = mjCAT_DECOR;
   geom->segid = -1;
@@ -293,7 +294,7 @@ void Scene::Light(const Camera& camera, double floor_height, bool has_shadows) {
     AddFloor(camera, floor_height - below);
     level_above_floor_ = floor_height - below / 2;
   }
-  // Add the backdrop after the floor, because the floor hides most of the backdrop.
+  // Adds the backdrop after the floor: OpenGL skips the part of the backdrop that the floor hides.
   if (!IsOpaque()) AddBackdrop(camera);
 }
 
@@ -308,8 +309,8 @@ mjvGeom* Scene::AddPlane(const Eigen::Vector2d& half_sides, const Eigen::Vector3
   return plane;
 }
 
-// Adds a floor. If the object is opaque, the floor is only as large as the shadow, because pixels
-// without a floor have no shadow; otherwise the floor fills the picture.
+// Adds a floor. If all geoms are opaque, the floor is only as large as the shadow, because the
+// picture needs a floor only where there is a shadow; otherwise the floor fills the picture.
 void Scene::AddFloor(const Camera& camera, double height) {
   Eigen::Vector3d place(camera.center.x(), camera.center.y(), height);
   Eigen::Vector2d half_sides = Eigen::Vector2d::Constant(40 * camera.radius);
@@ -336,7 +337,8 @@ void Scene::AddFloor(const Camera& camera, double height) {
   SetColor(translucent_.emplace_back(*floor).rgba, {0, 0, 0, 1});
 }
 
-// Adds a plane behind the object that emits light, so that its color does not depend on the lights.
+// Adds the backdrop: a plane behind the object. The plane's emission makes its color independent of
+// the lights.
 void Scene::AddBackdrop(const Camera& camera) {
   Eigen::Matrix3d axes;
   axes << camera.right, camera.up, -camera.forward;

@@ -1,4 +1,4 @@
-// Scene: the geoms, lights, floor and labels of a picture.
+// Scene of a picture: geoms, lights, floor, marks, labels and legend.
 
 #pragma once
 
@@ -16,7 +16,8 @@
 
 namespace mjforge::picture {
 
-/// MuJoCo's list of a subject's geoms, with lights, a floor, and marks of the layer.
+/// MuJoCo's scene (mjvScene) of a subject: its geoms with lights, a floor, and the marks (boxes,
+/// axes) of a layer.
 class Scene {
  public:
   explicit Scene(const mjModel& model);
@@ -24,14 +25,14 @@ class Scene {
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
-  /// Fills the scene with the layer of the subject in its current pose. If nothing is visible,
+  /// Fills the scene with a layer of the subject in its current pose. If nothing is visible,
   /// shows geoms of other groups or else sites, and adds a warning. Returns false, and adds a
   /// finding, if there is nothing to show.
   bool Fill(Subject& subject, Layer layer, diag::Findings& findings);
 
   /// Shapes that the camera must frame.
   const PlacedShapes& shapes() const { return shapes_; }
-  /// Lowest z of the object, m.
+  /// Lowest z of the framed shapes, m.
   double floor_height() const { return floor_height_; }
   /// Text at a point of the scene.
   struct Label {
@@ -56,15 +57,15 @@ class Scene {
   void Light(const Camera& camera, double floor_height, bool has_shadows);
   /// Returns true if no geom is translucent.
   bool HasOnlyOpaqueGeoms() const;
-  /// Returns true if MuJoCo draws no geom translucent for the camera given to Light(). A plane is
-  /// translucent if the camera sees its back.
+  /// Returns true if no geom is translucent for the camera that was passed to Light(). MuJoCo draws
+  /// a plane translucent if the camera sees its back.
   bool IsOpaque() const { return translucent_.empty(); }
-  /// Returns a scene of the translucent geoms only, on black, without shadows, which MuJoCo does
-  /// not draw on these geoms. The result is valid until the scene changes.
+  /// Returns a scene of the translucent geoms only, on black. The scene has no shadows, because
+  /// MuJoCo draws no shadows on translucent geoms. The result is valid until the scene changes.
   mjvScene TranslucentGeoms();
   /// Returns the brightness of the floor, or else the backdrop, outside of shadows, 0..255.
   int Brightness() const;
-  /// Returns a height between the floor and the object, or nullopt if there is no floor.
+  /// Returns a height, m, between the floor and the object; nullopt if there is no floor.
   const std::optional<double>& level_above_floor() const { return level_above_floor_; }
   void SetCamera(const mjvGLCamera& camera) { std::ranges::fill(scene_.camera, camera); }
 
@@ -80,7 +81,8 @@ class Scene {
     legend_.push_back({std::move(text), color});
   }
 
-  /// Adds a geom; returns null if the list is full.
+  /// Adds a geom of the category mjCAT_DECOR; returns null if MuJoCo's list is full. `size` has the
+  /// order of mjvGeom::size.
   mjvGeom* Add(int type, const Eigen::Vector3d& size, const Eigen::Vector3d& p_W,
                const Eigen::Matrix3d& R_W, const std::array<float, 4>& rgba);
 
@@ -106,7 +108,7 @@ class Scene {
   PlacedShapes shapes_;
   std::vector<Label> labels_;
   std::vector<Line> legend_;
-  bool has_ground_ = false;  // the model has a plane, a height field or a geom of the world
+  bool has_ground_ = false;  // true: there is a plane, a height field or a geom fixed to the world
   // Translucent geoms. If these include marks, also a black floor, which hides marks below the
   // floor.
   std::vector<mjvGeom> translucent_;

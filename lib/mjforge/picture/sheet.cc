@@ -19,7 +19,7 @@ void PutPixel(const std::uint8_t* top, std::uint8_t* below) {
   const int alpha = over + under;
   for (int c = 0; c < 3; ++c) {
     const int mixed = top[c] * over + below[c] * under;
-    // Treat opaque results separately, because dividing by a constant is several times as fast.
+    // Treats opaque results separately, because dividing by a constant is several times as fast.
     const int mean = alpha == 255 ? (mixed + 127) / 255 : (mixed + alpha / 2) / alpha;
     below[c] = static_cast<std::uint8_t>(mean);
   }
@@ -56,8 +56,8 @@ bool IsShown(const Image& image, int y) {
   return false;
 }
 
-// Row of tiles in a sheet. Rows of pixels in which no tile shows anything are left out at the top
-// and the bottom of the tiles.
+// Row of tiles in a sheet. The tiles are cropped: rows of pixels at their top and bottom in which
+// no tile of the row shows anything are left out.
 struct SheetRow {
   SheetRow(std::span<const Tile> tiles, int sheet_top) : top(sheet_top) {
     last = tiles.front().image.height;
@@ -70,9 +70,9 @@ struct SheetRow {
   }
   int height() const { return last - first; }
 
-  int top;                // first row of pixels in the sheet
+  int top;                // y of the cropped tiles in the sheet, pixels
   int first = 0;          // first row of pixels of the tiles that is shown
-  int last = 0;           // end of the rows of pixels of the tiles that are shown
+  int last = 0;           // row of pixels after the last row of the tiles that is shown
   std::size_t lines = 0;  // lines of the longest caption
 };
 
@@ -97,7 +97,7 @@ void PutOver(const Image& top, int x, int y, Image& below) {
   }
 }
 
-// Places the labels in order, and moves each below the earlier labels that it would cover.
+// Places the labels in order. Moves each label below the earlier labels that it would cover.
 void PutLabels(std::vector<PlacedText> labels, Image& image) {
   std::vector<PlacedText> put;
   for (PlacedText& label : labels) {

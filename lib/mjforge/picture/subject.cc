@@ -1,4 +1,4 @@
-// Joints of a subject: search by name and setting of positions.
+// Pose of a subject: search for joints by name, and setting of joint positions.
 
 #include "mjforge/picture/subject.h"
 
@@ -22,7 +22,7 @@ bool EndsIn(std::string_view full, std::string_view name) {
 }
 
 // Returns the names of the hinges and slides, for suggestions: each name in full, and also without
-// its first word, without its first two words, and so on.
+// its first word, without its first two words, and so on ("box_lid_hinge", "lid_hinge", "hinge").
 std::vector<std::string_view> JointNames(const mjModel& m) {
   std::vector<std::string_view> words;
   for (int i = 0; i < m.njnt; ++i) {

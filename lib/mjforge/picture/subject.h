@@ -1,4 +1,4 @@
-// State of a subject (a model to be drawn): MuJoCo's model and data.
+// State of a subject (a model to be drawn): MuJoCo's mjModel and mjData.
 
 #pragma once
 

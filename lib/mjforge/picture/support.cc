@@ -1,4 +1,4 @@
-// Support functions of the geoms in a scene.
+// Conversion of geoms in a scene (mjvGeom) to shapes, and support functions of shapes and shadows.
 
 #include "mjforge/picture/support.h"
 
@@ -41,7 +41,7 @@ PlacedShape ShapeOf(const mjModel& m, const mjvGeom& geom) {
   } else if (const auto type = compiled::GeomTypeOf(geom.type);
              type && *type != model::GeomType::kMesh) {
     shape.solid.type = *type;
-    // The size of an mjvGeom is: radius along x, radius along y, half length.
+    // The size of a capsule or cylinder in an mjvGeom is: radius along x, along y, half length.
     if (model::SizeCount(*type) == 2) size = {size.x(), size.z(), 0};
   }
   return shape;
@@ -57,8 +57,8 @@ double PlacedShapes::Support(const Eigen::Vector3d& direction) const {
   return most;
 }
 
-// Adds the displacement of each point's shadow: the point's height above the plane times the slope
-// of the light.
+// Computes the support function of the shadow from that of the shapes. The shadow of a point is
+// displaced from the point by its height above the plane times the slope of the light.
 double PlacedShapes::ShadowSupport(const Eigen::Vector3d& direction, const Eigen::Vector3d& light,
                                    double level) const {
   const double slope = direction.dot(light) / -light.z();

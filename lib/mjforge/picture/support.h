@@ -1,4 +1,5 @@
-// Support functions of the shapes in a scene.
+// Shapes of the geoms in a scene (mjvGeom), and their support functions, by which the camera frames
+// them.
 
 #pragma once
 
@@ -12,9 +13,9 @@
 
 namespace mjforge::picture {
 
-/// A convex shape S in the world, m.
+/// A convex shape at a pose in the world. S is the shape's own frame; lengths are in m.
 struct PlacedShape {
-  /// Shape of the geom; a box for planes, height fields and other types without a solid.
+  /// Shape of the geom; a box for planes, height fields and other types that model::Shape lacks.
   model::Shape solid = {.type = model::GeomType::kBox};
   Eigen::Vector3d p_WS = Eigen::Vector3d::Zero();
   Eigen::Matrix3d R_WS = Eigen::Matrix3d::Identity();

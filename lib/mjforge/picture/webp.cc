@@ -1,4 +1,4 @@
-// Lossy WebP of an image, and of an animation.
+// Encoding of images and animations as lossy WebP.
 
 #include <webp/encode.h>
 #include <webp/mux.h>
@@ -12,11 +12,12 @@
 namespace mjforge::picture {
 namespace {
 
-// Method of libwebp, from 0 (fastest) to 6 (smallest file).
+// Values of WebPConfig::method, from 0 (fastest) to 6 (smallest file).
 constexpr int kDefaultMethod = 4;
 constexpr int kFastMethod = 0;
 
-// Calls `encode` with libwebp's configuration and picture of an image.
+// Calls `encode` with a WebPConfig and a WebPPicture that has the pixels of the image; `encode`
+// returns false if it fails. `is_argb` keeps the pixels as ARGB instead of YUV.
 void Encode(const Image& image, int quality, int method, bool is_argb, const auto& encode) {
   WebPConfig config;
   WebPPicture picture;
@@ -47,7 +48,7 @@ std::string EncodeOne(const Image& image, int quality, int method) {
 
 }  // namespace
 
-// Each frame contains only the rectangle that differs from the frame before it.
+// libwebp stores in each frame only the rectangle that differs from the frame before.
 std::string EncodeWebpFilm(std::span<const Image> frames, int delay, int quality) {
   if (frames.empty()) throw std::invalid_argument("an animation without frames");
   WebPAnimEncoderOptions options;

@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kFaces = 0.99;      // least z of the normal of a contact of level faces
+constexpr double kFaces = 0.99;      // least z of the normal between two level faces in contact
 constexpr double kCarries = 0.1;     // least z of the normal of a contact that carries the body
 constexpr double kTolerance = 0.05;  // largest distance from the hull, as a share of the width
 

@@ -72,8 +72,9 @@ std::optional<Disc> Around(const Disc& a, const Disc& b, const Disc& c) {
   return smallest;
 }
 
-// Adds a disc that is not inside the enclosing disc of the basis, and removes the discs that the
-// basis no longer needs. Returns the new enclosing disc.
+// Adds a disc, which is not inside the enclosing disc of the basis, to the basis: the at most three
+// discs that determine the enclosing disc. Removes discs that the basis no longer needs. Returns
+// the new enclosing disc.
 Disc Extend(std::vector<Disc>& basis, const Disc& added) {
   std::vector<Disc> all = basis;
   all.push_back(added);

@@ -20,8 +20,9 @@ constexpr int kOutlinePoints = 64;  // points of a circle or ellipsoid
 constexpr int kGenerators = 256;    // lines on the side of a tilted cylinder
 constexpr int kCapsuleSteps = 32;
 constexpr double kLevel = 1e-9;  // tolerance of level axes: sine of the tilt, or rise in m
-// Largest number of pairs of a vertex below and one above the plane for which all connecting lines
-// are sliced. For larger meshes, only the edges of the convex hull are sliced.
+// Largest number of pairs of a vertex below the plane and a vertex above it for which all
+// connecting lines are cut with the plane. For larger meshes, only the edges of the convex hull are
+// cut.
 constexpr std::size_t kMostPairs = 100'000;
 
 Vector2d UnitAt(int i) {

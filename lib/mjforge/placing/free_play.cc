@@ -68,7 +68,7 @@ Vector2d PointIn(const Polygon& polygon, const Vector2d& uv) {
   // Rounding must not move the last position beyond the corners.
   const double x =
       std::clamp(Between(box.min().x(), box.max().x(), uv.x()), box.min().x(), box.max().x());
-  // The corners of an edge along y may differ along x by a rounding.
+  // The corners of an edge along y may differ along x by a rounding error.
   constexpr double kRounding = 1e-9;  // m
   double low = std::numeric_limits<double>::infinity();
   double high = -low;

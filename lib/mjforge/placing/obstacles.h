@@ -76,8 +76,10 @@ class Obstacles {
   void Add(const model::Object& object, int body, double clear);
 
   /// Returns the first obstacle that overlaps the shapes, or is nearer than `clear` or than the
-  /// obstacle's own `clear`. The bodies in Support, and shapes wholly below the supporting plane,
-  /// may be at any distance, but must not overlap the shapes. Returns nullopt if there is none.
+  /// obstacle's own `clear`; nullopt if there is none. The supporting body, the bodies in
+  /// Support::below, and shapes wholly below the supporting plane may be at any distance, but must
+  /// not overlap the shapes. With Support::is_ignored, the supporting body may also overlap the
+  /// shapes.
   std::optional<Blocker> FindBlocker(const MovedShapes& shapes, double clear,
                                      const Support& support) const;
 
@@ -91,7 +93,8 @@ class Obstacles {
   /// an obstacle, at most `most`, m; 0 if they overlap an obstacle.
   double Drop(PlacedShapes shapes, const Eigen::Vector3d& up_W, double most) const;
 
-  /// Returns the contacts of shapes that overlap no obstacle: pairs at most `within` apart, m.
+  /// Returns all pairs of a shape and an obstacle that are at most `within` apart, m, but do not
+  /// overlap.
   std::vector<Contact> FindContacts(std::span<const distance::PlacedShape> shapes,
                                     double within) const;
 

@@ -1,4 +1,4 @@
-// Placer: finds heading, position and contact of a body at a place, and tests for overlap.
+// Placer: finds the pose of a body in a region or at a site, and tests the pose for overlap.
 
 #include <algorithm>
 #include <array>
@@ -27,8 +27,8 @@ using model::PlaceVerdict;
 using model::Pose;
 
 constexpr double kSameAngle = 1e-12;  // rad
-// Obstacles up to this distance carry a body that was lowered until it touched the first obstacle,
-// m.
+// Distance, m, up to which obstacles carry a body that was lowered until it touched the first
+// obstacle.
 constexpr double kCarrying = 2 * kContactGap;
 constexpr int kMostTurns = 20;
 // Least gap between a body and the body beside it, m. Without a gap, rounding would decide whether
@@ -215,7 +215,7 @@ class RegionTry {
   }
 
   // Returns the position beside the neighbour: `gap` away in the direction of `side`, and shifted
-  // along the neighbour's side by a drawn number. Distances are between extents of the bodies along
+  // along the neighbour's side by the share `uv`. Distances are between extents of the bodies along
   // and across the neighbour's front.
   Vector2d NextTo(double yaw) const {
     const model::Beside& beside = *where_.beside;
@@ -361,7 +361,7 @@ class ExactPlacer : public model::Placer {
 
   const model::Object* object_ = nullptr;
   Obstacles obstacles_;
-  // The body of the last attempts, and its orientations so far.
+  // Body of the last attempts, and cache of its orientations.
   int body_ = -1;
   std::vector<Orientation> orientations_;
 };

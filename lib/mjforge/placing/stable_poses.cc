@@ -30,7 +30,9 @@ constexpr double kLeastMargin = 1e-3;  // rad; poses that tip more easily are om
 constexpr double kProbability = 1e-6;  // smaller differences do not change the order of poses
 constexpr double kTie = 1e-9;          // smaller differences of cosines are rounding errors
 
-// Returns a point of the unit sphere. The hull of all points has faces perpendicular to the axes.
+// Returns a point of the unit sphere: point number `around` of the circle at the latitude number
+// `along`. Longitudes begin with half a step, so that the sides of cylinders and capsules have
+// faces perpendicular to the x and y axes.
 Vector3d OnSphere(int around, int along) {
   const double longitude = 2 * std::numbers::pi * (around + 0.5) / kAround;
   const double latitude = std::numbers::pi / 2 * along / kAlong;
@@ -38,7 +40,7 @@ Vector3d OnSphere(int around, int along) {
           std::sin(latitude)};
 }
 
-// Adds points, in A, whose convex hull is a shape or approximates it.
+// Adds points, in frame A, whose convex hull equals or approximates the shape.
 void AddPoints(const BodyShape& of, std::vector<Vector3d>& points_A) {
   const Vector3d& size = of.shape.size;
   const auto add = [&](const Vector3d& p_G) { points_A.push_back(of.X_AG * p_G); };
@@ -94,13 +96,14 @@ struct Rest {
   Vector3d down = Vector3d::Zero();  // normal of the representative face
   double margin = std::numbers::pi;
   double solid_angle = 0;
-  std::size_t side = 0;   // index of the side that is nearest to `down`
+  std::size_t side = 0;   // index, in SidesOf(), of the side that is nearest to `down`
   double alignment = -1;  // cosine of the angle between `down` and that side
   bool is_stable = false;
 };
 
-// Names of poses by the side that is down. The modelled lower side has the name "leaning", for
-// poses that differ a little from the modelled one, which is "upright".
+// Names of stable poses by the side that is down, in the order of SidesOf(). The lower side of the
+// modelled body has the name "leaning", for poses that differ a little from the modelled pose,
+// which is named "upright".
 constexpr std::array<std::string_view, 6> kNames = {"leaning", "upside_down", "on_front",
                                                     "on_back", "on_right",    "on_left"};
 

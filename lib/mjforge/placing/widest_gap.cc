@@ -1,5 +1,5 @@
-// Search for the widest gap: branch and bound over squares of a region, because the radius of the
-// largest free disc changes by no more than its centre is moved.
+// Search for the largest free disc in a region by branch and bound over squares. When the centre of
+// a free disc moves, its largest radius changes by no more than the distance.
 
 #include "mjforge/placing/widest_gap.h"
 
@@ -37,7 +37,7 @@ Eigen::AlignedBox2d BoxOf(const model::Region& region) {
   return {-region.half_size, region.half_size};
 }
 
-// Arguments of the search for discs: the region with its pose, the body's height, and the
+// Arguments of the search: the region with its pose, the height of the body to place, and the
 // obstacles.
 struct Place {
   const model::Region& region;

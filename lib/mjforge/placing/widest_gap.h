@@ -7,9 +7,10 @@
 
 namespace mjforge::placing {
 
-/// Returns the diameter, m, to a millimetre, of the largest disc in the region, at least the
-/// region's margin away from its border, above which no body is up to `height`, m; 0 if there is no
-/// such disc. X_WR is the pose of the region. The body that has the region is no obstacle.
+/// Returns the diameter, m, of the largest disc in the region, at least the region's margin away
+/// from its border, on which an upright cylinder of the height `height`, m, is free of other
+/// bodies; 0 if there is no such disc. The error is at most 1 mm, unless the search ends early,
+/// after 1000 steps. X_WR is the pose of the region. The body that has the region is no obstacle.
 double WidestGap(const model::Region& region, const model::Pose& X_WR, double height,
                  const Obstacles& obstacles, const Support& support);
 

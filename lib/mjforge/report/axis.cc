@@ -1,4 +1,4 @@
-// Ticks and scales of chart axes.
+// Computation of the ticks of chart axes, and choice of the scale.
 
 #include "mjforge/report/axis.h"
 
@@ -15,7 +15,7 @@ namespace {
 std::string Label(double value, double step) {
   const double rounded = std::round(value / step) * step;
   if (std::abs(rounded) < step * 1e-6) return "0";
-  // Enough digits to distinguish neighbouring ticks.
+  // Number of digits that distinguishes neighbouring ticks.
   const double digits = std::ceil(std::log10(std::abs(rounded) / step)) + 1;
   return fmt::format("{:.{}g}", rounded, static_cast<int>(std::clamp(digits, 6.0, 15.0)));
 }
@@ -48,7 +48,8 @@ std::vector<Axis::Tick> Axis::Ticks(int count) const {
   if (scale_ == Scale::kLogarithmic) return Decades(count);
   const double step = Step(count);
   std::vector<Tick> ticks;
-  // Tolerance: ends that are multiples of the step except for rounding errors get a tick.
+  // Tolerance, because an end that is a multiple of the step except for rounding errors gets a
+  // tick.
   const double tolerance = step * 1e-6;
   const double first = std::ceil((lo_ - tolerance) / step);
   for (double i = first; i * step <= hi_ + tolerance; ++i) {
@@ -76,7 +77,7 @@ std::vector<Axis::Tick> Axis::Decades(int count) const {
 
 void Axis::Round(int count) {
   if (scale_ == Scale::kLogarithmic) {
-    // Extend the range by a factor only, because whole decades would leave much empty space.
+    // Extends the range only by a factor, because whole decades would leave much empty space.
     lo_ /= 1.15;
     hi_ *= 1.15;
     return;

@@ -1,4 +1,5 @@
-// Axes of charts: scales, ticks and short texts of numbers.
+// Axes of charts: linear and logarithmic scales, ticks at round numbers, and short texts of
+// numbers.
 
 #pragma once
 
@@ -9,7 +10,7 @@ namespace mjforge::report {
 
 enum class Scale { kLinear, kLogarithmic };
 
-/// Axis of a chart: maps values to positions, and has ticks at round numbers.
+/// Axis of a chart: maps values to positions in the chart, and has ticks at round numbers.
 class Axis {
  public:
   /// Maps values from lo to hi to positions from `start` to `end`. If lo equals hi, the axis covers
@@ -24,10 +25,10 @@ class Axis {
     double at = 0;  // position
     std::string label;
   };
-  /// Returns about `count` ticks, at most twice as many.
+  /// Returns the ticks of the axis: about `count`, at most twice as many.
   std::vector<Tick> Ticks(int count) const;
-  /// Extends a linear axis so that it starts and ends at a tick, and a logarithmic axis by a
-  /// factor. `count` is the approximate number of ticks.
+  /// Extends the range of the axis: a linear axis to the next ticks, a logarithmic axis by a factor
+  /// of 1.15 at each end. `count` is the approximate number of ticks.
   void Round(int count);
 
  private:
@@ -41,8 +42,8 @@ class Axis {
   double end_;
 };
 
-/// Returns true if numbers from lo to hi need a logarithmic axis, because all of them are above 0
-/// and most of them are much closer to lo than to hi.
+/// Returns true if numbers from lo to hi need a logarithmic axis: all of them are above 0, hi is
+/// much larger than lo, and most of them are much closer to lo than to hi.
 bool WantsLogarithm(double lo, double hi, double median);
 
 /// Returns a number with up to four significant digits ("0.25", "3.1e-07"), or rounded to a whole

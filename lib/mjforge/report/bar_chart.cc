@@ -1,4 +1,4 @@
-// Bar charts: a row for each value of a parameter.
+// Bar charts: a horizontal bar for each value of a parameter.
 
 #include <fmt/format.h>
 
@@ -10,10 +10,10 @@
 namespace mjforge::report {
 namespace {
 
-constexpr double kRow = 22;  // distance between rows, units of the SVG
+constexpr double kRow = 22;  // distance from row to row, units of the SVG
 constexpr double kBar = 14;  // height of a bar; must match bars.html
 constexpr std::size_t kMaxRows = ParameterTally::kMaxWhole;
-// Largest length of a label, which must fit to the left of the bars.
+// Largest length of a label, bytes. Labels must fit to the left of the bars.
 constexpr std::size_t kLabelBytes = 17;
 
 struct Row {
@@ -28,8 +28,8 @@ std::uint64_t Total(const std::vector<std::pair<std::string, Counts>>& values) {
   return total;
 }
 
-// Returns a row for each value: first the expected values, then other drawn values. If there are
-// too many values, the last row sums up the least frequent values.
+// Returns a row for each value: first the expected values, then drawn values that were not
+// expected. If there are more than kMaxRows values, the last row sums up the least frequent values.
 std::vector<Row> RowsOf(const BarChart& chart) {
   std::vector<Row> rows;
   std::map<std::string, std::size_t> places;
@@ -58,7 +58,7 @@ double Share(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
-// Total numbers of drawn and expected values, and the largest share of a value.
+// Total numbers of drawn and expected values, and the largest share of a single value in these.
 struct Totals {
   std::uint64_t drawn = 0;
   std::uint64_t expected = 0;

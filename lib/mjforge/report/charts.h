@@ -1,4 +1,5 @@
-// Charts of a report or gallery, as SVG that is 360 units wide.
+// Charts of a report or gallery: histograms, bar charts and a scatter plot, as SVG that is 360
+// units wide.
 
 #pragma once
 
@@ -26,8 +27,9 @@ inline constexpr PlotArea kHistogramArea;
 inline constexpr PlotArea kScatterArea = {.bottom = 220};
 inline constexpr PlotArea kBarArea = {.left = 120, .right = 300, .top = 4};
 
-/// Fills in the ticks and the label of an axis in the template of a chart: sections X_TICK with AT
-/// and LABEL, and the value X_LABEL, if `axis` is "X"; Y_TICK and Y_LABEL if it is "Y".
+/// Fills in the ticks and the label of an axis in the template of a chart. If `axis` is "X", fills
+/// in a section X_TICK with AT and LABEL for each tick, and X_LABEL; if it is "Y", Y_TICK and
+/// Y_LABEL.
 void AddAxis(Dictionary& chart, const std::string& axis, const std::vector<Axis::Tick>& ticks,
              std::string_view label);
 
@@ -37,10 +39,10 @@ struct HistogramChart {
   std::string x_label;  // "m"
   const NumberTally* drawn = nullptr;
   const NumberTally* expected = nullptr;  // null: the distribution is not known
-  bool whole = false;  // the values are whole numbers; bins end halfway between them
+  bool whole = false;  // true: the values are whole numbers; bins end halfway between these
 };
-/// Adds bars for the drawn values, in which failed variants are marked, and a line for the expected
-/// values, scaled to the same total.
+/// Adds a histogram to the template `parent`: bars for the drawn values, with a mark for the share
+/// of failed variants, and a line for the expected values, scaled to the number of drawn values.
 void AddHistogram(Dictionary& parent, const HistogramChart& chart);
 
 struct BarChart {
@@ -49,11 +51,12 @@ struct BarChart {
   std::vector<std::pair<std::string, Counts>> drawn;
   std::vector<std::pair<std::string, Counts>> expected;  // empty: the distribution is not known
 };
-/// Adds a row for each value that was drawn or expected, or only for the most frequent values if
-/// there are too many.
+/// Adds a bar chart to the template `parent`, with a bar for each value that was drawn or expected.
+/// If there are too many values, only the most frequent ones get a bar.
 void AddBars(Dictionary& parent, const BarChart& chart);
 
-/// Adds a scatter plot of mass against size; `points` are a sample of `all` objects.
+/// Adds a scatter plot of mass against size. `points` is a sample of objects, and must not be
+/// empty; `all` is the number of all objects.
 void AddScatter(Dictionary& parent, std::span<const Point> points, std::uint64_t all);
 
 }  // namespace mjforge::report

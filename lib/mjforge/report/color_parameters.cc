@@ -1,4 +1,4 @@
-// Parameters that are colours, and conversion of their values to colours of a page.
+// Search for parameters of a spec that are colours, and conversion of their values for HTML.
 
 #include "mjforge/report/color_parameters.h"
 
@@ -63,7 +63,7 @@ std::optional<std::string> HexColor(const sample::ParameterValue& value) {
 }
 
 std::map<std::string, std::vector<std::string>> DrawnColors(const Batch& batch) {
-  constexpr std::size_t kMost = 48;  // colours of a parameter
+  constexpr std::size_t kMost = 48;  // largest number of colours of a parameter
   std::map<std::string, std::vector<std::string>> drawn;
   if (!batch.recipe) return drawn;
   const std::set<std::string> names = ColorsOf(*batch.recipe->spec);

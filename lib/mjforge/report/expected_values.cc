@@ -1,4 +1,5 @@
-// Expected distributions of parameters, by drawing them again with other seeds.
+// Estimate of the expected distributions of parameters: draws the parameters again with other
+// seeds.
 
 #include <algorithm>
 
@@ -7,12 +8,13 @@
 namespace mjforge::report {
 namespace {
 
-// Number of draws. Each of thirty bins contains about 700 of them, with a standard error of 4 %.
+// Number of draws. If thirty bins contain about 700 draws each, the standard error of a bin is 4 %.
 constexpr std::uint64_t kSamples = 20'000;
-// Limit of all attempts, so that a spec that rejects most draws does not delay the report.
+// Largest number of attempts, including rejected draws. Without this limit, a spec that rejects
+// most draws would delay the report.
 constexpr std::uint64_t kAttempts = 200'000;
 
-// Mask that changes the batch's seed, so that the draws are independent of the batch.
+// Mask that changes the batch's seed, because the draws must be independent of the batch.
 constexpr std::uint64_t kOtherSeed = 0x9e3779b97f4a7c15;
 
 }  // namespace

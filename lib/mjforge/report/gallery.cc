@@ -13,7 +13,7 @@
 namespace mjforge::report {
 namespace {
 
-constexpr std::size_t kMaxWords = 20'000;  // bytes
+constexpr std::size_t kMaxWords = 20'000;  // bytes of the text in which the search field searches
 
 // Returns the first folder in a spec's name: "tools" of "tools/hammer"; empty if the name has no
 // folder.
@@ -28,7 +28,8 @@ std::string TitleOfKind(std::string kind) {
   return Clean(kind);
 }
 
-// Returns the position of a kind among the kinds that are listed last; 0 for all other kinds.
+// Returns the position, from 1 on, of a kind among the kinds that are listed last; 0 for other
+// kinds.
 int RankOf(const std::string& kind) {
   constexpr std::array<std::string_view, 3> kLast = {"robosuite", "shapes", "primitives"};
   for (std::size_t i = 0; i < kLast.size(); ++i) {

@@ -1,6 +1,6 @@
 // Pages of a gallery of specs: an index with a card for each spec, and a page for each spec.
 //
-// A page contains its pictures, style and script, and needs no network. Equal input gives equal
+// Each page contains its pictures, style and script, and needs no network. Equal input gives equal
 // bytes.
 
 #pragma once
@@ -23,7 +23,7 @@ struct GalleryPicture {
   std::string caption;  // shown below the picture
 };
 
-/// Pictures of a joint at positions from one end of its range to the other.
+/// Pictures of an object with a joint at positions from one end of its range to the other.
 struct Film {
   std::string joint;
   std::vector<GalleryPicture> frames;
@@ -57,7 +57,7 @@ std::string MakeSpecPage(SpecPage page);
 struct GalleryCard {
   std::string name;  // name in the search path: "tools/hammer"
   std::string description;
-  std::string words;    // texts in which the index searches, in addition to name and description
+  std::string words;    // other texts by which the index's search field finds the card
   std::string facts;    // "1.2 to 3.4 kg, 2 joints"
   std::string problem;  // reason why there is no object; empty: there is an object
   bool has_page = false;
@@ -71,9 +71,9 @@ std::string MakeGalleryIndex(std::span<const GalleryCard> cards);
 /// "specs/tools/hammer.html".
 std::string GalleryPageFile(const std::string& name);
 
-/// Returns true if the spec `a` is listed before `b` in galleries. Kinds (folders of specs) are in
-/// alphabetical order; the kinds robosuite, shapes and primitives come after all other kinds, and
-/// specs without a folder come last.
+/// Returns true if the spec with the name `a` is listed before `b` in galleries. The kinds of specs
+/// (folders) are in alphabetical order, except that robosuite, shapes and primitives come after all
+/// other kinds. Specs without a folder come last.
 bool IsBeforeInGallery(const std::string& a, const std::string& b);
 
 }  // namespace mjforge::report

@@ -1,5 +1,5 @@
-// Head of the HTML pages of a gallery: style, script, and the Content Security Policy that allows
-// only this style and this script.
+// Head of the HTML pages of a gallery: hashes of style and script for the Content Security Policy,
+// and URLs of other pages.
 
 #include "mjforge/report/gallery_head.h"
 

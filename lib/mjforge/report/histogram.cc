@@ -1,4 +1,5 @@
-// Histogram whose cells have widths of 2^k that adapt to the range of the numbers.
+// Statistics, and a histogram whose cells have a width of 2^k that adapts to the range of the
+// numbers.
 
 #include "mjforge/report/histogram.h"
 
@@ -9,7 +10,7 @@
 namespace mjforge::report {
 namespace {
 
-// Bits of a cell number that a double represents exactly.
+// Largest number of bits of a cell number. Doubles represent such numbers exactly.
 constexpr int kDigits = 52;
 constexpr std::size_t kMaxPending = 1024;
 // Binary exponent of the smallest positive (denormal) double.
@@ -25,7 +26,7 @@ void Statistics::Add(double value) {
   ++count;
   const auto n = static_cast<double>(count);
   const double distance = value - mean;
-  // Divide first if the difference of two huge numbers of opposite signs overflows.
+  // Divides first if the difference of two huge numbers of opposite signs overflows.
   mean += std::isfinite(distance) ? distance / n : value / n - mean / n;
   m2 += distance * (value - mean);
 }
@@ -77,7 +78,8 @@ void Histogram::Append(Histogram other) {
     cells_[static_cast<std::size_t>(other.first_ - first_) + i] += other.cells_[i];
 }
 
-// Makes cells wider and adds cells until they cover all numbers from min() to max().
+// Makes the cells wider, if necessary, and adds cells until the cells cover all numbers from min()
+// to max().
 void Histogram::Cover() {
   const bool is_empty = cells_.empty();
   const int exponent = std::max({is_empty ? kLeastExponent : exponent_, ExponentOf(min()) - kDigits,
@@ -115,7 +117,7 @@ std::vector<std::uint64_t> Histogram::Bins(double lo, double hi, std::size_t bin
     const double middle = MiddleOf(i);
     const double half = std::ldexp(0.5, exponent_);
     if (middle + half <= lo || middle - half > hi) continue;
-    // A cell at either end counts in the bin at this end.
+    // Counts a cell whose middle is outside of [lo, hi] in the bin at this end.
     const double place =
         std::clamp(middle / width - lo / width, 0.0, static_cast<double>(bins - 1));
     counts[static_cast<std::size_t>(place)] += cells_[i];
@@ -132,7 +134,7 @@ double Histogram::MiddleOf(std::size_t cell) const {
   return std::ldexp(number + 0.5, exponent_);
 }
 
-// Merges cells so that they are 2^exponent wide, which is wider than before.
+// Merges neighbouring cells into cells of the width 2^exponent, which must be wider than before.
 void Histogram::Coarsen(int exponent) {
   const int shift = std::min(exponent - exponent_, 63);
   const std::int64_t first = first_ >> shift;

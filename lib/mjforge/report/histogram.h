@@ -24,9 +24,9 @@ struct Statistics {
 };
 
 /// Histogram of numbers whose range is not known in advance, in bounded memory. The width of a cell
-/// is the smallest power of two for which kCells cells cover all numbers. If a new number is
-/// outside of the covered range, neighbouring cells are merged. The histogram does not depend on
-/// the order of the numbers.
+/// is the smallest power of two for which kCells cells cover all numbers, unless doubles cannot
+/// represent such small cells. If a new number requires more cells, neighbouring cells are merged.
+/// The counts do not depend on the order of the numbers.
 class Histogram {
  public:
   static constexpr std::int64_t kCells = 8192;
@@ -36,15 +36,16 @@ class Histogram {
   void Append(Histogram other);
 
   std::uint64_t count() const { return numbers_.count; }
-  /// Exact statistics of the numbers; 0 if there are no numbers.
+  /// Statistics of the numbers, which do not depend on the cells; 0 if there are no numbers.
   double min() const { return numbers_.min; }
   double max() const { return numbers_.max; }
   double mean() const { return numbers_.mean; }
   double StandardDeviation() const { return numbers_.StandardDeviation(); }
   /// Returns the q-quantile, with an error of at most the width of a cell.
   double Quantile(double q) const;
-  /// Returns the counts in `bins` intervals of equal width from lo to hi, where lo < hi. A cell
-  /// counts in the bin that contains its middle. Cells outside of [lo, hi] are ignored.
+  /// Returns the counts in `bins` intervals of equal width from lo to hi, where lo < hi. All
+  /// numbers of a cell count in the bin that contains the cell's middle, or in the nearest bin.
+  /// Ignores cells outside of [lo, hi].
   std::vector<std::uint64_t> Bins(double lo, double hi, std::size_t bins) const;
 
  private:
@@ -58,8 +59,8 @@ class Histogram {
   int exponent_ = 0;                          // a cell is 2^exponent_ wide
   std::int64_t first_ = 0;                    // cells_[0] starts at first_ * 2^exponent_
   mutable std::vector<std::uint64_t> cells_;  // from the cell of min() to the cell of max()
-  // Numbers that are not in cells_ yet. Counting many at once is faster, because the cells of all
-  // histograms of a batch do not fit into the processor's cache.
+  // Numbers that are not counted in cells_ yet. Counting many numbers at once is faster, because
+  // the cells of all histograms of a batch do not fit into the processor's cache.
   mutable std::vector<double> pending_;
 };
 

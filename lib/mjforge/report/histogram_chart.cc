@@ -1,4 +1,4 @@
-// Histogram charts: bins, columns, and the curve of expected counts.
+// Histogram charts: choice of the bins, bars for the drawn values, and the line of expected counts.
 
 #include <fmt/format.h>
 
@@ -24,22 +24,22 @@ struct Binning {
   double Share(std::size_t bin) const {
     return static_cast<double>(bin) / static_cast<double>(bins);
   }
-  // Horizontal position of the start of a bin.
+  // Returns the horizontal position of the left edge of a bin, in units of the SVG.
   double Edge(std::size_t bin) const {
     return kArea.left + Share(bin) * (kArea.right - kArea.left);
   }
-  // Number at a position between lo and hi.
+  // Returns the value for a number from `lo` to `hi`, which may be the value's logarithm.
   double Value(double place) const { return logarithmic ? std::pow(10, place) : place; }
 };
 
-// Returns a number of bins by Rice's rule, within limits for legible charts.
+// Returns the number of bins for `count` values by Rice's rule, within limits for legible charts.
 std::size_t BinsFor(std::uint64_t count) {
   const double bins = 2 * std::cbrt(static_cast<double>(count));
   return static_cast<std::size_t>(std::clamp(std::round(bins), 5.0, 32.0));
 }
 
-// Returns the range of the expected values, without the tails (0.1 % of the values at each end) if
-// the tails are long.
+// Returns the range of the expected values; without the tails (0.1 % of the values at each end) if
+// the tails take at least a third of the range.
 std::pair<double, double> Bulk(const Histogram& expected) {
   const double lo = expected.Quantile(0.001);
   const double hi = expected.Quantile(0.999);
@@ -77,7 +77,8 @@ std::string EdgeText(const Binning& binning, std::size_t bin) {
   return ShortNumber(binning.Value(binning.lo + binning.Share(bin) * (binning.hi - binning.lo)));
 }
 
-// Returns the expected count of each bin for the number of drawn values.
+// Returns the expected count of each bin, scaled to the number of drawn values; an empty list if no
+// expected values are known.
 std::vector<double> ExpectedCounts(const Binning& binning) {
   std::vector<double> curve;
   if (binning.expected == nullptr || binning.expected->count() == 0) return curve;
@@ -132,7 +133,7 @@ std::string Description(const HistogramChart& chart) {
   return text;
 }
 
-// Returns the ticks at whole numbers, for axes of counts.
+// Returns those ticks of an axis that are at whole numbers, for counts and whole values.
 std::vector<Axis::Tick> WholeTicks(const Axis& axis, int count) {
   std::vector<Axis::Tick> ticks = axis.Ticks(count);
   std::erase_if(ticks,

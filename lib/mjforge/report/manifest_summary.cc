@@ -1,4 +1,5 @@
-// Summary of a manifest: counts, findings, and the choice of variants to show.
+// Summary of a manifest: counting of records and their findings, and the choice of variants to
+// show.
 
 #include "mjforge/report/manifest_summary.h"
 
@@ -13,7 +14,7 @@ namespace {
 
 using manifest::Record;
 
-// Limit of different codes, which only manifests of another program exceed.
+// Largest number of different codes of findings. Only manifests of other programs have more.
 constexpr std::size_t kMaxCodes = 200;
 
 std::string Member(const rapidjson::Value& object, const char* key) {
@@ -36,7 +37,7 @@ std::optional<double> TimeToRest(const Record& record) {
   return MeasureOf(MeasureId::kTimeToRest).of(record);
 }
 
-// Orders by descending time to rest, then by index.
+// Orders records by descending time to rest, then by index.
 bool IsSlower(const Record& a, const Record& b) {
   const double time_a = TimeToRest(a).value_or(0);
   const double time_b = TimeToRest(b).value_or(0);
@@ -143,7 +144,7 @@ std::vector<ShownVariant> ManifestSummary::Choose() const {
         chosen.push_back({reason, record});
     }
   };
-  // Failed variants get half of the places, or more if there are too few good variants.
+  // Half of the shown variants are failed or skipped ones; more if there are too few good variants.
   const auto good = static_cast<std::size_t>(std::min<std::uint64_t>(good_.seen(), shown_));
   add(ShownVariant::Reason::kFailed, failed_.Take(std::max(shown_ / 2, shown_ - good)));
   std::vector<Record> slow = slow_;
@@ -151,7 +152,7 @@ std::vector<ShownVariant> ManifestSummary::Choose() const {
   slow.resize(std::min<std::size_t>(slow.size(), std::min<std::uint64_t>(shown_, variants) / 4));
   add(ShownVariant::Reason::kSlow, slow);
   const std::size_t room = shown_ - chosen.size();
-  // Take more than needed, because some items of the sample are among the slow variants.
+  // Takes more than needed, because some items of the sample are among the slow variants.
   std::vector<Record> others = good_.Take(room + slow.size());
   std::erase_if(others, [&](const Record& record) { return taken.contains(record.index); });
   std::vector<Record> spread;

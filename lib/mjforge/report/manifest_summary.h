@@ -41,14 +41,14 @@ struct RecordedFinding {
 /// Returns the findings of a record; ignores entries that are not findings.
 std::vector<RecordedFinding> FindingsOf(const manifest::Record& record);
 
-/// Frequency of a code of findings.
+/// Frequency of a code of findings ("physics/thin") in a batch.
 struct CodeTally {
   std::uint64_t variants = 0;  // number of variants with this code
   RecordedFinding example;     // finding of the first of these variants
   std::uint64_t index = 0;     // index of the first of these variants
 };
 
-/// A variant that a page shows, with the reason and its record.
+/// A variant that a page shows: its record, and the reason why it was chosen.
 struct ShownVariant {
   enum class Reason { kFailed, kSlow, kSample };
   Reason reason = Reason::kSample;
@@ -58,19 +58,19 @@ struct ShownVariant {
 /// Summary of the records of a manifest.
 class ManifestSummary {
  public:
-  /// `shown`: maximum number of variants that Choose returns.
+  /// `shown` is the maximum number of variants that Choose() returns.
   explicit ManifestSummary(std::size_t shown);
 
   void Add(const manifest::Record& record);
-  /// Adds the summary of the next section of the manifest.
+  /// Appends the summary of the next section of the manifest, made with the same `shown`.
   void Append(const ManifestSummary& next);
 
   const NumberTally& Of(MeasureId id) const { return measures[static_cast<std::size_t>(id)]; }
   /// Returns true if physics checks ran for any variant.
   bool HasPhysics() const { return Of(MeasureId::kContacts).all.count() > 0; }
 
-  /// Chooses failed variants, then the variants that took longest to come to rest, then other
-  /// variants, spread over the batch.
+  /// Returns variants to show: failed and skipped variants, then the variants that took longest to
+  /// come to rest, then other variants, spread over the batch.
   std::vector<ShownVariant> Choose() const;
 
   std::optional<manifest::Record> first;
@@ -83,7 +83,8 @@ class ManifestSummary {
   std::vector<NumberTally> measures;  // in the order of Measures()
   TestTallies tests;
   RandomSample<Point> points;
-  /// Difference between this batch and the first record of another batch; empty if there is none.
+  /// Description of the difference between the first record and the first record of another batch;
+  /// empty if all records are of one batch.
   std::string other_batch;
 
  private:
@@ -93,13 +94,15 @@ class ManifestSummary {
   std::size_t shown_;
   RandomSample<manifest::Record> failed_;
   RandomSample<manifest::Record> good_;
-  std::vector<manifest::Record> slow_;  // slowest variants; a heap with the quickest on top
+  // Good variants that took longest to come to rest; a heap with the quickest of them on top.
+  std::vector<manifest::Record> slow_;
 };
 
 /// Reads the whole manifest, in sections that all cores share. The result does not depend on the
-/// number of cores. Returns nullopt, and adds a finding, if the manifest cannot be read. Adds a
-/// finding for each line that is not a record, except for a last line that is cut off in a manifest
-/// under construction, and sets `bad_lines` to the number of these lines.
+/// number of cores. Sets `bad_lines` to the number of lines that are not records, except for a last
+/// line that is cut off in a manifest under construction. Adds findings for the first of these
+/// lines (RecordReader::kMaxBadLines). Returns nullopt, and adds a finding, if the manifest cannot
+/// be read or has too many such lines (RecordReader::kMaxSkippedLines).
 std::optional<ManifestSummary> Summarize(const std::filesystem::path& manifest, std::size_t shown,
                                          diag::Sources& sources, diag::Findings& findings,
                                          std::uint64_t& bad_lines);

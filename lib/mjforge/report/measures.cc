@@ -1,4 +1,4 @@
-// Measures of a variant, read from its record.
+// Table of the measures, and functions that read them from a variant's record.
 
 #include "mjforge/report/measures.h"
 
@@ -24,7 +24,8 @@ Number Dropped(const Record& record, double physics::Result::*member) {
   return record.physics && record.physics->dropped ? Measured(record, member) : std::nullopt;
 }
 
-// Returns the worst result of all driven joints; nullopt if no joint was driven.
+// Returns the worst result of all driven joints: the least if `least` is true, otherwise the
+// largest. Returns nullopt if no joint was driven.
 Number OfJoints(const Record& record, double physics::Result::Joint::*member, bool least) {
   if (!record.physics || record.physics->joints.empty()) return std::nullopt;
   double worst = record.physics->joints.front().*member;

@@ -1,4 +1,5 @@
-// Measures of a variant that a report shows: mass, size, results of physics checks.
+// Measures: numbers in a variant's record, such as mass, size and results of physics checks, whose
+// distributions a report shows.
 
 #pragma once
 
@@ -10,7 +11,7 @@
 
 namespace mjforge::report {
 
-/// Identifiers of the measures, which are numbers in a record that describe the object.
+/// Identifiers of the measures, in the order in which a report shows them.
 enum class MeasureId {
   kMass,
   kSize,
@@ -36,8 +37,8 @@ struct Measure {
   std::string_view unit;
   std::string_view doc;
   std::optional<double> (*of)(const manifest::Record&);
-  bool is_physics = false;  // result of a physics check
-  bool is_whole = false;    // a count
+  bool is_physics = false;  // true: result of a physics check
+  bool is_whole = false;    // true: the values are counts
 };
 
 /// All measures, in the order of MeasureId.

@@ -1,4 +1,4 @@
-// Overview of a batch in a report: title, statuses, facts and notices.
+// Overview of a batch in a report: title, numbers of variants by status, facts and notices.
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 namespace mjforge::report {
 namespace {
 
-// Width of the bar of statuses, in units of its SVG.
+// Width of the bar that shows the shares of the statuses, in units of its SVG.
 constexpr double kBarWidth = 1000;
 
 void AddStatuses(Dictionary& page, const ManifestSummary& summary) {

@@ -1,4 +1,4 @@
-// The page of a report: sections, table of variants, and its limit of size.
+// The page of a report: assembles its sections and the table of variants within the limit of size.
 
 #include <fmt/format.h>
 
@@ -15,15 +15,15 @@ extern const std::string_view kPageJs;
 
 namespace {
 
-// Mark by which pages of mjforge are recognized, within the first kHeadBytes.
+// HTML by which MayReplace() recognizes pages of mjforge, within the first kHeadBytes of a file.
 constexpr std::string_view kGenerator = R"(<meta name="generator" content="mjforge )";
 constexpr std::size_t kHeadBytes = 4096;
 
-// Bytes of the page that are reserved for sentences that depend on the shown variants.
+// Bytes of the page that are reserved for sentences whose length depends on the shown variants.
 constexpr std::size_t kSpareBytes = 20'000;
 
-// Loads the recorded spec. If that fails, adds its first finding as a warning and as a notice,
-// because the page can still show the drawn values.
+// Loads the spec that the manifest names. If this fails, adds the first finding as a warning and as
+// a notice, because the page can still show the drawn values.
 void LoadSpec(const Request& request, Batch& batch, diag::Sources& sources,
               diag::Findings& findings) {
   diag::Findings why_not;
@@ -98,7 +98,8 @@ void AddOptions(Dictionary& body, const ManifestSummary& summary) {
   for (const auto& [code, tally] : summary.codes) ShowText(body, "CODE_OPTION", Clean(code, 120));
 }
 
-// Renders the page with these rows. The size of the page without the rows is nearly constant.
+// Returns the HTML of the page with these rows. The size of the page without the rows is nearly
+// constant; MakePage() relies on this.
 std::string Render(const Request& request, const Batch& batch, const VariantRows& rows) {
   ctemplate::TemplateDictionary page("page");
   Set(page, "CSS", kPageCss);
@@ -137,7 +138,7 @@ std::optional<Page> MakePage(const Request& request, const Thumbnailer& thumbnai
   std::optional<ManifestSummary> summary =
       Summarize(request.manifest, request.shown, sources, findings, bad_lines);
   if (!summary) return std::nullopt;
-  // A file of broken lines only is not a manifest.
+  // A file in which no line is a record is not a manifest.
   if (summary->variants == 0 && bad_lines > 0) return std::nullopt;
   Batch batch{*std::move(summary), {}, {}, {}, {}};
   AddNotices(request, bad_lines, batch, findings);

@@ -13,7 +13,8 @@
 namespace mjforge::report {
 namespace {
 
-// Maximum numbers of parameters on a page, and of charts for the components of a vector.
+// Maximum number of parameters on a page, and maximum number of charts for the components of a
+// vector.
 constexpr std::size_t kMaxParameters = 100;
 constexpr std::size_t kMaxComponents = 6;
 
@@ -48,7 +49,7 @@ std::string StatisticsText(const Histogram& numbers) {
 
 bool IsConstant(const Histogram& numbers) { return numbers.min() == numbers.max(); }
 
-// Adds a histogram and its statistics, or the value if all numbers are equal.
+// Adds a histogram and its statistics; only the value if all drawn and expected numbers are equal.
 void AddNumbers(Dictionary& panel, HistogramChart chart) {
   const Histogram& numbers = chart.drawn->all;
   if (chart.expected != nullptr && chart.expected->all.count() == 0) chart.expected = nullptr;
@@ -60,7 +61,8 @@ void AddNumbers(Dictionary& panel, HistogramChart chart) {
   ShowText(panel, "NOTE", StatisticsText(numbers));
 }
 
-// Adds the panels of one parameter; the first panel has the description.
+// Adds the panels of one parameter: one panel, or one for each component of a vector. The first
+// panel has the parameter's description.
 class ParameterPanels {
  public:
   ParameterPanels(Dictionary& list, const Batch& batch, const ParameterTally& drawn,
@@ -203,7 +205,7 @@ void AddFindings(Dictionary& body, const ManifestSummary& summary) {
   Dictionary& list = Section(body, "HAS_FINDINGS");
   std::vector<std::pair<std::string, const CodeTally*>> codes;
   for (const auto& [name, tally] : summary.codes) codes.emplace_back(name, &tally);
-  // Sort errors before warnings, and codes of equal severity by frequency.
+  // Sorts errors before warnings, and codes of equal severity by descending frequency.
   std::stable_sort(codes.begin(), codes.end(), [](const auto& a, const auto& b) {
     const bool a_warns = a.second->example.severity == "warning";
     const bool b_warns = b.second->example.severity == "warning";

@@ -1,4 +1,4 @@
-// Sections of a report about the whole batch, which fill the template page.html.
+// Sections of a report that describe the whole batch, and that fill the template page.html.
 
 #pragma once
 
@@ -24,27 +24,30 @@ struct Batch {
   std::vector<std::string> notices;
 };
 
-/// Seeds and indices of draws: seeds from `seed` on, indices spread from `first` to `first + span`.
+/// Seeds and indices of draws: the seeds are consecutive from `seed` on, the indices are spread
+/// evenly from `first` to `first + span`.
 struct DrawRange {
   std::uint64_t seed = 0;
   std::uint64_t first = 0;
   std::uint64_t span = 0;
 };
-/// Draws the parameters of a spec up to 20,000 times. Draws that fail are not counted.
+/// Draws the parameters of a spec 20,000 times, or fewer if many draws are rejected. Does not count
+/// draws that fail.
 ParameterTallies DrawParameters(const spec::ObjectSpec& spec, const DrawRange& range);
 
-/// Draws the parameters again, which estimates their expected distributions even if ranges depend
-/// on other parameters or requirements reject draws. The indices are spread evenly over the batch;
-/// the seeds are different. Draws that fail are not counted.
+/// Estimates the expected distributions of the parameters by DrawParameters() with other seeds than
+/// the batch and indices spread over the batch. This is correct even if ranges depend on other
+/// parameters or requirements reject draws. Returns empty tallies if the manifest has no records.
 ParameterTallies DrawExpected(const forge::Recipe& recipe, const ManifestSummary& summary);
 
-/// Adds title, statuses, facts and notices.
+/// Adds the title, numbers of variants by status, facts and notices.
 void AddOverview(Dictionary& page, const Request& request, const Batch& batch);
 
 // Functions that add the sections of the page's body.
 void AddFindings(Dictionary& body, const ManifestSummary& summary);
 void AddParameters(Dictionary& body, const Batch& batch);
-/// Adds a panel with a chart for each parameter that `is_shown` accepts, at the marker PANELS.
+/// Adds a panel with a chart for each parameter that `is_shown` accepts, at the marker PANELS of
+/// the template.
 void AddParameterPanels(Dictionary& parent, const Batch& batch,
                         const std::function<bool(const ParameterTally&)>& is_shown);
 void AddMassAndSize(Dictionary& body, const ManifestSummary& summary);

@@ -1,4 +1,4 @@
-// Random sample of records whose number is not known in advance.
+// Random sample of indexed items whose number is not known in advance.
 
 #pragma once
 
@@ -11,8 +11,8 @@
 namespace mjforge::report {
 
 /// Sample of the items with the lowest ranks, where the rank of an item is a hash of its index. The
-/// sample depends neither on the order of the items nor on how they were divided among samples, and
-/// regularities of the indices (grids, Sobol points) do not bias the sample.
+/// sample does not depend on the order of the items, or on their division among samples that
+/// Append() joins. Regularities of the items (grids, Sobol points) do not bias the sample.
 template <typename Item>
 class RandomSample {
  public:
@@ -31,7 +31,8 @@ class RandomSample {
 
   std::uint64_t seen() const { return seen_; }
 
-  /// Returns a sample of up to `count` of the kept items, in the order of their indices.
+  /// Returns the `count` kept items with the lowest ranks, or all if there are fewer, in the order
+  /// of their indices.
   std::vector<Item> Take(std::size_t count) const {
     std::vector<const Entry*> taken;
     for (const Entry& entry : kept_) taken.push_back(&entry);

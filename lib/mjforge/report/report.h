@@ -1,8 +1,8 @@
 // HTML report about a batch, made from its manifest, and pages about specs (gallery.h).
 //
 // A report shows the expected and the drawn values of the parameters, the findings, and pictures of
-// some of the objects. A report needs no network, no other file and no script. Equal input gives
-// equal bytes.
+// some of the objects. A report is a single file, which can be read without network and scripts.
+// Equal input gives equal bytes.
 
 #pragma once
 
@@ -28,7 +28,7 @@ struct Request {
   std::size_t shown = 200;
 };
 
-/// Maximum size of a page.
+/// Maximum size of a page, bytes.
 inline constexpr std::size_t kMaxBytes = 10'000'000;
 
 /// Function that draws a small picture of a record's object; returns nullopt if there is no object.
@@ -42,10 +42,10 @@ struct Page {
   std::size_t without_picture = 0;  // shown variants that have a file but no picture
 };
 
-/// Reads the manifest once, in memory that does not depend on its length, and makes a page. Adds a
-/// warning, which is also on the page, for everything that is missing from the page, and an error
-/// for each line that is not a record; the page is made from the other lines. Returns nullopt, and
-/// adds a finding, if there is nothing to read.
+/// Reads the manifest once, in memory that does not depend on the manifest's length, and makes a
+/// page. Adds a warning for everything that is missing from the page; the page shows it, too. Adds
+/// errors for the first of the lines that are not records; makes the page from the other lines.
+/// Returns nullopt, and adds a finding, if the manifest cannot be read or has lines but no records.
 std::optional<Page> MakePage(const Request& request, const Thumbnailer& thumbnailer,
                              diag::Sources& sources, diag::Findings& findings);
 

@@ -9,8 +9,7 @@
 namespace mjforge::report {
 namespace {
 
-// Axes on which the largest number is more than this multiple of the smallest number are
-// logarithmic.
+// Ratio of the largest to the smallest number on an axis above which the axis is logarithmic.
 constexpr double kWide = 20;
 
 Axis AxisOf(std::vector<double> values, double start, double end) {

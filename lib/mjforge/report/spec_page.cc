@@ -70,7 +70,8 @@ void AddCommands(Dictionary& body, const std::string& name) {
       fmt::format("mjforge new {} --like {}", output::ShellWord("my_" + last + ".yaml"), spec));
 }
 
-// Returns true if the values of a parameter are drawn, not fixed or computed from others.
+// Returns true if the values of a parameter are drawn; false if they are fixed, computed from other
+// parameters, or columns of a drawn record.
 bool IsDrawn(const spec::ObjectSpec& spec, const std::string& name) {
   const spec::Parameter* parameter = spec.FindParameter(name);
   if (parameter == nullptr) return false;
@@ -95,8 +96,8 @@ void AddParameterSections(Dictionary& body, const Batch& batch) {
                      [&](const ParameterTally& tally) { return !is_drawn(tally); });
 }
 
-// Returns the data of a batch with the page's variants, for the sections of a report. Parameters
-// are drawn many more times, so that their charts are smooth.
+// Returns the data of a batch that consists of the page's variants, for the sections of a report.
+// Draws the parameters many more times for smooth charts.
 Batch MakeBatch(SpecPage& page) {
   ManifestSummary summary(kMaxColors);
   for (const manifest::Record& record : page.variants) summary.Add(record);

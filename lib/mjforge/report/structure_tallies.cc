@@ -1,4 +1,5 @@
-// Structures of the variants of a batch, and the parameters that separate them.
+// Counting of structures and parameter values, and search for parameters whose values tell groups
+// of structures apart.
 
 #include "mjforge/report/structure_tallies.h"
 
@@ -33,7 +34,8 @@ void AddNumber(double number, ParameterExtent& extent) {
   }
 }
 
-// Finds or adds the extent of a parameter, and sets `position` to the position after this extent.
+// Returns the extent of the parameter `name`; adds the extent if it is missing. Looks at `position`
+// first, and sets `position` to the position after this extent.
 ParameterExtent& FindOrAddNext(std::size_t& position, const std::string& name,
                                std::vector<ParameterExtent>& extents) {
   position = FindOrAdd(position, name, extents);
@@ -78,7 +80,8 @@ Separation SeparationOf(const std::vector<const ParameterExtent*>& groups) {
   return Overlap(groups) ? Separation::kNone : Separation::kByRange;
 }
 
-// Returns the extents of one parameter in each group; an empty list if a group lacks the parameter.
+// Returns the extent of the parameter `name` in each group; an empty list if any group lacks the
+// parameter.
 std::vector<const ParameterExtent*> ExtentsOf(
     const std::string& name, const std::map<int, std::vector<ParameterExtent>>& groups) {
   std::vector<const ParameterExtent*> extents;
@@ -117,7 +120,8 @@ void StructureTally::Append(const StructureTally& next) {
   AppendAll(next.params, params);
 }
 
-// Finds or adds the tally of a structure; returns null if there are too many structures.
+// Returns the tally of a structure; adds the tally if it is missing. Returns null if it is missing
+// and there are kMaxStructures others.
 StructureTally* StructureTallies::FindOrAdd(const std::string& key) {
   const auto [known, is_new] = numbers_.try_emplace(key, list_.size());
   if (!is_new) return &list_[known->second];

@@ -1,4 +1,5 @@
-// Structures of the variants of a batch (structure.h), and the parameters that separate them.
+// Tallies of the structures (structure.h) of a batch's variants, and the parameters whose values
+// tell variants of different structures apart.
 
 #pragma once
 
@@ -13,14 +14,14 @@
 
 namespace mjforge::report {
 
-/// Values of a parameter among some variants.
+/// Values of a parameter, or of a component of a vector, in a group of variants.
 struct ParameterExtent {
   /// Largest number of different values that are kept.
   static constexpr std::size_t kMaxValues = 24;
 
   std::string name;              // "shape", "size[0]"
-  std::set<std::string> values;  // texts, flags and whole numbers
-  bool more_values = false;      // more than kMaxValues, or numbers that are not whole
+  std::set<std::string> values;  // different texts, flags and whole numbers
+  bool more_values = false;      // true: more than kMaxValues, or numbers that are not whole
   // Range of the values that are numbers; low > high if there are none.
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
@@ -28,16 +29,16 @@ struct ParameterExtent {
   void Append(const ParameterExtent& other);
 };
 
-/// Relation of a parameter to a division of variants into groups.
+/// Relation of a parameter's values to a division of variants into groups.
 enum class Separation {
-  kNone,     // some value may belong to several groups
-  kByValue,  // no value belongs to several groups
-  kByRange,  // numbers: the ranges of the groups do not overlap
+  kNone,     // several groups may have the same value
+  kByValue,  // no value occurs in several groups
+  kByRange,  // the ranges of the numbers in the groups do not overlap
 };
 
-/// The variants of one structure.
+/// The variants of one structure: their number, and the values of their parameters.
 struct StructureTally {
-  std::string key;
+  std::string key;  // Record::structure
   std::uint64_t variants = 0;
   manifest::Record first;  // the first variant of this structure
   std::vector<ParameterExtent> params;
@@ -67,16 +68,16 @@ class StructureTallies {
   std::uint64_t more_ = 0;
 };
 
-/// Parameter whose values tell groups of variants apart: no value, or no range of values, occurs in
-/// two groups.
+/// Parameter whose values tell groups of variants apart: no value occurs in two groups, or the
+/// ranges of the values in the groups do not overlap.
 struct Separator {
   std::string parameter;
   Separation separation = Separation::kNone;
 };
-/// Returns the parameters that separate the groups, where `groups[i]` is the group of
-/// `structures[i]`; a negative group excludes its structure. Parameters that separate by ranges are
-/// returned only if none separates by values, because the ranges of a few variants may be disjoint
-/// by chance.
+/// Returns the parameters whose values tell groups of structures apart. `groups[i]` is the number
+/// of the group of `structures[i]`; structures with a negative number are ignored. Returns
+/// parameters with Separation::kByRange only if there are none with kByValue, because the ranges of
+/// a few variants may be disjoint by chance.
 std::vector<Separator> SeparatorsOf(const std::vector<StructureTally>& structures,
                                     const std::vector<int>& groups);
 

@@ -25,7 +25,7 @@ struct SectionSummary {
   std::uint32_t lines = 0;
   std::uint64_t bad_lines = 0;
   bool is_unreadable = false;
-  // Findings in the order of their lines, which are counted from the start of the section.
+  // Findings in the order of their lines. Line numbers are counted from the start of the section.
   diag::Sources sources;
   diag::Findings findings;
 };
@@ -70,8 +70,8 @@ class Joiner {
   Joiner(const Path& file, std::size_t shown, diag::Sources& sources, diag::Findings& findings)
       : file_(file), batch_(shown), sources_(sources), findings_(findings) {}
 
-  // Joins the next section. Returns false if it could not be read, or the file has too many bad
-  // lines.
+  // Appends the next section. Returns false, after adding findings, if the section could not be
+  // read, or if the file has too many lines that are not records.
   bool Append(const SectionSummary& section) {
     const std::uint64_t all = section.is_unreadable ? section.findings.size() : section.bad_lines;
     const std::uint64_t room = manifest::RecordReader::kMaxBadLines - findings_count_;
@@ -94,7 +94,7 @@ class Joiner {
   std::uint64_t bad_lines() const { return bad_lines_; }
 
  private:
-  // Adds a finding with its line in the file.
+  // Adds a finding of a section. Replaces its line number by that in the whole file.
   void Add(const SectionSummary& section, const diag::Finding& finding) {
     diag::SourceMark mark = finding.mark;
     if (mark.file > 0) {
@@ -122,7 +122,8 @@ std::optional<ManifestSummary> Summarize(const Path& manifest, std::size_t shown
                                          std::uint64_t& bad_lines) {
   const std::optional<std::vector<bytes::FileSection>> sections = SectionsOf(manifest, findings);
   if (!sections) return std::nullopt;
-  // More sections than cores are read at a time, so that no core waits while summaries are joined.
+  // Reads one more section than there are cores at a time, because otherwise a core would wait
+  // while summaries are joined.
   const std::size_t jobs = std::max(1U, std::thread::hardware_concurrency()) + 1;
   Joiner joiner(manifest, shown, sources, findings);
   std::deque<std::future<SectionSummary>> running;

@@ -1,4 +1,4 @@
-// Counts of the drawn values of parameters.
+// Counting of the drawn values of parameters: texts, whole numbers, and distributions of numbers.
 
 #include "mjforge/report/tallies.h"
 

@@ -1,4 +1,5 @@
-// Counts of drawn values, for good and for failed variants.
+// Tallies: counts and distributions of the drawn values of parameters, for all and for failed
+// variants.
 
 #pragma once
 
@@ -15,12 +16,12 @@
 
 namespace mjforge::report {
 
-/// Returns the text of a parameter's value that is a text, a flag, or a list of texts or flags;
+/// Returns a parameter's value as text if the value is a text, a flag, or a list of texts or flags;
 /// nullopt for numbers.
 std::optional<std::string> TextOfWords(const sample::ParameterValue& value);
 
-/// Finds or adds the item with this name, and returns its position. The search starts at
-/// `position`, because all records of a batch have their parameters in one order.
+/// Returns the position of the item with this name; adds the item if it is missing. Looks at
+/// `position` first, because all records of a batch have their parameters in the same order.
 template <typename Item>
 std::size_t FindOrAdd(std::size_t position, const std::string& name, std::vector<Item>& items) {
   if (position < items.size() && items[position].name == name) return position;
@@ -43,6 +44,7 @@ struct NumberTally {
   Histogram log_bad;
 };
 
+/// Numbers of all variants and of bad (failed or skipped) variants.
 struct Counts {
   std::uint64_t all = 0;
   std::uint64_t bad = 0;
@@ -56,10 +58,11 @@ struct Counts {
 
 /// The values of one parameter.
 struct ParameterTally {
-  /// Maximum number of different texts that Append() keeps. Add() counts all texts, so that the
-  /// counts of the kept texts are complete.
+  /// Maximum number of different texts that Append() keeps. Add() has no limit, because otherwise
+  /// the counts of the kept texts would be incomplete.
   static constexpr std::size_t kMaxTexts = 1000;
-  /// Maximum number of different whole numbers that are counted one by one, and of bars in a chart.
+  /// Maximum number of different whole numbers whose values are counted separately, and maximum
+  /// number of bars in a chart.
   static constexpr std::size_t kMaxWhole = 24;
 
   void Add(const sample::ParameterValue& value, bool is_bad);
@@ -72,8 +75,8 @@ struct ParameterTally {
   std::string NameOf(std::size_t i) const;
 
   std::string name;
-  std::vector<NumberTally> numbers;  // a number's tally, or one tally per component of a vector
-  bool more_texts = false;           // there were more texts than kMaxTexts
+  std::vector<NumberTally> numbers;  // a tally for a number, or for each component of a vector
+  bool more_texts = false;           // true: Append() dropped texts beyond kMaxTexts
 
  private:
   void AddText(const std::string& text, const Counts& counts);

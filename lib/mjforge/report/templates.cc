@@ -1,5 +1,5 @@
-// HTML templates of reports and galleries, expanded by ctemplate, and the formatting of their
-// values.
+// Expansion of the HTML templates of reports and galleries by ctemplate, and formatting of the
+// values that are filled in.
 
 #include "mjforge/report/templates.h"
 
@@ -41,7 +41,7 @@ ctemplate::TemplateString View(std::string_view text) {
   return ctemplate::TemplateString(text.data(), text.size());
 }
 
-// Registers the templates. Call it once per process.
+// Registers all templates in ctemplate's cache. Must be called once per process.
 bool LoadTemplates() {
   return std::ranges::all_of(kTemplates, [](const Template& each) {
     return ctemplate::StringToTemplateCache(each.name, View(each.text),

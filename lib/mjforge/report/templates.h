@@ -22,40 +22,43 @@ enum class TemplateName { kPage, kRow, kHistogram, kBars, kScatter, kPanels, kGa
 
 extern const std::string_view kPageCss;  // style of all pages
 
-/// Fills a template with the values of a dictionary.
+/// Returns the text of a template after filling in the values of a dictionary; an empty text if
+/// ctemplate fails.
 std::string Expand(TemplateName name, const Dictionary& dictionary);
 
-/// Returns the dictionary of a chart that the parent's template includes at `{{>MARKER}}`.
+/// Includes the template `name` in the parent's template at `{{>MARKER}}`, and returns the
+/// dictionary for its values.
 Dictionary& Include(Dictionary& parent, const char* marker, TemplateName name);
 
-/// Adds one copy of a template's section to the page, and returns the dictionary of the copy.
+/// Adds a copy of the section `name` of a template, and returns the dictionary of the copy.
 inline Dictionary& Section(Dictionary& parent, const char* name) {
   return *parent.AddSectionDictionary(name);
 }
 void Set(Dictionary& dictionary, const char* name, std::string_view value);
-void Set(Dictionary& dictionary, const char* name, double place);  // writes one decimal
+void Set(Dictionary& dictionary, const char* name, double place);  // writes one decimal digit
 /// Shows a section with the text {{TEXT}}, unless the text is empty.
 void ShowText(Dictionary& parent, const char* section, std::string_view text);
 
-/// Makes a text of unknown origin safe to show on a line: valid UTF-8, no control characters, and
-/// at most `limit` bytes and three dots.
+/// Returns a text of unknown origin in a form that is safe to show on a line: valid UTF-8 without
+/// control characters. Cuts the text to `limit` bytes and adds three dots if it is longer.
 std::string Clean(std::string_view text, std::size_t limit = 300);
 
-/// Makes the lines of a spec safe to show; returns an empty text if the spec is too long for a
-/// page.
+/// Returns the text of a spec with lines that are safe to show (Clean); an empty text if the spec
+/// is too long for a page.
 std::string CleanSpec(std::string_view text);
 
 /// Returns the Base64 text (RFC 4648) of bytes: "aGk=" for "hi".
 std::string Base64(std::string_view bytes);
 
-/// Fills in DATA, WIDTH and HEIGHT of a picture that is part of the page.
+/// Fills in DATA (a data: URL), WIDTH and HEIGHT of a picture.
 void SetPicture(Dictionary& picture, const Thumbnail& image);
 
 /// Returns a number with thousands separators: "1,234,567".
 std::string CountText(std::uint64_t number);
 /// Returns a number with its noun: "1 variant", "2 variants".
 std::string CountText(std::uint64_t number, std::string_view noun);
-/// Returns a percentage: "12.5 %". "0 %" means no item, and "100 %" means all items.
+/// Returns `part` as a percentage of `whole`: "12.5 %". Returns "0 %" only for no item, and "100 %"
+/// only for all items.
 std::string ShareText(std::uint64_t part, std::uint64_t whole);
 
 }  // namespace mjforge::report

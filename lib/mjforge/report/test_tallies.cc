@@ -1,4 +1,4 @@
-// Counts of passed and failed physics tests.
+// Counting of passed and failed physics tests, by the results in the records.
 
 #include "mjforge/report/test_tallies.h"
 

@@ -11,22 +11,23 @@
 
 namespace mjforge::report {
 
-/// A physics test, and its results over the batch.
+/// A physics test, and its results in a batch.
 struct TestTally {
   enum class Kind { kSimReady, kHolds, kSettled, kFits, kGrasps };
   Kind kind = Kind::kSimReady;
-  std::string name;          // name of the test, or of the grasped site; empty without a site
+  std::string name;          // name of the test; for kGrasps, of the site, or empty without a site
   std::uint64_t passed = 0;  // number of variants
   std::uint64_t failed = 0;  // number of variants
   std::uint64_t ways = 0;    // attempted grasps of all variants
   std::uint64_t held = 0;    // successful grasps
 };
 
-/// Tests of a batch: the SimReady benchmark, containment, bodies that stay, pegs in holes, and
-/// grasps. A variant counts neither as passed nor as failed if a test does not apply.
+/// Results of the tests of a batch: the SimReady benchmark, containment, settling of free bodies,
+/// pegs in holes, and grasps. A variant to which a test does not apply counts neither as passed nor
+/// as failed.
 class TestTallies {
  public:
-  /// Maximum number of tests; further sites are left out.
+  /// Maximum number of tests; further grasp sites are ignored.
   static constexpr std::size_t kMost = 100;
 
   void Add(const physics::Result& result);
@@ -35,7 +36,8 @@ class TestTallies {
 
  private:
   void Count(TestTally::Kind kind, const std::string& name, bool passed);
-  /// Finds or adds a test; returns null if there are kMost tests already.
+  /// Returns a test; adds the test if it is missing. Returns null if it is missing and there are
+  /// kMost others.
   TestTally* FindOrAdd(TestTally::Kind kind, const std::string& name);
   void AddGrasps(const std::vector<physics::Result::Grasp>& grasps);
 

@@ -1,4 +1,5 @@
-// Rows of the table of variants in a report: picture, parameters, findings, command.
+// Rows of the table of variants in a report, with picture, parameters, findings and the command
+// that regenerates the variant.
 
 #include "mjforge/report/variant_rows.h"
 
@@ -24,7 +25,7 @@ constexpr std::size_t kOpenParams = 6;    // number of parameters shown without 
 constexpr std::size_t kMaxParams = 40;    // number of parameters of a variant in the page
 constexpr std::size_t kNamedParams = 3;   // number of parameters in a picture's alt text
 constexpr std::size_t kMaxFindings = 4;   // number of findings shown for a variant
-constexpr std::size_t kValueBytes = 120;  // largest length of a value
+constexpr std::size_t kValueBytes = 120;  // largest length of the text of a value
 
 std::string ValueText(const sample::ParameterValue& value) {
   if (const auto* number = std::get_if<double>(&value)) return fmt::format("{:.6g}", *number);
@@ -41,7 +42,8 @@ bool Varies(const ParameterTally& tally) {
   });
 }
 
-// Sets the text of a measure ("0.123 kg"), and the number by which the page's script sorts.
+// Fills in the text of a measure ("0.123 kg"), and the number by which the page's script sorts
+// rows.
 void SetMeasure(Dictionary& row, const char* text, const char* number, std::optional<double> value,
                 std::string_view unit) {
   Set(row, text, value ? fmt::format("{} {}", ShortNumber(*value), unit) : "none");
@@ -82,7 +84,7 @@ class RowMaker {
   }
 
  private:
-  // Moves parameters that differ between variants to the front.
+  // Returns the parameters of a variant, first those whose values differ between variants.
   Params Sorted(Params params) const {
     std::stable_partition(params.begin(), params.end(),
                           [&](const auto& param) { return varied_.contains(param.first); });
@@ -158,8 +160,8 @@ class RowMaker {
   std::set<std::string> colors_;
 };
 
-// Returns the failed and slow variants in their order, then the sample in bit-reversed order, so
-// that any first part of the sample is spread over the whole sample.
+// Returns the indices of the failed and slow variants in their order, then those of the sample in
+// bit-reversed order, in which any first part is spread over the whole sample.
 std::vector<std::size_t> OrderOfMaking(const std::vector<ShownVariant>& chosen) {
   const auto sample =
       std::ranges::find(chosen, ShownVariant::Reason::kSample, &ShownVariant::reason);

@@ -10,7 +10,8 @@
 
 namespace mjforge::report {
 
-/// HTML of the rows for the variants that a page shows, and numbers of variants.
+/// HTML of the rows for the variants that a page shows, and numbers of these variants by the reason
+/// why they are shown.
 struct VariantRows {
   std::string html;
   std::size_t failed = 0;
@@ -22,8 +23,8 @@ struct VariantRows {
   std::size_t shown() const { return failed + slow + sampled; }
 };
 
-/// Makes the rows of the chosen variants until they fill `room` bytes: failed variants, slow
-/// variants, then the sample. Rows of the sample are made in an order in which every first part is
+/// Makes rows for the chosen variants until the rows fill `room` bytes: for the failed variants,
+/// the slow variants, then the sample. If the sample does not fit, the shown part of the sample is
 /// spread over the batch.
 VariantRows MakeVariantRows(const std::vector<ShownVariant>& chosen, const Batch& batch,
                             const Request& request, const Thumbnailer& thumbnailer,

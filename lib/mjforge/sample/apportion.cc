@@ -18,7 +18,7 @@ constexpr double kRemainderStep = 0x1p-20;
 
 std::vector<std::uint64_t> LargestRemainder(std::span<const double> weights, std::uint64_t total) {
   const double largest = *std::ranges::max_element(weights);
-  double sum = 0;  // sum of weights / largest, which is finite
+  double sum = 0;  // sum of weight / largest over all weights; cannot overflow
   for (const double weight : weights) sum += weight / largest;
   std::vector<std::uint64_t> counts;
   std::vector<double> remainders;
@@ -36,8 +36,8 @@ std::vector<std::uint64_t> LargestRemainder(std::span<const double> weights, std
   std::erase_if(order, [&](std::size_t i) { return weights[i] == 0; });
   std::ranges::stable_sort(
       order, [&](std::size_t a, std::size_t b) { return remainders[a] > remainders[b]; });
-  // Gives one item each in the order of the remainders. A second round is only necessary if
-  // rounding errors of a huge total leave more items than weights.
+  // Gives the remaining items to the weights, one each, from the largest remainder. A second round
+  // is necessary only if rounding errors of a huge total leave more items than there are weights.
   for (std::size_t i = 0; left > 0; i = (i + 1) % order.size(), --left) ++counts[order[i]];
   return counts;
 }

@@ -1,4 +1,4 @@
-// Checks of the arguments and limits of a draw.
+// Checks of the arguments and limits of a draw from a distribution.
 
 #include <cmath>
 
@@ -15,8 +15,8 @@ using expr::NumberText;
 using spec::Distribution;
 using Message = std::optional<std::string>;
 
-// Maximum mean of a Poisson draw: larger than any useful count. The limit bounds the time of the
-// search for the quantile.
+// Maximum mean of a Poisson draw: larger than any useful count. The limit bounds the time that
+// Boost.Math needs to find a quantile.
 constexpr double kMaxPoissonMean = 1e6;
 
 Message CheckNotNegative(std::string_view what, double value) {

@@ -1,4 +1,5 @@
-// Collection of the random streams of a spec's parameters, by a recursive visit of their values.
+// Collection of the random streams of a spec's parameters, by a recursive visit of the values of
+// the parameters.
 
 #include "mjforge/sample/dimensions.h"
 
@@ -10,7 +11,8 @@ namespace {
 
 using spec::Distribution;
 
-// Maximum count of levels, up to which every whole number is exact as a double.
+// Limit for the number of levels of an integer draw: every whole number up to 2^53 is exact as a
+// double.
 constexpr double kMostLevels = 0x1p53;
 
 class StreamCollector {
@@ -42,7 +44,8 @@ class StreamCollector {
  private:
   void Add(const ParameterStream& stream) { streams_.push_back(stream); }
 
-  // Returns the length of a list if all variants have the same valid length; otherwise 0.
+  // Returns the length of a list as an integer if `count` is a constant and a valid length;
+  // otherwise 0.
   static std::size_t LengthOf(const spec::Value& count) {
     const double number = spec::ConstantOf(count).value_or(0);
     return spec::IsListLength(number) ? static_cast<std::size_t>(number) : 0;

@@ -1,4 +1,4 @@
-// Quantiles and supports of all distributions.
+// Quantile functions and supports of the distributions, and the choice of an index by weights.
 
 #include "mjforge/sample/distributions.h"
 
@@ -24,7 +24,7 @@ double LogUniform(double lo, double hi, double u) {
 double Triangular(double lo, double mode, double hi, double u) {
   const double width = hi - lo;
   if (width == 0) return lo;
-  // Two separate roots, because the product of two small widths would underflow.
+  // Takes two separate roots, because the product of two small widths may underflow.
   if (u * width < mode - lo) return lo + std::sqrt(u * width) * std::sqrt(mode - lo);
   return hi - std::sqrt((1 - u) * width) * std::sqrt(hi - mode);
 }
@@ -42,8 +42,8 @@ double LogNormal(double mu, double sigma, Interval limits, double u) {
   return std::clamp(std::exp(NormalValue(mu, sigma, logs, u)), limits.lo, limits.hi);
 }
 
-// Returns the quantile of a truncated exponential distribution. The distribution is memoryless: its
-// part above lo is the same distribution, shifted by lo.
+// Returns the quantile at `u` of a truncated exponential distribution. The distribution is
+// memoryless: its part above lo is the same distribution, shifted by lo.
 double Exponential(double rate, Interval limits, double u) {
   const double lo = std::max(0.0, limits.lo);
   const double value = lo - std::log1p(u * std::expm1(-rate * (limits.hi - lo))) / rate;
@@ -121,7 +121,7 @@ Interval Support(Distribution distribution, std::span<const double> arguments,
 std::size_t WeightedIndex(std::span<const double> weights, double u) {
   const double target = u * std::accumulate(weights.begin(), weights.end(), 0.0);
   double below = 0;
-  std::size_t last = 0;  // last index with a positive weight, in case the sum is rounded down
+  std::size_t last = 0;  // last index of a positive weight, if rounding makes `below` too small
   for (std::size_t i = 0; i < weights.size(); ++i) {
     if (weights[i] == 0) continue;
     last = i;

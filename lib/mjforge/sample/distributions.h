@@ -35,19 +35,21 @@ std::optional<std::string> CheckArguments(spec::Distribution distribution,
                                           std::span<const double> arguments,
                                           std::optional<Interval> limits);
 
-/// Returns the quantile at u, in (0, 1), without rounding, for every distribution except choice and
-/// cycle. CheckArguments() must have accepted the arguments. The truncation to `limits` is exact: u
-/// is mapped to [F(lo), F(hi)], in the upper tail through the complement.
+/// Returns the quantile at u, in (0, 1), without rounding; NaN for choice and cycle.
+/// CheckArguments() must have accepted the arguments. `limits` are the range of the beta
+/// distribution, and truncate all other distributions that have limits. The truncation is exact: u
+/// is mapped to the interval [F(lo), F(hi)] of the distribution function F or, in the upper tail,
+/// of 1 - F.
 double Quantile(spec::Distribution distribution, std::span<const double> arguments,
                 std::optional<Interval> limits, double u);
 
-/// Returns the smallest interval that contains every value of the distribution: the bounds for
-/// RoundWithin().
+/// Returns the smallest interval that contains every value of the distribution, as the bounds for
+/// RoundWithin(). An unbounded distribution has infinite ends; choice and cycle have no bounds.
 Interval Support(spec::Distribution distribution, std::span<const double> arguments,
                  std::optional<Interval> limits);
 
-/// Returns the index that u, in (0, 1), selects: index i has the probability weights[i] / sum.
-/// Weights must be >= 0 and their sum positive.
+/// Returns the index that u, in (0, 1), selects: index i has the probability weights[i], divided by
+/// the sum of the weights. Weights must be >= 0 and their sum positive.
 std::size_t WeightedIndex(std::span<const double> weights, double u);
 
 /// Returns a uniformly distributed rotation from three uniform numbers, as a quaternion w x y z

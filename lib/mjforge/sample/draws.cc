@@ -1,4 +1,4 @@
-// Evaluator: draws numbers, options, rotations, points on a sphere and colours.
+// Functions of Evaluator that draw numbers, options, rotations, points on a sphere and colours.
 
 #include <algorithm>
 #include <array>
@@ -23,15 +23,15 @@ const spec::DistributionInfo& Info(Distribution distribution) {
   return spec::Distributions()[static_cast<std::size_t>(distribution)];
 }
 
-// Returns true for distributions whose draws are rounded to few digits: all except distributions of
+// Returns true for distributions whose draws RoundWithin() rounds: all except distributions of
 // integers and booleans.
 bool IsRounded(Distribution distribution) {
   return distribution != Distribution::kInteger && distribution != Distribution::kPoisson &&
          distribution != Distribution::kBernoulli;
 }
 
-// Largest number of arguments and limits of a draw: three arguments of a triangular draw, and two
-// limits.
+// Upper limit for the number of arguments and limits of a draw: at most three arguments (triangular
+// distribution) and two limits.
 constexpr std::size_t kMostArguments = 5;
 
 template <std::size_t n>
@@ -86,7 +86,8 @@ const spec::Value* Evaluator::ChooseRow(const spec::Draw& draw, SourceMark mark,
   const double key = Variable(draw.key_slot);
   const auto row = std::isnan(key) ? rows.numbers.end() : rows.numbers.find(key);
   if (row == rows.numbers.end()) {
-    // All columns of the record have the same key, so the missing row is reported only once.
+    // All columns of a record use the same key, so a missing row is reported only for the first
+    // column.
     if (!failed_) Fail(Code::kSampleBadArgument, mark, "no row has the key of this record");
     return nullptr;
   }
@@ -151,8 +152,8 @@ void Evaluator::AppendRotationAbout(const spec::RotationAbout& about, SourceMark
                                     StreamId path, Numbers& out) {
   Numbers axis;
   Vector(*about.axis, Child(path, "about"), axis);
-  // std::hypot of three numbers has the same last bit on every processor; std::hypot of two numbers
-  // does not.
+  // The result of std::hypot with three arguments is the same to the last bit on every processor.
+  // With two arguments, the last bit can differ.
   double length = std::hypot(axis[0], axis[1], axis[2]);
   if (length == 0) {
     length = Fail(Code::kSampleBadArgument, mark,

@@ -1,4 +1,4 @@
-// Evaluator: evaluates expressions, numbers, texts and vectors.
+// Functions of Evaluator that evaluate expressions, numbers, texts and vectors.
 
 #include <algorithm>
 #include <cmath>
@@ -64,8 +64,8 @@ double Evaluator::EvaluateExpression(const expr::Expression& expression, SourceM
   if (std::isfinite(result)) return result;
   for (const expr::Expression::Input& input : expression.inputs()) {
     if (!std::isnan(Variable(input.slot))) continue;
-    // A finding already explains a failed input. Without a failure, the input is a property of a
-    // body that this variant leaves out, which was never set.
+    // After a failure, a finding already explains the input that has no value. Without a failure,
+    // the input is a property of a body that this variant leaves out or places later.
     if (failed_) return kFailedNumber;
     return Fail(Code::kExprNotFinite, mark,
                 fmt::format("expression '{}' uses '{}', which has no value in this variant",

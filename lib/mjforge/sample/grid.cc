@@ -12,13 +12,13 @@ namespace {
 
 constexpr std::uint64_t kMany = std::numeric_limits<std::uint64_t>::max();
 
-// Returns a * b, limited to kMany.
+// Returns a * b, or kMany if the product does not fit into 64 bits.
 std::uint64_t Product(std::uint64_t a, std::uint64_t b) {
   return a != 0 && b > kMany / a ? kMany : a * b;
 }
 
 // Returns the number of points of a grid of `count` dimensions, of which `more` have `low` + 1
-// levels and all others `low` levels: low^(count - more) * (low + 1)^more, limited to kMany.
+// levels and all others `low` levels: low^(count - more) * (low + 1)^more, at most kMany.
 std::uint64_t PointsOf(std::uint64_t low, std::size_t count, std::size_t more) {
   std::uint64_t points = 1;
   for (std::size_t i = 0; i < count; ++i) points = Product(points, i < more ? low + 1 : low);
@@ -35,7 +35,7 @@ double CentreOf(std::uint64_t level, std::uint64_t levels, std::optional<double>
 
 Grid::Grid(std::span<const ParameterStream> streams, std::uint64_t size) {
   for (const ParameterStream& stream : streams) {
-    if (stream.is_order) continue;  // random sort keys on a grid do not give all orders
+    if (stream.is_order) continue;  // sort keys on a grid would not give all orders of a list
     const auto count = static_cast<std::size_t>(stream.numbers);
     axes_of_.emplace(stream.stream, Axes{axes_.size(), count});
     axes_.insert(axes_.end(), count, Axis{stream.levels, 1, stream.split});
@@ -60,7 +60,7 @@ void Grid::ShareLevels(std::uint64_t size) {
   if (open.empty()) return;
   const std::uint64_t wanted = std::max<std::uint64_t>(1, size / discrete);
   std::uint64_t low = 1;
-  std::uint64_t high = wanted;  // binary search for the largest number of levels
+  std::uint64_t high = wanted;  // binary search for the number of levels of all open axes
   while (low < high) {
     const std::uint64_t middle = high - (high - low) / 2;
     if (PointsOf(middle, open.size(), 0) <= wanted) {

@@ -1,4 +1,4 @@
-// Evaluator: evaluates lists (literal, repeated, shuffled, sampled).
+// Functions of Evaluator that evaluate lists (literal, repeated, shuffled, sampled).
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// Evaluator: sets and returns the values of parameters and local values.
+// Functions of Evaluator that set and return the values of parameters and local values.
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +50,7 @@ std::vector<bool> BooleansOf(const std::vector<double>& numbers) {
 }
 
 // Returns true if the value can be assigned to the parameter: the types and, for a vector, the
-// numbers of components are equal. An empty list of numbers can be assigned to every list.
+// numbers of components must be equal. An empty list of numbers can be assigned to every list.
 bool Accepts(const spec::Value& parameter, const ParameterValue& value) {
   const auto* numbers = std::get_if<std::vector<double>>(&value);
   if (std::holds_alternative<std::vector<std::string>>(value))

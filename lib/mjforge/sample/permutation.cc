@@ -9,8 +9,8 @@
 namespace mjforge::sample {
 namespace {
 
-// Four rounds make a strong pseudorandom permutation of a large domain. A small domain needs more
-// rounds to make all permutations about equally likely.
+// Number of rounds of the Feistel network. Four rounds make a strong pseudorandom permutation of a
+// large domain. A small domain needs more rounds to make all permutations about equally likely.
 constexpr std::uint64_t kRounds = 8;
 
 std::uint64_t RootRoundedUp(std::uint64_t size) {
@@ -34,8 +34,8 @@ std::uint64_t Permuted(std::uint64_t position, std::uint64_t size, std::uint64_t
     std::uint64_t left = position / side;
     std::uint64_t right = position % side;
     for (std::uint64_t round = 0; round < kRounds; ++round) {
-      // right * kRounds + round is below 2^35 and differs for each pair (right, round), so that all
-      // hash inputs differ.
+      // right * kRounds + round is below 2^35 and different for each pair (right, round).
+      // Therefore, all inputs of the hash are different.
       const std::uint64_t input = key + (right * kRounds + round + 1) * kGoldenGamma;
       std::uint64_t next = left + Below(side, Mix(input));
       if (next >= side) next -= side;

@@ -1,4 +1,4 @@
-// Pseudorandom permutation of any size, computed without a table.
+// Pseudorandom permutation of 0 .. size - 1, computed without a table.
 
 #pragma once
 

@@ -11,7 +11,8 @@
 
 namespace mjforge::sample {
 
-/// Last word of Philox's counter. Numbers for different purposes are independent of each other.
+/// Use of a random number: the last word of the counter of Philox. Numbers for different purposes
+/// are independent of each other.
 enum class Purpose : std::uint64_t { kDraw, kLatin, kScramble, kExact };
 
 /// Returns a block of Philox4x64-10 with key (seed, 0) and counter (position, stream, attempt,
@@ -40,8 +41,9 @@ inline std::uint64_t Mix(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-/// 2^64 divided by the golden ratio, rounded to an odd number. Multiply a small number, such as an
-/// index, by this constant before Mix(), so that the number is spread over all 64 bits.
+/// 2^64 divided by the golden ratio, rounded to an odd number. The product of a small number, such
+/// as an index, and this constant is a better input of Mix(), because the product is spread over
+/// all 64 bits.
 inline constexpr std::uint64_t kGoldenGamma = 0x9e3779b97f4a7c15;
 
 }  // namespace mjforge::sample

@@ -1,4 +1,5 @@
-// Evaluator: evaluates lists of points with loops and arcs, outlines, and the ranges of loops.
+// Functions of Evaluator that evaluate lists of points with loops and arcs, outlines, and the
+// ranges of loops.
 
 #include <algorithm>
 #include <array>
@@ -16,8 +17,9 @@ namespace {
 // Maximum count of points of a shape; equals solid::kMostPoints.
 constexpr std::size_t kMost = 1000;
 
-// Calls `read` for each combination of the loops' values, with a stream of its own, until `read`
-// returns false. Returns false if `read` returned false, or if the range of a loop is invalid.
+// Calls `read` for each combination of the values of the loops, with the random stream of the
+// combination, until `read` returns false. Returns false if `read` returned false, or if the range
+// of a loop is invalid.
 template <typename Function>
 bool ForEachCombination(Evaluator& values, std::span<const spec::Loop> loops, StreamId path,
                         const Function& read) {
@@ -31,8 +33,8 @@ bool ForEachCombination(Evaluator& values, std::span<const spec::Loop> loops, St
   return true;
 }
 
-// Arc through three points, in coordinates of its plane: x points from the first to the second
-// point, y to the side of the last point, and the origin is the first point.
+// Arc through three points in space, in coordinates of the plane of the points: x points from the
+// first to the second point, y to the side of the last point, and the origin is the first point.
 class CircleThrough {
  public:
   /// Returns the arc through three points; nullopt if the points are on a straight line.
@@ -57,8 +59,8 @@ class CircleThrough {
     circle.v_ = v;
     circle.radius_ = std::sqrt(u * u + v * v);
     circle.from_ = std::atan2(-v, -u);
-    // The last point is on the left of the line from the first to the second point, so that the arc
-    // is counter-clockwise.
+    // The arc is counter-clockwise, because the last point is on the left of the line from the
+    // first to the second point.
     circle.to_second_ = After(circle.from_, std::atan2(-v, to_b - u));
     circle.to_last_ = After(circle.from_, std::atan2(across - v, along - u));
     return circle;
@@ -71,7 +73,8 @@ class CircleThrough {
     for (std::size_t i = 0; i < 3; ++i) point[i] = first_[i] + along * x_[i] + across * y_[i];
   }
 
-  /// Interpolates values given at the three points at the fraction `share` of the arc.
+  /// Interpolates a quantity that is given at the three points, and returns its value at the
+  /// fraction `share` of the arc. The quantity is linear in the angle between two of the points.
   double Between(double share, double first, double second, double last) const {
     const double angle = share * to_last_;
     if (angle <= to_second_) return std::lerp(first, second, angle / to_second_);
@@ -80,7 +83,7 @@ class CircleThrough {
 
  private:
   using Vector = std::array<double, 3>;
-  static constexpr double kSame = 1e-9;  // tolerance, relative to the distances of the points
+  static constexpr double kSame = 1e-9;  // relative tolerance for coinciding or collinear points
 
   static Vector Minus(const Numbers& a, const Numbers& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
@@ -104,8 +107,8 @@ class CircleThrough {
   double to_last_ = 0;
 };
 
-// Reader of one list of points. Member functions return false after adding a finding, or if the
-// list has too many points.
+// Reader of a single list of points. Member functions return false after adding a finding, or if
+// the list has too many points.
 class PointReader {
  public:
   explicit PointReader(Evaluator& values) : values_(values) {}

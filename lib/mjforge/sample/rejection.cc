@@ -107,7 +107,8 @@ bool Evaluator::Sample(Overrides overrides) {
   return false;
 }
 
-// Reports a requirement that is not met if a redraw cannot change any parameter.
+// Reports that `requirement` is not met, and that a redraw cannot help, because no parameter is
+// drawn.
 void Evaluator::ReportConstant(const spec::Requirement& requirement) {
   const std::string inputs = InputsText(requirement.expression);
   Fail(Code::kSampleRejected, requirement.mark,

@@ -17,28 +17,28 @@ constexpr double kPowersOfTen[kMaxExactPower + 1] = {1e0,  1e1,  1e2,  1e3,  1e4
                                                      1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                                      1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 // Tolerance of the decimal logarithm of an interval's width. A width such as 0.03 - 0.02 differs
-// from a power of ten by a rounding error, and must not get one more digit.
+// from a power of ten by a rounding error, which must not add a decimal place.
 constexpr double kLogTolerance = 1e-9;
 
-// Returns the number of decimal places of a millionth of the width of an interval; minus infinity
-// if the width is infinite.
+// Returns the number of decimal places that resolve a millionth of the width of an interval; minus
+// infinity if the width is infinite.
 double PlacesFor(double width) {
   if (!std::isfinite(width)) return -std::numeric_limits<double>::infinity();
   return std::ceil(kSignificantDigits - std::log10(width) - kLogTolerance);
 }
 
-// Rounds to a multiple of 10^-places. The operands of the last operation are exact, so that the
-// result is the double nearest to the decimal.
+// Rounds to a multiple of 10^-places. The operands of the last operation are exact, so the result
+// is the double nearest to the decimal.
 double RoundByScaling(double value, int places) {
   const double power = kPowersOfTen[std::abs(places)];
   const double scaled = places < 0 ? value / power : value * power;
-  if (std::abs(scaled) >= kMaxWhole) return value;  // doubles of this size are coarser
+  if (std::abs(scaled) >= kMaxWhole) return value;  // `value` has no digits to round
   const double whole = std::round(scaled);
   return places < 0 ? whole * power : whole / power;
 }
 
-// Rounds to `digits` + 1 significant digits. Also applies to powers of ten that are not exact as
-// doubles.
+// Rounds to `digits` + 1 significant digits. Needed if the power of ten in RoundByScaling() is not
+// exact as a double.
 double RoundByText(double value, int digits) {
   if (digits >= 16) return value;
   char text[40];

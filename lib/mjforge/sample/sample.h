@@ -21,9 +21,9 @@
 namespace mjforge::sample {
 
 /// Evaluates the values of one spec for one variant. Sample() draws the parameters and tests the
-/// requirements. After that, the assembler requests the values of the spec's fields in any order.
-/// Every draw is a pure function of the key (seed, index, attempt) and of the value's path in the
-/// spec; some samplers also use the batch's size.
+/// requirements. After that, the assembler of the MuJoCo model requests the values of the spec's
+/// fields in any order. Every draw is a pure function of the key (seed, index, attempt) and of the
+/// value's path in the spec; some samplers also use the size of the batch.
 ///
 /// A function that fails adds a finding, and returns nullopt, or NaN if it returns numbers. Values
 /// that depend on a failed value fail without another finding. After the first failure the variant
@@ -39,8 +39,8 @@ class Evaluator {
             const Sampler* sampler = nullptr);
 
   /// Draws the parameters until they meet all requirements; each redraw increases key().attempt.
-  /// `overrides` replace the parameters' own values. Returns false, and adds a finding, if a draw
-  /// fails or if kMaxAttempts draws are rejected.
+  /// `overrides` replace the values that the spec gives to parameters. Returns false, and adds a
+  /// finding, if a draw fails or if kMaxAttempts draws are rejected.
   bool Sample(Overrides overrides);
   /// Draws the parameters once. Returns the index of the first requirement that is not met, or the
   /// number of requirements if all are met; nullopt if a draw fails.
@@ -51,7 +51,8 @@ class Evaluator {
   std::optional<std::string> Text(const spec::Value& value, StreamId path);
   /// Evaluates a vector or a single number, and replaces the content of `out` by its components.
   void Vector(const spec::Value& value, StreamId path, Numbers& out);
-  /// Evaluates a value of any kind. A single number in brackets is a vector.
+  /// Evaluates a value of any kind. A value in the form of a list of numbers gives a vector, also
+  /// with one component.
   std::optional<ParameterValue> Any(const spec::Value& value, StreamId path);
   std::optional<PointList> Points(const spec::Value& value, StreamId path);
   std::optional<std::vector<HoleOutline>> Outlines(const spec::Value& value, StreamId path);
@@ -66,20 +67,21 @@ class Evaluator {
   /// Returns the current values of an entry's loop variables and local values, for Restore().
   SavedVariables Save(const spec::Entry& entry) const;
   void Restore(const SavedVariables& saved);
-  /// Marks the variables of a value as failed. `list` is the index of the value among the lists; -1
-  /// if the value is not a list.
+  /// Sets the variables of a value, from slot `slot` on, to kFailedNumber. `list` is the index of
+  /// the value among the lists; -1 if the value is not a list.
   void ClearVariables(int slot, int list, const spec::Value& value);
   /// Sets the variables of a parameter from slot `slot` on: one for a number, boolean or text, one
   /// per component for a vector.
   void Assign(int slot, const ParameterValue& value);
-  /// Evaluates a local value and sets its variables. Its draws use the stream `path`. Returns
-  /// false, and adds a finding, if the evaluation fails.
+  /// Evaluates a local value and sets its variables. Draws in the value use the stream `path`.
+  /// Returns false, and adds a finding, if the evaluation fails.
   bool SetLocal(const spec::Local& local, StreamId path);
 
   /// Appends a uniformly distributed random rotation as a quaternion w x y z.
   void AppendRotation(StreamId path, Numbers& out);
 
-  /// Returns four uniform numbers in (0, 1), for draws that are not values in the spec.
+  /// Returns the four uniform numbers in (0, 1) of the stream `path`, as the sampler distributes
+  /// them.
   std::array<double, 4> Uniforms(StreamId path) const {
     return sampler_ != nullptr ? sampler_->Uniforms(key_, path) : sample::Uniforms(key_, path);
   }
@@ -91,7 +93,7 @@ class Evaluator {
   const Sampler* sampler() const { return sampler_; }
   const spec::ObjectSpec& spec() const { return spec_; }
   bool failed() const { return failed_; }
-  /// Adds a finding about this variant, and returns NaN.
+  /// Adds a finding about this variant, sets failed(), and returns NaN.
   double Fail(diag::Code code, diag::SourceMark mark, std::string message, std::string hint = {});
 
  private:
@@ -107,12 +109,13 @@ class Evaluator {
 
   // Defined in evaluator.cc.
   double Variable(int slot) const { return variables_[static_cast<std::size_t>(slot)]; }
-  /// Returns component `i` of the vector to which a name refers.
+  /// Returns component `i` of the vector to which a name refers. Fails if the component has no
+  /// value.
   double Component(const spec::VariableReference& variable, int i, diag::SourceMark mark);
   double EvaluateExpression(const expr::Expression& expression, diag::SourceMark mark);
   /// Evaluates one piece of a text and appends the result. Returns false if the evaluation fails.
   bool AppendPiece(const spec::TextPiece& piece, diag::SourceMark mark, std::string& out);
-  /// Returns the text whose TextKey() is the result of an expression.
+  /// Returns the text whose TextKey() is `key`, the result of `expression`.
   const std::string& TextOf(const expr::Expression& expression, double key) const;
   /// Evaluates a vector or a single number, and appends its components.
   void AppendVector(const spec::Value& value, StreamId path, Numbers& out);
@@ -137,10 +140,10 @@ class Evaluator {
   /// Returns the draw of a value that is a choice, a cycle or a column of a record; null for other
   /// values.
   static const spec::Draw* ChoiceOf(const spec::Value& value);
-  /// Chooses an option, and replaces `path` by the stream of the option. Returns null after adding
-  /// a finding.
+  /// Chooses an option, and replaces `path` by the stream of the option. Returns null if the choice
+  /// fails.
   const spec::Value* Choose(const spec::Draw& draw, diag::SourceMark mark, StreamId& path);
-  /// Returns the option of a record's column that belongs to the drawn key of the record.
+  /// Returns the option of a column of a record that belongs to the drawn key of the record.
   const spec::Value* ChooseRow(const spec::Draw& draw, diag::SourceMark mark, StreamId& path);
   std::optional<std::size_t> DrawOption(const spec::Draw& draw, diag::SourceMark mark,
                                         StreamId path);
@@ -157,8 +160,8 @@ class Evaluator {
   StreamId root_;
   diag::Findings* findings_;
   const Sampler* sampler_;
-  std::vector<double> variables_;      // values of variables by slot; NaN if failed or not set
-  std::vector<std::string> texts_;     // texts of text variables by slot
+  std::vector<double> variables_;      // values of variables by slot; kFailedNumber if failed
+  std::vector<std::string> texts_;     // texts by slot; empty for numbers
   std::vector<expr::Sequence> lists_;  // indexed by list number
   // Texts of each list in `lists_`; empty for lists of numbers or booleans.
   std::vector<std::vector<std::string>> list_texts_;

@@ -1,4 +1,4 @@
-// Selection of the sampling method, and exact choices.
+// Uniform numbers by the selected sampling method, and choices with `exact: true`.
 
 #include "mjforge/sample/sampler.h"
 

@@ -1,4 +1,4 @@
-// Sampling methods: random, Sobol, Latin hypercube and grid sampling, exact choices.
+// Sampler: uniform numbers by random, Sobol, Latin hypercube or grid sampling, and exact choices.
 
 #pragma once
 
@@ -22,7 +22,7 @@ class Sobol;
 enum class Method {
   kRandom,  // independent uniform random numbers
   kSobol,   // a scrambled Sobol sequence for the parameters' draws
-  kLatin,   // for every draw, each of N equal cells of (0, 1) contains one of N items
+  kLatin,   // for every draw, one of N items in each of N equal cells of (0, 1)
   kGrid,    // all combinations of levels of the parameters' draws
 };
 /// Returns the names of the methods in the order of Method: "random", "sobol", "latin", "grid".

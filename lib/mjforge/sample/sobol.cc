@@ -19,7 +19,7 @@ std::uint64_t Scrambled(std::uint64_t x, std::uint64_t key) {
   std::uint64_t flips = 0;
   for (int i = 0; i < kBits; ++i) {
     const std::uint64_t above = (x >> 1) >> (63 - i);
-    // Number of the node that the bits above bit i select in a binary tree.
+    // Number of the node of a binary tree to which the bits above bit i lead.
     const std::uint64_t node = (std::uint64_t{1} << i) | above;
     flips |= (Mix(key + node * kGoldenGamma) >> 63) << (63 - i);
   }

@@ -20,12 +20,13 @@ namespace mjforge::sample {
 /// sequence contains point 0 (Owen, "On dropping the first Sobol' point", 2020).
 class Sobol {
  public:
-  /// Assigns dimensions to the streams, in their order. Streams for which Boost.Random has no more
+  /// Assigns dimensions to the streams, in order. Streams for which Boost.Random has no more
   /// direction numbers get no dimension.
   Sobol(std::span<const ParameterStream> streams, std::uint64_t seed);
 
-  /// Replaces the uniform numbers of a stream by the stream's coordinates of point `index`, in (0,
-  /// 1). Does not change the uniform numbers of a stream without a dimension.
+  /// Replaces the uniform numbers of a stream by the coordinates, in (0, 1), of point `index` in
+  /// the dimensions of the stream. Does not change the uniform numbers of a stream without a
+  /// dimension.
   void Place(std::uint64_t index, StreamId stream, std::array<double, 4>& uniforms) const;
 
  private:

@@ -1,4 +1,4 @@
-// Hashes of paths, and the uniform numbers of a stream.
+// Identifiers of random streams (hashes of paths), and the uniform numbers of a stream.
 
 #include <charconv>
 

@@ -33,13 +33,14 @@ using Normal = boost::math::normal_distribution<Real, Quiet>;
 using Poisson = boost::math::poisson_distribution<double, Quiet>;
 using Beta = boost::math::beta_distribution<double, Quiet>;
 
-// Probabilities below (p) and above (q) each end of an interval.
+// Probabilities that a random number is below (p) or above (q) the lower end and the upper end of
+// an interval.
 template <typename Real>
 struct Slice {
   Real p_lo, p_hi, q_lo, q_hi;
 
-  // Returns an upper bound of the interval's probability; 0 if the probability of the tail
-  // underflows.
+  // Returns an upper bound of the interval's probability; 0 if the interval is so far in a tail
+  // that its probability underflows.
   Real Reach() const { return std::min(p_hi, q_lo); }
 };
 

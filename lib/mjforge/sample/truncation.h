@@ -6,9 +6,9 @@
 
 namespace mjforge::sample {
 
-/// Returns true if the probability of the interval `z`, in standard deviations from the mean, is
-/// representable for the normal distribution. Beyond about 150 standard deviations, the probability
-/// underflows to 0.
+/// Returns true if the probability that a normal variable is in the interval `z` is representable.
+/// `z` is in standard deviations from the mean. Beyond about 150 standard deviations, the
+/// probability underflows to 0.
 bool NormalReaches(Interval z);
 /// Returns the quantile at `u` of the standard normal distribution truncated to the interval `z`.
 /// Probabilities are computed from the nearer tail.

@@ -8,7 +8,7 @@
 namespace mjforge::solid {
 namespace {
 
-// Maximum size of all cached solids, bytes: enough for a variant of most families; more would not
+// Maximum size of all cached solids, bytes: enough for one variant of most specs. More would not
 // fit into the processor's caches.
 constexpr std::size_t kMostBytes = 600'000;
 // Maximum number of cached solids, which limits the time of the linear search for a shape.

@@ -1,4 +1,5 @@
-// Convex cells of a partition, and the parts of polygons and convex polyhedra in cells.
+// Convex cells of a partition, clipping of polygons by cells, and subtraction of a cell from convex
+// polyhedra.
 
 #include "mjforge/solid/convex_cells.h"
 

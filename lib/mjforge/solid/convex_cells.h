@@ -1,4 +1,4 @@
-// Convex cells of space, bounded by planes: clipping of polygons, and removal from polyhedra.
+// Convex cells of space, bounded by planes: clipping of polygons, and subtraction from polyhedra.
 
 #pragma once
 
@@ -53,9 +53,9 @@ double AreaOf(const SpacePolygon& polygon);
 /// Returns true if the area of the polygon is at most its perimeter times `width`, m.
 bool IsThin(const SpacePolygon& polygon, double width);
 
-/// Returns the parts of the polygons that, if moved by `offset`, would be in one of the cells. The
-/// offset decides to which of two cells a polygon on their common plane belongs. Parts thinner than
-/// the offset's length are rounding errors and are removed.
+/// Returns the parts of the polygons for which the part translated by `offset` is in one of the
+/// cells. The offset decides to which of two cells a polygon on their common plane belongs. Parts
+/// thinner than the offset's length are rounding errors and are removed.
 std::vector<SpacePolygon> ClippedByCells(const std::vector<SpacePolygon>& polygons,
                                          const std::vector<Cell>& cells,
                                          const Eigen::Vector3d& offset);

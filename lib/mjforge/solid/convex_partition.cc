@@ -1,4 +1,4 @@
-// Ear clipping, and merging of triangles into convex polygons.
+// Convex partition of an area: ear clipping, and merging of triangles into convex polygons.
 
 #include "mjforge/solid/convex_partition.h"
 
@@ -158,7 +158,7 @@ class PolygonMerger {
 
   const std::vector<Point2>& corners_;
   std::vector<std::vector<int>> polygons_;
-  std::map<std::pair<int, int>, std::size_t> owners_;  // by side: index of its polygon
+  std::map<std::pair<int, int>, std::size_t> owners_;  // index of the polygon to the left of a side
 };
 
 }  // namespace

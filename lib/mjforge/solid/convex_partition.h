@@ -28,7 +28,7 @@ std::vector<std::vector<Point2>> MergedPolygonsOf(const Area& area);
 /// are those of MergedPolygonsOf().
 std::vector<std::vector<Point2>> ConvexPolygonsOf(const Area& area);
 
-/// Sine of the largest turn that counts as straight.
+/// Sine of the largest angle between two sides of a polygon that counts as straight.
 inline constexpr double kStraight = 1e-12;
 
 /// Returns true if an outline that does not cross itself turns left or is straight at each corner.

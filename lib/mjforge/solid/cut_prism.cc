@@ -1,4 +1,4 @@
-// Prisms with holes along more than one axis: pieces and mass.
+// Prisms with holes along x or y: checks, convex pieces and mass.
 
 #include "mjforge/solid/cut_prism.h"
 

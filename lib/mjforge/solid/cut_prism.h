@@ -1,4 +1,4 @@
-// Prisms with holes along more than one axis.
+// Prisms with holes along x or y, as intersections of extrusions along the three axes.
 
 #pragma once
 
@@ -16,7 +16,8 @@ using CutSections = std::array<Area, 3>;
 
 /// Makes a prism with holes along x or y. The pieces fill the prism exactly. `base` has the polygon
 /// and the holes along z. Returns nullopt and sets `fault` if the prism is rounded or bevelled, if
-/// a hole is faulty, or if the holes leave several parts that do not touch.
+/// a hole is faulty, if there are more than 1000 pieces, or if the holes leave several parts that
+/// do not touch.
 std::optional<Solid> MakeCutPrism(const Prism& prism, const BasePolygon& base, Fault& fault);
 
 /// Makes the render mesh of a prism with holes: the intersection of the three extrusions whose

@@ -1,4 +1,4 @@
-// Render mesh of a prism with holes along more than one axis.
+// Render mesh of a prism with holes along x or y, with normals and texture coordinates.
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ struct Strip {
   Point2 from = Point2::Zero();
   Point2 to = Point2::Zero();
   Point2 outward = Point2::Zero();
-  Point2 normal_from = Point2::Zero();  // blended with the neighbour's normal at smooth edges
+  Point2 normal_from = Point2::Zero();  // blended with the neighbour's normal if the edge is smooth
   Point2 normal_to = Point2::Zero();
   double along = 0;  // length of the outline up to `from`
 };

@@ -1,5 +1,5 @@
-// Hulls of points in a plane, on a line or at one place: the cores of rounded slabs, capsules and
-// balls.
+// Hulls of points in a plane, on a line or at one place, which are the cores of rounded slabs,
+// capsules and balls. Also removes the repeated vertices of their meshes.
 
 #include <algorithm>
 #include <map>

@@ -27,7 +27,8 @@ double Support(const Extent& extent, const Vector3d& direction) {
     const double y = curve.v.dot(direction);
     const double across = curve.round > 0 ? curve.round * direction.norm() : 0;
     const double reach = curve.center.dot(direction) + Eigen::Vector2d(x, y).norm() + across;
-    // IsOnArc() takes most of the time, so it is called only for points that are far enough.
+    // Calls IsOnArc(), which takes most of the time, only for points that are farther than the
+    // result so far.
     if (reach > largest && IsOnArc(curve, x, y)) largest = reach;
   }
   return largest;

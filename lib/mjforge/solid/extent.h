@@ -11,9 +11,8 @@
 namespace mjforge::solid {
 
 /// Arc of an ellipse: the points center + cos(t) u + sin(t) v for t from 0 to `angle`, enlarged by
-/// the distance `round` perpendicular to the curve. In a whole ellipse, u is perpendicular to v. If
-/// u and v are zero, the curve is a point. An arc does not include its ends, which are separate
-/// curves.
+/// a ball of radius `round` about each point. In a whole ellipse, u is perpendicular to v. If u and
+/// v are zero, the curve is a point. An arc does not include its ends, which are separate curves.
 struct ExtentCurve {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();  // m
   Eigen::Vector3d u = Eigen::Vector3d::Zero();

@@ -1,4 +1,5 @@
-// Construction and queries of the half-edge table.
+// HalfEdges: builds the table from the faces of a polytope, and lists edges and faces around a
+// vertex.
 
 #include "mjforge/solid/half_edges.h"
 

@@ -1,4 +1,5 @@
-// Hole bridging: finds a visible corner for each hole and inserts the detour.
+// Hole bridging: connects each hole, rightmost first, to a visible corner of the outline or of an
+// earlier hole.
 
 #include "mjforge/solid/hole_bridging.h"
 

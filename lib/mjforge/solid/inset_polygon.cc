@@ -27,7 +27,8 @@ Outline Discretized(const Outline& outline, double round) {
   return discretized;
 }
 
-/// Rejects bevels that remove a whole side, or that make loops touch each other or themselves.
+/// Returns false and sets `fault` if the bevel is at least half the height or the radius of the
+/// corners, removes a whole side, or makes loops touch each other or themselves.
 bool BevelIsValid(const BasePolygon& base, const Prism& prism, Fault& fault) {
   if (2 * prism.bevel >= prism.height) {
     fault = {fmt::format("is bevelled by {:g} m, half its height of {:g} m or more", prism.bevel,

@@ -21,7 +21,7 @@ struct BasePolygon {
   std::vector<Outline> loops;
   double round = 0;  // radius of the outline's corners, m
 
-  /// Returns the unit vectors of the arcs of each loop, which are the same at all insets.
+  /// Returns the unit vectors of the arcs of each loop, which do not depend on the inset.
   std::vector<std::vector<ArcDirections>> Directions() const;
   /// Returns quadrature nodes on the boundary after all sides are moved inwards by `inset`.
   /// `directions` is the result of Directions().

@@ -1,4 +1,5 @@
-// Search for faces in one plane that two polyhedra share, to join and to count polyhedra.
+// Joins convex polyhedra at common faces, and counts connected components, by a search for faces of
+// two polyhedra in one plane.
 
 #include "mjforge/solid/joined_polyhedra.h"
 

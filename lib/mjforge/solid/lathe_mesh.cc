@@ -1,4 +1,5 @@
-// Render mesh of a lathe: rings of vertices, bands between them, and the cut faces of a part turn.
+// Render mesh of a lathe: rings of vertices, bands of triangles between rings, and the end faces of
+// a revolution by less than a whole turn.
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +10,7 @@
 namespace mjforge::solid {
 namespace {
 
-constexpr double kLevelNormal = 1e-9;  // largest radial component of a level normal
+constexpr double kLevelNormal = 1e-9;  // normals with a smaller radial component are vertical
 
 /// A circle of vertices about the axis.
 struct Ring {
@@ -26,7 +27,7 @@ struct Ring {
 struct Band {
   int from = 0;
   int to = 0;
-  int covers = 0;  // number of surfaces around the band, see CoversOf()
+  int covers = 0;  // number of surfaces around the band: see CoversOf()
 };
 
 Point2 OutwardOf(const Point2& from, const Point2& to) {
@@ -230,7 +231,7 @@ class LatheMesher {
     }
   }
 
-  /// Adds the outline as a face at the beginning and the end of a part turn.
+  /// Adds the outline as a face at both ends of a revolution by less than a whole turn.
   void AddCutFaces(const ConvexPartition& partition) {
     for (const double turn : {0.0, lathe_.angle}) {
       const int first = static_cast<int>(mesh_.vertices.size());

@@ -1,4 +1,4 @@
-// Convex pieces of a lathe: cylinders, other whole turns, and wedges.
+// Convex pieces of a lathe: cylinder geoms, meshes of whole turns, and wedges.
 
 #include "mjforge/solid/lathe_pieces.h"
 
@@ -9,8 +9,8 @@
 namespace mjforge::solid {
 namespace {
 
-// Least share of its area that a polygon must keep when only the corners that face the axis are
-// moved outwards; otherwise all its corners are moved.
+// Least share of its area that a polygon must keep when only its corners that face the axis are
+// moved onto the circumscribed polygon of a circle. Otherwise all its corners are moved.
 constexpr double kLeastArea = 0.75;
 constexpr double kLevel = 1e-9;  // largest slope of a level side
 
@@ -124,7 +124,7 @@ class LathePieceMaker {
     return {p.x() * std::cos(turn), p.x() * std::sin(turn), p.y()};
   }
 
-  /// Returns the piece between the angles 0 and `step_`, repeated for each facet.
+  /// Returns the piece between the angles 0 and `step_` about the axis, repeated for each facet.
   ConvexPiece Wedge(const Polygon& polygon) const {
     ConvexPiece piece;
     piece.turns.clear();

@@ -1,4 +1,4 @@
-// Convex pieces of a lathe.
+// Convex pieces of a lathe (a solid of revolution), with which the lathe collides.
 
 #pragma once
 

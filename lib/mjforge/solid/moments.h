@@ -25,7 +25,7 @@ inline constexpr std::size_t kArcNodes = 30;
 /// Unit vectors from the centre of an arc to its quadrature nodes, then to its two ends. Arcs that
 /// differ only in centre and radius have the same unit vectors.
 using ArcDirections = std::array<Point2, kArcNodes + 2>;
-/// Returns the unit vectors of each corner; those of a sharp corner are undefined.
+/// Returns the unit vectors of the arc at each corner; those of a sharp corner are undefined.
 std::vector<ArcDirections> DirectionsOf(const std::vector<RoundedCorner>& corners);
 std::vector<QuadratureNode> NodesOf(const std::vector<RoundedCorner>& corners,
                                     const std::vector<ArcDirections>& directions);

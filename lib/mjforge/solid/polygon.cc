@@ -1,4 +1,4 @@
-// Polygons in a plane: area, convex hull, clipping.
+// Area, convex hull, clipping and containment of polygons in a plane.
 
 #include "mjforge/solid/polygon.h"
 

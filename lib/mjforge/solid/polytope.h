@@ -1,5 +1,5 @@
-// Boxes and flat hulls as convex polyhedra, and the solids at a distance around them (Minkowski
-// sums with a ball).
+// Convex polyhedra: boxes, flat hulls, triangulation, and Minkowski sums with a ball (polyhedra
+// with rounded edges).
 
 #pragma once
 

@@ -102,8 +102,8 @@ std::vector<ConvexPiece> PiecesOf(const BasePolygon& base, const Prism& prism) {
     return pieces;
   }
   AddPieces(sections.middle, edge, pieces);
-  // Pieces of the cross section at the ends of a bevelled prism run through the full height, and
-  // omit the bevelled edges.
+  // For a bevelled prism, adds pieces over the full height with the smaller cross section of the
+  // ends. Together, all pieces omit only the bevelled edges.
   if (prism.bevel > 0) AddPieces(sections.end, top, pieces);
   return pieces;
 }
@@ -137,7 +137,8 @@ std::optional<Solid> Make(const Prism& prism, Fault& fault) {
     return cut ? MakeCutPrism(prism, *cut, fault) : std::nullopt;
   }
   std::optional<Solid> plain = PlainPrism(prism);
-  // MuJoCo also renders the piece, but without texture coordinates.
+  // Without a texture, no render mesh is needed, because MuJoCo also renders the piece. The mesh of
+  // the piece has no texture coordinates.
   if (plain && prism.texture.unit == TextureMapping::Unit::kNone) return plain;
   const std::optional<BasePolygon> base = BasePolygonOf(prism, fault);
   if (!base) return plain;

@@ -1,4 +1,4 @@
-// Partition of areas into rectangles where all sides are parallel to the axes.
+// Partition of an area into rectangles, if all sides of the area are parallel to the axes.
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,8 @@ std::vector<Side> SidesOf(const Area& area) {
   return sides;
 }
 
-/// Returns the x, in ascending order, at which upright sides cross the row from `low` to `high`.
+/// Returns the x coordinates, in ascending order, at which vertical sides cross the row of
+/// rectangles between the heights `low` and `high`.
 std::vector<double> CrossingsOf(const std::vector<Side>& sides, double low, double high,
                                 double same) {
   std::vector<double> crossings;

@@ -10,8 +10,9 @@
 namespace mjforge::solid {
 namespace {
 
-// Rounds halves away from zero, as std::round (which is a call of the C library), but never to -0.
-// Numbers from 2^52 on are whole. If 0.5 were added, the number just below 0.5 would become 1.
+// Returns the nearest whole number. Rounds halves away from zero, like std::round, but without a
+// call of the C library, and never returns -0. Numbers from 2^52 on are whole. Adds slightly less
+// than 0.5: with 0.5, the number just below 0.5 would become 1.
 double RoundToWhole(double number) {
   constexpr double kBelowHalf = 0x1.fffffffffffffp-2;
   if (!(std::abs(number) < 0x1p52)) return number;
@@ -68,7 +69,8 @@ void RoundCoordinates(TriangleMesh& mesh) {
   if (!(size > 0)) return;
   mesh.in_micrometres = size >= 2e-3 && size <= 10;
   const auto round = [](auto& vectors, double per_unit) {
-    // Division gives the double nearest to the decimal number.
+    // Divides instead of multiplying, because the quotient is the double nearest to the decimal
+    // number.
     for (auto& v : vectors) {
       for (double& number : v) number = RoundToWhole(number * per_unit) / per_unit;
     }

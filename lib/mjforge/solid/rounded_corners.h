@@ -18,8 +18,8 @@ struct RoundedCorner {
 };
 
 /// Rounds each corner of an outline with its radius (0 leaves the corner sharp) and moves all sides
-/// by `inset` to their left: arcs that turn left shrink by `inset`, others grow. Returns nullopt
-/// and sets `fault` if a side is too short.
+/// by `inset` to their left: the radii of arcs that turn left shrink by `inset`, others grow.
+/// Returns nullopt and sets `fault` if a side is too short.
 std::optional<std::vector<RoundedCorner>> RoundCorners(const Outline& outline,
                                                        const std::vector<double>& radii,
                                                        double inset, Fault& fault);

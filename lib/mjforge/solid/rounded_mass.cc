@@ -12,7 +12,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Adds the tetrahedron p a b c: integrals of 1, x and x x^T over the simplex.
+/// Adds the moments of the tetrahedron p a b c: integrals of 1, x and x x^T over the simplex.
 void AddTetrahedron(const Vector3d& p, const Vector3d& a, const Vector3d& b, const Vector3d& c,
                     Moments& sum) {
   const double six = (a - p).dot((b - p).cross(c - p));
@@ -24,7 +24,7 @@ void AddTetrahedron(const Vector3d& p, const Vector3d& a, const Vector3d& b, con
                  b * b.transpose() + c * c.transpose());
 }
 
-/// Adds a triangle extruded by `up`.
+/// Adds the moments of a triangle extruded by the vector `up`.
 void AddSlab(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& up,
              Moments& sum) {
   AddTetrahedron(a, b, c, c + up, sum);
@@ -32,7 +32,8 @@ void AddSlab(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vect
   AddTetrahedron(a, b + up, c + up, a + up, sum);
 }
 
-/// Adds the sector of a cylinder about the edge ab, between the unit vectors m and n.
+/// Adds the moments of the sector of a cylinder about the edge ab, between the unit vectors m and
+/// n.
 void AddSector(const Vector3d& a, const Vector3d& b, const Vector3d& m, const Vector3d& n, double r,
                Moments& sum) {
   const Vector3d edge = b - a;
@@ -53,10 +54,10 @@ void AddSector(const Vector3d& a, const Vector3d& b, const Vector3d& m, const Ve
                           c * first.transpose() + first * c.transpose() + second);
 }
 
-/// Adds the cone with apex v over the spherical polygon of the normals, the part of a ball at a
-/// vertex. The integral of 1 over the spherical polygon is the solid angle of its triangles (Van
-/// Oosterom and Strackee, 1983); the integrals of n and n n^T follow from the divergence theorem on
-/// the sphere, along the polygon's great arcs.
+/// Adds the moments of the part of a ball at a vertex: the cone with apex v over the spherical
+/// polygon of the normals. The integral of 1 over the spherical polygon is the solid angle of its
+/// triangles (Van Oosterom and Strackee, 1983); the integrals of n and n n^T follow from the
+/// divergence theorem on the sphere, along the polygon's great arcs.
 void AddCone(const Vector3d& v, const std::vector<Vector3d>& normals, double r, Moments& sum) {
   double solid_angle = 0;
   Vector3d first = Vector3d::Zero();

@@ -65,7 +65,7 @@ struct Solid {
   Extent extent = {};  // empty if the vertices of the pieces, or of the render mesh, are exact
 };
 
-/// Texture coordinates of a mesh, with all repetitions, because MuJoCo ignores `texrepeat`.
+/// Texture coordinates of a mesh, with all repetitions: MuJoCo ignores `texrepeat` for meshes.
 struct TextureMapping {
   enum class Unit { kNone, kWhole, kMetre };
   /// Length over which the picture appears `repeat` times: the whole surface (around and along), or

@@ -1,4 +1,4 @@
-// Convex hull of a tube, as curves.
+// Extent of a tube: curves whose convex hull is the convex hull of the tube.
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// Placement of frames along segments, and their parallel transport.
+// Frames along the segments of a path: points, tangents, and rotation-minimizing normals.
 
 #include <algorithm>
 #include <cmath>

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 using std::numbers::pi;
-constexpr int kAlongCurve = 32;  // frames in four cubic segments
+constexpr int kAlongCurve = 32;  // frames along four cubic segments
 
 class SweepMesher {
  public:

@@ -1,4 +1,5 @@
-// Reader of `bodies:`: contents, properties for expressions, joints, and the check of parents.
+// Reader of `bodies:`: contents and joints of bodies, properties that expressions can use, and
+// checks of names and parents.
 
 #include <algorithm>
 #include <array>
@@ -13,10 +14,10 @@ namespace {
 
 using diag::Code;
 
-// Keys for the content of a body. A body has only one of these keys.
+// Keys that give the content of a body. A body has at most one of these keys.
 constexpr std::array<std::string_view, 3> kContents = {"parts", "spec", "mjcf"};
 
-// Keys that have no meaning for the links of a chain.
+// Keys of a body that must not occur together with `chain:`.
 constexpr std::array<std::string_view, 3> kNotInChains = {"place", "fewer", "regions"};
 
 class BodyEntryReader {
@@ -31,7 +32,8 @@ class BodyEntryReader {
     if (const YamlNode* parts = map.Find("parts"))
       body.parts = ReadEntries(kPartElement, *parts, context_);
     if (const YamlNode* spec = map.Find("spec")) entries_.ReadNested(map, *spec, body.head);
-    // Declare the body's properties first: its fields, sites, views and joints may use them.
+    // Declares the properties of the body before reading its fields, sites, views and joints, whose
+    // expressions can use the properties.
     DeclareProperties(body);
     body.head.fields = ReadFields(kBodyElement, map, context_);
     if (const YamlNode* sites = map.Find("sites"))
@@ -214,13 +216,14 @@ class ParentChecker {
   }
 
   // Returns true if an entry before entry `i` may create a body named `parent`: an entry whose name
-  // is computed, or an entry NAME whose content may have a body NAME_... of this name.
+  // is computed, or an entry NAME if `parent` has the form NAME_..., because the spec or file of
+  // NAME may contain such a body.
   bool MayComeLater(std::string_view parent, std::size_t i) const {
     if (first_computed_name_ < i) return true;
     for (std::size_t k = 0; k < i; ++k) {
       const auto name = LiteralText(bodies_[k].head.name);
       if (name && parent.starts_with(*name) && parent.substr(name->size()).starts_with("_")) {
-        return true;  // the assembled model is checked for bodies inside another spec or file
+        return true;  // checked after assembly, when bodies inside a spec or file are known
       }
     }
     return false;
@@ -233,7 +236,8 @@ class ParentChecker {
                           diag::DidYouMean(parent, names));
   }
 
-  // Reports that a parent comes after its child, or that bodies are parents of each other.
+  // Reports that the parent of entry `i`, the entry with index `parent`, comes after its child, or
+  // that bodies are parents of each other.
   void ReportForward(std::size_t i, std::size_t parent, diag::SourceMark mark) {
     const std::string name(LiteralText(bodies_[i].head.name).value_or("?"));
     std::string circle = name;
@@ -263,7 +267,7 @@ class ParentChecker {
   Context& context_;
   const std::vector<BodyEntry>& bodies_;
   std::map<std::string_view, std::vector<std::size_t>> by_name_;
-  // Index of the first entry with a computed name.
+  // Index of the first entry with a computed name; the largest number if there is none.
   std::size_t first_computed_name_ = static_cast<std::size_t>(-1);
 };
 

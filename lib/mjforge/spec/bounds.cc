@@ -1,4 +1,4 @@
-// Intervals that contain the values of a parameter in all variants of a spec.
+// Computation of bounds from literals, constant expressions and distributions.
 
 #include "mjforge/spec/bounds.h"
 

@@ -13,8 +13,8 @@
 
 namespace mjforge::spec {
 
-/// Position of a joint (its qpos in MuJoCo): an entry of `at:`, at which an expectation or a check
-/// is evaluated, or of `pose:` of an object or a view.
+/// Position that a spec gives for a joint (its qpos in MuJoCo): an entry of `at:` of an expectation
+/// or a check, or an entry of `pose:` of an object or a view.
 struct JointPosition {
   Value joint;  // a text: the joint's name
   diag::SourceMark mark;
@@ -33,7 +33,7 @@ struct Expectation {
   std::string doc;
 };
 
-/// The section `checks:`. Settings (`checks.KEY`) replace values of this section.
+/// The section `checks:`, after settings (`checks.KEY`) have replaced some of its values.
 struct Checks {
   std::vector<Field> fields;
   struct Silence {
@@ -74,7 +74,8 @@ struct Checks {
   };
   std::vector<PartCheck> parts;
 };
-/// Returns true for codes that `checks: {silence: ...}` accepts: physics/... and spec/unused.
+/// Returns true for findings that `checks: {silence: ...}` accepts: those of physical checks
+/// (physics/...), and spec/unused.
 bool CanBeSilenced(diag::Code code);
 
 }  // namespace mjforge::spec

@@ -1,4 +1,4 @@
-// Reader of `checks:`: thresholds of physical checks, and findings to ignore.
+// Reader of `checks:`: thresholds and objects of the physical checks, and findings to ignore.
 
 #include <algorithm>
 
@@ -12,8 +12,8 @@ namespace {
 using diag::Code;
 using diag::SourceMark;
 
-// Returns the mapping `checks:`, in which settings replace values of the spec. A setting with the
-// value null removes the key, so that the default applies.
+// Returns the mapping `checks:` after replacing its values by the settings `checks.KEY`. A setting
+// with the value null removes the key, and the default then applies.
 YamlNode WithSettings(const YamlNode* checks, std::span<const SettingNode> settings) {
   YamlNode map;
   if (checks != nullptr) map = *checks;
@@ -29,7 +29,8 @@ YamlNode WithSettings(const YamlNode* checks, std::span<const SettingNode> setti
   return map;
 }
 
-// Reports a drawn threshold, because variants with different thresholds cannot be compared.
+// Reports a threshold that is drawn: the results of variants with different thresholds could not be
+// compared.
 void RejectDraw(std::string_view key, SourceMark mark, const Value& value, Context& context) {
   if (!HasDraw(value)) return;
   context.findings.Add(Code::kSpecBadValue, mark,

@@ -1,4 +1,4 @@
-// Options of a choice or a cycle as JSON text, if the options are the same in all variants.
+// Conversion of values that are the same in all variants to JSON text.
 
 #include "mjforge/spec/constant_json.h"
 

@@ -1,4 +1,4 @@
-// Functions that read the sections of a spec, and the state that they share.
+// Functions that read the sections of a spec, and the state that all readers share.
 
 #pragma once
 
@@ -48,7 +48,7 @@ void CheckNeeds(std::string_view key, std::string_view other, const YamlNode& ma
                 Context& context);
 
 /// Adds a finding for each of `keys` that the mapping has beside `key`. `reason` is the text that
-/// explains why `key` excludes them.
+/// explains why the keys exclude each other.
 void RejectBeside(std::string_view key, std::span<const std::string_view> keys, const YamlNode& map,
                   std::string_view reason, Context& context);
 
@@ -62,16 +62,17 @@ bool IsMap(const YamlNode& node, std::string_view what, Context& context);
 /// expected content ("pairs of bodies").
 bool IsList(const YamlNode& node, std::string_view what, Context& context);
 
-/// Reads the keys of a mapping that have a value (HoldsValue), not a structure such as a list of
-/// parts. Reports keys that exclude each other (two orientations, density and mass).
+/// Reads the fields of a mapping whose kind is a value (HoldsValue()), except `name`; skips
+/// structures, such as a list of parts. Reports keys that exclude each other (two orientations,
+/// density and mass).
 std::vector<Field> ReadFields(const ElementInfo& element, const YamlNode& map, Context& context);
 
 /// Reads the mapping under the key `element.name` of `map` into a child of `entry`, and returns the
 /// child; null if there is no such mapping.
 Entry* ReadChild(const ElementInfo& element, const YamlNode& map, Entry& entry, Context& context);
 
-/// Returns true if an element may have only one of the two fields: mass and density, pos and
-/// fromto.
+/// Returns true if the two fields are the same, or if an element may have only one of them: mass
+/// and density, pos and fromto.
 bool ExcludeEachOther(const FieldInfo& a, const FieldInfo& b);
 
 /// Returns the field with this key; null if there is none.
@@ -87,23 +88,23 @@ void CheckName(std::string_view what, std::string_view name, diag::SourceMark ma
 bool CheckNotReserved(std::string_view what, std::string_view name, diag::SourceMark mark,
                       diag::Findings& findings);
 
-/// Reads `functions:` and defines the functions for all expressions that are read later.
+/// Reads `functions:`, and defines the functions for all expressions that are read later.
 void ReadFunctions(const YamlNode& functions, Context& context);
 /// Checks the expressions that define the functions. Call CheckFunctions() after the parameters are
 /// declared.
 void CheckFunctions(Context& context);
-/// Returns `names` and, for each function among them, the names that the function's expression
-/// uses.
+/// Returns `names` and, for each function among them, the names that the body of the function uses,
+/// directly or through other functions.
 std::vector<std::string> WithNamesInFunctions(std::vector<std::string> names,
                                               const expr::SymbolTable& known);
 
-/// A setting, which replaces a value of the spec: the name of a parameter, `checks.KEY`,
-/// `root.joints` or `root.start`, and the new value.
+/// A setting, which replaces a value of the spec by another one. `name` is that of a parameter,
+/// `checks.KEY`, `root.joints` or `root.start`.
 struct SettingNode {
   std::string name;
   YamlNode value;
 };
-/// Reads `params:` and `require:`, with settings in place of the parameters' own values.
+/// Reads `params:` and `require:`. Settings replace the values that the spec gives to parameters.
 void ReadParameters(const YamlNode* params, const YamlNode* require,
                     std::span<const SettingNode> settings, Context& context);
 
@@ -112,8 +113,8 @@ void ReadMaterials(const YamlNode& materials, const std::filesystem::path& folde
                    Context& context);
 void ReadDefaults(const YamlNode& defaults, Context& context);
 
-/// Reads a list of parts, sites, cameras, lights or joints. Reports repeated names among entries
-/// that exist in every variant.
+/// Reads a list of parts, sites, regions, cameras, lights or joints. Reports repeated names among
+/// entries that exist in every variant.
 std::vector<Entry> ReadEntries(const ElementInfo& element, const YamlNode& list, Context& context);
 /// Reads `regions:` of an object or a body: a list of regions, or the word `auto`.
 std::vector<Entry> ReadRegions(const YamlNode& regions, Context& context);
@@ -122,12 +123,12 @@ std::vector<Entry> ReadViews(const YamlNode& map, Context& context);
 void ReadJoints(const YamlNode& joints, Context& context);
 /// Reads `screw:` and `couple:` of a joint into children of the joint's entry.
 void ReadCouplings(const YamlNode& joint, Entry& entry, Context& context);
-/// Reports keys of a joint that exclude `detent:`, and a missing range.
+/// Reports keys and types of a joint that exclude `detent:`, and a missing `range`.
 void CheckDetent(const YamlNode& joint, const Entry& entry, Context& context);
 /// Returns true for `joints: free` and false for `joints: none`. Returns nullopt, and adds a
 /// finding, for other words.
 std::optional<bool> IsFreeWord(const YamlNode& joints, Context& context);
-/// Reads the joint positions in `at:` of an entry of `expect:` or `checks:`.
+/// Reads a mapping of joint names to positions: `at:` of an expectation or a check, or `pose:`.
 std::vector<JointPosition> ReadPositions(const YamlNode& positions, Context& context);
 /// Reads the start state of an object: `pose:`, a mapping or a list.
 std::vector<Entry> ReadStarts(const YamlNode& pose, Context& context);
@@ -147,8 +148,8 @@ int DeclareBodyProperties(const std::string& prefix, expr::SymbolTable& names);
 /// NAME.subtree_top and the other properties of subtrees, NAME.pos of sites, and torque(NAME) of
 /// the joints in `joint_lists`.
 void DeclareWholeProperties(std::span<const YamlNode* const> joint_lists, Context& context);
-/// Sets the slot of a joint's entry to the slot of the variable torque(NAME). Reports uses of
-/// torque() in the keys from which the torque is computed.
+/// Sets the slot of a joint's entry to that of the variable torque(NAME), if this variable is
+/// declared. Reports uses of torque() in the keys of the joint that determine the torque.
 void ReadTorqueUse(const YamlNode& joint, Entry& entry, Context& context);
 
 /// Reads `place:` of an entry of `bodies:`; returns nullopt if the entry has no `place:`.
@@ -164,7 +165,7 @@ inline constexpr std::string_view kRootJoints = "root.joints";
 inline constexpr std::string_view kRootStart = "root.start";
 /// Prefix of the settings that replace values of `checks:`.
 inline constexpr std::string_view kChecksPrefix = "checks.";
-/// Reads `checks:`, in which settings replace values. `checks` may be null.
+/// Reads `checks:`, and replaces its values by the settings `checks.KEY`. `checks` may be null.
 void ReadChecks(const YamlNode* checks, std::span<const SettingNode> settings, Context& context);
 
 /// Sets the slots of properties of bodies, joints and sites to -1 if no expression uses the
@@ -175,8 +176,8 @@ void DropUnusedProperties(Context& context);
 /// `materials` may be null.
 void ReportUnused(const YamlNode* materials, Context& context);
 
-/// Reports fields that the type of a part requires but the part lacks, fields that the type does
-/// not take, and a wrong count of sizes. Does nothing unless the type is a literal.
+/// Reports a missing type. If the type is a literal, also reports fields that the type requires but
+/// the part lacks, fields that the type does not take, and a wrong count of sizes.
 void CheckPart(const Entry& part, Context& context);
 
 }  // namespace mjforge::spec

@@ -1,4 +1,4 @@
-// Texts of new specs: copies of specs, with references to the same files, and the starter spec.
+// Texts of new specs: copies of a spec that refer to the same files, and the starter spec.
 
 #include <algorithm>
 #include <array>
@@ -31,7 +31,7 @@ bool Has(std::span<const std::string_view> keys, std::string_view key) {
   return std::ranges::find(keys, key) != keys.end();
 }
 
-// Collects changes of the file references in the text of a spec, and applies them.
+// Collects replacements for the file references in the text of a spec, and applies them.
 class TextCopier {
  public:
   TextCopier(const diag::Sources& sources, std::uint32_t source, fs::path from, fs::path to,
@@ -45,7 +45,7 @@ class TextCopier {
     }
   }
 
-  /// Collects changes of the references to files in a node and its inner nodes.
+  /// Collects replacements for the references to files in a node and its inner nodes.
   void Visit(const YamlNode& node) {
     for (const YamlNode& item : node.items) Visit(item);
     for (const YamlNode::Pair& pair : node.pairs) {
@@ -87,8 +87,8 @@ class TextCopier {
     return !name.empty() && fs::is_regular_file(file, error) ? std::optional(file) : std::nullopt;
   }
 
-  // Returns the file's name in the search path if it has one, otherwise its path relative to the
-  // new folder.
+  // Returns the reference to a spec for the copy: the name in the search path if `file` has one,
+  // otherwise the path relative to the new folder.
   std::string ReferenceTo(const fs::path& file) const {
     for (const fs::path& shelf : search_path_) {
       fs::path name = file.lexically_relative(Canonical(shelf));
@@ -100,10 +100,11 @@ class TextCopier {
     return file.lexically_relative(to_).generic_string();
   }
 
-  // Replaces a quoted or plain scalar. Leaves scalars in other YAML styles unchanged.
+  // Records the replacement of a quoted or plain scalar. Leaves scalars in other YAML styles
+  // unchanged.
   void Replace(const YamlNode& scalar, const std::string& text) {
     std::size_t at = lines_[scalar.mark.line - 1] + scalar.mark.column - 1;
-    while (at < text_.size() && (text_[at] == '&' || text_[at] == '!'))  // anchor or tag
+    while (at < text_.size() && (text_[at] == '&' || text_[at] == '!'))  // skips anchors and tags
       at = text_.find_first_not_of(' ', text_.find(' ', at));
     if (at >= text_.size()) return;
     const std::size_t size = text_[at] == '\'' || text_[at] == '"' ? QuotedSize(at)
@@ -143,9 +144,9 @@ class TextCopier {
   fs::path from_;
   fs::path to_;
   const std::vector<fs::path>& search_path_;
-  std::vector<std::size_t> lines_;  // offset of each line
-  /// Changes by offset, from the last to the first, so that offsets remain valid: length of the old
-  /// text, and new text.
+  std::vector<std::size_t> lines_;  // byte offset of each line
+  /// Replacements by byte offset: the length of the old text, and the new text. The map begins with
+  /// the last offset, because a replacement does not move the text before it.
   std::map<std::size_t, std::pair<std::size_t, std::string>, std::greater<>> changes_;
 };
 

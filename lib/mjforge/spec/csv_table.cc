@@ -1,4 +1,4 @@
-// Reader of CSV tables: the parser, columns with units, and their checks.
+// Reader of CSV tables: the CSV parser, and columns with their types, units and checks.
 
 #include "mjforge/spec/csv_table.h"
 
@@ -172,8 +172,8 @@ class TableReader {
                     fmt::format("'{}' is not a number; the column's unit is {}", cell.text, unit));
       return YamlNode::Scalar("1", cell.mark);
     }
-    // Append a unit that is not an SI unit (12 becomes 12mm), so that the number is converted to SI
-    // units like a number in an expression.
+    // Appends a unit that is not an SI unit (12 becomes 12mm), so that the number is converted to
+    // SI units like a number in an expression.
     const auto named = expr::FindUnit(unit);
     const std::string_view carried = named && !named->is_si ? unit : std::string_view();
     return YamlNode::Scalar(std::string(Trim(cell.text)).append(carried), cell.mark);

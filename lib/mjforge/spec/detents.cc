@@ -1,4 +1,4 @@
-// Checks of `detent:` of a joint against its other keys.
+// Checks of the key `detent` of a joint against the other keys of the joint.
 
 #include <fmt/format.h>
 

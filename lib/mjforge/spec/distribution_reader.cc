@@ -32,14 +32,15 @@ const DistributionInfo* FindDistribution(std::string_view key) {
   return found == all.end() ? nullptr : &*found;
 }
 
-// Returns true if a field of this kind can be drawn from the distribution.
+// Returns true if values of this kind can be drawn from the distribution.
 bool Fits(const DistributionInfo& info, FieldKind kind) {
   if (info.arguments < 0 || kind == FieldKind::kAnything) return true;
   if (info.id == Distribution::kBernoulli) return kind == FieldKind::kBoolean;
   return kind == FieldKind::kNumber || kind == FieldKind::kInteger || kind == FieldKind::kNumbers;
 }
 
-// Returns true if a mapping that contains the key `main` of a draw may also contain `key`.
+// Returns true if `key` is an option of the kind of draw that the key `main` names: `clip` beside
+// `normal`, `count` beside `each`.
 bool IsOption(std::string_view key, std::string_view main) {
   if (const DistributionInfo* info = FindDistribution(main))
     return !key.empty() && (key == info->option || key == info->flag);
@@ -110,7 +111,7 @@ Value ValueReader::ReadVectorForm(std::string_view key, const ExpectedForm& expe
                     expected.max_count == 1 ? "is" : "are"));
     return value;
   }
-  draws_.random |= key != kHsv;  // a colour is random only if its items are drawn
+  draws_.random |= key != kHsv;  // a colour is random only if its items are
   if (key != kOnSphere) CheckMeaning(key == kHsv, expected, node);
   if (key == kAbout) {
     value.form = RotationAbout{std::make_shared<const Value>(
@@ -280,7 +281,7 @@ void ValueReader::ReadOptions(const ExpectedForm& expected, const YamlNode& list
     return item.kind == YamlNode::Kind::kList &&
            (item.items.size() > 4 || ItemType(item) != Type::kNumber);
   };
-  // If one option is a list, read all options as lists, also short ones, which would otherwise be
+  // Reads all options as lists if any option is a list. Short lists would otherwise be read as
   // vectors.
   Value kind;
   kind.is_list = expected.kind == FieldKind::kAnything && std::ranges::any_of(list.items, is_list);

@@ -1,4 +1,4 @@
-// The table of random distributions.
+// Distributions of draws: keys in a spec, arguments and options.
 
 #pragma once
 
@@ -7,8 +7,8 @@
 
 namespace mjforge::spec {
 
-/// A kind of random draw. The name of the distribution is a key of the mapping that describes the
-/// draw.
+/// A kind of draw. A spec describes a draw by a mapping in which the name of the distribution is a
+/// key: {normal: [0, 1]}.
 enum class Distribution {
   kUniform,
   kLogUniform,

@@ -1,4 +1,4 @@
-// Readers that all elements share: checks of keys, fields with values, names.
+// Functions for elements of all kinds: checks of keys, fields with values, search for fields.
 
 #include <algorithm>
 #include <span>
@@ -12,7 +12,7 @@ namespace {
 
 using diag::Code;
 
-// Keys that exclude each other, because they define the same property.
+// Groups of keys that define the same property. An element may have only one key of a group.
 constexpr Key kOrientations[] = {Key::kQuat,   Key::kEuler, Key::kAxisAngle,
                                  Key::kXyAxes, Key::kZAxis, Key::kFromTo};
 constexpr Key kMasses[] = {Key::kDensity, Key::kMass};
@@ -34,7 +34,8 @@ bool Has(const ExclusiveKeys& group, Key key) {
   return std::ranges::find(group.keys, key) != group.keys.end();
 }
 
-// Returns the article before the name of an element: "a " or "an "; an empty text before a plural.
+// Returns the indefinite article for the name of an element: "a " or "an "; an empty text for a
+// plural.
 std::string_view Article(std::string_view name) {
   if (name == "checks" || name == "defaults" || name == "holds") return "";
   return std::string_view("aeiou").find(name[0]) != std::string_view::npos ? "an " : "a ";
@@ -56,9 +57,9 @@ void CheckOneOf(const ExclusiveKeys& group, const std::vector<Field>& fields, Co
   }
 }
 
-// Returns kSlide for a slide joint, and kTurn for a hinge or ball joint; a joint without a type is
-// a hinge. Returns kAny for other elements, and if the spec does not give one of these types as a
-// literal (if the type is drawn, for example).
+// Returns the motion of a joint: kSlide for a slide joint, kTurn for a hinge or ball joint; a joint
+// without a type is a hinge. Returns kAny for a free joint, for a type that is not a literal (drawn
+// or computed), and for other elements.
 Motion MotionOf(const ElementInfo& element, const YamlNode& map, const Context& context) {
   if (&element != &kJointElement) return Motion::kAny;
   const YamlNode* own = map.Find("type");

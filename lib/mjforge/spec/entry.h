@@ -20,8 +20,8 @@ namespace mjforge::spec {
 
 struct ObjectSpec;
 
-/// A value that is the same in all variants and that the field table allows. Points, outlines and
-/// joint positions are never stored in this form.
+/// A value that is the same in all variants and valid according to the field table. Points,
+/// outlines and joint positions are never stored in this form.
 struct ConstantValue {
   std::vector<double> numbers;  // 1 for true, 0 for false; empty for a text
   std::string text;             // MJCF of the value: "0.5 0.5 1", "true", "box"
@@ -45,7 +45,8 @@ struct Local {
   Value value;
 };
 
-/// An entry of `parts:`, `sites:`, `joints:`, `contact: exclude:` or of a section of `mjcf:`.
+/// An entry of a list in a spec: `parts:`, `sites:`, `joints:`, `bodies:`, `pose:`, `expect:`, a
+/// section of `mjcf:`, and others.
 struct Entry {
   const ElementInfo* element = nullptr;
   diag::SourceMark mark;
@@ -53,9 +54,9 @@ struct Entry {
   bool condition_uses_locals = false;
   std::vector<Loop> loops;    // outermost first
   std::vector<Local> locals;  // in the order of the file
-  Value name;                 // text; empty for a frame without a name
-  // Keys that hold a value, without `name`: first the entry's own keys, then defaults for missing
-  // keys.
+  Value name;                 // text; empty if the entry has no name
+  // Fields whose kind is a value, without `name`: first those of the entry itself, then defaults
+  // for missing keys.
   std::vector<Field> fields;
   // True for a frame, whose pose is in `fields` and whose parts are `children`.
   bool is_frame = false;
@@ -64,10 +65,12 @@ struct Entry {
   // Slot (index of the variable) of torque(NAME) of a joint, or of NAME.pos of a site; -1 if no
   // expression uses the variable.
   int slot = -1;
-  // Only for `spec:` of a part or a body: the referenced spec, and the parameters set for it.
+  // Only for `spec:` of a part or a body: the nested spec, and the values that replace those of its
+  // parameters.
   std::shared_ptr<const ObjectSpec> nested;
   std::vector<std::pair<std::string, Value>> overrides;
-  // Pairs of a material of `nested` and the name of this spec's material that replaces it.
+  // Materials that replace materials of `nested`: pairs of a name in `nested` and a name in this
+  // spec.
   std::vector<std::pair<std::string, Value>> substitutes;
 
   const Field* Find(Key id) const;
@@ -95,7 +98,7 @@ struct PlaceEntry {
 
 /// An entry of `bodies:`: inline parts, another spec, or an MJCF file.
 struct BodyEntry {
-  Entry head;  // `name`, `if`, `for`, `spec`; `fields` has parent, pose, mass, mjcf, body
+  Entry head;  // `name`, `if`, `for`, `let`, `spec`; `fields`: parent, pose, mass, mjcf, body
   std::vector<Entry> parts;
   std::vector<Entry> sites;
   std::vector<Entry> regions;
@@ -115,8 +118,8 @@ struct BodyEntry {
   std::vector<int> parameter_slots;
 };
 
-/// A section of MJCF that the spec passes through (`mjcf:`). The body pairs in the spec's `contact:
-/// exclude:` are added to the MJCF section `contact`.
+/// A section of MJCF whose elements the spec gives under `mjcf:`. The pairs of bodies in `contact:
+/// exclude:` of the spec are entries of the section `contact`.
 struct Section {
   const SectionInfo* info = nullptr;
   std::vector<Entry> entries;  // a single entry if `info->is_element`

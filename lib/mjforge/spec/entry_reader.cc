@@ -1,4 +1,4 @@
-// Reader of parts, sites, cameras, lights and joints, with frames and nested specs.
+// Reader of parts, sites, regions, cameras, lights and joints, with frames and nested specs.
 
 #include <algorithm>
 #include <map>
@@ -36,8 +36,8 @@ bool HasMaterial(const ObjectSpec& spec, std::string_view name) {
   return std::ranges::find(spec.materials, name, &Material::name) != spec.materials.end();
 }
 
-// Adds the fields of `defaults` to an entry, except fields that the entry's own fields replace or
-// exclude (`mass` excludes a default density).
+// Adds the fields of `defaults` to an entry, except fields that the entry itself has or that its
+// own fields exclude (`mass` excludes a default density).
 void AddDefaults(std::span<const Field> defaults, Entry& entry) {
   const std::size_t own = entry.fields.size();
   for (const Field& field : defaults) {
@@ -69,7 +69,7 @@ Entry EntryReader::Begin(const ElementInfo& element, const YamlNode& map, const 
   entry.element = &element;
   entry.mark = map.mark;
   if (const YamlNode* loops = map.Find("for")) entry.loops = context_.values.ReadLoops(*loops);
-  // Read the name before the local values, because a drawn local value requires a name.
+  // Reads the name before the local values, because a drawn local value requires a name.
   ReadName(named, key, naming == Naming::kRequired, entry);
   if (const YamlNode* locals = map.Find("let")) {
     ReadLocals(*locals, named.Find(key) != nullptr, entry);

@@ -1,4 +1,4 @@
-// Reader of list entries: `if`, `for`, `let`, names, fields, frames and other specs.
+// Reader of list entries: `if`, `for`, `let`, names, fields, frames and nested specs.
 
 #pragma once
 
@@ -14,21 +14,21 @@ class EntryReader {
  public:
   explicit EntryReader(Context& context) : context_(context) {}
 
-  /// Reads a list of parts, sites, cameras, lights or joints.
+  /// Reads a list of parts, sites, regions, cameras, lights or joints.
   std::vector<Entry> ReadList(const ElementInfo& element, const YamlNode& list);
 
   enum class Naming { kOptional, kRequired };
   /// Reads the loops, the name, the local values and the condition of an entry, in this order. Loop
   /// variables and local values stay declared until End(). `named` is the mapping that contains the
-  /// name, under the key `key`.
+  /// name under the key `key`.
   Entry Begin(const ElementInfo& element, const YamlNode& map, const YamlNode& named,
               Naming naming = Naming::kOptional, std::string_view key = "name");
   void End(const Entry& entry);
 
   /// Reads the nested spec of an entry: `spec:` with its `params:` and `materials:`.
   void ReadNested(const YamlNode& map, const YamlNode& spec, Entry& entry);
-  /// Reports the element's keys in `map`, except `allowed`, because they have no meaning for `what`
-  /// ("a frame").
+  /// Reports the keys of `map` that are keys of `element` but not in `allowed`: they have no
+  /// meaning for `what` ("a frame").
   void RejectKeys(const YamlNode& map, std::initializer_list<std::string_view> allowed,
                   const ElementInfo& element, std::string_view what);
 
@@ -42,7 +42,7 @@ class EntryReader {
   void ReadWeld(const YamlNode& map, const YamlNode& spec, Entry& entry);
   void ReadOverride(const YamlNode::Pair& pair, Entry& entry);
   void ReadSubstitute(const YamlNode::Pair& pair, Entry& entry);
-  /// Reports the name of a material if the spec has no such material.
+  /// Reports the literal name of a material if the spec has no such material.
   void CheckMaterial(const Value& value);
 
   Context& context_;

@@ -14,7 +14,7 @@ namespace {
 using diag::Code;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// The keys of the kinds of expectations, in the order of ExpectationKind.
+// Keys for the kinds of expectations, in the order of ExpectationKind.
 constexpr std::array kKinds = {Key::kThat, Key::kGap, Key::kTouch, Key::kApart, Key::kInside};
 
 class ExpectationReader {
@@ -56,7 +56,7 @@ class ExpectationReader {
     if (is_read) context_.spec.expectations.push_back(std::move(expectation));
   }
 
-  // Returns the pair whose key is a kind of expectation. Returns null, after adding a finding,
+  // Returns the pair whose key is in kKinds, and sets `kind`. Returns null, after adding a finding,
   // unless the mapping has exactly one such pair.
   const YamlNode::Pair* KindOf(const YamlNode& map, ExpectationKind& kind) {
     const YamlNode::Pair* only = nullptr;

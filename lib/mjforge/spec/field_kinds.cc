@@ -92,7 +92,8 @@ constexpr std::array kFieldKinds = {
     FieldKindInfo{FieldKind::kAnything, "any value"},
 };
 
-// The table must have a row for each kind, in order, because InfoOf() uses a kind as an index.
+// The table must have a row for each kind, in order, because InfoOf() uses a kind as an index of
+// the table.
 static_assert(kFieldKinds.size() == static_cast<std::size_t>(FieldKind::kAnything) + 1 &&
               std::ranges::adjacent_find(kFieldKinds, std::greater_equal(), &FieldKindInfo::kind) ==
                   kFieldKinds.end());

@@ -8,13 +8,13 @@
 
 namespace mjforge::spec {
 
-/// Description of a field kind. A text is empty if it depends on the counts, bounds or words of the
-/// field.
+/// Description of a field kind. `takes` and `schema` are empty if they are made from the field
+/// itself or from another table.
 struct FieldKindInfo {
   FieldKind kind;
   std::string_view takes;        // "list of parts"
   std::string_view schema = {};  // members of the kind's JSON Schema, with markers (see schema.cc)
-  std::string_view drawn = "a value";  // description of a draw's result that suits the kind
+  std::string_view drawn = "a value";  // result that a draw for such a field must have
 };
 
 const FieldKindInfo& InfoOf(FieldKind kind);

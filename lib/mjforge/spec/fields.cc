@@ -1,4 +1,4 @@
-// The table of the spec language, element by element.
+// Rows of the field table: the keys of each element of a spec, with kind, unit, bounds and meaning.
 
 #include "mjforge/spec/fields.h"
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// The text of a key, with its enumerator if the code interprets the key.
+// The text of a key, and the enumerator of the key if the code interprets it.
 struct KeyName {
   std::string_view key;
   Key id = Key::kAttribute;
@@ -34,8 +34,8 @@ struct CountRange {
   int max;
 };
 
-// Functions that make the rows of the table from key, kind, unit, bounds, default and meaning. An
-// empty text means "none".
+// Functions that make a row of the table from key, kind, unit, bounds, default and meaning. An
+// empty text means that there is no unit or no default.
 constexpr FieldInfo Row(KeyName name, FieldKind kind, std::string_view default_text,
                         std::string_view doc) {
   return {.key = name.key, .id = name.id, .kind = kind, .default_text = default_text, .doc = doc};

@@ -2,7 +2,8 @@
 
 #pragma once
 
-// The parser, its suggestions, the JSON Schema and the manual's reference are made from this table.
+// The readers of specs, their hints about misspelled keys, the JSON Schema and the reference
+// chapter of the manual use this table.
 
 #include <limits>
 #include <span>
@@ -25,7 +26,7 @@ enum class FieldKind {
   kPosition,   // a position of a joint: a number, or the 4 numbers of a quaternion
   kPlainText,  // text without ${...}
   kFormat,     // the number 1, the version of the format
-  // Kinds of structure, whose content is neither drawn nor computed.
+  // Structures, and values in other forms, which the readers of the sections read.
   kParameters,
   kFunctions,
   kConditions,
@@ -73,13 +74,16 @@ enum class FieldKind {
   kSilence,
   kAnything,
 };
-/// Returns true for kinds of fields that contain a value, which may be drawn or computed.
+/// Returns true for kinds of fields that contain a value, which may be drawn or computed, and which
+/// ValueReader::Read() reads.
 constexpr bool HoldsValue(FieldKind kind) { return kind <= FieldKind::kPosition; }
 
-/// Selects the geoms of a part to which an attribute is written.
+/// Geoms of a part that get the MJCF attribute of a field: the collision geom, the visual geom, or
+/// both.
 enum class Applies { kBoth, kCollision, kVisual };
 
-/// The motion of a joint, which selects one of the two units of a field ("rad or m").
+/// Motion of a joint, which selects one of two units of a field: "rad or m" is rad for kTurn, m for
+/// kSlide. kAny allows both.
 enum class Motion { kAny, kTurn, kSlide };
 
 struct FieldInfo {
@@ -92,7 +96,7 @@ struct FieldInfo {
   /// number; "any one" for the three numbers of a direction, which may have any common unit; empty
   /// for plain numbers.
   std::string_view unit = {};
-  bool any_unit = false;                                    // units are not checked
+  bool any_unit = false;                                    // true if any unit is accepted
   std::string_view default_text = {};                       // default, for the manual; empty: none
   std::string_view words = {};                              // allowed words, separated by spaces
   double lower = -std::numeric_limits<double>::infinity();  // inclusive unless `above`
@@ -100,18 +104,18 @@ struct FieldInfo {
   bool above = false;                                       // the lower bound is exclusive
   bool required = false;
   Applies applies = Applies::kBoth;
-  /// The kind of element that the text refers to by name: "joint", "body", "geom", ...; "@objtype":
-  /// the kind is the value of the attribute objtype of the same element; empty: the text is not a
+  /// Kind of MJCF element to whose name the text refers: "joint", "body", "geom", ...; "@objtype":
+  /// the attribute objtype of the same element contains the kind; empty: the text is not a
   /// reference.
   std::string_view refers = {};
-  std::string_view doc = {};  // a single sentence
+  std::string_view doc = {};  // meaning, for the manual and the JSON Schema
 };
 
 struct ElementInfo {
   std::string_view name;  // "part", "site", ...; used in messages
   std::string_view doc;
   std::span<const FieldInfo> fields;
-  std::span<const ElementInfo> children = {};  // allowed inner elements, only in MJCF sections
+  std::span<const ElementInfo> children = {};  // allowed inner elements; only in MJCF sections
 
   const FieldInfo* Find(std::string_view key) const;
   const FieldInfo* Find(Key id) const;

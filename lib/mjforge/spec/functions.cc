@@ -57,7 +57,7 @@ bool CheckNames(const SpecFunction& function, diag::SourceMark mark, Context& co
   return true;
 }
 
-// Returns the indices of the functions that each function calls.
+// Returns, for each function, the indices of the functions that it calls directly.
 Dependencies UsesOf(const std::vector<const SpecFunction*>& all) {
   Dependencies uses;
   for (const SpecFunction* function : all) {
@@ -76,8 +76,8 @@ diag::SourceMark MarkOf(const SpecFunction& function, const Context& context) {
   return std::ranges::find(all, function.name, [](const auto& one) { return one.first; })->second;
 }
 
-// Reports functions that call each other in a circle, or in a chain that is too long. Replaces
-// their bodies by a constant, so that the expansion of calls ends.
+// Reports functions that call each other in a circle, or in a chain that is too long. Replaces the
+// bodies of the reported functions by a constant, so that the expansion of calls ends.
 void LimitCallDepth(Context& context) {
   expr::SymbolTable& names = context.spec.names;
   std::vector<const SpecFunction*> all;

@@ -11,11 +11,12 @@ namespace {
 
 using diag::Code;
 
-// Keys of a joint that exclude `screw:`, because the screw determines them.
+// Keys of a joint that must not occur together with `screw:`, because the screw determines them.
 constexpr std::string_view kOfScrew[] = {"type", "axis",  "range", "limited",
                                          "ref",  "start", "couple"};
 
-// Reports a joint whose motion cannot be coupled to another joint by an MJCF equality.
+// Reports a joint whose motion cannot be coupled to another joint by an MJCF equality, and `lead`
+// for a hinge.
 void CheckMotion(const Entry& joint, const Entry& couple, Context& context) {
   const Field* type = joint.Find(Key::kType);
   const std::string_view motion = type == nullptr ? "hinge" : LiteralText(type->value).value_or("");

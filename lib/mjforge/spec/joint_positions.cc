@@ -69,7 +69,7 @@ Value ValueReader::ReadPosition(const FieldInfo& field, const YamlNode& node, Mo
   }
   Value value = Read(form, node, motion);
   if (value.components != 2 && value.components != 3) return value;
-  if (!is_turn) {  // Read() reports a wrong quaternion
+  if (!is_turn) {  // Read() already reported a wrong quaternion
     findings_.Add(
         Code::kSpecWrongType, value.mark,
         fmt::format("a position is a number or the four of a quaternion, not {}", KindText(value)));
@@ -84,7 +84,7 @@ std::vector<JointPosition> ReadPositions(const YamlNode& positions, Context& con
   for (const YamlNode::Pair& pair : positions.pairs) {
     JointPosition position = {context.values.ReadText(YamlNode::Scalar(pair.key, pair.mark)),
                               pair.mark, context.values.Read(kPosition, pair.value)};
-    if (position.value.components != 0) all.push_back(std::move(position));  // 0: reported
+    if (position.value.components != 0) all.push_back(std::move(position));  // 0: already reported
   }
   return all;
 }

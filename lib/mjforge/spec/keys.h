@@ -4,8 +4,8 @@
 
 namespace mjforge::spec {
 
-/// Keys that the code interprets. kAttribute is used for any other key, whose value is written to
-/// the MJCF element unchanged.
+/// Keys that the code interprets. kAttribute stands for all other keys: MJCF attributes whose
+/// values are written under the same name, and keys that readers find by their text.
 enum class Key {
   kAttribute,
   // Keys of objects.
@@ -65,7 +65,7 @@ enum class Key {
   kFrame,
   kRgba,
   kGroup,
-  // Keys of joints.
+  // Keys of joints, couplings and chains.
   kAxis,
   kRange,
   kLimited,
@@ -86,12 +86,12 @@ enum class Key {
   kMargin,
   kClear,
   kWalls,
-  // Keys of bodies.
+  // Keys of bodies and objects.
   kParent,
   kBody,
   kFewer,
   kFront,
-  // Keys of places: `place:`.
+  // Keys of places: `place:`, `beside:` and `pile:`.
   kAt,
   kUv,
   kBy,

@@ -25,15 +25,15 @@ struct LoadState {
   SpecFiles files;
   std::span<const SettingNode> settings;
   std::map<fs::path, std::shared_ptr<const ObjectSpec>> nested = {};
-  std::map<fs::path, std::shared_ptr<const ObjectSpec>> imported = {};  // files with parameters
+  std::map<fs::path, std::shared_ptr<const ObjectSpec>> imported = {};  // files with `params:`
 };
 
 class SpecLoader : public NestedLoader {
  public:
   explicit SpecLoader(LoadState& state) : state_(state) {}
 
-  // Loads a spec. Returns null if the file is not a mapping; after any other error, the result must
-  // not be used.
+  // Loads a spec. Returns null if the text is not a YAML mapping. After any other error, the result
+  // must not be used.
   std::unique_ptr<ObjectSpec> Load(std::uint32_t source, const fs::path& file,
                                    const fs::path& folder, std::span<const SettingNode> settings) {
     const auto root = state_.files.Parse(file, source);
@@ -107,7 +107,7 @@ class SpecLoader : public NestedLoader {
     if (const YamlNode* view = root.Find("view")) ReadView(*view, context);
     ReadWhole(root, settings, context);
     DropUnusedProperties(context);
-    // Do not check nested specs, because another spec may use only some of their materials.
+    // Skips nested specs, because another spec may use only some of their materials.
     if (state_.files.depth() == 1) ReportUnused(root.Find("materials"), context);
     spec.draws |= context.values.draws();
   }
@@ -126,8 +126,8 @@ class SpecLoader : public NestedLoader {
     if (joints != root.Find("joints")) RemoveJointPositions(root.Find("joints"), spec);
   }
 
-  // Removes the start positions (`pose:`) and positions in expectations (`at:`) of the root's own
-  // joints, when a setting replaces these joints by others.
+  // Removes the positions of the root's own joints from the start state (`pose:`) and from
+  // expectations (`at:`). Called if a setting replaces these joints by others.
   static void RemoveJointPositions(const YamlNode* joints, ObjectSpec& spec) {
     if (joints == nullptr) return;
     for (const YamlNode& joint : joints->items) {
@@ -205,9 +205,9 @@ class SpecLoader : public NestedLoader {
     YamlNode root;
   };
 
-  // Appends the files that an `import:` names, each before the files that it imports itself. Skips
-  // files that were imported before, because n files that each import two others could otherwise be
-  // read 2^n times.
+  // Appends the files that `import:` names, each followed by the files that it imports itself.
+  // Skips files that were imported before, because n files that each import two others could
+  // otherwise be read 2^n times.
   void CollectImports(const YamlNode& import, const fs::path& folder,
                       std::vector<ImportedFile>& files, Context& context) {
     if (import.kind == YamlNode::Kind::kScalar) {
@@ -237,7 +237,8 @@ class SpecLoader : public NestedLoader {
     CollectImports(others, file->parent_path(), files, context);
   }
 
-  // Returns the parameters of an imported file, which all specs that import the file share.
+  // Returns a spec with the parameters of an imported file, which all specs that import the file
+  // share.
   std::shared_ptr<const ObjectSpec> Imported(const ImportedFile& from) {
     const auto& [file, root] = from;
     std::shared_ptr<const ObjectSpec>& known = state_.imported[file];
@@ -263,7 +264,7 @@ class SpecLoader : public NestedLoader {
     return known = spec;
   }
 
-  // Reads the materials and defaults of an imported file. Their expressions cannot use parameters
+  // Reads the materials and defaults of an imported file. Expressions in them cannot use parameters
   // of the importing file.
   void ReadImported(const ImportedFile& from, Context& context) {
     expr::SymbolTable names;
@@ -282,7 +283,8 @@ class SpecLoader : public NestedLoader {
   std::set<fs::path> imported_;
 };
 
-// Parses a setting as the YAML line `name: text`, so that marks match the line shown in findings.
+// Parses a setting as the YAML line `name: text`, so that positions match the line shown in
+// findings.
 void ParseSetting(const Setting& setting, std::vector<SettingNode>& out, diag::Sources& sources,
                   diag::Findings& findings) {
   const std::uint32_t source = sources.Add(setting.origin, setting.name + ": " + setting.text);

@@ -1,4 +1,4 @@
-// Search for specs and imports in folders of the search path.
+// Search for specs and imports in the folders of the search path, and names of files in messages.
 
 #include "mjforge/spec/locate.h"
 
@@ -49,7 +49,7 @@ std::vector<fs::path> YamlFilesBelow(const fs::path& folder) {
 
 // Folders whose specs have the same names as specs in other folders: objects of robosuite, and
 // scenes. A name without a folder refers to a spec in these folders only if no other spec in the
-// same folder of the search path has the name.
+// same folder of the search path has this name.
 constexpr std::array<std::string_view, 2> kSearchedLast = {"robosuite", "scenes"};
 
 std::optional<fs::path> Named(const std::string& name, const fs::path& shelf) {
@@ -119,7 +119,7 @@ std::vector<std::string> ListSpecs(const fs::path& folder) {
     std::string why_not;
     const auto text = bytes::ReadStart(file, kMaxYamlBytes, why_not);
     if (!text) continue;
-    // Skip files without parts and bodies, because they can only be imported (libraries of
+    // Skips files without parts and bodies, because they can only be imported (libraries of
     // materials).
     if (text->find("\nparts:") == std::string::npos &&
         text->find("\nbodies:") == std::string::npos) {

@@ -35,8 +35,8 @@ void ReadMaterial(const YamlNode::Pair& pair, const std::filesystem::path& folde
   context.spec.materials.push_back(std::move(material));
 }
 
-// Keys that cannot have defaults, because each entry has its own: name, condition, repetition,
-// content, ends, outline.
+// Keys that cannot have defaults, because their values are different for each entry: name,
+// condition, repetition, content, end points, outline.
 constexpr Key kWithoutDefault[] = {Key::kName,   Key::kIf,        Key::kFor,    Key::kSpec,
                                    Key::kParams, Key::kMaterials, Key::kFrame,  Key::kParts,
                                    Key::kFromTo, Key::kUp,        Key::kPolygon};
@@ -69,7 +69,7 @@ void ReadMaterials(const YamlNode& materials, const std::filesystem::path& folde
   for (const auto& pair : materials.pairs) {
     const bool known = std::ranges::find(context.spec.materials, pair.key, &Material::name) !=
                        context.spec.materials.end();
-    // Skip an imported material if the spec or an earlier import has a material of this name.
+    // Skips an imported material if the spec or an earlier import has a material of this name.
     if (!(imported && known)) ReadMaterial(pair, folder, context);
   }
 }

@@ -1,4 +1,4 @@
-// The table of the MJCF sections that a spec passes through: elements, attributes, references.
+// The table of the MJCF sections that a spec may contain under `mjcf:`.
 //
 // Source: mj_printSchema of MuJoCo 2.2.2, with the kinds of references from its XML reference; a
 // test compares the two. The equality `distance` is left out, because MuJoCo 3 rejects it.
@@ -14,13 +14,13 @@
 namespace mjforge::spec {
 namespace {
 
-// An element: its name, then its attributes. Suffixes give the type of an attribute: `#` numbers,
-// `#1,2` numbers with these defaults, `?` true or false, `=kind` the name of another element;
-// without a suffix, the attribute is text. Lines of greater depth are the elements allowed inside
-// the preceding element. The attribute `class` is left out, because generated files have no
+// An MJCF element: its name, then its attributes. Suffixes give the type of an attribute: `#`
+// numbers, `#1,2` numbers with these defaults, `?` true or false, `=kind` the name of an element of
+// this kind; without a suffix, the attribute is text. Following lines of greater depth are elements
+// allowed inside this element. The attribute `class` is left out, because generated files have no
 // defaults.
 struct SchemaLine {
-  std::string_view section;  // empty: the section of the line before
+  std::string_view section;  // empty: that of the line before
   int depth;
   std::string_view element;
   std::string_view attributes;
@@ -172,7 +172,8 @@ FieldInfo Parse(std::string_view word) {
   return field;
 }
 
-// Table of the parsed lines. Its spans refer to vectors in deques, whose addresses never change.
+// Table made from the lines. Spans in the table refer to vectors in deques, whose addresses never
+// change.
 class SchemaTable {
  public:
   explicit SchemaTable(std::span<const SchemaLine> lines) {
@@ -187,8 +188,8 @@ class SchemaTable {
   std::span<const SectionInfo> sections() const { return sections_; }
 
  private:
-  // Removes and returns the first line with all following lines before the next one for which
-  // is_next() is true.
+  // Removes the first line of `lines`, and all lines after it up to the next line for which
+  // is_next() returns true. Returns the removed lines.
   template <typename IsNext>
   static std::span<const SchemaLine> TakeUntil(IsNext is_next, std::span<const SchemaLine>& lines) {
     const auto next = std::ranges::find_if(lines.subspan(1), is_next);

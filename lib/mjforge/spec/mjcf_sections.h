@@ -1,4 +1,4 @@
-// The MJCF sections that a spec passes through: their elements, attributes and references.
+// MJCF sections that a spec may contain under `mjcf:`, with their elements and attributes.
 
 #pragma once
 
@@ -19,8 +19,7 @@ struct SectionInfo {
 
   const ElementInfo* Find(std::string_view element) const;
 };
-/// Returns the sections in the order in which MJCF files have them. Source: mj_printSchema of
-/// MuJoCo 2.2.2.
+/// Returns the sections in their order in MJCF files. Source: mj_printSchema of MuJoCo 2.2.2.
 std::span<const SectionInfo> Sections();
 const SectionInfo* FindSection(std::string_view name);
 /// Returns the element `camera` or `light` of a body; null for other names.

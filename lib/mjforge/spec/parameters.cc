@@ -1,4 +1,4 @@
-// Reader of `params:` and `require:`, in the order of the parameters' dependencies.
+// Reader of `params:` and `require:`. Parameters are read after the parameters that they use.
 
 #include <algorithm>
 #include <array>
@@ -43,9 +43,9 @@ std::string SourceText(const YamlNode& node) {
   return FlowText(bare);
 }
 
-// Returns the indices of the parameters that each parameter uses, directly or through functions.
-// Searches the source text for names, because expressions are compiled only after the order is
-// known.
+// Returns, for each parameter, the indices of the parameters that it uses, directly or through
+// functions. Searches the source text for names, because expressions are compiled only after the
+// order is known.
 Dependencies UsesOf(const std::vector<ParameterNode>& declared, const expr::SymbolTable& names) {
   std::map<std::string, std::size_t, std::less<>> position;
   for (const ParameterNode& parameter : declared) position.emplace(parameter.name, position.size());
@@ -56,7 +56,7 @@ Dependencies UsesOf(const std::vector<ParameterNode>& declared, const expr::Symb
     if (parameter.is_key()) key = uses.size() - 1;
     if (parameter.rows != nullptr && !parameter.is_key()) used.push_back(key);
     std::vector<std::string> words;
-    // Skip the cells of a table, which are not expressions.
+    // Skips the cells of a CSV table, which are not expressions.
     for (const YamlNode::Pair& pair : parameter.value.pairs) {
       if (!IsAnnotationKey(pair.key) &&
           (parameter.kind == FieldKind::kAnything || pair.key != "choice"))
@@ -72,7 +72,7 @@ Dependencies UsesOf(const std::vector<ParameterNode>& declared, const expr::Symb
   return uses;
 }
 
-// Returns the parameters with their values in the spec, before settings replace any value.
+// Returns the parameters with the values that the spec gives them, before settings replace any.
 std::vector<Parameter> OwnParameters(const YamlNode& params, Context& context) {
   ObjectSpec own;
   own.shared = context.spec.shared;
@@ -86,14 +86,14 @@ std::vector<Parameter> OwnParameters(const YamlNode& params, Context& context) {
   return std::move(own.parameters);
 }
 
-// Reports a setting whose kind or unit differs from that of the parameter's own value. Replaces a
-// setting of another kind by a value of the parameter's kind, so that uses of the parameter are not
+// Reports a setting whose kind or unit differs from that of the value in the spec. Replaces a
+// setting of another kind by a value of the kind in the spec, so that uses of the parameter are not
 // reported as well.
 void CheckSetting(const Parameter& own, const YamlNode& node, Parameter& parameter,
                   Context& context) {
   const Value& wanted = own.value;
   Value& value = parameter.value;
-  if (wanted.components == 0) return;  // the parameter's own value is wrong
+  if (wanted.components == 0) return;  // the value in the spec is wrong, and was reported
   if (IsSameKind(value, wanted)) {
     const bool fits =
         context.values.CheckUnit(fmt::format("parameter '{}'", own.name), wanted.dimensions, value);
@@ -121,7 +121,7 @@ std::string SomeOf(std::span<const std::string> words) {
   return words.size() > kShown ? fmt::format("{}, ... ({} in all)", text, words.size()) : text;
 }
 
-// Reports a setting of a record's key to a constant that is not the key of any row.
+// Reports a setting that sets the key of a record to a constant that is in no row.
 void CheckKey(const ParameterNode& declared, const Value& value, Context& context) {
   const auto number = ConstantOf(value);
   if (!number || declared.rows->numbers.contains(*number)) return;
@@ -156,9 +156,9 @@ void CheckIsSi(const Parameter& parameter, diag::SourceMark mark, Context& conte
       fmt::format("write `unit: {}`, and 15{} for 15 {}", si, parameter.unit, parameter.unit));
 }
 
-// Reads the value of a parameter. `own` is the parameter as the spec declares it, or null if no
-// setting replaces its value. `key` is the key of the record to which the parameter belongs as a
-// column, or null.
+// Reads the value of a parameter. `own` is the parameter as the spec declares it, if a setting
+// replaces its value; otherwise null. `key` is the key of a record if the parameter is another
+// column of the record; otherwise null.
 void ReadOne(Parameter& parameter, const ParameterNode& declared, const Parameter* own,
              const Parameter* key, Context& context) {
   const YamlNode& node = declared.value;
@@ -186,7 +186,7 @@ void ReadOne(Parameter& parameter, const ParameterNode& declared, const Paramete
 }
 
 // Returns false, and adds a finding, if a parameter that chooses from texts is set to a text that
-// is not an option. Parts with a condition on the text would otherwise be left out without a
+// is not an option. Otherwise parts with a condition on the text would be left out without a
 // message.
 bool CheckPinnedChoice(const YamlNode& own, const YamlNode& pinned, Context& context) {
   const YamlNode* value = own.kind == YamlNode::Kind::kMap ? own.Find("value") : nullptr;
@@ -238,8 +238,7 @@ std::vector<bool> ApplySettings(std::span<const SettingNode> settings,
   return is_set;
 }
 
-// Returns the key of the record to which parameter `i` belongs as a column; null if there is no
-// such record.
+// Returns the key of the record of which parameter `i` is another column; null if there is none.
 const Parameter* KeyOf(std::span<const ParameterNode> declared, std::size_t i,
                        std::span<const Parameter> parameters) {
   if (declared[i].rows == nullptr || declared[i].is_key()) return nullptr;
@@ -247,7 +246,7 @@ const Parameter* KeyOf(std::span<const ParameterNode> declared, std::size_t i,
   return &parameters[i];
 }
 
-// Adds parameters and functions of imported files, except those whose names the spec itself
+// Adds the parameters and functions of imported files, except those with names that the spec itself
 // defines.
 void AddShared(const YamlNode* params, Context& context) {
   ObjectSpec& spec = context.spec;

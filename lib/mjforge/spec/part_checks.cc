@@ -1,4 +1,4 @@
-// Checks of a part's fields against its type.
+// Checks of the fields of a part against its type.
 
 #include <algorithm>
 
@@ -33,7 +33,7 @@ void CheckSizes(const Entry& part, const ShapeInfo& shape, Context& context) {
     }
     return;
   }
-  // Skip draws of vectors, because their options may differ in length. The length of the drawn
+  // Skips draws of vectors, because their options may differ in length. The length of the drawn
   // option is checked for each variant.
   const bool exact = !std::holds_alternative<Draw>(size->value.form) || size->value.components == 1;
   const int wanted = fromto != nullptr ? shape.sizes_fromto : shape.sizes;

@@ -1,4 +1,4 @@
-// JSON text of `view:`, the camera's direction and the joint positions for pictures of a spec.
+// Conversion of the picture view of a spec to JSON text.
 #include "mjforge/spec/picture_view_json.h"
 
 #include "mjforge/spec/spec.h"

@@ -1,4 +1,4 @@
-// JSON text of `view:`, the camera's direction and the joint positions for pictures of a spec.
+// JSON text of `view:`: camera direction and joint positions for pictures of a spec.
 #pragma once
 
 #include <string>

@@ -11,14 +11,15 @@ namespace {
 
 using diag::Code;
 
-// Keys of a body that exclude `place:`, because they also determine the body's pose.
+// Keys of a body that must not occur together with `place:`, which determines the pose and parent.
 constexpr std::string_view kOtherPlaces[] = {"parent",    "pos",    "quat", "euler",
                                              "axisangle", "xyaxes", "zaxis"};
-// Keys that have no meaning together with `by`, because the two sites already determine the whole
-// pose.
+// Keys of a place that must not occur together with `by`, because the two sites `at` and `by`
+// determine the pose.
 constexpr std::string_view kNotWithSites[] = {"uv", "beside", "facing", "lying", "overhang"};
 
-// Keys that have no meaning together with `pile`, because a simulation determines the pose.
+// Keys of a place that must not occur together with `pile`, because a simulation determines the
+// pose.
 constexpr std::string_view kNotInPiles[] = {"uv",     "by",    "beside", "yaw",
                                             "facing", "lying", "clear",  "overhang"};
 

@@ -193,7 +193,8 @@ std::vector<Loop> ValueReader::ReadLoops(const YamlNode& loops) {
                                        : "a loop's count cannot be drawn here",
                     "draw it as a parameter and use that parameter's name");
     }
-    // The variable has the dimensions of the list's values; a counter (`{i: 8}`) is a plain number.
+    // A loop over a list gives its variable the dimensions of the list's values; a counter (`{i:
+    // 8}`) is a plain number.
     expr::Dimensions dimensions = loop.range.dimensions;
     if (!loop.over_values()) {
       CheckPlain("a loop's count", loop.range);

@@ -25,7 +25,8 @@ const YamlNode& WithoutLongForm(const YamlNode& node) {
   return value != nullptr ? *value : node;
 }
 
-// Returns the pair that contains the options of a record; null if the parameter is not a record.
+// Returns the pair with the options of a record (`choice`, `cycle` or `rows`); null if the
+// parameter is not a record.
 const YamlNode::Pair* OptionsOf(const YamlNode& node) {
   const auto is_record = [](const YamlNode& option) {
     return option.kind == YamlNode::Kind::kMap &&
@@ -85,8 +86,8 @@ class RecordParameterReader {
     }
     declared.front().record = parameter_.key;
     declared.front().value = KeyNode(node, options, columns);
-    // Show a table as the spec writes it (`{rows: ...}`), because the list of all keys would be too
-    // long.
+    // Shows a table as the spec writes it (`{rows: ...}`), because the list of all keys would be
+    // too long.
     declared.front().source = is_table ? "" : FlowText(declared.front().value);
     return declared;
   }
@@ -139,8 +140,8 @@ class RecordParameterReader {
     }
   }
 
-  // Returns an index of the rows by their values in this column. Returns null unless these values
-  // are constants or texts, and all different.
+  // Returns an index of the rows by their values in this column. Returns null unless all values are
+  // constant numbers or plain texts, and different from each other.
   std::shared_ptr<const RecordRows> KeyOf(const TableColumn& column) const {
     auto rows = std::make_shared<RecordRows>();
     for (const YamlNode& cell : column.cells) {

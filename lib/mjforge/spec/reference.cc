@@ -1,4 +1,4 @@
-// The reference chapter of the manual, made from the tables of the language.
+// The reference chapter of the manual, made from the tables of fields, sections and distributions.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -33,7 +33,7 @@ std::string BoundsText(const FieldInfo& field) {
   return text;
 }
 
-// Escapes "|", which would end the table cell.
+// Escapes "|", which would end a cell of a Markdown table.
 std::string Cell(std::string_view text) {
   std::string out;
   for (const char c : text) out += c == '|' ? std::string("\\|") : std::string(1, c);
@@ -55,8 +55,8 @@ std::string ElementTable(const ElementInfo& element) {
   return out + "\n";
 }
 
-// Returns the names of the attributes, with the kinds of elements that they refer to. Their
-// meanings are in MuJoCo's manual.
+// Returns the names of the attributes, with the kinds of elements that they refer to. MuJoCo's
+// manual explains the attributes.
 std::string AttributeList(const ElementInfo& element) {
   std::string out;
   for (const FieldInfo& field : element.fields) {

@@ -1,8 +1,9 @@
 // JSON Schema of specs (draft-07), with which an editor completes and checks specs.
 //
-// The schema checks structure. Names, expressions and references are checked only by the parser.
-// schema.json is the schema with markers "@KIND NAME", which are replaced by text made from the
-// tables of the language. The inserted text may contain markers, too.
+// The schema checks the structure of specs. Names, expressions and references are checked only by
+// the readers of specs. schema.json is the schema with markers "@KIND NAME", which are replaced by
+// text made from the tables of fields, sections and distributions. The inserted text may contain
+// markers, too.
 
 #include <algorithm>
 #include <cmath>
@@ -122,7 +123,7 @@ std::string Word(const FieldInfo& field) {
 std::string PlainText(const FieldInfo& field) {
   if (field.id == Key::kName)
     return fmt::format(R"("type": "string", "pattern": {})", kNamePattern);
-  // Allow numbers, because `unit: 1` is text in a spec but a number in YAML.
+  // Allows numbers, because `unit: 1` is text in a spec but a number in YAML.
   return R"("anyOf": [{"type": "string"}, {"type": "number"}])";
 }
 
@@ -196,7 +197,7 @@ std::string DrawArguments(const DistributionInfo& info) {
 std::string DrawForm(const DistributionInfo& info, const JsonMembers& more_properties) {
   JsonMembers properties = {Member(info.key, DrawArguments(info))};
   if (info.option == "weights") {
-    // Also allow a text, the name of the record's column that contains the weights.
+    // Also allows a text, the name of the record's column that contains the weights.
     properties.push_back(
         Member(info.option, R"("anyOf": [{"@list number", "minItems": 1}, {"type": "string"}])"));
   } else if (!info.option.empty()) {
@@ -285,7 +286,7 @@ std::string DrawsWithDoc(std::string_view none) {
   }));
 }
 
-// Returns the definitions of lists of numbers without bounds: one for each pair of minimum and
+// Returns definitions for lists of numbers without bounds: one for each pair of a minimum and a
 // maximum count.
 std::string NumberLists(std::string_view /*none*/) {
   std::set<std::string> done;

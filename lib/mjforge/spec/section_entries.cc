@@ -11,7 +11,7 @@ namespace {
 
 using diag::Code;
 
-// A section of MJCF that specs do not accept, and a hint at the keys that replace it.
+// A section of MJCF that specs do not accept, and a hint at the keys of specs that replace it.
 struct ForeignSection {
   std::string_view section;
   std::string_view hint;
@@ -107,8 +107,8 @@ class SectionEntryReader {
                           diag::DidYouMean(pair.key, Sections(), &SectionInfo::name));
   }
 
-  // Reads a section that is a single element (option, size). Its inner elements are keys of the
-  // same mapping.
+  // Reads a section that is a single element (`option`, `size`). Inner elements of the element are
+  // keys of the same mapping.
   void ReadElementSection(const SectionInfo& info, const YamlNode::Pair& pair) {
     const ElementInfo& element = info.elements.front();
     if (!IsMap(pair.value, fmt::format("the attributes of '{}'", info.name), context_)) return;
@@ -151,7 +151,8 @@ class SectionEntryReader {
     }
   }
 
-  // Reads an entry {if, for, let, TAG: {attributes, children}}.
+  // Reads an entry {if, for, let, TAG: {attributes, children}}, where TAG is the name of an
+  // element.
   void ReadElement(const SectionInfo& info, const YamlNode& item) {
     const YamlNode::Pair* found = OnlyElement(info.elements, info.name, item);
     if (found == nullptr) return;
@@ -206,8 +207,9 @@ class SectionEntryReader {
     return pair.key == "if" || pair.key == "for" || pair.key == "let";
   }
 
-  // Returns the pair besides `if`, `for` and `let`, whose key names the element. Returns null,
-  // after adding a finding, unless there is exactly one such pair.
+  // Returns the pair whose key names an element in `known`. Returns null, after adding a finding,
+  // if `item` does not have exactly one pair besides `if`, `for` and `let`, or if its element is
+  // unknown.
   const YamlNode::Pair* OnlyElement(std::span<const ElementInfo> known, std::string_view owner,
                                     const YamlNode& item) {
     const YamlNode::Pair* only = nullptr;

@@ -16,7 +16,7 @@ using Texts = Snapshot::Texts;
 
 constexpr std::string_view kStart = R"({"mjforge_snapshot":1,)";
 static_assert(kStart.size() == kSnapshotHead);
-// Maximum size of a snapshot in bytes: enough for several specs of the largest size.
+// Maximum size of a snapshot in bytes, enough for several specs of the largest size.
 constexpr std::uint64_t kMaxBytes = std::uint64_t{64} << 20;
 
 bool IsTexts(const rapidjson::Value& list) {

@@ -1,5 +1,5 @@
-// A spec with the texts of all files that it was read from, so that it can be loaded again without
-// them.
+// Snapshot of a spec: the texts of all files from which the spec was loaded. With a snapshot, the
+// spec can be loaded again without the files.
 #pragma once
 
 #include <cstddef>
@@ -18,8 +18,8 @@ namespace mjforge::spec {
 
 struct YamlNode;
 
-/// Files and texts that loads of a spec have read. A load with a snapshot takes files and texts
-/// from the snapshot, and adds to it the files that it does not contain yet.
+/// Files and texts that were read while a spec was loaded. A load with a snapshot takes files and
+/// texts from the snapshot, and adds to the snapshot the files that are missing there.
 struct Snapshot {
   using Texts = std::map<std::filesystem::path, std::string>;
 
@@ -39,8 +39,8 @@ struct Snapshot {
   std::map<std::filesystem::path, std::shared_ptr<const YamlNode>> parsed;
 };
 
-/// Returns the snapshot as one line of JSON with its line end. The base folder in the text is
-/// absolute, also if `folder` is empty.
+/// Returns the snapshot as one line of JSON with its line end. The text contains the path of the
+/// working folder if `folder` is empty.
 std::string SnapshotText(const Snapshot& snapshot);
 
 /// Number of bytes that IsSnapshot() needs from the start of a text.
@@ -49,13 +49,13 @@ inline constexpr std::size_t kSnapshotHead = 22;
 /// Returns true if `start` is the start of a text that SnapshotText() made.
 bool IsSnapshot(std::string_view start);
 
-/// Parses a text that SnapshotText() made; returns nullopt if the text is damaged.
+/// Parses a text that SnapshotText() made. Returns nullopt if the text is damaged.
 std::optional<Snapshot> ReadSnapshot(std::string text);
 
-/// Reads the snapshot in `reference`, a file NAME.json or standard input ("-"). Returns nullopt for
-/// other files and contents, and, after adding a finding, for a damaged snapshot. Removes the
-/// texts of parameter files from a snapshot that is read from a file, because the settings of the
-/// batch that wrote the file are in the batch's records.
+/// Reads the snapshot in `reference`, a file NAME.json or standard input ("-"). Returns nullopt if
+/// `reference` does not contain a snapshot and, after adding a finding, if the snapshot is damaged.
+/// Removes the texts of parameter files from a snapshot that is read from a file, because the
+/// settings of the batch that wrote the file are in the records of the batch.
 std::optional<Snapshot> OpenSnapshot(const std::string& reference, diag::Findings& findings);
 
 }  // namespace mjforge::spec

@@ -35,8 +35,8 @@ struct Parameter {
   std::string source;  // the value as written in the YAML, on one line
   int slot = 0;
   int list = -1;  // index in the expressions' array of lists; -1: not a list
-  /// Name of the record, only for the key of a record. Expressions may use the record's name
-  /// instead of the key's ("style" for "style.name").
+  /// Name of the record if the parameter is the key of a record; otherwise empty. Expressions may
+  /// use the name of the record instead of that of the key ("style" for "style.name").
   std::string record;
 };
 
@@ -86,21 +86,21 @@ struct ObjectSpec {
   std::string file;              // name of the file in findings
   diag::SourceMark mark;         // beginning of the spec
   std::filesystem::path folder;  // base of relative paths
-  // All files read, in the order in which they were first read.
+  // Files that were read for the spec, in the order in which they were first read.
   std::vector<std::filesystem::path> files;
   std::string sha256;  // hash of the texts of `files`, in hexadecimal
   /// The applied settings, from parameter files and from the caller: pairs of a name and a value
   /// (YAML flow text).
   std::vector<std::pair<std::string, std::string>> settings;
 
-  expr::SymbolTable names;  // parameters and loop variables; slot 0 is `index`
+  expr::SymbolTable names;  // names for expressions; slot 0 is `index`
   // Name of each function, and its position in the text.
   std::vector<std::pair<std::string, diag::SourceMark>> functions;
   std::vector<Parameter> parameters;  // in file order
   std::vector<int> evaluation_order;  // indices into parameters
   /// Imported files with parameters, each as a spec with only a name, parameters and requirements.
-  /// All specs that import a file share its parameters, because the draws depend on the file's
-  /// name, not on the importing spec.
+  /// All specs that import a file draw the same values, because the draws depend on the name of the
+  /// file, not on the importing spec.
   std::vector<std::shared_ptr<const ObjectSpec>> shared;
   std::vector<Requirement> requirements;
   std::vector<Material> materials;  // own materials, then imported ones, in file order
@@ -131,11 +131,13 @@ struct ObjectSpec {
   /// Returns the parameter of this name or, for the name of a record, the key of the record.
   /// Returns null if there is none.
   const Parameter* FindParameter(std::string_view parameter) const;
-  /// Returns the value of a parameter of this spec, also if an imported file declares it.
+  /// Returns the value of a parameter of this spec as declared, also if an imported file declares
+  /// it.
   const Value& ValueOf(const Parameter& parameter) const;
 };
 
-/// A value from the caller for a parameter or a threshold (`checks.tilt`).
+/// A value from the caller for a parameter, a threshold (`checks.tilt`), `root.joints` or
+/// `root.start`, in place of the value in the spec.
 struct Setting {
   std::string name;
   std::string text;              // YAML flow text: "0.02", "1 .. 2", "{choice: [box, cylinder]}"

@@ -1,4 +1,4 @@
-// Finding, reading and hashing of the files that a spec consists of.
+// Search, reading, parsing and hashing of the files that a spec consists of.
 
 #include "mjforge/spec/spec_files.h"
 
@@ -18,7 +18,7 @@ using diag::SourceMark;
 
 namespace {
 
-// Sets the number of the source in all marks of a tree, except in empty marks.
+// Sets the file number in all positions of a tree, except in empty positions.
 void SetSource(std::uint32_t source, YamlNode& node) {
   if (node.mark) node.mark.file = source;
   for (YamlNode& item : node.items) SetSource(source, item);

@@ -50,8 +50,8 @@ class SpecFiles {
   std::optional<std::filesystem::path> Find(const std::string& reference,
                                             const std::filesystem::path& folder,
                                             diag::SourceMark mark);
-  /// Returns true, and adds a finding, if the file is being read already: it then refers to itself,
-  /// directly or through other files.
+  /// Returns true, and adds a finding, if the file is being read already, because it refers to
+  /// itself, directly or through other files.
   bool IsOpen(const std::filesystem::path& file, diag::SourceMark mark);
   /// Reads the file unless it was read before, and returns its number in diag::Sources. Returns
   /// nullopt, and adds a finding, if reading fails.
@@ -77,7 +77,8 @@ class SpecFiles {
 
   /// All files read so far, in the order in which they were first read.
   const std::vector<std::filesystem::path>& all() const { return files_; }
-  /// Returns the hash of the texts of all files, concatenated in the order of all(), in hex.
+  /// Returns the SHA-256, in hexadecimal, of the concatenated texts of all files in the order of
+  /// all().
   std::string Sha256() const;
 
  private:

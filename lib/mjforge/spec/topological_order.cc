@@ -16,8 +16,8 @@ std::vector<std::size_t> TopologicalOrder(
     const std::function<void(const std::vector<std::size_t>&)>& on_cycle) {
   std::vector<VisitState> states(dependencies.size(), VisitState::kNew);
   std::vector<std::size_t> order;
-  // An explicit stack, because long chains would overflow the call stack. Each item is an open node
-  // and the number of its dependencies that were visited.
+  // An explicit stack, because long chains would overflow the call stack. An item is an open node,
+  // and the number of dependencies of the node that were visited.
   std::vector<std::pair<std::size_t, std::size_t>> stack;
   const auto open = [&](std::size_t node) {
     states[node] = VisitState::kOpen;

@@ -1,5 +1,5 @@
 // Warnings about parameters, functions, local values and materials that are never used, and removal
-// of the slots of unused properties (of bodies, joints and sites).
+// of the slots of unused properties of bodies, joints and sites.
 
 #include <algorithm>
 
@@ -11,7 +11,8 @@ namespace mjforge::spec {
 
 namespace {
 
-// Sets the slot of each entry to -1 if is_used() returns false for the entry's name.
+// Sets the slot of an entry to -1 if the name of the entry is a literal for which is_used() returns
+// false.
 template <typename IsUsed>
 void DropSlots(std::vector<Entry>& entries, const IsUsed& is_used) {
   for (Entry& entry : entries) {
@@ -44,8 +45,8 @@ void DropUnusedProperties(Context& context) {
 }
 
 void ReportUnused(const YamlNode* materials, Context& context) {
-  // Skip the check after an error: parts of the spec were not read, so names that they use would be
-  // reported as unused.
+  // Skips the check after an error: parts of the spec were not read, so names that they use would
+  // be reported as unused.
   if (context.findings.HasErrors()) return;
   const auto& silenced = context.spec.checks.silenced;
   if (std::ranges::find(silenced, diag::Code::kSpecUnused, &Checks::Silence::code) !=

@@ -1,4 +1,4 @@
-// Functions of ValueReader that check bounds and units.
+// Functions of ValueReader that check bounds and units, and the conversion of units to dimensions.
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ using expr::Dimension;
 using expr::Dimensions;
 using expr::Type;
 
-// Returns the unit of one component. "s, 1" has one unit per component; a single unit applies to
+// Returns the unit of a component. "s, 1" has a unit for each component; a single unit applies to
 // all components. A component without a unit is a plain number.
 std::string_view UnitAt(std::string_view units, int component) {
   const std::vector<std::string_view> all = Split(units, ", ");
@@ -44,7 +44,7 @@ bool Fits(std::string_view unit, const Dimension& dimension) {
   return dimension.is_plain() || unit == kAnyOne || std::ranges::any_of(Split(unit, " or "), is_of);
 }
 
-// Returns "in m" or "a plain number".
+// Returns the unit for a message: "in m", "in m or a plain number", "a plain number".
 std::string InUnit(std::string_view unit) {
   if (unit.empty() || unit == "1") return "a plain number";
   constexpr std::string_view kOrPlain = " or 1";
@@ -69,8 +69,8 @@ std::optional<Dimensions> Common(const Dimensions& a, const Dimensions& b) {
   return both;
 }
 
-// Returns the different units of the three numbers of a direction ("in m and in kg"); nullopt if
-// the three units are the same.
+// Returns two units that the numbers of a direction mix ("in m and in kg"); nullopt if the numbers
+// of each direction have a common unit. A direction has three numbers.
 std::optional<std::string> Clash(const FieldInfo& field, const Value& value) {
   const auto* list = std::get_if<List>(&value.form);
   Dimension common;
@@ -138,13 +138,13 @@ void ValueReader::CheckBounds(const FieldInfo& field, const Value& value, int po
   }
 }
 
-// Reports options and ends of ranges that are out of bounds, because some variant would draw an
-// invalid value.
+// Reports options of a choice or cycle, and ends of a uniform range, that are out of bounds,
+// because some variant would draw an invalid value.
 void ValueReader::CheckDrawBounds(const FieldInfo& field, const Draw& draw, int position) {
   if (draw.distribution == Distribution::kChoice || draw.distribution == Distribution::kCycle) {
     for (const Value& option : draw.arguments) CheckBounds(field, option, position);
   } else if (draw.distribution == Distribution::kUniform) {
-    // Allow ends of a range that equal an exclusive lower bound.
+    // Allows ends of the range that equal an exclusive lower bound of the field.
     FieldInfo ends = field;
     ends.above = false;
     ends.kind = FieldKind::kNumber;

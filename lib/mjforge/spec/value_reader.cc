@@ -21,15 +21,15 @@ bool IsYamlNotFinite(std::string_view text) {
          bare == ".NAN";
 }
 
-// Returns true if YAML split an expression at a comma and the node is one of its pieces: `[max(a,
-// b), 0]` has the items `max(a`, `b)` and `0`.
+// Returns true if the node is a piece of an expression that YAML split at a comma: `[max(a, b), 0]`
+// has the items `max(a`, `b)` and `0`.
 bool IsCutAtComma(const YamlNode& node) {
   return node.flow && !node.quoted &&
          std::ranges::count(node.text, '(') != std::ranges::count(node.text, ')');
 }
 
-// Returns the dimensions of an expression. Returns an empty list for a plain constant, which may
-// have any unit (2 for 2 kg).
+// Returns the dimensions of an expression. Returns an empty list (unknown) for a plain constant,
+// which may have any unit (2 for 2 kg).
 expr::Dimensions MeasureOf(const expr::Expression& expression) {
   const bool is_plain = expression.constant() && expression.dimension().is_plain();
   return is_plain ? expr::Dimensions() : expr::Dimensions{expression.dimension()};
@@ -65,7 +65,7 @@ std::optional<std::size_t> FindRange(std::string_view text) {
   if (dots == std::string_view::npos) return std::nullopt;
   if (Trim(text.substr(0, dots)).empty() || Trim(text.substr(dots + 2)).empty())
     return std::nullopt;
-  // Dots inside parentheses belong to an expression, which cannot contain ranges.
+  // Leaves dots inside parentheses to the parser of expressions, which reports the range.
   const std::string_view before = text.substr(0, dots);
   if (std::ranges::count(before, '(') != std::ranges::count(before, ')')) return std::nullopt;
   return dots;
@@ -97,8 +97,8 @@ SourceMark ValueReader::At(SourceMark mark, std::size_t offset) const {
   const std::string_view line = sources_.Line(mark);
   const std::size_t start = mark.column - 1;
   if (start < line.size() && (line[start] == '"' || line[start] == '\'')) ++offset;
-  // If the offset is outside the line, the text is folded over several lines, and its start is the
-  // best mark.
+  // An offset outside the line means that the text is folded over several lines. The start of the
+  // text is then the best position.
   if (offset <= line.size() && start + offset <= line.size()) {
     mark.column += static_cast<std::uint32_t>(offset);
   }
@@ -335,7 +335,7 @@ Value ValueReader::ReadList(const ExpectedForm& expected, const YamlNode& node) 
   List list;
   bool reported_cut = false;
   for (const YamlNode& item : node.items) {
-    // Report only the first piece of a split expression, because the other pieces belong to the
+    // Reports only the first piece of a split expression, because the other pieces belong to the
     // same mistake.
     if (IsCutAtComma(item) && std::exchange(reported_cut, true)) continue;
     list.items.push_back(ReadNumber(item));

@@ -31,15 +31,15 @@ struct UsedNames {
   bool HasMember(std::string_view prefix) const;
 };
 
-/// Reads values in the scope of `names`. For a wrong value, adds a finding and returns a substitute
-/// that passes all later checks, so that reading continues.
+/// Reads values whose expressions can use `names`. For a wrong value, adds a finding and returns a
+/// substitute that passes all later checks, so that reading continues.
 class ValueReader {
  public:
   ValueReader(expr::SymbolTable& names, const diag::Sources& sources, diag::Findings& findings)
       : names_(names), sources_(sources), findings_(findings) {}
 
-  /// Reads the value of a field whose kind is a value, not structure. `motion` is the motion of the
-  /// joint that the field belongs to.
+  /// Reads the value of a field whose kind is a value (HoldsValue()), not a structure. `motion` is
+  /// the motion of the joint to which the field belongs.
   Value Read(const FieldInfo& field, const YamlNode& node, Motion motion = Motion::kAny);
 
   /// Reads a value whose type follows from its form (a parameter, an option of a choice). A mapping
@@ -53,12 +53,12 @@ class ValueReader {
   /// Reads a list in brackets, or the name of a list or vector. Returns nullopt for other nodes.
   std::optional<Value> ReadListOrName(const YamlNode& node);
 
-  /// Reads the mapping of a draw (`{normal: [1, 0.1]}`) whose result has this kind.
+  /// Reads the mapping of a draw (`{normal: [1, 0.1]}`) for a field of this kind.
   Value ReadDrawOf(FieldKind kind, const YamlNode& map,
                    std::span<const std::string_view> extra_keys = {}) {
     return ReadMapping({.kind = kind}, map, extra_keys);
   }
-  /// Returns true if the node is certainly text, and contains no expressions.
+  /// Returns true if the node is text without `${...}`, and cannot be an expression.
   bool IsPlainText(const YamlNode& node) const;
 
   /// Reads `for:`. The loop variables remain declared until EndLoops().
@@ -68,11 +68,12 @@ class ValueReader {
   /// value. Otherwise adds a finding.
   bool CheckLocalName(std::string_view what, const YamlNode::Pair& pair);
 
-  /// Reads a field of kind kPosition of a joint with this motion.
+  /// Reads the value of a field of kind kPosition for a joint with this motion.
   Value ReadPosition(const FieldInfo& field, const YamlNode& node, Motion motion);
   Value ReadNumber(const YamlNode& node);
   Value ReadText(const YamlNode& node);
-  /// Reads a boolean expression. Returns nullopt, and adds a finding, if the expression is wrong.
+  /// Reads a boolean expression. Returns nullopt, and adds a finding, if the expression is not
+  /// valid.
   std::optional<expr::Expression> ReadCondition(const YamlNode& node);
   /// Reports a number whose unit does not fit the field. `position` is the index of the value's
   /// first number among the numbers of the field.
@@ -81,8 +82,8 @@ class ValueReader {
   /// Returns true if the value has the dimensions `wanted`. Otherwise adds a finding, in which
   /// `what` describes the value ("parameter 'r'").
   bool CheckUnit(std::string_view what, const expr::Dimensions& wanted, const Value& value);
-  /// Reports a number with a unit if only a plain number is allowed. `what` describes it ("a
-  /// weight").
+  /// Reports a value with a unit where only a plain number is allowed. `what` describes the value
+  /// ("a weight").
   void CheckPlain(std::string_view what, const Value& value);
   /// Returns the kinds of draws (values chosen anew for each variant) that were read so far.
   const DrawKinds& draws() const { return draws_; }
@@ -90,7 +91,8 @@ class ValueReader {
   const UsedNames& uses() const { return uses_; }
   /// Adds the names that the values of another reader refer to.
   void AddUses(const ValueReader& other) { uses_.Add(other.uses_); }
-  /// Reports errors in the body of a function. The function's arguments must be declared before.
+  /// Reports errors in the body of a function. The arguments of the function must be declared
+  /// before.
   void CheckBody(const expr::SpecFunction& function);
   /// Reads text without interpolation. Returns an empty text after adding a finding.
   std::string ReadPlainText(std::string_view what, const YamlNode& node);
@@ -102,7 +104,7 @@ class ValueReader {
     int min_count = 1;
     int max_count = 1;
     std::string_view words = {};
-    std::string_view key = {};  // the field's key; empty for parameters and for items of values
+    std::string_view key = {};  // key of the field; empty for parameters and items
   };
   Value Read(const ExpectedForm& expected, const YamlNode& node);
   Value ReadBoolean(const YamlNode& node);
@@ -113,11 +115,11 @@ class ValueReader {
   Value ReadAxisOutlines(const ExpectedForm& expected, const YamlNode& map);
   Value ReadPoints(const ExpectedForm& expected, const YamlNode& node);
   Value ReadPoint(const ExpectedForm& expected, const YamlNode& node);
-  // Reads {for: loops, KEY: value}, where `read` reads the value.
+  // Reads {for: loops, KEY: value} with the key `key`; calls `read` for the node of the value.
   template <typename Reader>
   Value ReadPointLoop(const YamlNode& map, std::string_view key, Reader&& read);
   Value ReadArc(const ExpectedForm& expected, const YamlNode& map);
-  std::vector<Value> ReadArcMeasures(const YamlNode& arc);  // radius, from, to
+  std::vector<Value> ReadArcMeasures(const YamlNode& arc);  // radius, start angle, end angle
   /// Reads the key `axis` of the mapping: x, y or z (default), as 0, 1 or 2. `what` names the
   /// mapping in findings.
   Value ReadAxis(const YamlNode& map, std::string_view what, std::string_view hint);
@@ -162,7 +164,7 @@ class ValueReader {
   void CheckBounds(const FieldInfo& field, const Value& value, int position);
   void CheckDrawBounds(const FieldInfo& field, const Draw& draw, int position);
   Value Wrong(const YamlNode& node, std::string_view expected);
-  // Returns a substitute for a wrong value, which passes all later checks.
+  // Returns a value with 0 components, which passes all later checks in place of a wrong value.
   static Value SubstituteFor(const YamlNode& node);
   // Adds a finding for an error in a text that begins `begin` bytes after `mark`.
   void Report(expr::Error error, diag::SourceMark mark, std::size_t begin);
@@ -175,10 +177,10 @@ class ValueReader {
   UsedNames uses_;
 };
 
-/// Returns the offset of the two dots in a range `lo .. hi`; nullopt if the text is not a range.
+/// Returns the byte offset of the dots in a range `lo .. hi`; nullopt if the text is not a range.
 std::optional<std::size_t> FindRange(std::string_view text);
 
-/// Returns true for keys of mappings that are draws: `normal`, `each`, `about`.
+/// Returns true for keys that make a mapping a draw: `normal`, `each`, `about`.
 bool IsDrawKey(std::string_view key);
 
 /// Returns the text without blanks at its ends.

@@ -1,4 +1,4 @@
-// Queries about values: constants, literal texts, draws, kinds, bounds.
+// Queries about values: constants, literal texts, draws, kinds, validity for a field.
 
 #include "mjforge/spec/values.h"
 
@@ -43,7 +43,7 @@ bool HasDraw(const Value& value) {
       [&](const Arc& arc) {
         return has_draws(arc.measures) || HasDraw(*arc.center) || HasDraw(*arc.steps);
       },
-      [](const auto&) { return true; }};  // all other forms are draws
+      [](const auto&) { return true; }};  // all other forms are draws or imported parameters
   return std::visit(has_draw, value.form);
 }
 

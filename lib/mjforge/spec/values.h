@@ -21,7 +21,7 @@ namespace mjforge::spec {
 struct Value;
 struct Loop;
 
-/// A reference to a whole parameter of any type: `size: half_size`.
+/// A reference to a whole variable of any type, such as a parameter: `size: half_size`.
 struct VariableReference {
   std::string name;
   int slot = 0;
@@ -67,10 +67,10 @@ struct SharedParameter {
 bool IsListLength(double number);
 inline constexpr std::string_view kListLengthRule = "must be a whole number, 0 to 100000";
 
-/// Index of a record's rows by the values of the record's key.
+/// Index of the rows of a record by their keys.
 struct RecordRows {
-  std::map<double, std::size_t> numbers;  // row of each value; texts by expr::TextKey()
-  std::vector<std::string> names;         // value of the key in each row, as written
+  std::map<double, std::size_t> numbers;  // row of each key; texts by expr::TextKey()
+  std::vector<std::string> names;         // key of each row, as written
 };
 
 /// A draw from a distribution.
@@ -104,7 +104,7 @@ struct PointLoop {
   std::shared_ptr<const Value> at;                 // the repeated point or outline
 };
 
-/// An item of a list of points that is replaced by the points of an arc, including both ends: {arc:
+/// An item of a list of points that stands for the points of an arc, including both ends: {arc:
 /// [[x, y], radius, from, to], steps: 8} in the plane, {arc: [[x, y, z], radius, from, to], axis:
 /// z} in space, or {arc: [p, q, r]} through three points.
 struct Arc {
@@ -114,8 +114,8 @@ struct Arc {
   std::shared_ptr<const Value> steps;
 };
 
-/// An item of a list of outlines: a group of outlines of holes that go through the shape along an
-/// axis: {axis: x, outlines: [...]}.
+/// An item of a list of outlines: outlines of holes that go through the part along an axis, {axis:
+/// x, outlines: [...]}.
 struct AxisOutlines {
   std::size_t axis = 2;  // 0, 1 or 2: x, y or z
   std::shared_ptr<const Value> outlines;
@@ -157,18 +157,19 @@ struct Loop {
   bool over_values() const { return range.is_list || range.components > 1; }
 };
 
-/// Returns true if both values are numbers, texts, vectors of the same length, or lists of items of
-/// the same type.
+/// Returns true if both values are numbers, booleans, texts, vectors of the same length, or lists
+/// of items of the same type.
 bool IsSameKind(const Value& a, const Value& b);
 
-/// Returns the units of the dimensions, "s, 1"; empty if they are unknown.
+/// Returns the units of the dimensions, "s, 1"; an empty text for an empty list (unknown
+/// dimensions).
 std::string UnitText(const expr::Dimensions& dimensions);
-/// Returns true if any of the dimensions differs from that of a plain number.
+/// Returns true if any of the dimensions is known and differs from that of a plain number.
 bool IsMeasured(const expr::Dimensions& dimensions);
 /// Returns the dimensions of units such as "m" or "s, 1"; nullopt for any other text.
 std::optional<expr::Dimensions> DimensionsOf(std::string_view units);
 
-/// Declares the variable `index`, the number of a variant.
+/// Declares the variable `index`, the index of the variant.
 void DeclareIndex(expr::SymbolTable& names);
 /// Declares a variable with the type of `value`.
 const expr::SymbolTable::Variable& Declare(expr::SymbolTable& names, const std::string& name,
@@ -176,7 +177,8 @@ const expr::SymbolTable::Variable& Declare(expr::SymbolTable& names, const std::
 
 /// Returns true if any part of the value is drawn.
 bool HasDraw(const Value& value);
-/// Returns the number of a literal or of an expression without variables; nullopt for other values.
+/// Returns the number of a literal or of an expression without variables; nullopt for all other
+/// values.
 std::optional<double> ConstantOf(const Value& value);
 
 /// Returns the text if it has no interpolation; nullopt for other values.

@@ -13,7 +13,7 @@ namespace {
 using diag::Code;
 
 // Returns the number of a constant. Otherwise returns nullopt, and adds a finding unless the value
-// was reported already. Drawn numbers are not allowed, because pictures of all variants have the
+// was already reported. Drawn numbers are not allowed, because pictures of all variants have the
 // same view.
 std::optional<double> FixedNumber(std::string_view name, diag::SourceMark mark, const Value& value,
                                   Context& context) {

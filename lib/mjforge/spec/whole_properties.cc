@@ -22,7 +22,8 @@ constexpr std::string_view kGeometry[] = {"type", "pos", "axis", "for", "if", "l
 // Types of joints whose torque(NAME) expressions can use.
 constexpr std::string_view kTurning[] = {"hinge", "ball"};
 
-// Returns the default type of joints: the one in `defaults:`, otherwise "hinge".
+// Returns the default type of joints: the literal in `defaults:`, or "hinge" if there is none; an
+// empty text if the type is drawn or computed.
 std::string_view DefaultType(const Context& context) {
   const Field* type = FindField(context.spec.defaults.joint, Key::kType);
   return type == nullptr ? "hinge" : LiteralText(type->value).value_or("");
@@ -40,9 +41,9 @@ void DeclareTorque(const YamlNode& joint, Context& context) {
 }
 
 // Slots (indices of variables) of the declared properties. The keys are NAME.pos for each site, and
-// NAME.subtree_ for each body, with the slot of the body's first property of this prefix. Entries
-// of the same name, which have different conditions, share the slots. A property is not declared if
-// a parameter of a nested spec has the same name.
+// NAME.subtree_ for each body; the slot for NAME.subtree_ is that of the first property. Entries of
+// the same name, which have different conditions, share the slots. A property is not declared if a
+// parameter of a nested spec has the same name.
 using Declared = std::map<std::string, int>;
 
 void DeclarePositions(std::vector<Entry>& sites, expr::SymbolTable& names, Declared& declared) {
@@ -77,7 +78,7 @@ void DeclareWholeProperties(std::span<const YamlNode* const> joint_lists, Contex
   Declared declared;
   for (BodyEntry& body : context.spec.bodies) {
     DeclareSubtree(body, names, declared);
-    // Skip the sites of a body with `place:`, because the body's pose is not known yet.
+    // Skips the sites of a body with `place:`, because the pose of the body is not known yet.
     if (!body.place) DeclarePositions(body.sites, names, declared);
   }
   DeclarePositions(context.spec.sites, names, declared);

@@ -76,7 +76,7 @@ class TreeBuilder : public YAML::EventHandler {
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                 const std::string& value) override {
     CheckTag(mark, tag, value);
-    // Read `!hollow` as the plain word `hollow`, because CheckTag() already reported the tag.
+    // Reads `!hollow` as the plain word `hollow`, because CheckTag() already reported the tag.
     const bool is_word = value.empty() && tag.size() > 1 && tag.front() == '!';
     YamlNode node = YamlNode::Scalar(is_word ? tag.substr(1) : value, At(mark));
     node.quoted = tag == "!";
@@ -110,7 +110,7 @@ class TreeBuilder : public YAML::EventHandler {
     YAML::anchor_t anchor = 0;
     bool flow = false;  // true for a list in brackets
     bool has_key = false;
-    bool keep = true;  // false: the value is dropped, because its key is repeated
+    bool keep = true;  // false: the key is repeated, and its value is dropped
     std::string key;
     SourceMark key_mark;
     std::map<std::string, SourceMark, std::less<>> keys;
@@ -194,7 +194,7 @@ class TreeBuilder : public YAML::EventHandler {
   std::size_t alias_nodes_ = 0;
 };
 
-// Returns the position of the first byte that is NUL or not UTF-8.
+// Returns the position of the first byte that is NUL or not UTF-8; nullopt if there is none.
 std::optional<SourceMark> FirstBadByte(std::uint32_t file, std::string_view text) {
   SourceMark mark{file, 1, 1};
   for (std::size_t i = 0; i < text.size();) {
@@ -211,8 +211,8 @@ std::optional<SourceMark> FirstBadByte(std::uint32_t file, std::string_view text
   return std::nullopt;
 }
 
-// Returns the position of the first bracket that is nested deeper than kMaxDepth. yaml-cpp's own
-// limit does not count brackets that are never closed.
+// Returns the position of the first bracket that is nested deeper than kMaxDepth; nullopt if there
+// is none. The limit of yaml-cpp does not count brackets that are never closed.
 std::optional<SourceMark> FirstTooDeep(std::uint32_t file, std::string_view text) {
   constexpr int kMaxDepth = 200;
   SourceMark mark{file, 1, 0};
@@ -233,7 +233,7 @@ std::optional<SourceMark> FirstTooDeep(std::uint32_t file, std::string_view text
 bool IsParseable(std::uint32_t file, const diag::Sources& sources, diag::Findings& findings) {
   const std::string& text = sources.Text(file);
   if (const std::string_view kind = bytes::KindOf(text); !kind.empty()) {
-    // Do not quote the line, because the file is binary.
+    // The finding has no position, because a position would quote a line of the binary file.
     findings.Add(Code::kYamlNotText, {},
                  fmt::format("'{}' is {}, not YAML text", sources.Name(file), kind),
                  kind.find("archive") == kind.npos

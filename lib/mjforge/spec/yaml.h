@@ -31,7 +31,7 @@ struct YamlNode {
   static YamlNode Scalar(std::string text, diag::SourceMark mark);
   static YamlNode List(std::vector<YamlNode> items, diag::SourceMark mark);
 
-  /// Return the pair or the value of a key of a mapping; null if there is none.
+  /// Return the pair, or the value, of a key of a mapping; null if the key is missing.
   const Pair* FindPair(std::string_view key) const;
   const YamlNode* Find(std::string_view key) const;
 };
@@ -42,7 +42,7 @@ struct YamlNode::Pair {
   YamlNode value;
 };
 
-/// Maximum size of a YAML text in bytes. Even a spec with a hundred thousand parts is far shorter.
+/// Maximum size of a YAML text in bytes. Larger specs must be shortened by `for:`.
 inline constexpr std::size_t kMaxYamlBytes = 8u << 20;
 
 /// Parses text number `file` of `sources`. Returns nullopt, and adds findings, if the text is

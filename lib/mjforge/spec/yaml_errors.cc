@@ -39,8 +39,8 @@ std::string_view LineValue(std::string_view line, std::size_t column) {
 }
 
 // Returns the value in single quotes or, if the value contains single quotes, in double quotes. If
-// the value also contains double quotes or a backslash, uses single quotes and doubles those
-// inside.
+// the value also contains double quotes or a backslash, uses single quotes, and doubles the single
+// quotes in the value.
 std::string Quoted(std::string_view value) {
   if (value.find('\'') == value.npos) return fmt::format("'{}'", value);
   if (value.find_first_of("\"\\") == value.npos) return fmt::format("\"{}\"", value);
@@ -54,8 +54,8 @@ std::string QuoteHint(std::string_view value) {
                        : fmt::format("write {}", Quoted(value));
 }
 
-// Returns the offset of the last `${` before the column; npos if there is none, or if a `}` before
-// the column closes this `${`.
+// Returns the offset of the last `${` before the column; npos if there is none, or if the line has
+// a `}` between this `${` and the column.
 std::size_t OpenInterpolation(std::string_view line, std::size_t column) {
   const std::size_t open = line.substr(0, column).rfind("${");
   if (open == line.npos) return open;

@@ -1,4 +1,4 @@
-// Replacement of yaml-cpp's messages about syntax errors by clear messages with hints.
+// Clear messages and hints for the syntax errors that yaml-cpp reports.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Names of the elements of an object that is copied from a scene into a file of its own: prefixes
-// and references.
+// Renaming of the elements of an object that is copied from a scene, and of references to them;
+// check for duplicate names.
 
 #include "mjforge/split/object_names.h"
 
@@ -21,9 +21,9 @@ std::string ObjectNames::Of(std::string_view kind, const std::string& name) cons
   if (name.empty()) return name;
   if (kind.ends_with("body") && name == own_) return root_;
   std::string stem = HasPrefixOf(own_, name) ? name.substr(own_.size() + 1) : name;
-  // Puts an underscore before names such as `glass_0` and `glass_0_rim` in the file of `glass_0`. A
-  // host that loads the file adds the prefix `glass_0_` to all names except those that seem to have
-  // it.
+  // Puts an underscore before names such as `glass_0` and `glass_0_rim` in the file of `glass_0`.
+  // The host that loads the file adds the prefix `glass_0_` to all names except those that seem to
+  // have this prefix already.
   const bool looks_prefixed = prefix_.empty() && (stem == own_ || HasPrefixOf(own_, stem));
   return (looks_prefixed ? "_" : prefix_) + stem;
 }
@@ -81,7 +81,9 @@ bool HasUniqueNames(const model::Object& object, diag::Findings& findings) {
     add("body", body.name, body.mark);
     for (const model::Joint& joint : body.joints) add("joint", joint.name, joint.mark);
     for (const model::Site& site : body.sites) add("site", site.name, site.mark);
-    const model::Part* last = nullptr;  // collision and visual halves of a part have one name
+    // Previous part. A part that was divided into a collision part and a visual part may have the
+    // same name twice.
+    const model::Part* last = nullptr;
     for (const model::Part& part : body.parts) {
       const bool is_twin = last != nullptr && part.name == last->name && part.mark == last->mark;
       if (!is_twin) add("part", part.name, part.mark);

@@ -1,4 +1,5 @@
-// Owners of the elements of a scene: the rule where an object begins, and references by name.
+// Division of a scene among its objects: search for the root bodies of objects, and for the owners
+// of elements by the names to which they refer.
 
 #include "mjforge/split/owners.h"
 
@@ -7,7 +8,7 @@
 namespace mjforge::split {
 namespace {
 
-// Returns the common owner of two references.
+// Returns the owner of an element with two references whose owners are `a` and `b`.
 int Join(int a, int b) {
   if (a == kAnyOwner) return b;
   return b == kAnyOwner || a == b ? a : kNoOwner;
@@ -20,8 +21,8 @@ Owners::Owners(const model::Object& scene) : scene_(scene), bodies_(scene.bodies
   AddNames();
 }
 
-// A fixed body that moves with its parent stays in the parent's object, because a separate file
-// would lose the connection.
+// Keeps a body whose ancestors move in the object of its parent, because a separate file would lose
+// the connection.
 void Owners::AddRoots() {
   const std::vector<model::Body>& bodies = scene_.bodies;
   const bool has_empty_root = bodies[0].parts.empty() && bodies[0].joints.empty();
@@ -66,7 +67,8 @@ int Owners::Find(std::string_view kind, const std::string& name) const {
   if (kind == "xbody") kind = "body";
   const auto found = named_.find({std::string(kind), name});
   if (found != named_.end()) return found->second;
-  // A tendon or an actuator belongs to the object that it refers to.
+  // Tendons and actuators are not in `named_`, because they belong to the objects to which they
+  // refer.
   if (kind != "tendon" && kind != "actuator") return kAnyOwner;
   for (const model::Element& element : model::ElementsOf(scene_, kind)) {
     if (element.name == name) return Of(element);

@@ -64,7 +64,7 @@ class Extraction {
     names_.Rename(body);
   }
 
-  // Moves the root so that the object's frame is the frame of the root at the start.
+  // Moves the root of the object such that its frame at the start is the object's frame.
   static void PutAtOrigin(model::Body& root) {
     root.parent = -1;
     const bool moves = !root.joints.empty() && root.joints.front().type != "free";
@@ -114,7 +114,7 @@ class Extraction {
     if (!own.elements.empty()) object_.sections.push_back(std::move(own));
   }
 
-  // Adds the material that an element, such as a tendon, refers to by name.
+  // Adds the material to which an element, such as a tendon, refers by name.
   void AddMaterialsOf(const model::Element& element) {
     const model::Attribute* attribute = model::FindAttribute(element.attributes, "material");
     if (attribute == nullptr) return;
@@ -152,12 +152,12 @@ void WarnOfLeftOut(const model::Element& element, std::string_view why, diag::Fi
                 "add it where the objects are put together");
 }
 
-// Reports elements that are in the file of no object.
+// Warns of elements of the scene that no object contains.
 void ReportLeftOut(const Object& scene, const Owners& owners, diag::Findings& findings) {
   for (const model::Section& section : scene.sections) {
     for (const model::Element& element : section.elements) {
       if (section.info->name == "option") {
-        // Options without a mark are not from the spec, but were added for a pile.
+        // Elements <option> without a mark are not from the spec, but were added for a pile.
         const bool is_of_pile = !element.mark && !scene.piles.empty();
         findings.Warn(Code::kTargetDropped, is_of_pile ? scene.piles[0].mark : element.mark,
                       "option belongs to the whole scene: it is only in placement.json",

@@ -1,4 +1,4 @@
-// Division of a scene into its objects, each with its pose at the start.
+// Division of a scene into separate objects with their poses at the start.
 #pragma once
 
 #include <optional>
@@ -21,15 +21,16 @@ struct ScenePart {
 };
 
 struct SplitOptions {
-  bool prefix = true;     // the names of an object's elements begin with `name_`
+  bool prefix = true;     // true: the names of an object's elements begin with its name and `_`
   std::string_view root;  // name of each root body; empty: the object's name
 };
 
-/// Returns the objects of a scene in the order of its bodies. An object begins at each free body,
-/// at each body that was placed and does not move and, if the root of the scene has no parts, at
-/// each child of the root. Names in the scene must have no prefix. Elements that belong to no
-/// single object are left out, with a warning. Returns nullopt, after adding a finding, if the
-/// scene is one object, or if two elements of an object would have the same name.
+/// Returns the objects of a scene in the order of its bodies. An object consists of a root and its
+/// descendants up to other roots. Roots are: children of the world, such as free bodies, except a
+/// root of the scene without parts and joints; children of such a root; and placed bodies whose
+/// ancestors do not move. Names in the scene must have no prefix (the scene's name). Elements that
+/// do not belong to exactly one object are left out, with a warning. Returns nullopt, after adding
+/// a finding, if the scene is one object, or if two elements of an object would have the same name.
 std::optional<std::vector<ScenePart>> Split(const model::Object& scene, const SplitOptions& options,
                                             diag::Findings& findings);
 

@@ -29,7 +29,7 @@ sample::Numbers PolynomialOf(const model::Element& equality);
 
 /// Returns true if any joint of the object has a start position.
 bool HasStart(const model::Object& object);
-/// Returns true if any joint of the object starts elsewhere than at zero.
+/// Returns true if the start position of any joint differs from the joint's zero position.
 bool IsMoved(const model::Object& object);
 /// Returns true if the rotation is not the identity.
 bool IsTurned(const Eigen::Quaterniond& q);

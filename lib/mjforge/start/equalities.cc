@@ -1,4 +1,4 @@
-// Rewriting of equalities that MuJoCo measures from the zero configuration.
+// Rewrites equality constraints that MuJoCo measures from the zero configuration (qpos0).
 #include <algorithm>
 #include <cstddef>
 

@@ -1,4 +1,5 @@
-// Search for elements that depend on the zero configuration and cannot be rewritten.
+// Search for elements whose meaning depends on the zero configuration (qpos0) and that cannot be
+// rewritten.
 #include <algorithm>
 #include <cstddef>
 #include <string_view>

@@ -1,4 +1,5 @@
-// Rewriting of an object so that its zero configuration is its start.
+// MoveZeroToStart(): rewrites an object so that its start becomes MuJoCo's zero configuration
+// (qpos0).
 #include "mjforge/start/start.h"
 
 #include <algorithm>
@@ -16,15 +17,15 @@ using model::Body;
 using model::Joint;
 using model::Pose;
 
-// Change of a ball joint's positions: q becomes `before` * q * `after`.
+// Conversion of a ball joint's quaternions when its zero moves: q becomes `before` * q * `after`.
 struct BallChange {
   std::string joint;
   Eigen::Quaterniond before;
   Eigen::Quaterniond after;
 };
 
-// Returns the changes of all ball joints that start elsewhere than at zero, or whose body is turned
-// by the motion of later joints from zero to the start.
+// Returns the conversions of all ball joints that do not start at zero (the identity), or whose
+// body is turned by the motion of its later joints from zero to the start.
 std::vector<BallChange> BallChanges(const model::Object& object) {
   std::vector<BallChange> changes;
   for (const Body& body : object.bodies) {
@@ -47,8 +48,8 @@ void Convert(const BallChange& change, Numbers& wxyz) {
   wxyz = {q.w(), q.x(), q.y(), q.z()};
 }
 
-// Converts positions of ball joints in `expect:`, where joint names have the object's prefix, and
-// in `checks:`, where they do not.
+// Converts positions of ball joints in `expect:`, whose joint names have the object's prefix, and
+// in `checks:`, whose joint names have no prefix.
 void ConvertPositions(const std::vector<BallChange>& changes, model::Object& object) {
   const auto find = [&](const std::string& joint) {
     return std::ranges::find_if(changes, [&](const BallChange& change) {
@@ -68,8 +69,9 @@ void ConvertPositions(const std::vector<BallChange>& changes, model::Object& obj
   }
 }
 
-// Moves the zero of one body's joints to their start. Sets `ref` of hinges and slides, so that
-// their positions keep their meaning; ball joints lose their start.
+// Moves the zero of a body's joints to their start, and the body to its pose at the start. Sets
+// `ref` of hinges and slides, so that a number in qpos keeps its meaning. Removes the start of ball
+// joints, because it becomes their zero.
 void MoveZero(Body& body) {
   Pose X_LaterB;  // motion of the joints after joint i
   for (std::size_t i = body.joints.size(); i-- > 0;) {

@@ -1,5 +1,5 @@
 // The start state of an object as MuJoCo's zero configuration (qpos0), at which mj_resetData,
-// attached copies and most hosts begin.
+// attached copies and most programs begin.
 #pragma once
 
 #include <string>
@@ -10,20 +10,21 @@
 
 namespace mjforge::start {
 
-/// An element whose meaning would change if the zero configuration were moved to the start, because
+/// An element whose meaning would change if the zero configuration (qpos0) were moved to the start:
 /// the element depends on qpos0 in a way that MJCF cannot state, or through numbers that only
 /// MuJoCo computes.
 struct Obstacle {
   diag::SourceMark mark;
   std::string reason;
-  std::string remedy;  // alternative to a keyframe; empty if there is none
+  std::string remedy;  // change of the element that avoids the obstacle; empty if there is none
 };
 
 /// Returns the obstacles of an object; none if MoveZeroToStart() keeps the meaning of all elements.
 std::vector<Obstacle> FindObstacles(const model::Object& object);
 
-/// Adds a finding for each active equality of joints, and each connect and weld, that the start
-/// violates by more than 0.1 mm or 0.1 degrees.
+/// Adds a finding for each active equality (joint, connect or weld) that the start violates by more
+/// than 0.1 mm or 0.1 degrees. Ignores equalities of joints without a start position, and of bodies
+/// that the start does not move relative to each other.
 void CheckEqualities(const model::Object& object, diag::Findings& findings);
 
 /// Rewrites an object without obstacles so that its zero configuration is its start: poses of

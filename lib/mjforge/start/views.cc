@@ -1,4 +1,4 @@
-// Cameras and lights that follow their body without turning with it.
+// Cameras and lights that follow their body without turning with it (modes `track`, `trackcom`).
 #include <cstddef>
 
 #include "mjforge/start/rewriting.h"

@@ -16,7 +16,7 @@ using model::Pose;
 
 constexpr double kLengthTolerance = 1e-4;                    // m
 constexpr double kAngleTolerance = std::numbers::pi / 1800;  // rad
-constexpr double kUnmoved = 1e-9;                            // m or rad; less is no motion
+constexpr double kUnmoved = 1e-9;                            // m or rad; less is a rounding error
 
 double DistanceOf(const Pose& a, const Pose& b, const Eigen::Vector3d& point) {
   return (a * point - b * point).norm();

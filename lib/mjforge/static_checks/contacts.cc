@@ -9,7 +9,7 @@ namespace {
 
 using diag::Code;
 
-constexpr double kMostHover = 0.001;  // m; objects that stop farther from a part visibly hover
+constexpr double kMostHover = 0.001;  // m; objects that rest farther above a part visibly hover
 
 void CheckPart(const model::Part& part, Reporter& reporter) {
   if (NumberOf(part, "contype", 0, 1) == 0 && NumberOf(part, "conaffinity", 0, 1) == 0) {
@@ -37,7 +37,7 @@ void CheckContacts(const model::Object& object, Reporter& reporter) {
   for (const model::Body& body : object.bodies) {
     std::string_view checked;  // name of the last checked part, whose pieces are adjacent
     for (const model::Part& part : body.parts) {
-      // Geoms read from a file (`as_is`) are skipped, because their role follows from their contact
+      // Skips geoms of attached files (`as_is`), because their role follows from their contact
       // bits.
       if (part.role == model::Role::kVisual || part.as_is || part.NameInSpec() == checked) continue;
       CheckPart(part, reporter);

@@ -1,4 +1,5 @@
-// Expectations of a spec: gaps between bodies or parts, and parts inside others.
+// Check of the expectations of a spec: gaps between bodies or parts, and bodies or parts inside the
+// convex hulls of others.
 #include "mjforge/static_checks/static_checks.h"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ using model::Expectation;
 using Kind = model::ExpectationKind;
 using PlacedParts = std::vector<PlacedPart>;
 
-constexpr double kTolerance = 1e-5;  // m, for bodies that must touch or be apart
+constexpr double kTolerance = 1e-5;  // m, for kTouch, kApart and kInside
 constexpr int kDigits = 3;           // number of significant digits of lengths in messages
 
 // Formats the absolute value of a length: "0.132 mm".
@@ -29,7 +30,7 @@ std::string LengthText(double length, int digits = kDigits) {
   return expr::RoundedText(1000 * std::abs(length), digits) + " mm";
 }
 
-// Returns the number of digits with which the texts of two lengths differ.
+// Returns a number of significant digits with which the texts of two lengths differ.
 int DigitsFor(double a, double b) {
   int digits = kDigits;
   while (digits < 15 && LengthText(a, digits) == LengthText(b, digits)) digits += 3;
@@ -47,7 +48,8 @@ std::vector<Vector3d> DirectionsOfCorners() {
   return directions;
 }
 
-// Returns directions in the frame of a round shape whose support points are a grid on its surface.
+// Returns directions, in the frame of a round shape, whose support points form a grid on the
+// shape's surface.
 std::vector<Vector3d> DirectionsOfGrid() {
   constexpr int kAround = 64;
   constexpr int kUp = 16;
@@ -95,8 +97,9 @@ class ExpectationChecker {
     return placed.size() == 1 ? placed.front().part : nullptr;
   }
 
-  // Returns the parts named `name` or, if a body has this name, the parts of the body and of the
-  // bodies fixed to it, except `other`. Visual parts are ignored if any of these parts collides.
+  // Returns the parts of the body `name` and of the bodies fixed to it, except `other`. If no body
+  // has this name, returns the parts with this name, and the pieces of a shape with this name.
+  // Omits visual parts if any of these parts collides.
   PlacedParts PlacedPartsOf(const std::string& name, const model::Part* other) const {
     const auto body = std::ranges::find(object_.bodies, name, &model::Body::name);
     // Parts, and the indices of their bodies.
@@ -119,9 +122,8 @@ class ExpectationChecker {
     return placed;
   }
 
-  // Returns the body that the expectation names and to which body `i` is fixed, which may be `i`
-  // itself. If the expectation names none of these bodies, returns the highest ancestor to which
-  // body `i` is fixed.
+  // Returns the index of the nearest body, among body `i` and the ancestors to which it is fixed,
+  // that the expectation names. If the expectation names none, returns the highest ancestor.
   std::size_t Holder(std::size_t i) const {
     const auto is_named = [&](std::size_t at) {
       return object_.bodies[at].name == expectation_->first ||
@@ -142,15 +144,15 @@ class ExpectationChecker {
     if (kind == Kind::kTouch) most = kTolerance;
     if (min) least = *min - kRounding;
     if (max) most = *max + kRounding;
-    // The depth of an overlap takes most of the time, and matters only if there is a lower limit,
-    // or an upper limit below zero.
+    // Computes depths of overlaps only if they matter: if there is a lower limit, or an upper limit
+    // below zero. The depth takes most of the time.
     auto* const distance_of =
         least > -kInfinity || most < 0 ? distance::SignedDistance : distance::Distance;
     double gap = kInfinity;
     PartPair nearest;
     for (PairQueue pairs = PairsOf(first, second); !pairs.empty(); pairs.pop()) {
       const PartPair pair = pairs.top();
-      // The remaining pairs are not nearer, or cannot change the verdict.
+      // Stops if no remaining pair is nearer, or if none can change the verdict.
       if (pair.least >= gap || (pair.least >= least && gap <= most)) break;
       const double distance = distance_of(*pair.a, *pair.b);
       if (distance >= gap) continue;
@@ -162,8 +164,8 @@ class ExpectationChecker {
   }
 
   struct PartPair {
-    // Lower bound of the distance, m: the distance of the bounding boxes, or minus infinity if the
-    // boxes overlap.
+    // Lower bound of the distance of the parts, m: the distance of their bounding boxes, or minus
+    // infinity if the boxes touch or overlap.
     double least = 0;
     const PlacedPart* a = nullptr;
     const PlacedPart* b = nullptr;
@@ -184,8 +186,8 @@ class ExpectationChecker {
     return PairQueue(std::greater<>(), std::move(pairs));
   }
 
-  // Reports a gap that violates a bound. `side` is "least" or "most"; `otherwise` replaces the
-  // bound in the message if there is none.
+  // Reports a gap that violates a bound. `side` is "least" or "most". If `bound` is nullopt, the
+  // message says `otherwise` instead of a length ("must touch").
   void ReportGap(double gap, const PartPair& nearest, std::optional<double> bound,
                  std::string_view side, std::string_view otherwise) {
     const int digits = bound ? DigitsFor(gap, *bound) : kDigits;
@@ -216,8 +218,8 @@ class ExpectationChecker {
                        is_part ? "" : fmt::format(" (part '{}')", Shown(out->part->name))));
   }
 
-  // Returns the largest distance of any point of the part from the convex hull of the shapes
-  // `hull`, m.
+  // Returns the largest distance, m, of any point of the part from the convex hull of all shapes in
+  // `hull`.
   static double Outside(const PlacedPart& placed, std::span<const distance::PlacedShape> hull) {
     std::vector<Vector3d> points;
     if (placed.part->shape.mesh != nullptr) {
@@ -232,7 +234,8 @@ class ExpectationChecker {
       const Vector3d from = FromHull(hull, point);
       if (from.norm() > way.norm()) way = from;
     }
-    // Refines the result, because a round shape may be farther out between the sampled points.
+    // Refines the result, because between the sampled points a round shape may be farther away
+    // from the hull.
     for (int i = 0; i < 20 && way.norm() > 0; ++i) {
       const Vector3d from = FromHull(hull, FarthestPoint(placed, way));
       if (from.norm() <= way.norm() * (1 + 1e-9)) break;
@@ -270,7 +273,7 @@ class ExpectationChecker {
                   expectation_->doc);
   }
 
-  static constexpr double kRounding = 1e-9;  // m, tolerance of stated bounds
+  static constexpr double kRounding = 1e-9;  // m, tolerance of the bounds `min` and `max`
 
   const model::Object& object_;
   diag::Findings& findings_;

@@ -9,21 +9,21 @@
 namespace mjforge::static_checks {
 namespace {
 
-// Number of points in the box of a part with at least a tenth of the whole mass. Lighter parts get
-// fewer points, because their errors matter less.
+// Number of points in the bounding box of a part with at least a tenth of the whole mass. Lighter
+// parts get fewer points in proportion to their mass, because their errors matter less.
 constexpr int kMostPoints = 2000;
 constexpr int kFewestPoints = 100;
 constexpr double kTenth = 0.1;
 // Tolerance of the convexity test, as a share of the mesh's size.
 constexpr double kBulge = 1e-9;
-// Largest product of vertices and triangles of a mesh that is tested for convexity, because the
-// test of a larger mesh would cost more than it saves.
+// Largest product of the numbers of vertices and triangles of a mesh that is tested for convexity.
+// For a larger mesh, the test would cost more time than it saves.
 constexpr std::size_t kMostComparisons = 1'000'000;
 
 using Plane = Eigen::Hyperplane<double, 3>;
 
-/// Returns the planes of a convex mesh's faces, with normals outwards. Returns an empty list if the
-/// mesh is not convex or too large to be tested.
+/// Returns the planes of a convex mesh's faces, with normals outwards, in the frame W of X_WG.
+/// Returns an empty list if the mesh is not convex or too large to be tested.
 std::vector<Plane> FacesOf(const model::TriangleMesh& mesh, const model::Pose& X_WG) {
   if (mesh.vertices.size() * mesh.triangles.size() > kMostComparisons) return {};
   std::vector<Eigen::Vector3d> corners;
@@ -47,7 +47,7 @@ std::vector<Plane> FacesOf(const model::TriangleMesh& mesh, const model::Pose& X
   return faces;
 }
 
-/// A part, with precomputed planes of its faces, for testing whether points are inside the part.
+/// Point test for a part: uses precomputed planes of its faces if the part is a convex mesh.
 class Region {
  public:
   explicit Region(const PlacedPart& placed) : placed_(placed) {
@@ -67,7 +67,7 @@ class Region {
   std::vector<Plane> faces_;
 };
 
-/// Counts the points of each part that are inside earlier parts.
+/// Estimates the overlap: counts the points of each part that are also inside earlier parts.
 class OverlapCount {
  public:
   explicit OverlapCount(std::span<const PlacedPart> parts) : parts_(parts) {
@@ -84,7 +84,7 @@ class OverlapCount {
 
  private:
   bool MayOverlap(std::size_t i, std::size_t j) const {
-    // Pieces of one shape do not overlap, but only meet at their faces.
+    // Pieces of one shape do not overlap: they only meet at their faces.
     const std::string& shape = parts_[i].part->piece_of;
     if (!shape.empty() && shape == parts_[j].part->piece_of) return false;
     return (parts_[i].box_W.intersection(parts_[j].box_W).sizes().array() > 0).all();

@@ -5,7 +5,8 @@
 
 namespace mjforge::static_checks {
 
-/// Part at a pose; the base class has the part's shape.
+/// A part at a pose in the world. The base class has the part's shape, the pose and the bounding
+/// box.
 struct PlacedPart : distance::PlacedShape {
   PlacedPart(const model::Part* of, const model::Pose& at)
       : distance::PlacedShape(of->shape, at), part(of) {}

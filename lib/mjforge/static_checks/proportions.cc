@@ -1,5 +1,5 @@
-// Comparison of an object's numbers with those of real things: density, inertia, thickness,
-// overlap, loose parts, and visual parts against colliding parts.
+// Check of an object's proportions against those of real things: density, inertia, centre of mass,
+// thickness, overlapping and loose parts, and differences of visual and colliding parts.
 #include "mjforge/static_checks/static_checks.h"
 
 #include <fmt/format.h>
@@ -24,13 +24,12 @@ using diag::Code;
 using expr::ExceededLimit;
 using expr::RoundedText;
 
-// Tolerances of principal moments of inertia, as shares of the largest moment.
+// Tolerances of principal moments of inertia, as shares of the largest principal moment.
 constexpr double kRounding = 1e-6;
 constexpr double kNothing = 1e-12;  // moments below this share count as zero
-// Distance of a visual part from all colliding parts, as a share of the body's size, above which
-// the part is reported.
+// Largest distance of a visual part from the nearest colliding part, as a share of the body's size.
 constexpr double kFar = 0.5;
-constexpr double kFaces = 1e-9;  // m; boxes that overlap by less only meet at their faces
+constexpr double kFaces = 1e-9;  // m; boxes that overlap by at most this only meet at faces
 // Largest distance of a body's centre of mass from the hull of its parts, as a share of the body's
 // size.
 constexpr double kHullTolerance = 5e-4;
@@ -46,7 +45,7 @@ bool IsOutside(double value, const Eigen::Vector2d& range) {
   return value < range.x() || value > range.y();
 }
 
-/// Returns the shortest and longest side of the box around a shape.
+/// Returns the shortest and longest side, m, of the bounding box of a shape in its own frame.
 Eigen::Vector2d SidesOf(const model::Shape& shape) {
   const model::Box3 box = model::BoundsOf(shape, {});
   const Eigen::Vector3d sides = box.max - box.min;
@@ -178,7 +177,7 @@ class Proportions {
     std::set<std::string_view> thin;
     for (const model::Part& solid : solids.parts) {
       const Eigen::Vector2d sides = SidesOf(solid.shape);
-      // Only one thin piece of each shape is reported.
+      // Reports only one thin piece of each shape.
       const bool is_reported = !solid.piece_of.empty() && thin.contains(solid.piece_of);
       const double thickness = Limit(solid, &model::PartCheck::thickness, checks.thickness);
       if (sides.x() < thickness && !is_reported) {
@@ -227,8 +226,8 @@ class Proportions {
     }
   }
 
-  // Reports inertias that no solid can have. MuJoCo also rejects such inertias, unless its compiler
-  // balances or bounds inertias.
+  // Reports inertias that no solid can have. MuJoCo also rejects such inertias, unless the compiler
+  // options balanceinertia or boundinertia change them.
   void CheckInertia(const model::Body& body) {
     // Eigenvalues in increasing order.
     const Eigen::Vector3d inertia = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(
@@ -258,7 +257,8 @@ class Proportions {
                     body.name, p_BCm.x(), p_BCm.y(), p_BCm.z()));
   }
 
-  /// Returns the mass that is counted twice, kg; 0 if the finding is silenced.
+  /// Warns of parts of the body that overlap too much. Returns the mass that is counted twice, kg.
+  /// Skips the check and returns 0 if the finding is silenced.
   double CheckOverlap(const model::Body& body, const SolidParts& solids,
                       const std::vector<PlacedPart>& placed) {
     if (reporter_.IsSilenced(Code::kPhysicsOverlap)) return 0;

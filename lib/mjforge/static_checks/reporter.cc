@@ -1,4 +1,4 @@
-// Reporter of findings that omits silenced codes.
+// Implementation of the reporter of findings that are not silenced.
 #include "mjforge/static_checks/reporter.h"
 
 #include <algorithm>

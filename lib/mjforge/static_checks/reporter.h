@@ -1,4 +1,4 @@
-// Reporter of findings that omits silenced codes.
+// Reporter of findings that omits findings whose code the spec silences (`silence:`).
 #pragma once
 
 #include <string>

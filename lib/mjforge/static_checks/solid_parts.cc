@@ -1,5 +1,5 @@
-// Masses of the parts of a body: stated, shared among pieces of a shape, or in proportion to
-// volume.
+// Selection of a body's solid parts and computation of their masses: as stated in the spec, shared
+// among the pieces of a shape, or in proportion to volume.
 #include "mjforge/static_checks/solid_parts.h"
 
 #include <algorithm>
@@ -16,8 +16,8 @@ void ShareMasses(const model::Body& body, std::vector<model::Part>& parts) {
     if (!part.piece_of.empty()) volumes[part.piece_of] += model::Volume(part.shape);
   }
   if (volumes.empty()) return;
-  // Exactly one part of a shape carries the shape's mass: its visual part or, without one, one of
-  // the convex pieces for collisions.
+  // The mass of a shape is that of one of its parts: of the visual part or, without a visual part,
+  // of one of the convex pieces. The sum over all parts finds this mass in both cases.
   std::map<std::string_view, double> masses;
   for (const model::Part& part : body.parts) masses[part.NameInSpec()] += part.mass;
   for (model::Part& part : parts) {
@@ -43,7 +43,7 @@ SolidParts SolidPartsOf(const model::Body& body) {
   solids.masses_known = solids.mass > 0;
   if (solids.masses_known) return solids;
   solids.mass = body.mass_properties.mass;
-  // Assume that all parts have the same density.
+  // Assumes that all parts have the same density.
   for (model::Part& part : solids.parts) {
     part.mass = volume > 0 ? solids.mass * model::Volume(part.shape) / volume : 0;
   }

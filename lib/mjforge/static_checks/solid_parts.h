@@ -1,4 +1,4 @@
-// Parts that make up the mass of a body.
+// Parts that represent the solid material of a body, with their masses.
 #pragma once
 
 #include <vector>
@@ -7,9 +7,9 @@
 
 namespace mjforge::static_checks {
 
-/// The colliding parts of a body, or all parts if none collides. If only the mass of the whole body
-/// is known (`masses_known` is false), each part has a share of that mass, in proportion to the
-/// part's volume.
+/// Copies of the colliding parts of a body, or of all parts if none collides. Each convex piece of
+/// a shape has a share of the shape's mass. If only the mass of the whole body is known
+/// (`masses_known` is false), each part has a share of that mass, in proportion to its volume.
 struct SolidParts {
   std::vector<model::Part> parts;
   bool masses_known = false;

@@ -8,14 +8,15 @@
 
 namespace mjforge::static_checks {
 
-/// Adds an error, with the numbers found and wanted, for each of object.expectations that does not
-/// hold, and for each condition of object.unmet_expectations. Shapes are exact, except that a mesh
-/// counts as its convex hull. Visual parts count only for bodies without colliding parts.
+/// Adds an error, with the required and the actual number, for each of object.expectations that
+/// does not hold. Also adds the findings of object.unmet_expectations. Shapes are exact, except
+/// that a mesh counts as its convex hull. Visual parts count only for bodies without colliding
+/// parts.
 void CheckExpectations(const model::Object& object, diag::Findings& findings);
 
 /// Checks densities, sizes, inertias and centres of mass, overlapping and loose parts, and
-/// differences between visual and colliding parts. Returns the share of the mass that is counted
-/// twice because parts overlap. Findings about the whole object point at `mark`.
+/// differences between visual and colliding parts. Returns the share of the object's mass that is
+/// counted twice because parts overlap. Findings about the whole object refer to `mark`.
 double CheckProportions(const model::Object& object, diag::SourceMark mark, Reporter& reporter);
 
 /// Warns of parts that should collide but have contact bits of zero, and of contact margins that

@@ -41,7 +41,7 @@ class View {
     return structure_.integers[columns_[field] + static_cast<std::size_t>(element)];
   }
 
-  // Returns the name of an element for messages; for a degree of freedom, that of its joint.
+  // Returns the name of an element for messages. A degree of freedom has the name of its joint.
   std::string NameOf(std::size_t kind, int element) const {
     const mjtObj type = Kinds()[kind].type;
     if (type == mjOBJ_DOF) {
@@ -93,7 +93,7 @@ std::string Joined(const std::vector<std::string_view>& names) {
   return text;
 }
 
-// Compares number and names of the elements of a kind; returns nullopt if they agree.
+// Compares the number and the names of the elements of a kind; returns nullopt if they are equal.
 std::optional<Difference> DifferenceOfNames(const View& a, const View& b, std::size_t kind) {
   const auto& names_a = a.Names(kind);
   const auto& names_b = b.Names(kind);
@@ -112,7 +112,7 @@ std::optional<Difference> DifferenceOfNames(const View& a, const View& b, std::s
   return difference;
 }
 
-// Returns true for fields whose values are ids, which change if other elements are added.
+// Returns true for fields that contain ids of elements. Ids change if other elements are added.
 bool IsReference(const Field& field) {
   return field.name.ends_with("id") || field.name.ends_with("id2") || field.kind == mjOBJ_PAIR ||
          field.kind == mjOBJ_EXCLUDE;

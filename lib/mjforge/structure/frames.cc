@@ -1,5 +1,5 @@
-// Comparison of frames with body frames, by the rule of setSameframe in engine_setconst.c of MuJoCo
-// 4.0.
+// Comparison of the frames of geoms, sites and inertias with body frames, by the rule of the
+// function setSameframe in MuJoCo 4.0 (engine_setconst.c).
 #include "mjforge/structure/frames.h"
 
 #include <mujoco/mujoco.h>

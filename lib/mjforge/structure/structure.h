@@ -12,14 +12,14 @@
 // nq, nv, na, nmocap, addresses, dof_simplenum and the pattern of the mass matrix follow from
 // these.
 //
-// Not included are the appearance (materials, textures and which geom has which: a family has the
-// union of all materials) and the connectivity of meshes, which Qhull chooses: an engine whose
+// Not included are the appearance (materials, textures, and which material a geom has: a family has
+// the union of all materials) and the connectivity of meshes, which Qhull chooses: an engine whose
 // worlds have different meshes exchanges whole meshes.
 //
-// Releases of MuJoCo agree on the structure of a model if they compile it to the same meshes and
-// inertia frames: enumerations are numbered as in 2.2.2, and frames are compared by the rule of 3.2
-// and later. A geom of type mesh has no frame flag, because releases choose different frames for a
-// mesh; an engine must derive that flag from its own poses.
+// The structure of a model is the same in all releases of MuJoCo that compile the model to the same
+// meshes and inertia frames: enumerators are numbered as in 2.2.2, and frames are compared by the
+// rule of 3.2 and later. In a structure, a geom of type mesh has no frame flag, because releases
+// choose different frames for a mesh; an engine must derive that flag from its own poses.
 #pragma once
 
 #include <string>
@@ -53,9 +53,9 @@ Structure StructureOf(const mjModel_& m, std::string_view object_name);
 
 /// A field that differs between two structures.
 struct Difference {
-  std::string field;                  // "geom_type"; "ngeom" for a count; "geom names"
+  std::string field;                  // "geom_type"; a count: "ngeom"; names: "geom names"
   std::vector<std::string> elements;  // elements that differ, or that only one of the two has
-  std::pair<std::string, std::string> values;  // values of the first of the elements, or counts
+  std::pair<std::string, std::string> values;  // values of the first element, or counts, in both
   /// Differing elements with their values in the second structure, as text. Two structures differ
   /// from a third one in the same way if these texts are equal.
   std::string contents;
@@ -64,7 +64,8 @@ struct Difference {
   bool is_coincidence = false;
 };
 /// Returns the differences. If the number or the names of the elements of a kind differ, compares
-/// only elements with names that both structures have, and no fields with ids of other elements.
+/// only elements with names that both structures have, and skips fields that contain ids of
+/// elements.
 std::vector<Difference> DifferencesOf(const Structure& a, const Structure& b);
 
 /// Describes a difference for a message: "geom_type of 'handle' and 'neck' is box, not cylinder",

@@ -18,8 +18,8 @@ int At(Model m, int i) {
   return static_cast<int>((m.*array)[width * i + column]);
 }
 
-// Returns 1 if a number is positive, otherwise 0, because engines detect friction loss, springs and
-// dampers by this condition.
+// Returns 1 if a number of element `i` is positive, otherwise 0. Engines detect friction loss,
+// springs and dampers by this condition.
 template <auto array>
 int IsPositive(Model m, int i) {
   return (m.*array)[i] > 0 ? 1 : 0;
@@ -68,8 +68,9 @@ int ExcludedBody(Model m, int i) {
 int EqualityIsActive(Model m, int i) { return (m.*engine::kEqualityActive)[i] != 0 ? 1 : 0; }
 int LightIsDirectional(Model m, int i) { return (m.*engine::kLightDirectional)[i] == 1 ? 1 : 0; }
 
-// Renumbers an enumerator by its position in a list of MuJoCo 2.2.2, because later releases insert
-// enumerators. Enumerators that are not in the list come after its end.
+// Returns the position of an enumerator in a list of MuJoCo 2.2.2, because later releases insert
+// enumerators. Returns a number beyond the end of the list for an enumerator that 2.2.2 does not
+// have.
 template <const auto& list>
 int PositionIn(int value) {
   const auto found = std::ranges::find(list, value);
@@ -121,7 +122,8 @@ constexpr std::array<int, 37> kSensors = {mjSENS_TOUCH,
                                           mjSENS_SUBTREEANGMOM,
                                           mjSENS_CLOCK,
                                           mjSENS_USER};
-// Object types that a frame sensor can have; the type of another sensor implies its object type.
+// Object types that a frame sensor can have. All other object types get the same number, because
+// they follow from the type of the sensor.
 constexpr std::array<int, 6> kTargets = {mjOBJ_UNKNOWN, mjOBJ_BODY, mjOBJ_XBODY,
                                          mjOBJ_GEOM,    mjOBJ_SITE, mjOBJ_CAMERA};
 
@@ -159,7 +161,7 @@ constexpr Kind kKinds[] = {
     {mjOBJ_EXCLUDE, "exclude", "nexclude", &M::nexclude, &M::name_excludeadr},
     {mjOBJ_EQUALITY, "equality", "neq", &M::neq, &M::name_eqadr},
     {mjOBJ_TENDON, "tendon", "ntendon", &M::ntendon, &M::name_tendonadr},
-    {mjOBJ_NUMERIC, "wrap", "nwrap", &M::nwrap},  // stands for wraps, which mjtObj lacks
+    {mjOBJ_NUMERIC, "wrap", "nwrap", &M::nwrap},  // stands for wraps of tendons, which mjtObj lacks
     {mjOBJ_ACTUATOR, "actuator", "nu", &M::nu, &M::name_actuatoradr},
     {mjOBJ_SENSOR, "sensor", "nsensor", &M::nsensor, &M::name_sensoradr},
     {mjOBJ_KEY, "keyframe", "nkey", &M::nkey, &M::name_keyadr}};

@@ -1,4 +1,4 @@
-// Tables of the kinds of elements and of the fields that make up a structure.
+// Kinds of elements and fields of elements that make up the structure of a compiled model.
 #pragma once
 
 #include <span>
@@ -14,8 +14,9 @@ struct Kind {
   std::string_view word;                    // "geom"
   std::string_view number;                  // name of the kind's count: "ngeom"
   engine::Count mjModel::*count = nullptr;  // null: the model itself, one element
-  /// Array of name addresses in mjModel. Null for kinds without names: the model, and degrees of
-  /// freedom and wraps, whose number follows from joints and tendons.
+  /// Array of name addresses in mjModel. Null for kinds without names: the model itself, degrees of
+  /// freedom (their number follows from the joints) and wraps (their number follows from the
+  /// tendons).
   int* mjModel::*names = nullptr;
 };
 std::span<const Kind> Kinds();

@@ -1,4 +1,5 @@
-// Comparison of bodies: counts, names, poses, masses and inertias, and the start pose.
+// Comparison of compiled bodies with those of the object: counts, names, poses, masses and
+// inertias. Also compares the start keyframe.
 #include "mjforge/validate/compare.h"
 
 #include <algorithm>
@@ -15,9 +16,9 @@
 namespace mjforge::validate {
 namespace {
 
-// Errors of MuJoCo's principal moments, kg m^2, and axes, rad: mju_eig3 (2.2.2) stops at
-// off-diagonal terms of 1e-12 kg m^2, or when the next rotation is below 1.4e-6 rad (cosine within
-// 1e-12 of 1).
+// Tolerances for MuJoCo's principal moments, kg m^2, and principal axes, rad. mju_eig3 (2.2.2)
+// stops if all off-diagonal terms are below 1e-12 kg m^2, or if the next rotation is below 1.4e-6
+// rad (cosine within 1e-12 of 1). The tolerances are about twice these values.
 constexpr double kMomentCutoff = 2e-12;
 constexpr double kAxesRelative = 3e-6;
 
@@ -122,14 +123,14 @@ void Comparison::CompareStart(double lift) {
   CompareStartPoses(lift);
 }
 
-// Compares the start poses that MuJoCo computes with those of model::BodyPoses, on which the record
-// and the bounds depend.
+// Compares the positions of bodies that MuJoCo computes from the start keyframe with those of
+// model::BodyPoses(), from which mjforge computes bounds and records.
 void Comparison::CompareStartPoses(double lift) {
   const compiled::Data d = compiled::MakeData(m_);
   std::copy_n(m_.key_qpos, m_.nq, d->qpos);
   mj_kinematics(&m_, d.get());
   const std::vector<model::Pose> X_WB = model::BodyPoses(object_);
-  // Multiplies tolerances by this number, because rounding errors add up along a chain of bodies.
+  // Factor for tolerances, because rounding errors add up along a chain of bodies.
   const double chain = static_cast<double>(X_WB.size());
   int id = 0;
   for (const int i : mjcf::DepthFirstOrder(object_)) {

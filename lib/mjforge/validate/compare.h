@@ -1,8 +1,8 @@
 // Comparison of a compiled model with the object from which its MJCF was written.
 //
-// Numbers in a file have 10 significant digits, so that their relative error is at most 5e-11.
-// Tolerances are 1e-9 of the object's scale (largest distance of an element from its body's origin)
-// for lengths, and relative 1e-9 for masses.
+// Numbers in a file have 10 significant digits, and therefore a relative error of at most 5e-11.
+// The tolerance of lengths is 1e-9 of the scale of the object (largest distance of an element from
+// the origin of its body). The tolerance of masses is 1e-9 of the mass.
 #pragma once
 
 #include <string>
@@ -28,24 +28,26 @@ struct ComparedElement {
   diag::SourceMark mark;
 };
 
-/// Adds a finding about a difference.
+/// Adds an error about a difference between the compiled model and the object.
 void AddMismatch(diag::SourceMark mark, std::string message, diag::Findings& findings);
-/// Returns true if the two counts of elements are equal; otherwise adds a finding.
+/// Returns true if the model has as many elements as the object; otherwise adds a finding. `what`
+/// is the kind of elements in plural, for the message.
 bool SameCount(std::string_view what, int compiled, std::size_t meant, diag::SourceMark mark,
                diag::Findings& findings);
-/// Returns true if a compiled name is that of the element; otherwise adds a finding.
+/// Returns true if `compiled` is the full name of the element `subject`; otherwise adds a finding.
 bool SameName(std::string_view compiled, const ComparedElement& subject, diag::Findings& findings);
 
-/// Compares the number, names and references of sensors, actuators, tendons, equalities, pairs and
+/// Compares numbers, names and references of sensors, actuators, tendons, equalities, pairs and
 /// excludes. Adds a finding for each difference.
 void CompareSections(const mjModel& m, const model::Object& object, diag::Findings& findings);
 
-/// Compares bodies and their elements, and the start pose.
+/// Comparison of a whole model with an object: bodies with their elements, the sections of
+/// CompareSections(), and the start keyframe.
 class Comparison {
  public:
   Comparison(const mjModel& compiled, const model::Object& object, diag::Findings& findings);
 
-  /// Adds a finding for each difference. `lift` is MjcfDocument::lift, m.
+  /// Compares, and adds a finding for each difference. `lift` is MjcfDocument::lift, m.
   void Run(double lift);
 
  private:

@@ -1,4 +1,4 @@
-// Comparison of geoms, joints and sites.
+// Comparison of compiled geoms, joints and sites with those of the object.
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
-// Comparison of sensors, actuators, tendons, equalities, pairs and excludes.
+// Comparison of compiled sensors, actuators, tendons, equalities, pairs and excludes with those of
+// the object.
 #include <algorithm>
 #include <cstddef>
 #include <map>
@@ -48,7 +49,8 @@ class SectionComparison {
     return SameCount(fmt::format("elements of {}", what), compiled, meant, mark, findings_);
   }
 
-  /// Compares the elements of a section with `check`, in the order of the file, which MuJoCo keeps.
+  /// Compares the elements of a section in the order of the file, which MuJoCo keeps: the names,
+  /// and then the references with `check`.
   void Each(std::string_view section, int count, const int* names, Check check) {
     const std::span<const Element> elements = model::ElementsOf(object_, section);
     const diag::SourceMark mark =

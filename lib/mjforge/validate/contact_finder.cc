@@ -1,4 +1,5 @@
-// Contacts between bodies; enlarges the model's contact buffer when the buffer is full.
+// Finds contacts between bodies, and enlarges the contact buffer of the model when the buffer is
+// full.
 #include "mjforge/validate/contact_finder.h"
 
 #include <algorithm>
@@ -23,8 +24,8 @@ double StackSize(const mjModel& m) {
 }  // namespace
 
 ContactFinder::ContactFinder(mjModel& model) : model_(model) {
-  // Reserves no constraint rows, which need most memory, because collision detection does not use
-  // them.
+  // Reserves no constraint rows, because they need most memory, and collision detection does not
+  // use them.
   engine::SetBufferSizes(model_, {.contacts = room_, .rows = 0, .numbers = StackSize(model)});
   data_ = compiled::MakeData(model_);
   Move();
@@ -50,13 +51,13 @@ void ContactFinder::Collide() {
 
 const std::vector<BodyContact>& ContactFinder::Find() {
   contacts_.clear();
-  // Skips models with a single body, whose only contacts are with the world.
+  // Skips models with a single body, because all contacts of this body are with the world.
   if (model_.nbody <= 2) return contacts_;
   Collide();
   for (int i = 0; i < data_->ncon; ++i) {
     const mjContact& contact = data_->contact[i];
-    // Skips contacts within the gap, which MuJoCo excludes. Contacts at distance 0 count here,
-    // although MuJoCo excludes them, too.
+    // Skips contacts at a positive distance to which MuJoCo applies no force, for example within
+    // the gap. Keeps contacts at distance 0, although MuJoCo may apply no force to them, either.
     if (contact.dist > 0 && contact.exclude != 0) continue;
     BodyContact found = {model_.geom_bodyid[contact.geom1],
                          model_.geom_bodyid[contact.geom2],

@@ -8,7 +8,7 @@
 
 namespace mjforge::validate {
 
-/// The deepest contact of two bodies. All ids are MuJoCo's.
+/// The deepest contact of two bodies. Ids are those of MuJoCo.
 struct BodyContact {
   int body1 = 0;  // less than body2
   int body2 = 0;
@@ -18,16 +18,16 @@ struct BodyContact {
   double margin = 0;    // m; contact forces begin at this distance
 };
 
-/// Computes poses of bodies and contacts. MuJoCo decides which bodies can touch, by its filters for
-/// parents and welded bodies, excludes, pairs and contact bits. The functions throw std::exception
-/// if MuJoCo fails.
+/// Computes poses of bodies, and contacts between bodies. MuJoCo decides which bodies can touch: it
+/// filters parents with their children, and welded bodies, and applies `<exclude>`, `<pair>` and
+/// contact bits. The functions throw std::exception if MuJoCo fails.
 class ContactFinder {
  public:
-  /// Changes the size of the model's contact buffer. Joints start at zero. The model must outlive
+  /// Changes the size of the model's contact buffer. Joints start at qpos0. The model must outlive
   /// this object.
   explicit ContactFinder(mjModel& model);
 
-  /// The joint positions in MuJoCo's format. Call Move() after a change.
+  /// The positions of the joints, mjData::qpos. Call Move() after a change.
   std::span<mjtNum> qpos() { return {data_->qpos, static_cast<std::size_t>(model_.nq)}; }
   /// Computes the poses of the bodies from qpos.
   void Move();

@@ -1,4 +1,5 @@
-// Joint sweep: moves one joint after the other, then all joints to low-discrepancy combinations.
+// Moves one joint after the other through its range, then all joints to combinations of positions
+// from a Sobol sequence, and collects contacts and bounds.
 #include "mjforge/validate/joint_sweep.h"
 
 #include <algorithm>
@@ -174,7 +175,9 @@ class Sweeper {
     }
   }
 
-  /// Adds the geoms' boxes and the contacts at the present joint positions to the results.
+  /// Adds the boxes of geoms and the contacts at the present joint positions to the results.
+  /// `joint` is the only joint that moves, and `value` its position; kTogether if several joints
+  /// move.
   void Measure(int joint, double value) {
     finder_.Move();
     const int first = joint == kTogether ? 1 : m_.jnt_bodyid[joint];
@@ -232,7 +235,7 @@ class Sweeper {
   std::vector<MovedJoint> joints_;
   model::Pose X_AW_;
   bool any_collides_ = false;
-  std::vector<int> body_end_;  // end of the range of ids of each body's subtree
+  std::vector<int> body_end_;  // for each body, 1 + the last id of its subtree
   std::map<std::tuple<int, int, int>, DeepestContact> deepest_;  // by joint and pair of bodies
 };
 

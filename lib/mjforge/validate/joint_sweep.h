@@ -7,8 +7,9 @@
 
 namespace mjforge::validate {
 
-/// Returns the sweep of a model. The sweep's box is in the frame that the body `frame` (0: the
-/// world) has with all joints at zero. The model is unusable afterwards. May throw std::exception.
+/// Moves the joints as struct Sweep describes, and returns contacts and bounds. The box is in the
+/// frame of the body `frame` (0: the world) with all joints at zero. The model is unusable
+/// afterwards. May throw std::exception.
 Sweep SweepModel(mjModel& m, int frame);
 
 }  // namespace mjforge::validate

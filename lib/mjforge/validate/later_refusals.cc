@@ -1,5 +1,5 @@
-// Search for elements of compiled models, and for attributes of objects, that later releases
-// reject.
+// Searches compiled models for meshes, cameras and tendons, and objects for attributes, that later
+// releases reject.
 #include "mjforge/validate/later_refusals.h"
 
 #include <algorithm>
@@ -42,9 +42,9 @@ std::vector<Triangle> TrianglesOf(const mjModel& m, int mesh) {
   return triangles;
 }
 
-// Returns the sum of the volumes of the pyramids from the centroid of the surface to each face,
-// like mjCMesh::ComputeVolume. The vertices are those of the file, because MuJoCo 2.2 does not move
-// the vertices of meshes without a volume.
+// Returns the volume of a mesh, m^3, like mjCMesh::ComputeVolume: the sum of the volumes of the
+// pyramids from the centroid of the surface to each face. The vertices are those of the file,
+// because MuJoCo 2.2 does not move the vertices of meshes without a volume.
 double VolumeOf(const std::vector<Triangle>& triangles) {
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
   double area = 0;
@@ -92,8 +92,8 @@ void ForEachRefused(const mjModel& m, const Report& report) {
   }
 }
 
-// Adds an error for each attribute that later releases reject, of an element and of its
-// descendants.
+// Adds an error for each attribute of an element, and of its descendants, that later releases
+// reject. `parent` is the tag of the parent element.
 void CheckAttributes(std::string_view parent, const model::Element& element,
                      diag::Findings& findings) {
   for (const model::Attribute& attribute : element.attributes) {

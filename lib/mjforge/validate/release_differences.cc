@@ -1,5 +1,4 @@
-// Comparison of the masses and shapes that MuJoCo 2.2 and later releases compute from the same
-// file.
+// Compares the masses and shapes that this MuJoCo and later releases compute from the same file.
 #include "mjforge/validate/release_differences.h"
 
 #include <cmath>
@@ -16,7 +15,7 @@ namespace {
 
 using diag::Code;
 
-constexpr double kAgreement = 1e-6;  // relative difference of equal numbers
+constexpr double kAgreement = 1e-6;  // largest relative difference of equal numbers
 constexpr const char* kMassHint = "an `<inertial>` in each body with meshes makes them agree";
 
 /// Describes the first body whose mass differs between `m` (later releases) and `here` (this

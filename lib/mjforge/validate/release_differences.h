@@ -1,4 +1,5 @@
-// Differences between the models that MuJoCo 2.2 and later releases compile from the same file.
+// Warns of differences between the models that this MuJoCo and later releases compile from the same
+// file.
 #pragma once
 
 #include "mjforge/backport/backport.h"

@@ -1,4 +1,4 @@
-// Bodies of an object that touch each other with all joints at zero or in the start pose.
+// Finds bodies of an object that touch with all joints at zero or in the start pose.
 #include "mjforge/validate/self_collisions.h"
 
 #include <algorithm>
@@ -39,7 +39,8 @@ class SelfCollisions {
   }
 
  private:
-  /// Reports pairs that touch at the present joint positions; returns their number.
+  /// Reports pairs of bodies that touch at the present joint positions; returns the number of these
+  /// pairs. `when` describes the positions in messages.
   std::size_t ReportTouching(ContactFinder& finder, std::string_view when) {
     std::size_t found = 0;
     for (const BodyContact& contact : finder.Find()) {
@@ -92,9 +93,9 @@ class SelfCollisions {
 
   bool InHost() const { return object_.bodies.front().name.empty(); }
 
-  /// Returns a body's name as written in the spec: without the object's prefix. For the root,
-  /// returns the object's name, because a host (a model that includes the object) may give the root
-  /// another name.
+  /// Returns the name of a body as written in the spec, without the prefix of the object. For a
+  /// root without a name, returns the name of the object, because the model that includes the
+  /// object names the root.
   std::string_view BodyNameInSpec(const model::Body& body) const {
     if (InHost() && body.parent == 0) return object_.name;
     return model::OwnName(body.name, object_.name);
@@ -136,7 +137,7 @@ class SelfCollisions {
   mjModel& m_;
   const model::Object& object_;
   diag::Findings& findings_;
-  const std::vector<int> order_;  // index in the object of the body with MuJoCo's id i + 1
+  const std::vector<int> order_;  // i: index of the body with MuJoCo's id i + 1
 };
 
 }  // namespace

@@ -37,7 +37,8 @@ diag::SourceMark MarkOf(const model::Object& object) {
   return object.bodies.empty() ? diag::SourceMark{} : object.bodies.front().mark;
 }
 
-/// Returns the largest number of constraint rows that the joints of a body can need in a step.
+/// Returns the largest number of constraint rows, in one step, of the limits and the dry friction
+/// of the joints of a body.
 int CountConstraints(const model::Body& body) {
   int rows = 0;
   for (const model::Joint& joint : body.joints) {
@@ -74,9 +75,9 @@ int LineOf(std::string_view text, std::string_view needle) {
 /// Returns true for a warning after which the model can still be used.
 bool IsMinor(std::string_view warning) { return warning.starts_with(engine::kHullWarning); }
 
-/// Adds a finding for each warning and each shortage of memory in MuJoCo 2.2. Ignores shortages if
-/// `crowded`, because findings about bodies that touch explain the shortages. Returns true if a
-/// finding is an error.
+/// Adds a finding for each warning of MuJoCo, and for each memory limit of MuJoCo 2.2 that the
+/// model exceeds. Leaves the memory limits out if `crowded`, because then findings about bodies
+/// that touch explain them. Returns true if a finding is an error.
 bool AddWarnings(const Loaded& loaded, bool crowded, diag::SourceMark mark,
                  diag::Findings& findings) {
   for (const std::string& warning : loaded.warnings) {
@@ -109,7 +110,7 @@ auto Computed(const Compute& compute, diag::SourceMark mark, diag::Findings& fin
 }
 
 /// Adds findings about bodies that touch with all joints at zero or in the start pose. Returns true
-/// if it adds findings.
+/// if it adds findings, including a failure of MuJoCo.
 bool FindTouching(mjModel& m, const model::Object& object, diag::Findings& findings) {
   if (object.bodies.size() < 2) return false;
   return Computed([&] { return CheckSelfCollision(m, object, findings); }, MarkOf(object), findings)
@@ -140,7 +141,8 @@ void AddKeyLimit(std::string_view key, diag::SourceMark mark, diag::Findings& fi
       "later releases have no such limit; `--start zero --target scene` writes no keyframe");
 }
 
-/// Adds a finding for each kind of number that is not finite, because MuJoCo loads "nan" silently.
+/// Adds an error for each array of mjModel with a number that is not finite, because MuJoCo loads
+/// "nan" silently.
 void CheckFinite(const mjModel& m, diag::SourceMark mark, diag::Findings& findings) {
   struct Numbers {
     std::string_view kind;
@@ -199,7 +201,7 @@ CompiledModel Describe(const mjModel& m) {
   return described;
 }
 
-/// Returns a hint for errors whose message from MuJoCo is unclear; empty for other errors.
+/// Returns a hint for errors that MuJoCo does not explain; empty for other errors.
 std::string HintFor(std::string_view reason) {
   if (reason.starts_with("qhull error"))
     return "give the mesh some thickness, or let another shape collide in its place";

@@ -1,5 +1,5 @@
-// Validation by MuJoCo: loads MJCF, compares the compiled model with the object, and finds bodies
-// that touch.
+// Validation by MuJoCo: loads MJCF, compares the compiled model with the object from which the MJCF
+// was written, and finds bodies that touch.
 #pragma once
 
 #include <array>
@@ -32,13 +32,14 @@ struct CompiledModel {
   int sites = 0;
 };
 
-/// Contacts and bounds over the ranges of the joints. Each hinge and limited slide takes kSteps
-/// positions in its range (an unlimited hinge in a full turn) while the other joints are at zero.
-/// Unlimited slides and free joints do not move. A ball joint turns about 13 axes, up to its range
-/// in both directions. Several joints also move together to kCombinations points of a Sobol
-/// sequence. If the joints have at most 8 coordinates (3 for a ball joint), all combinations of the
-/// ends of the coordinates are also tried; a ball joint then turns only about z. Equalities are
-/// ignored. The results hold for the tested poses, not between them.
+/// Contacts and bounds over the ranges of the joints. Each hinge and each slide with a range takes
+/// kSteps positions in its range while the other joints are at zero; a hinge without a range makes
+/// a full turn. Slides without a range and free joints do not move. A ball joint turns about 13
+/// axes, up to its range in both directions. Two or more joints also move together to kCombinations
+/// points of a Sobol sequence. If all joints together have at most 8 coordinates (3 for a ball
+/// joint), all combinations of the ends of the coordinates are tried, too; a ball joint then turns
+/// only about z. Equalities are ignored. The results hold for the tried positions, but not between
+/// them.
 struct Sweep {
   static constexpr int kSteps = 65;
   static constexpr int kCombinations = 512;
@@ -46,7 +47,7 @@ struct Sweep {
   /// The deepest contact of two bodies that was found while a joint moved.
   struct Contact {
     std::string joint;  // empty: several joints together, or all at zero
-    double value = 0;   // position of the joint, rad or m; of a ball joint the angle from zero
+    double value = 0;   // joint position, rad or m; ball joint: angle from qpos0
     std::string body1;
     std::string geom1;  // geom of body1
     std::string body2;
@@ -64,8 +65,8 @@ struct Sweep {
 /// Returns the version of the MuJoCo library in use: "2.2.2".
 std::string MujocoVersion();
 
-/// Loads models. Owns MuJoCo's virtual file system (2 MB) and the process-wide error handlers, so
-/// that a process can have only one Loader.
+/// Loads models. A process can have only one Loader, because a Loader owns the process-wide error
+/// handlers of MuJoCo.
 class Loader {
  public:
   Loader();
@@ -73,12 +74,12 @@ class Loader {
   Loader(const Loader&) = delete;
   Loader& operator=(const Loader&) = delete;
 
-  /// Loads a document made from `object` and compares counts, names, masses, inertias, sizes, poses
-  /// and references. If everything matches, finds bodies that touch with all joints at zero or in
-  /// the start pose. Adds a finding, at its place in the spec, for each error, warning, difference
-  /// and touching pair. Returns true if there is no error. Sets `structure`, unless null, to that
-  /// of the loaded model, and `numbers`, unless null, to those of the loaded model if there is no
-  /// error so far.
+  /// Loads a document made from `object`, and compares counts, names, masses, inertias, sizes,
+  /// poses and references with those of the object. If everything matches, finds bodies that touch
+  /// with all joints at zero or in the start pose. Adds a finding, at its place in the spec, for
+  /// each error, warning, difference and touching pair. Returns true if there is no error. Unless
+  /// null, `structure` is set to the structure of the loaded model, and `numbers` to its numbers;
+  /// `numbers` is unchanged after an error.
   bool Validate(const mjcf::MjcfDocument& document, const model::Object& object,
                 diag::Findings& findings, structure::Structure* structure = nullptr,
                 family::Numbers* numbers = nullptr);
@@ -88,14 +89,14 @@ class Loader {
   std::optional<CompiledModel> Load(const std::filesystem::path& file, diag::Sources& sources,
                                     diag::Findings& findings);
 
-  /// Returns the text that MuJoCo reads instead of a file that was written for a later version or
-  /// whose meshes would have other masses in that version. The text is valid in any folder. Returns
-  /// nullopt if MuJoCo reads the file itself.
+  /// Returns the text that mjforge passes to MuJoCo instead of the file, because the file was
+  /// written for a later MuJoCo, or because later releases compute other masses or shapes from it.
+  /// The text is valid in any folder. Returns nullopt if MuJoCo can read the file itself.
   static std::optional<std::string> AdaptedText(const std::filesystem::path& file);
 
   /// Loads a document or a file and moves its joints. Adds findings and returns nullopt if MuJoCo
-  /// rejects the model or fails, or if the loading of a file adds an error. The other findings
-  /// about a file are left out, because Load() reports them.
+  /// rejects the model or fails, or if loading a file adds an error. Leaves out warnings about a
+  /// file, because Load() reports them.
   std::optional<Sweep> SweepJoints(const mjcf::MjcfDocument& document, const model::Object& object,
                                    diag::Findings& findings);
   std::optional<Sweep> SweepJoints(const std::filesystem::path& file, diag::Sources& sources,

@@ -1,4 +1,4 @@
-// Makes the file names of assets absolute by MuJoCo's rules.
+// Resolution of asset file names by MuJoCo's rules: meshdir, texturedir and strippath.
 #include "mjforge/xml/asset_files.h"
 
 #include <system_error>
@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Settings of the element `compiler` that determine the paths of assets.
+/// Values of the attributes of <compiler> that determine the paths of assets.
 struct Folders {
   std::string mesh;
   std::string texture;
@@ -34,7 +34,7 @@ Folders TakeFolders(XmlElement& root) {
     if (const std::string* dir = section.Find("meshdir")) folders.mesh = WithEnd(*dir);
     if (const std::string* dir = section.Find("texturedir")) folders.texture = WithEnd(*dir);
     if (const std::string* strip = section.Find("strippath")) {
-      // Keep an invalid value, so that MuJoCo rejects the file.
+      // Keeps an invalid value in the element, because MuJoCo must reject the file.
       if (*strip != "true" && *strip != "false") continue;
       folders.strip = *strip == "true";
     }
@@ -43,8 +43,8 @@ Folders TakeFolders(XmlElement& root) {
   return folders;
 }
 
-/// Returns an absolute path. Symbolic links in the folder's path are resolved, but the file itself
-/// may be a symbolic link, because MuJoCo selects the format by the extension of the file's name.
+/// Returns an absolute path. Resolves symbolic links in the folder's path, but not a link of the
+/// file itself, because MuJoCo selects the format by the extension of the file's name.
 fs::path Absolute(const fs::path& file) {
   std::error_code error;
   const fs::path whole = fs::absolute(file, error);

@@ -1,4 +1,4 @@
-// Numbers in the values of XML attributes.
+// Parsing and formatting of the numbers in values of XML attributes.
 #include "mjforge/xml/attribute_numbers.h"
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Numbers in the values of XML attributes.
+// Conversion between the values of XML attributes and lists of numbers.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace mjforge::xml {
 
-/// Returns the numbers of a list that is separated by blanks; an empty list if a word is not a
+/// Returns the numbers in a text that are separated by blanks; an empty list if any word is not a
 /// number.
 std::vector<double> NumbersOf(std::string_view text);
 /// Returns the numbers as text, separated by blanks. Each number is the shortest text that is

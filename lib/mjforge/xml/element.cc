@@ -1,4 +1,4 @@
-// Attributes and descriptions of XML elements.
+// Access to attributes of XML elements, their descriptions, and findings about them.
 #include "mjforge/xml/element.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// An element of an MJCF file, with its position in the text, and findings about elements.
+// An element of an MJCF file with its place in the text, and findings that refer to such places.
 #pragma once
 
 #include <string>
@@ -29,8 +29,8 @@ struct XmlElement {
   std::string Description() const;
 };
 
-/// Add an error or a warning with a note at `place` in the MJCF file, and return the finding, so
-/// that the caller can set the finding's own place in the spec.
+/// Add an error or a warning with a note that refers to `place` in the MJCF file. Return the
+/// finding; the caller sets the finding's own place, which is in the spec.
 diag::Finding& AddError(diag::Findings& findings, diag::Code code, diag::SourceMark place,
                         std::string message, std::string hint = {});
 diag::Finding& AddWarning(diag::Findings& findings, diag::Code code, diag::SourceMark place,

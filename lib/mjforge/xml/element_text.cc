@@ -1,4 +1,5 @@
-// Writers of a tree of elements as XML text.
+// Writers of a tree of elements as XML text, with a line for each element or with the lines of the
+// original file.
 #include "mjforge/xml/element_text.h"
 
 #include <algorithm>
@@ -9,14 +10,15 @@
 namespace mjforge::xml {
 namespace {
 
-/// Appends an element and its children to `out`. Calls `start` before each element.
+/// Appends an element and its children to `out`. Calls `start`, which may append line ends, before
+/// each element. Writes the generated name of an element without a name.
 template <typename Start>
 void Write(const XmlElement& element, std::string& out, const Start& start) {
   start(element);
   out += '<';
   out += element.tag;
   const auto write = [&](std::string_view name, const std::string& value) {
-    // Replace control characters, which XML attributes cannot contain, by spaces.
+    // Replaces control characters by spaces, because XML attributes cannot contain them.
     const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' '; };
     std::string text = value;
     std::ranges::replace_if(text, is_control, ' ');

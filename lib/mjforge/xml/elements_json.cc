@@ -1,4 +1,4 @@
-// Conversion of MJCF to JSON, for readers that have no XML parser.
+// Writing of a tree of XML elements as JSON, and recognition of numbers in attribute values.
 #include "mjforge/xml/elements_json.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Places (file, line, column) of bytes, lines and attributes of XML texts.
+// Search for places (file, line, column) in XML texts.
 #include "mjforge/xml/places.h"
 
 #include <algorithm>

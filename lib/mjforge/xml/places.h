@@ -10,10 +10,10 @@
 
 namespace mjforge::xml {
 
-/// Returns the place of the byte at `offset` of a source text.
+/// Returns the place of the byte at `offset` of the text `source` in `sources`.
 diag::SourceMark MarkAt(const diag::Sources& sources, std::uint32_t source, std::size_t offset);
 
-/// Returns the place of the first character on a line that is not blank.
+/// Returns the place of the first character that is not blank on a line (1-based).
 diag::SourceMark MarkOfLine(const diag::Sources& sources, std::uint32_t source, int line);
 
 /// Returns the place of an attribute of an element. Returns the place of the element if the source

@@ -1,4 +1,5 @@
-// Reader of an MJCF file that replaces each include by the contents of the included file.
+// Recursive reader of an MJCF file, which replaces each include by the contents of the included
+// file.
 #include "mjforge/xml/tree_reader.h"
 
 #include <algorithm>
@@ -19,11 +20,11 @@ namespace {
 namespace fs = std::filesystem;
 using diag::Code;
 
-/// Maximum nesting of elements, so that recursive functions do not exhaust the stack. (The XML
-/// reader of MuJoCo 2.2 stops at 100.)
+/// Maximum nesting of elements. Deeper elements might exhaust the stack of recursive functions.
+/// (The XML reader of MuJoCo 2.2 stops at 100.)
 constexpr int kMaxDepth = 1000;
 
-/// Offsets of the lines of a text, by which the places of elements are found.
+/// Finds the places of elements in a text by the offsets of its lines.
 class Lines {
  public:
   Lines(std::uint32_t source, std::string_view text) : source_(source) {
@@ -32,8 +33,8 @@ class Lines {
     }
   }
 
-  /// Returns the place of an element's '<', one byte before the tag's name, whose offset pugixml
-  /// returns.
+  /// Returns the place of an element's '<', which is one byte before the offset of the tag's name
+  /// that pugixml returns.
   diag::SourceMark MarkOf(const pugi::xml_node& node) const {
     const auto offset =
         static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug() - 1, 0));
@@ -47,9 +48,9 @@ class Lines {
   std::vector<std::size_t> starts_ = {0};
 };
 
-/// Reads a tree of elements. Each `<include>` is replaced by the contents of the included file, as
-/// in MuJoCo 2.2: a file may be included only once, and its name is relative to the folder of the
-/// main file.
+/// Reads a tree of elements. Replaces each <include> by the contents of the included file by the
+/// rules of MuJoCo 2.2: a file may be included only once, and its name is relative to the folder of
+/// the main file.
 class TreeReader {
  public:
   TreeReader(const fs::path& main, diag::Sources& sources, diag::Findings& findings)
@@ -115,7 +116,7 @@ class TreeReader {
     return good;
   }
 
-  /// Reports an invalid include, and returns false. `note` may contain a second place.
+  /// Reports an invalid include, and returns false. `note` is an additional note, if it has a mark.
   bool ReportInclude(diag::SourceMark place, const std::string& what, std::string hint = {},
                      const diag::Note& note = {}) {
     diag::Finding& finding =
@@ -184,7 +185,9 @@ class TreeReader {
   diag::Sources& sources_;
   diag::Findings& findings_;
   std::vector<fs::path> open_;
-  std::map<std::string, diag::SourceMark> read_;  // place of the include of each file that was read
+  // Place of the include of each file that was read, by the file's canonical name; an empty mark
+  // for the main file.
+  std::map<std::string, diag::SourceMark> read_;
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Reads an MJCF file and the files that it includes as one tree of elements.
+// Reader of an MJCF file and the files that it includes as one tree of elements.
 #pragma once
 
 #include <filesystem>
@@ -13,9 +13,10 @@ namespace mjforge::xml {
 /// Returns the canonical path of a file. All paths of the same file have the same canonical path.
 std::string CanonicalName(const std::filesystem::path& file);
 
-/// Reads an MJCF file and all files that it includes into `sources`. Returns nullopt, after adding
-/// findings, if there is an error. The findings have notes with places in the XML; the caller sets
-/// the findings' own places.
+/// Returns the root element of an MJCF file, with the contents of included files in place of the
+/// includes. Adds the texts of all files to `sources`. Returns nullopt, after adding findings, if
+/// there is an error. The findings have notes that refer to places in the XML; the caller sets the
+/// findings' own places, which are in the spec.
 std::optional<XmlElement> ReadXml(const std::filesystem::path& file, diag::Sources& sources,
                                   diag::Findings& findings);
 

@@ -1,4 +1,4 @@
-// Checks with pugixml that a text is well-formed XML, and that it is MJCF.
+// Checks, by parsing with pugixml, that a text is well-formed XML and MJCF.
 #include "mjforge/xml/well_formed.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ std::optional<XmlFault> FaultOf(const pugi::xml_parse_result& result) {
   if (result.status == pugi::status_out_of_memory) throw std::bad_alloc();
   std::string reason = result.description();
   if (!reason.empty()) reason.replace(0, 1, diag::LowerCase(reason.substr(0, 1)));
-  // Reports the start of the text if the text has no element.
+  // A text without elements has its fault at the start.
   const bool empty = result.status == pugi::status_no_document_element;
   const auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0));
   return XmlFault{empty ? 0 : offset, fmt::format("not an XML file: {}", reason), {}};

@@ -1,5 +1,5 @@
-// Public header of the library `xml`: MJCF files as trees of XML elements with their places in the
-// text.
+// Public header of the library `xml`: MJCF files as trees of XML elements that know their places in
+// the text.
 #pragma once
 
 #include "mjforge/xml/asset_files.h"
