@@ -124,15 +124,26 @@ std::optional<Vector2d> PositionInDisc(const model::Region& region, const Footpr
   return -around.center + std::min(share, 1.0) * std::max(farthest, 0.0) * way;
 }
 
+// Returns true if an overhang allows a translation of a footprint, with the tolerance `spare` for
+// the share.
+bool IsAllowed(const std::vector<HalfPlane>& borders, const Polygon& outline,
+               const Vector2d& translation, const Overhang& overhang, double spare) {
+  const auto has_center = [&](const HalfPlane& border) {
+    return border.normal.dot(overhang.p_Cm + translation) <= border.limit;
+  };
+  return std::ranges::all_of(borders, has_center) &&
+         ShareOutside(borders, outline, translation) <= overhang.share + spare;
+}
+
 // Finds, by bisection, the largest distance by which the footprint can be moved from the middle.
 // The share of its area outside does not decrease with the distance, because the area of the
 // intersection of convex sets is a log-concave function of the translation (Brunn-Minkowski).
 std::optional<Vector2d> PositionWithOverhang(const model::Region& region,
                                              const Footprint& footprint, const Polygon& outline,
-                                             const Vector2d& uv, double overhang) {
+                                             const Vector2d& uv, const Overhang& overhang) {
   const std::vector<HalfPlane> borders = BordersOf(region);
   const auto is_allowed = [&](const Vector2d& translation) {
-    return ShareOutside(borders, outline, translation) <= overhang;
+    return IsAllowed(borders, outline, translation, overhang, 0);
   };
   const Vector2d middle = model::MiddleOf(region) - footprint.Box().center();
   if (!is_allowed(middle)) return std::nullopt;
@@ -151,8 +162,8 @@ std::optional<Vector2d> PositionWithOverhang(const model::Region& region,
 }  // namespace
 
 std::optional<Vector2d> PositionIn(const model::Region& region, const Footprint& footprint,
-                                   const Vector2d& uv, double overhang) {
-  if (overhang > 0) {
+                                   const Vector2d& uv, const Overhang& overhang) {
+  if (overhang.share > 0) {
     const Polygon outline = footprint.Outline();
     if (solid::AreaOf(outline) > kLeastArea)
       return PositionWithOverhang(region, footprint, outline, uv, overhang);
@@ -162,7 +173,7 @@ std::optional<Vector2d> PositionIn(const model::Region& region, const Footprint&
 }
 
 bool FitsAt(const model::Region& region, const Footprint& footprint, const Vector2d& translation,
-            double overhang) {
+            const Overhang& overhang) {
   if (IsDisc(region)) {
     const double radius = region.half_size.x() - region.margin + 2 * kFitTolerance;
     const auto is_inside = [&](const Disc& disc) {
@@ -176,10 +187,10 @@ bool FitsAt(const model::Region& region, const Footprint& footprint, const Vecto
     };
     if (std::ranges::all_of(BordersOf(region), is_inside)) return true;
   }
-  if (!(overhang > 0)) return false;
+  if (!(overhang.share > 0)) return false;
   const Polygon outline = footprint.Outline();
   return solid::AreaOf(outline) > kLeastArea &&
-         ShareOutside(BordersOf(region), outline, translation) <= overhang + kFitTolerance;
+         IsAllowed(BordersOf(region), outline, translation, overhang, kFitTolerance);
 }
 
 }  // namespace mjforge::placing

@@ -144,8 +144,10 @@ class RegionTry {
       result.verdict = PlaceVerdict::kTooHigh;
     } else if (!stance.at) {
       result.verdict = PlaceVerdict::kTooLarge;
-    } else if (where_.beside && !FitsAt(region_, stance.footprint, *stance.at, where_.overhang)) {
-      const bool fits = PositionIn(region_, stance.footprint, {0, 0}, where_.overhang).has_value();
+    } else if (where_.beside &&
+               !FitsAt(region_, stance.footprint, *stance.at, OverhangAt(stance.yaw))) {
+      const bool fits =
+          PositionIn(region_, stance.footprint, {0, 0}, OverhangAt(stance.yaw)).has_value();
       result.verdict = fits ? PlaceVerdict::kOutside : PlaceVerdict::kTooLarge;
     } else {
       Put(stance, obstacles, result);
@@ -175,12 +177,16 @@ class RegionTry {
     for (int i = 0;; ++i) {
       Stance stance{yaw, of_.footprint.Turned(yaw), std::nullopt};
       stance.at = where_.beside ? NextTo(yaw)
-                                : PositionIn(region_, stance.footprint, where_.uv, where_.overhang);
+                                : PositionIn(region_, stance.footprint, where_.uv, OverhangAt(yaw));
       if (!where_.facing || !stance.at || i == kMostTurns) return stance;
       const double next = YawAt(*stance.at);
       if (std::abs(next - yaw) <= kSameAngle) return stance;
       yaw = next;
     }
+  }
+
+  Overhang OverhangAt(double yaw) const {
+    return {where_.overhang, (AboutZ(yaw) * of_.q_LB * of_.p_BCm).head<2>()};
   }
 
   // Returns the angle of the body's front in L, rad. If the front points up or down, returns the

@@ -51,6 +51,21 @@ TEST_CASE("a body that tips over an edge names what it stands on") {
   CHECK(edge.findings.begin()->message.ends_with("within 1 s; it stands on 'table'"));
 }
 
+TEST_CASE("a supporting body is named, not the root of its tree") {
+  const std::string leg =
+      R"(<body name="m_leg"><geom type="box" size="0.01 0.01 0.1" pos="0 0 0.1"/>)"
+      R"(<body name="m_shelf"><geom type="box" size="0.2 0.2 0.01" pos="0 0 0.5"/></body></body>)";
+  const Examined edge = Examine(leg + Cube("cube", 0.02, 0.205), {}, Settled(1));
+  REQUIRE(edge.Codes() == Strings{"error physics/not-settled"});
+  CHECK(edge.findings.begin()->message.ends_with("within 1 s; it stands on 'shelf'"));
+}
+
+TEST_CASE("too many steps are refused") {
+  const Examined long_time = Examine(kTable + Cube("cube", 0.02), {}, Settled(1e9));
+  CHECK(long_time.Codes() == Strings{"error physics/unstable"});
+  CHECK(long_time.findings.begin()->hint == "use a time of at most 1e+07 steps");
+}
+
 TEST_CASE("on a free root, motions are those relative to the root") {
   const std::string tray = Free(0.5, R"(<geom type="box" size="0.2 0.2 0.01" pos="0 0 0"/>)");
   const std::string cube = R"(<body name="m_cube" pos="0 0 0.53"><freejoint/>)"

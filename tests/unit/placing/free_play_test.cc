@@ -41,16 +41,16 @@ Region PolygonRegion(std::vector<Vector2d> corners) {
 TEST_CASE("numbers from -1 to 1 reach the outermost positions of a box") {
   Region region = BoxRegion(0.5, 0.3);
   const Footprint footprint = Rectangle(0.1, 0.05, {0.02, 0});
-  const auto at = [&](double u, double v) { return *PositionIn(region, footprint, {u, v}, 0); };
+  const auto at = [&](double u, double v) { return *PositionIn(region, footprint, {u, v}, {0}); };
   CHECK((at(1, 1) - Vector2d(0.38, 0.25)).norm() < 1e-8);
   CHECK((at(-1, -1) - Vector2d(-0.42, -0.25)).norm() < 1e-8);
   CHECK((at(0, 0.5) - Vector2d(-0.02, 0.125)).norm() < 1e-8);
   region.margin = 0.05;
   CHECK((at(1, 1) - Vector2d(0.33, 0.2)).norm() < 1e-8);
   region.margin = 0.26;
-  CHECK_FALSE(PositionIn(region, footprint, {0, 0}, 0));
+  CHECK_FALSE(PositionIn(region, footprint, {0, 0}, {0}));
   region.margin = 0.25;
-  CHECK(PositionIn(region, footprint, {0, 0}, 0));
+  CHECK(PositionIn(region, footprint, {0, 0}, {0}));
 }
 
 TEST_CASE("the middle of a border is reached although its ends are rounded differently") {
@@ -58,45 +58,55 @@ TEST_CASE("the middle of a border is reached although its ends are rounded diffe
   const double half = GENERATE(0.15, 0.2, 0.37);
   const Footprint disc({{{0, 0}, radius}});
   for (const double sign : {-1.0, 1.0}) {
-    CHECK((*PositionIn(BoxRegion(half, half), disc, {sign, 0}, 0) -
+    CHECK((*PositionIn(BoxRegion(half, half), disc, {sign, 0}, {0}) -
            Vector2d(sign * (half - radius), 0))
               .norm() < 1e-8);
-    CHECK((*PositionIn(BoxRegion(half, half), disc, {0, sign}, 0) -
+    CHECK((*PositionIn(BoxRegion(half, half), disc, {0, sign}, {0}) -
            Vector2d(0, sign * (half - radius)))
               .norm() < 1e-8);
   }
 }
 
 TEST_CASE("a footprint as large as its region fits") {
-  CHECK(PositionIn(BoxRegion(0.1, 0.2), Rectangle(0.1, 0.2), {1, -1}, 0));
-  CHECK(PositionIn(DiscRegion(0.5), Rectangle(0.3, 0.4), {1, 0}, 0));
-  CHECK_FALSE(PositionIn(DiscRegion(0.4999), Rectangle(0.3, 0.4), {1, 0}, 0));
-  CHECK(PositionIn(DiscRegion(0.5), Footprint({{{0.1, 0}, 0.5}}), {0, 0}, 0));
-  CHECK_FALSE(PositionIn(DiscRegion(0.5), Footprint({{{0.1, 0}, 0.501}}), {0, 0}, 0));
+  CHECK(PositionIn(BoxRegion(0.1, 0.2), Rectangle(0.1, 0.2), {1, -1}, {0}));
+  CHECK(PositionIn(DiscRegion(0.5), Rectangle(0.3, 0.4), {1, 0}, {0}));
+  CHECK_FALSE(PositionIn(DiscRegion(0.4999), Rectangle(0.3, 0.4), {1, 0}, {0}));
+  CHECK(PositionIn(DiscRegion(0.5), Footprint({{{0.1, 0}, 0.5}}), {0, 0}, {0}));
+  CHECK_FALSE(PositionIn(DiscRegion(0.5), Footprint({{{0.1, 0}, 0.501}}), {0, 0}, {0}));
+}
+
+TEST_CASE("with an overhang the centre of mass stays above the region") {
+  const Overhang overhang{.share = 1, .p_Cm = {0.05, 0}};
+  const Region region = BoxRegion(0.5, 0.3);
+  const Footprint footprint = Rectangle(0.1, 0.05);
+  CHECK((*PositionIn(region, footprint, {1, 0}, overhang) - Vector2d(0.45, 0)).norm() < 1e-8);
+  CHECK((*PositionIn(region, footprint, {-1, 0}, overhang) - Vector2d(-0.55, 0)).norm() < 1e-8);
+  CHECK(FitsAt(region, footprint, {0.449, 0}, overhang));
+  CHECK_FALSE(FitsAt(region, footprint, {0.451, 0}, overhang));
 }
 
 TEST_CASE("in a disc the unit disc reaches the outermost positions") {
   const Region region = DiscRegion(0.5);
   const Footprint round({{{0, 0}, 0.1}});
-  CHECK((*PositionIn(region, round, {1, 0}, 0) - Vector2d(0.4, 0)).norm() < 1e-12);
-  CHECK((*PositionIn(region, round, {0, -0.5}, 0) - Vector2d(0, -0.2)).norm() < 1e-12);
-  CHECK((*PositionIn(region, round, {3, 4}, 0) - Vector2d(0.24, 0.32)).norm() < 1e-12);
+  CHECK((*PositionIn(region, round, {1, 0}, {0}) - Vector2d(0.4, 0)).norm() < 1e-12);
+  CHECK((*PositionIn(region, round, {0, -0.5}, {0}) - Vector2d(0, -0.2)).norm() < 1e-12);
+  CHECK((*PositionIn(region, round, {3, 4}, {0}) - Vector2d(0.24, 0.32)).norm() < 1e-12);
   // Its far corners touch the circle: (x + 0.1)^2 + 0.3^2 = 0.5^2.
-  CHECK((*PositionIn(region, Rectangle(0.1, 0.3), {1, 0}, 0) - Vector2d(0.3, 0)).norm() < 1e-12);
+  CHECK((*PositionIn(region, Rectangle(0.1, 0.3), {1, 0}, {0}) - Vector2d(0.3, 0)).norm() < 1e-12);
 }
 
 TEST_CASE("in a polygon numbers are shares of its extents") {
   const Region triangle = PolygonRegion({{-1, -1}, {1, -1}, {-1, 1}});
   const Footprint point({Disc()});
-  const auto at = [&](double u, double v) { return *PositionIn(triangle, point, {u, v}, 0); };
+  const auto at = [&](double u, double v) { return *PositionIn(triangle, point, {u, v}, {0}); };
   CHECK((at(-1, -1) - Vector2d(-1, -1)).norm() < 1e-7);
   CHECK((at(1, 0) - Vector2d(1, -1)).norm() < 1e-7);
   CHECK((at(-1, 1) - Vector2d(-1, 1)).norm() < 1e-7);
   CHECK((at(0, 1) - Vector2d(0, 0)).norm() < 1e-7);
   // The inscribed circle has the radius 2 - sqrt(2).
   const double radius = 2 - std::sqrt(2);
-  CHECK(PositionIn(triangle, Footprint({{{0, 0}, radius}}), {0, 0}, 0));
-  CHECK_FALSE(PositionIn(triangle, Footprint({{{0, 0}, radius + 1e-6}}), {0, 0}, 0));
+  CHECK(PositionIn(triangle, Footprint({{{0, 0}, radius}}), {0, 0}, {0}));
+  CHECK_FALSE(PositionIn(triangle, Footprint({{{0, 0}, radius + 1e-6}}), {0, 0}, {0}));
 }
 
 // Points on the border of a footprint.
@@ -156,7 +166,7 @@ TEST_CASE("every position in a random region keeps the footprint inside, and the
     Vector2d uv(uniform(random), uniform(random));
     const bool is_outermost = random() % 2 == 0;
     if (is_outermost) uv /= region.type == RegionType::kDisc ? uv.norm() : uv.cwiseAbs().maxCoeff();
-    const auto at = PositionIn(region, footprint, uv, 0);
+    const auto at = PositionIn(region, footprint, uv, {0});
     const auto is_inside = [&](const Vector2d& t, double tolerance) {
       return std::ranges::all_of(BorderOf(footprint), [&](const Vector2d& p) {
         return Contains(region, p + t, tolerance);
@@ -170,13 +180,13 @@ TEST_CASE("every position in a random region keeps the footprint inside, and the
     }
     ++fitting;
     CHECK(is_inside(*at, 1e-7));
-    CHECK(FitsAt(region, footprint, *at, 0));
+    CHECK(FitsAt(region, footprint, *at, {0}));
     if (!is_outermost) continue;
     int outside = 0;
     for (int j = 0; j < 16; ++j) {
       const Vector2d step(std::cos(j * M_PI / 8), std::sin(j * M_PI / 8));
       const Vector2d near = *at + 1e-5 * step;
-      outside += FitsAt(region, footprint, near, 0) ? 0 : 1;
+      outside += FitsAt(region, footprint, near, {0}) ? 0 : 1;
     }
     CHECK(outside > 0);
   }
@@ -186,20 +196,22 @@ TEST_CASE("every position in a random region keeps the footprint inside, and the
 TEST_CASE("a share of the footprint may be outside") {
   const Region region = BoxRegion(0.5, 0.3);
   const Footprint footprint = Rectangle(0.1, 0.05);
-  const auto at = [&](double u, double v) { return *PositionIn(region, footprint, {u, v}, 0.25); };
+  const auto at = [&](double u, double v) {
+    return *PositionIn(region, footprint, {u, v}, {0.25});
+  };
   // A quarter of its length of 0.2.
   CHECK((at(1, 0) - Vector2d(0.45, 0)).norm() < 1e-9);
   CHECK((at(0, -0.5) - Vector2d(0, -0.275 / 2)).norm() < 1e-9);
-  CHECK(FitsAt(region, footprint, {0.4499, 0}, 0.25));
-  CHECK_FALSE(FitsAt(region, footprint, {0.4501, 0}, 0.25));
+  CHECK(FitsAt(region, footprint, {0.4499, 0}, {0.25}));
+  CHECK_FALSE(FitsAt(region, footprint, {0.4501, 0}, {0.25}));
   // At a corner, the shares of both sides inside are multiplied.
   const Vector2d corner = at(1, 1);
   const Vector2d inside = (Vector2d(0.6, 0.35) - corner).cwiseQuotient(Vector2d(0.2, 0.1));
   CHECK(inside.cwiseMin(1).prod() == Approx(0.75));
   // A plank longer than the region.
-  CHECK_FALSE(PositionIn(region, Rectangle(0.6, 0.1), {0, 0}, 0));
-  CHECK(PositionIn(region, Rectangle(0.6, 0.1), {0, 0}, 0.2));
-  CHECK_FALSE(PositionIn(region, Rectangle(0.6, 0.1), {0, 0}, 0.1));
+  CHECK_FALSE(PositionIn(region, Rectangle(0.6, 0.1), {0, 0}, {0}));
+  CHECK(PositionIn(region, Rectangle(0.6, 0.1), {0, 0}, {0.2}));
+  CHECK_FALSE(PositionIn(region, Rectangle(0.6, 0.1), {0, 0}, {0.1}));
 }
 
 }  // namespace
