@@ -60,6 +60,28 @@ class Reports(InFolder):
         self.assertEqual(list(mjforge.Spec(ALL_FAIL).check(3).failed), [0, 1, 2])
         self.assertEqual(mjforge.Spec("mug").variants().write("one.xml", 1).made, 1)
 
+    def test_an_earlier_batch_is_not_the_result_of_a_run_that_made_nothing(self):
+        for output in ("out", "a.tar", "b.npz"):
+            self.assertEqual(mjforge.Spec("primitives/ball").variants().write(output, 3).made, 3)
+            report = mjforge.Spec(ALL_FAIL).variants().write(output, 2)
+            self.assertEqual((report.ok, report.made, list(report.failed), report.manifest), (False, 0, [0, 1], None))
+
+    def test_variants_that_are_all_skipped_are_not_made(self):
+        for output, count in (("out", 2), ("one.xml", 1), ("a.tar", 2), ("b.npz", 2)):
+            report = mjforge.Spec(ALL_FAIL).variants(on_invalid="skip").write(output, count)
+            self.assertEqual((report.ok, report.made, list(report.skipped), report.manifest),
+                             (True, 0, list(range(count)), None))
+
+    def test_iteration_goes_on_after_a_variant_that_cannot_be_made(self):
+        variants = mjforge.Spec(HALF_FAIL).variants(seed=1)
+        made, iterator = [], iter(variants)
+        for index in range(20):
+            try:
+                made.append(next(iterator).index)
+            except mjforge.VariantError as error:
+                self.assertEqual({finding.index for finding in error.findings}, {index})
+        self.assertEqual(made, [i for i in range(20) if self.makes(variants, i)])
+
     def test_options_of_variants_are_used(self):
         variants = mjforge.Spec("mug").variants(seed=7, validate="physics")
         report = variants.write("out", 1)

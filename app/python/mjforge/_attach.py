@@ -124,15 +124,17 @@ class _Start:
         model, data, members = self._model, self._data, self._members
         speeds = iter(members.key.get("qvel", ()))
         placed = [j for j in members.joints.values() if j.type == "free" and j.name != members.root_joint]
-        origin = self._origin() if placed else None
+        origin = self._origin() if placed or any(members.key.get("qvel", ())) else None
         for joint in members.joints.values():
             number = self.id_of("joint", joint.name)
             first, dof = model.jnt_qposadr[number], model.jnt_dofadr[number]
             width = {"free": 6, "ball": 3}.get(joint.type, 1)
             velocity = [next(speeds, 0.0) for _ in range(width)]
+            if joint.type == "free" and any(velocity[:3]):
+                velocity[:3] = self._turned(velocity[:3], origin)
+            data.qvel[dof:dof + width] = velocity
             if joint.name == members.root_joint:
                 continue
-            data.qvel[dof:dof + width] = velocity
             if joint.type == "free":
                 data.qpos[first:first + 7] = self._placed(joint, origin)
             else:
@@ -179,6 +181,14 @@ class _Start:
 
         start = np.array(joint.start)
         return np.concatenate(self._product(origin, (start[:3], start[3:])))
+
+    def _turned(self, vector: list[float], frame: Any) -> Any:
+        """Returns a vector in the world whose components in a frame are given."""
+        import numpy as np
+
+        turned = np.zeros(3)
+        self._mujoco.mju_rotVecQuat(turned, np.array(vector), frame[1])
+        return turned
 
     def _product(self, outer: Pose, inner: Pose) -> Pose:
         import numpy as np

@@ -14,18 +14,20 @@ from ._findings import Finding
 from ._json import loads
 from ._library import PROGRAM, c_text
 
-# Lines that `generate --verbose` prints: one for each variant, and first the number of variants
-# that an earlier run made.
+# Lines that `generate` prints: with --verbose one for each variant, and first the number of variants
+# that an earlier run made; as the last line, the numbers of all variants.
 _VARIANT = re.compile(r".*: (ok|failed|skipped), attempt \d+")
 _KEPT = re.compile(r"(\d+) variants? kept")
+_SUMMARY = re.compile(r"\d+ variants? of .*: (\d+) ok\b.*")
 
 
-class _Messages:
+class Messages:
     """Findings and other messages that the command writes to standard error."""
 
     def __init__(self, progress: Optional[Callable[[int], object]]) -> None:
         self.findings: list[Finding] = []
         self.words: list[str] = []
+        self.made = 0  # number of valid variants of `generate`, those of an earlier run included
         self._progress = progress
         self._done = 0
 
@@ -40,6 +42,8 @@ class _Messages:
             elif self._progress is not None and _VARIANT.fullmatch(line):
                 self._done += 1
                 self._progress(self._done)
+            elif summary := _SUMMARY.fullmatch(line):
+                self.made += int(summary[1])
             else:
                 self.words.append(line)
 
@@ -48,16 +52,17 @@ class _Messages:
 
 
 def run(arguments: list[str], text: bytes,
-        progress: Optional[Callable[[int], object]] = None) -> list[Finding]:
-    """Runs the command and returns its findings. `text` goes to standard input. `progress` is
+        progress: Optional[Callable[[int], object]] = None) -> Messages:
+    """Runs the command and returns its messages. `text` goes to standard input. `progress` is
     called with the number of variants that are done, including those of an earlier run.
 
     Raises ValueError for wrong usage, OSError if reading or writing failed, and KeyboardInterrupt
     if this process or the command was interrupted; the command has then ended, and every file is
     complete.
     """
-    command = [PROGRAM, arguments[0], "--findings=json",
-               "--quiet" if progress is None else "--verbose", *arguments[1:]]
+    # Without --quiet, `generate` ends with a summary.
+    detail = ["--verbose"] if progress is not None else ["--quiet"] * (arguments[0] != "generate")
+    command = [PROGRAM, arguments[0], "--findings=json", *detail, *arguments[1:]]
     for argument in command:
         c_text(argument, "argument")
     # Starts a session of its own, so that Ctrl-C at the terminal reaches the command only once,
@@ -65,7 +70,7 @@ def run(arguments: list[str], text: bytes,
     process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
                                stderr=subprocess.PIPE, start_new_session=True)
     assert process.stdin is not None and process.stderr is not None
-    messages = _Messages(progress)
+    messages = Messages(progress)
     try:
         try:
             process.stdin.write(text)
@@ -82,7 +87,7 @@ def run(arguments: list[str], text: bytes,
     finally:
         process.stderr.close()
     if status in (0, 1):
-        return messages.findings
+        return messages
     if status == 130:
         raise KeyboardInterrupt
     kinds: dict[int, type[Exception]] = {2: ValueError, 3: OSError}

@@ -156,7 +156,7 @@ def _expect_unchanged(path: pathlib.Path) -> None:
     if not any(path.parent.glob("*.manifest.seal.json")):
         return
     try:
-        findings = _command.run(["verify", "--", str(path)], b"")
+        findings = _command.run(["verify", "--", str(path)], b"").findings
     except (OSError, ValueError):
         return  # the seal belongs to another file, or cannot be read
     for finding in findings:

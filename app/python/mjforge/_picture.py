@@ -115,7 +115,7 @@ def draw(variants: Iterable[Variant], size: Optional[Size], layer: Layer,
             raise ValueError(f"a sheet has 1 to 400 variants, not {len(files)}")
         words += [*_view_of(drawn), *explicit]  # if a joint has two positions, the last one counts
         picture = pathlib.Path(folder, "picture.png")
-        findings = _command.run(["preview", *words, "-o", str(picture), "--", *files], b"")
+        findings = _command.run(["preview", *words, "-o", str(picture), "--", *files], b"").findings
         if not picture.exists():
             raise VariantError(findings)
         return Picture(picture.read_bytes())

@@ -47,19 +47,22 @@ def manifest_of(output: str, shard: Optional[str]) -> Optional[pathlib.Path]:
     return pathlib.Path(os.fsdecode(path)) if path else None
 
 
-def report_of(manifest: Optional[pathlib.Path], first: int, count: int,
+def report_of(output: str, shard: Optional[str], span: range, made: int, skips: bool,
               found: list[Finding], key_paths: Sequence[str]) -> Report:
-    """Returns the report of a command that has ended. `found`: the findings that the command
-    printed, a part of all. `key_paths`: the key of each line of a spec that was given as a mapping.
+    """Returns the report of a command that has ended. `made`: the number of valid variants. `skips`:
+    whether invalid variants are skipped. `found`: the findings that the command printed, a part of
+    all. `key_paths`: the key of each line of a spec that was given as a mapping.
     """
+    manifest = manifest_of(output, shard)
     for finding in found:
         finding.set_keys(key_paths)
-    if manifest is None or not os.path.exists(manifest):
-        # The command writes no manifest for a single file, or if it could make no variant.
-        has_failed = any(finding.severity == "error" for finding in found)
-        failed = {index: tuple(finding for finding in found if finding.index == index)
-                  for index in range(first, first + count)} if has_failed else {}
-        return Report(count, count - len(failed), failed, {}, tuple(found), None)
+    if manifest is None or made == 0 and not shard:
+        # The command writes no manifest for a single file, or if it could make no variant; a manifest
+        # of an earlier batch remains.
+        invalid = {index: tuple(finding for finding in found if finding.index == index)
+                   for index in span} if made == 0 else {}
+        failed, skipped = ({}, invalid) if skips else (invalid, {})
+        return Report(len(span), made, failed, skipped, tuple(found), None)
     made = total = 0
     by_status: dict[str, dict[int, tuple[Finding, ...]]] = {"failed": {}, "skipped": {}}
     findings: list[Finding] = []

@@ -164,7 +164,7 @@ class Batch:
         """Compares all files with their hashes, as `mjforge verify` does. Returns the findings."""
         found = list(missing_shards(self.path, self._manifests))
         for manifest in self._manifests:
-            found += _command.run(["verify", "--", str(manifest)], b"")
+            found += _command.run(["verify", "--", str(manifest)], b"").findings
         return found
 
     def prove(self, *, jobs: Optional[int] = None, progress: bool = True) -> list[Finding]:

@@ -255,8 +255,8 @@ class Variant:
 
     def start(self, model: "MjModel", data: "MjData", prefix: str = "") -> None:
         """Sets joints, velocities, activations and controls of the object in a simulation to its
-        start state. The first body stays at its pose, and other free bodies are placed relative to
-        it. `prefix`: the prefix with which the object was attached.
+        start state. The first body stays at its pose; other free bodies, and velocities of free
+        bodies, are relative to it. `prefix`: the prefix with which the object was attached.
         """
         _attach.start(self, model, data, prefix)
 

@@ -13,7 +13,7 @@ from ._findings import VariantError
 from ._library import integer
 from ._maker import Maker
 from ._options import Durability, Layout, Profile, Validate
-from ._report import Report, manifest_of, report_of
+from ._report import Report, report_of
 from ._variant import Variant
 
 if TYPE_CHECKING:
@@ -100,15 +100,7 @@ class Variants(Sequence[Variant]):
         return len(self._indices)
 
     def __iter__(self) -> Iterator[Variant]:
-        indices = itertools.count() if self._indices is None else iter(self._indices)
-        count = 1
-        while made := self._some(itertools.islice(indices, count)):
-            for each in made:
-                if isinstance(each, Exception):
-                    raise each
-                if each is not None:
-                    yield each
-            count = min(2 * count, _AHEAD)
+        return _Iteration(self)
 
     def _some(self, indices: Iterable[int]) -> list[Union[Variant, Exception, None]]:
         """Variants of the first indices, as many as are made in a short time: None for one that is left
@@ -190,11 +182,11 @@ class Variants(Sequence[Variant]):
             "first": span.start, "count": len(span), **options})
         self.spec._compare_inputs()
         total = len(span) if shard is None else None
-        findings = _command.run(
+        messages = _command.run(
             ["generate", *words, "--", "-"], self.spec._snapshot.saved(),
             None if progress is None else lambda done: progress(done, total))
-        return report_of(manifest_of(options["output"], shard), span.start, len(span), findings,
-                         self.spec._key_paths)
+        return report_of(options["output"], shard, span, messages.made, own["on_invalid"] == "skip",
+                         messages.findings, self.spec._key_paths)
 
     def _span(self, count: Optional[int], first: Optional[int]) -> range:
         """Returns the indices of the variants to write."""
@@ -278,3 +270,29 @@ class Variants(Sequence[Variant]):
         which = "" if self._indices is None else f" {self._indices}"
         return (f"<mjforge.Variants{which} of {described(self.spec)}, seed {self._options['seed']}, "
                 f"target {self._options['target']}>")
+
+
+class _Iteration(Iterator[Variant]):
+    """Iteration over variants. Not a generator, because an exception would end a generator, and
+    iteration continues after a variant that cannot be made.
+    """
+
+    def __init__(self, variants: Variants) -> None:
+        self._variants = variants
+        indices = variants._indices
+        self._indices: Iterator[int] = itertools.count() if indices is None else iter(indices)
+        self._made: list[Union[Variant, Exception, None]] = []  # in reverse order
+        self._ahead = 1
+
+    def __next__(self) -> Variant:
+        while True:
+            if not self._made:
+                self._made = self._variants._some(itertools.islice(self._indices, self._ahead))[::-1]
+                self._ahead = min(2 * self._ahead, _AHEAD)
+                if not self._made:
+                    raise StopIteration
+            made = self._made.pop()
+            if isinstance(made, Exception):
+                raise made
+            if made is not None:
+                return made
