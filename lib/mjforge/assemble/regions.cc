@@ -77,7 +77,7 @@ bool ReadPolygon(FieldReader& reader, const spec::Field& field, model::Region& r
     const std::size_t next = (i + 1) % corners.size();
     if (corners[i] != corners[next]) continue;
     reader.Report(Code::kModelBadValue, field,
-                  fmt::format("has the same point as corners {} and {}", i + 1, next + 1),
+                  fmt::format("has the same point at corners {} and {}", i + 1, next + 1),
                   "the last corner is connected to the first");
     return false;
   }
