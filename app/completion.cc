@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
+#include <ctime>
 #include <memory>
 #include <set>
 
@@ -137,6 +138,9 @@ class Completions {
   std::string files_;
 };
 
+// CPU time for descriptions of specs, in ticks: half a second.
+constexpr std::clock_t kDescriptionTime = CLOCKS_PER_SEC / 2;
+
 std::unique_ptr<spec::ObjectSpec> LoadQuietly(const std::string& name) {
   spec::LoadOptions load;
   load.search_path = forge::SearchPath();
@@ -159,8 +163,10 @@ void AddSpecs(const std::string& before, const std::string& start, Completions& 
       }
     }
   }
+  // Adds further names without descriptions if the catalogue takes too long to load.
+  const std::clock_t end = std::clock() + kDescriptionTime;
   for (const std::string& name : names) {
-    const auto spec = LoadQuietly(name);
+    const auto spec = std::clock() < end ? LoadQuietly(name) : nullptr;
     completions.Add(before + name, spec ? spec->description : "");
   }
 }

@@ -22,6 +22,7 @@ class CompletionTest : public CrateTest {
   std::string Words(std::vector<std::string> words) const {
     const std::string answer = Ask(std::move(words));
     std::string found;
+    REQUIRE(answer.ends_with('\n'));
     for (std::size_t at = 0; answer[at] != ':'; at = answer.find('\n', at) + 1)
       found += answer.substr(at, answer.find('\t', at) - at) + "\n";
     return found;

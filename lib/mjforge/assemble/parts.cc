@@ -32,7 +32,7 @@ bool ReadRole(FieldReader& reader, const spec::Entry& entry, model::Part& part) 
 bool IsAttribute(Key id) { return id == Key::kAttribute || id == Key::kRgba || id == Key::kGroup; }
 
 // Makes the contacts of a shape's convex pieces stiffer, because with MuJoCo's default parameters
-// objects sink through thin walls. Of 100 beakers with walls of 1.5 mm, 97 hold dropped balls of 5
+// objects sink through thin walls. 97 of 100 beakers with walls of 1.5 mm hold dropped balls of 5
 // mm with these values, but none with the defaults (docs/physics.md). The time constant is just
 // above two timesteps of 2 ms, MuJoCo's lower limit (refsafe).
 void HardenContacts(std::vector<model::Attribute>& attributes) {

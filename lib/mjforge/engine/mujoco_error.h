@@ -8,7 +8,7 @@ namespace mjforge::engine {
 
 /// Parts of an error message of MuJoCo.
 struct Refusal {
-  std::string reason;  // one line, without MuJoCo's "Error: " and without a full stop at the end
+  std::string reason;  // on one line, without MuJoCo's "Error: " and a final full stop
   int line = 0;        // line of the XML; 0 if unknown
 };
 Refusal ParseRefusal(std::string_view message);
