@@ -72,6 +72,11 @@ class Reports(InFolder):
             self.assertEqual((report.ok, report.made, list(report.skipped), report.manifest),
                              (True, 0, list(range(count)), None))
 
+    def test_findings_beyond_those_that_are_printed_are_no_finding(self):
+        many = {**HALF_FAIL, "expect": [f"l < {i}mm" for i in range(1, 60)]}
+        report = mjforge.Spec(many).variants().write("out", 3)
+        self.assertEqual({finding.code for finding in report.findings}, {"model/expectation"})
+
     def test_iteration_goes_on_after_a_variant_that_cannot_be_made(self):
         variants = mjforge.Spec(HALF_FAIL).variants(seed=1)
         made, iterator = [], iter(variants)

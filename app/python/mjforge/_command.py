@@ -35,7 +35,9 @@ class Messages:
         for encoded in stream:
             line = encoded.decode(errors="replace").rstrip("\n")
             if line.startswith("{"):
-                self.findings.append(Finding(loads(encoded)))
+                members = loads(encoded)
+                if "more" not in members:  # the number of findings that were not printed
+                    self.findings.append(Finding(members))
             elif self._progress is not None and (kept := _KEPT.fullmatch(line)):
                 self._done = int(kept[1])
                 self._progress(self._done)

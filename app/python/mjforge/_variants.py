@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import operator
 import os
+import threading
 import time
 from typing import TYPE_CHECKING, Any, Callable, Iterable, Iterator, Optional, Sequence, Union, overload
 
@@ -283,8 +284,13 @@ class _Iteration(Iterator[Variant]):
         self._indices: Iterator[int] = itertools.count() if indices is None else iter(indices)
         self._made: list[Union[Variant, Exception, None]] = []  # in reverse order
         self._ahead = 1
+        self._lock = threading.Lock()  # threads may share an iteration
 
     def __next__(self) -> Variant:
+        with self._lock:
+            return self._next()
+
+    def _next(self) -> Variant:
         while True:
             if not self._made:
                 self._made = self._variants._some(itertools.islice(self._indices, self._ahead))[::-1]

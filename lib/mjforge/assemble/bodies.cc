@@ -237,7 +237,7 @@ int Assembly::ParentOf(Scope& scope, FieldReader& reader, const spec::Entry& ent
   }
   std::vector<std::string_view> names = {scope.values.spec().name};
   for (const auto& [full, index] : bodies_) {
-    if (full.starts_with(scope.prefix) && index != scope.body) {
+    if (full.starts_with(scope.prefix) && index != scope.body && index != own) {
       names.push_back(std::string_view(full).substr(scope.prefix.size()));
     }
   }

@@ -20,6 +20,9 @@ using spec::Key;
 // Half the thickness of a region's site, m.
 constexpr double kHalfThickness = 0.0005;
 
+// Least area of a polygon's convex hull, as a share of the square of its size.
+constexpr double kThinnest = 1e-9;
+
 // Returns the key that specifies the extent of a region of this type.
 Key ExtentKey(std::string_view type) { return type == "polygon" ? Key::kPolygon : Key::kSize; }
 
@@ -54,7 +57,7 @@ std::optional<std::size_t> ConcaveCorner(const std::vector<Eigen::Vector2d>& cor
     const Eigen::Vector2d after = corners[(i + 1) % n] - corners[i];
     const double turn =
         std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after));
-    if (!(turn > -kStraight)) return i;
+    if (!(turn > -kStraight && turn < std::numbers::pi - kStraight)) return i;
     turned += turn;
   }
   // Rejects star polygons (pentagrams): they also turn left at each corner, but by more than 360
@@ -79,6 +82,11 @@ bool ReadPolygon(FieldReader& reader, const spec::Field& field, model::Region& r
     reader.Report(Code::kModelBadValue, field,
                   fmt::format("has the same point at corners {} and {}", i + 1, next + 1),
                   "the last corner is connected to the first");
+    return false;
+  }
+  const double size = solid::BoxAround(corners).sizes().norm();
+  if (solid::AreaOf(solid::ConvexPolygonOf(corners)) <= kThinnest * size * size) {
+    reader.Report(Code::kModelBadValue, field, "has no area: its corners are on a line");
     return false;
   }
   const bool is_reversed = solid::AreaOf(corners) < 0;

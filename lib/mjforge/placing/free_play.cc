@@ -19,6 +19,7 @@ using Eigen::Vector2d;
 constexpr double kFitTolerance = 1e-9;  // m, so that a footprint as large as its region fits
 constexpr int kTangents = 64;           // sides of the polygon that replaces a disc, for areas
 constexpr int kBisections = 50;
+constexpr double kBalance = 1e-3;     // m; a body whose centre of mass is nearer to an edge may tip
 constexpr double kLeastArea = 1e-12;  // m^2; smaller footprints are points or lines
 
 // Half plane of the points p with normal . p <= limit; the normal has length 1.
@@ -124,15 +125,37 @@ std::optional<Vector2d> PositionInDisc(const model::Region& region, const Footpr
   return -around.center + std::min(share, 1.0) * std::max(farthest, 0.0) * way;
 }
 
+// Returns true if the centre of mass is inside of the borders after a translation, at least
+// kBalance away from them.
+bool HasCenter(const std::vector<HalfPlane>& borders, const Overhang& overhang,
+               const Vector2d& translation) {
+  return std::ranges::all_of(borders, [&](const HalfPlane& border) {
+    return border.normal.dot(overhang.p_Cm + translation) <= border.limit - kBalance;
+  });
+}
+
 // Returns true if an overhang allows a translation of a footprint, with the tolerance `spare` for
 // the share.
 bool IsAllowed(const std::vector<HalfPlane>& borders, const Polygon& outline,
                const Vector2d& translation, const Overhang& overhang, double spare) {
-  const auto has_center = [&](const HalfPlane& border) {
-    return border.normal.dot(overhang.p_Cm + translation) <= border.limit;
-  };
-  return std::ranges::all_of(borders, has_center) &&
+  return HasCenter(borders, overhang, translation) &&
          ShareOutside(borders, outline, translation) <= overhang.share + spare;
+}
+
+// Returns the translation of the footprint's middle to the middle of the region. If the centre of
+// mass is then outside, moves it inside on the way to the middle of the region.
+Vector2d BalancedMiddle(const model::Region& region, const std::vector<HalfPlane>& borders,
+                        const Footprint& footprint, const Overhang& overhang) {
+  const Vector2d middle = model::MiddleOf(region) - footprint.Box().center();
+  if (HasCenter(borders, overhang, middle)) return middle;
+  const Vector2d way = model::MiddleOf(region) - overhang.p_Cm - middle;
+  double low = 0;
+  double high = 1;
+  for (int i = 0; i < kBisections; ++i) {
+    const double at = (low + high) / 2;
+    (HasCenter(borders, overhang, middle + at * way) ? high : low) = at;
+  }
+  return middle + high * way;
 }
 
 // Finds, by bisection, the largest distance by which the footprint can be moved from the middle.
@@ -145,7 +168,7 @@ std::optional<Vector2d> PositionWithOverhang(const model::Region& region,
   const auto is_allowed = [&](const Vector2d& translation) {
     return IsAllowed(borders, outline, translation, overhang, 0);
   };
-  const Vector2d middle = model::MiddleOf(region) - footprint.Box().center();
+  const Vector2d middle = BalancedMiddle(region, borders, footprint, overhang);
   if (!is_allowed(middle)) return std::nullopt;
   const double share = std::min(1.0, IsDisc(region) ? uv.norm() : uv.cwiseAbs().maxCoeff());
   if (!(share > 0)) return middle;

@@ -11,7 +11,8 @@
 namespace mjforge::placing {
 
 /// Share of a footprint's area that may be outside of a region. If the share is positive, the
-/// body's centre of mass must be above the region, so that the body does not tip over.
+/// body's centre of mass must be above the region, 1 mm from its border, so that the body does not
+/// tip over.
 struct Overhang {
   double share = 0;                                // 0 to 1
   Eigen::Vector2d p_Cm = Eigen::Vector2d::Zero();  // centre of mass in the footprint's frame, m

@@ -79,10 +79,17 @@ TEST_CASE("with an overhang the centre of mass stays above the region") {
   const Overhang overhang{.share = 1, .p_Cm = {0.05, 0}};
   const Region region = BoxRegion(0.5, 0.3);
   const Footprint footprint = Rectangle(0.1, 0.05);
-  CHECK((*PositionIn(region, footprint, {1, 0}, overhang) - Vector2d(0.45, 0)).norm() < 1e-8);
-  CHECK((*PositionIn(region, footprint, {-1, 0}, overhang) - Vector2d(-0.55, 0)).norm() < 1e-8);
-  CHECK(FitsAt(region, footprint, {0.449, 0}, overhang));
-  CHECK_FALSE(FitsAt(region, footprint, {0.451, 0}, overhang));
+  CHECK((*PositionIn(region, footprint, {1, 0}, overhang) - Vector2d(0.449, 0)).norm() < 1e-8);
+  CHECK((*PositionIn(region, footprint, {-1, 0}, overhang) - Vector2d(-0.549, 0)).norm() < 1e-8);
+  CHECK(FitsAt(region, footprint, {0.4489, 0}, overhang));
+  CHECK_FALSE(FitsAt(region, footprint, {0.4491, 0}, overhang));
+}
+
+TEST_CASE("with an overhang a body whose middle is far from its centre of mass is moved inside") {
+  const Overhang overhang{.share = 0.5, .p_Cm = {0, 0.25}};
+  const auto at = PositionIn(BoxRegion(0.5, 0.2), Rectangle(0.03, 0.29, {0, 0}), {0, 0}, overhang);
+  REQUIRE(at);
+  CHECK((*at - Vector2d(0, -0.051)).norm() < 1e-8);
 }
 
 TEST_CASE("in a disc the unit disc reaches the outermost positions") {
