@@ -146,7 +146,7 @@ bool IsAllowed(const std::vector<HalfPlane>& borders, const Polygon& outline,
 // mass is then outside, moves it inside on the way to the middle of the region.
 Vector2d BalancedMiddle(const model::Region& region, const std::vector<HalfPlane>& borders,
                         const Footprint& footprint, const Overhang& overhang) {
-  const Vector2d middle = model::MiddleOf(region) - footprint.Box().center();
+  Vector2d middle = model::MiddleOf(region) - footprint.Box().center();
   if (HasCenter(borders, overhang, middle)) return middle;
   const Vector2d way = model::MiddleOf(region) - overhang.p_Cm - middle;
   double low = 0;
