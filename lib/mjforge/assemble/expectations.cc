@@ -103,7 +103,7 @@ std::optional<std::string> Assembly::FullName(Scope& scope, const spec::Value& v
   }
   findings_.Add(Code::kModelUnknownReference, value.mark,
                 fmt::format("the object has no body and no part {}", Quoted(*name)),
-                diag::DidYouMean(*name, known));
+                MissingNameHint(object_, full, *name, known));
   return std::nullopt;
 }
 

@@ -122,6 +122,17 @@ std::string Quoted(std::string_view text) {
   return out + (text.size() > kLongest ? "...'" : "'");
 }
 
+std::string MissingNameHint(const model::Object& object, std::string_view full_name,
+                            std::string_view shown, std::span<const std::string_view> known) {
+  for (const std::string& body : object.left_out) {
+    if (full_name.starts_with(body) &&
+        (full_name.size() == body.size() || full_name[body.size()] == '_'))
+      return fmt::format("body '{}' found no room, and was left out (`fewer: true`)",
+                         model::OwnName(body, object.name));
+  }
+  return diag::DidYouMean(shown, known);
+}
+
 void ReportRepeatedName(std::string_view kind, const std::string& name, diag::SourceMark second,
                         diag::SourceMark first, std::string hint, diag::Findings& findings) {
   const bool same_entry = second == first;

@@ -128,7 +128,7 @@ void References::Report(const NameReference& reference, const Set& names) {
   findings_.Add(Code::kModelUnknownReference, reference.mark,
                 fmt::format("{} is {}, but the object has no {} of that name", reference.owner,
                             Quoted(reference.shown), reference.kind),
-                diag::DidYouMean(reference.shown, own));
+                MissingNameHint(object_, reference.name, reference.shown, own));
 }
 
 }  // namespace mjforge::assemble

@@ -326,6 +326,21 @@ TEST_CASE("a body below one that was left out is reported with the reason") {
         "of `parent:`, `place:` at it and `fewer: true` leave out this one, too)");
 }
 
+TEST_CASE("a name of a body that was left out is reported with the reason") {
+  const auto finding = [](const std::string& entry) {
+    const Scene scene(Ball("name: a, place: {at: table.surface, uv: [0, 0]}") +
+                      Ball("name: b, fewer: true, place: {at: table.surface, uv: [0, 0]}") + entry);
+    return scene.assembling.findings().at(0);
+  };
+  const std::string why = " (body 'b' found no room, and was left out (`fewer: true`))";
+  CHECK(finding("contact: {exclude: [[a, b]]}\n") ==
+        "12:25 body2 of exclude is 'b', but the object has no body of that name" + why);
+  CHECK(finding("mjcf: {sensor: [{framepos: {name: s, objtype: site, objname: b_grip}}]}\n") ==
+        "12:62 objname of framepos 's' is 'b_grip', but the object has no site of that name" + why);
+  CHECK(finding("expect: [{apart: [a, b]}]\n") ==
+        "12:22 the object has no body and no part 'b'" + why);
+}
+
 TEST_CASE("entries of one pile agree on its order and time") {
   const auto findings = [](const std::string& first, const std::string& second) {
     const Scene scene(
