@@ -291,7 +291,11 @@ class RegionTry {
     X_RStart.p.z() += start;
     const double most = start + std::max(-lowest, 0.0) + of_.height;
     const double drop = obstacles.Drop(ShapesAt(of_.shapes, X_WR_ * X_RStart), support.up_W, most);
-    return drop < most ? start - std::max(drop - kContactGap, 0.0) : 0;
+    const double rise = drop < most ? start - std::max(drop - kContactGap, 0.0) : 0;
+    // A body that would lie on a lid stands below the lid if it has room there.
+    const bool is_on_top = rise > 0 && rise >= highest;
+    const PlacedShapes standing = ShapesAt(of_.shapes, X_WR_ * X_RB);
+    return is_on_top && obstacles.Drop(standing, support.up_W, kContactGap) > 0 ? 0 : rise;
   }
 
   const model::Object& object_;

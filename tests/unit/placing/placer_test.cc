@@ -124,6 +124,15 @@ TEST_CASE("a body stands at a gap beside another, as that body's front says") {
   CHECK(std::abs(YawOf(turned) - M_PI / 2) < 1e-9);
 }
 
+TEST_CASE("bodies beside each other without a gap do not overlap") {
+  Table table;
+  const int first = table.AddBox(0.05, 0.03, 0.05);
+  table.Place(first, table.Where());
+  PlaceTry beside = table.Where(0, 0);
+  beside.beside = model::Beside{first, model::Side::kRight, 0.3, 0};
+  CHECK(table.placer->Try(table.AddBox(0.02, 0.01, 0.05), beside).verdict == PlaceVerdict::kStands);
+}
+
 TEST_CASE("a stack may touch a body below that asks for distance") {
   Table table;
   Region top = BoxRegion(0.02, 0.02, 0.002);
@@ -229,6 +238,17 @@ TEST_CASE("a body lies across two walls if its middle is between them") {
   const int bin = scene.AddBin(0.2, 0.05, 0.01);
   const int board = scene.Add(ShapeOf(GeomType::kBox, 0.25, 0.05, 0.01));
   CheckAt(PlaceInside(scene, bin, 0.3, board), {0, 0, 0.06 + kContactGap}, 1e-6);
+}
+
+TEST_CASE("a body stands below the lid of an interior that states no height") {
+  Scene scene;
+  const int bin = scene.AddBin(0.2, 0.1, 0.01);
+  scene.AddPart(ShapeOf(GeomType::kBox, 0.21, 0.21, 0.01), At(0, 0, 0.12));
+  const double half = GENERATE(0.04, 0.06);
+  const int box = scene.Add(ShapeOf(GeomType::kBox, half, half, half));
+  // The larger box has no room below the lid.
+  CheckAt(PlaceInside(scene, bin, 0.2, box), {0, 0, (half < 0.05 ? 0 : 0.13) + half + kContactGap},
+          1e-6);
 }
 
 TEST_CASE("round bowls nest") {
