@@ -28,9 +28,11 @@ class SelfCollisions {
 
   bool Check() {
     ContactFinder finder(m_);
-    std::size_t found = ReportTouching(finder, "with all joints at zero");
     const std::span<const mjtNum> start = compiled::StartOf(m_);
-    if (found == 0 && start.data() != m_.qpos0) {
+    const bool starts_at_qpos0 = start.data() == m_.qpos0;
+    std::size_t found =
+        ReportTouching(finder, starts_at_qpos0 ? "in the start pose" : "with all joints at zero");
+    if (found == 0 && !starts_at_qpos0) {
       std::ranges::copy(start, finder.qpos().begin());
       finder.Move();
       found = ReportTouching(finder, "in the start pose");

@@ -12,9 +12,9 @@ namespace mjforge::validate {
 
 /// Adds an error, at the place of the second body, for each pair of bodies whose penetration, with
 /// all joints at zero, reaches object.checks.self_collision. Penetration is measured between shapes
-/// enlarged by their margins. If no pair touches with all joints at zero, checks the start pose.
-/// Bodies of piles may overlap by model::Pile::kMostDepth. Adds a warning instead of an error if
-/// both bodies are from one attached file. A body and its parent can touch only if the parent is
+/// enlarged by their margins. If no pair touches with all joints at zero (qpos0), checks the start
+/// pose. Bodies of piles may overlap by model::Pile::kMostDepth. Adds a warning instead of an error
+/// if both bodies are from one attached file. A body and its parent can touch only if the parent is
 /// fixed to the world, because MuJoCo ignores their contacts otherwise. Such a pair adds a warning;
 /// if the root has no name, the pair adds no finding, because the model that includes the object
 /// lets the root move. Returns true if it adds findings. `m` must be compiled from the object and

@@ -51,11 +51,11 @@ model::Object TwoBalls(double distance) {
   return object;
 }
 
-TEST_CASE("two bodies that touch at the joints' zero are an error at the second") {
+TEST_CASE("two bodies that touch are an error at the second") {
   const Verdict verdict = Validated(TwoBalls(0.0188));
   REQUIRE(FindingTexts(verdict) ==
-          Strings{"30: mujoco/self-collision: bodies 'block_left' and 'block_right' touch with all "
-                  "joints at zero: geoms 'block_left_ball' and 'block_right_ball', 1.2 mm deep"});
+          Strings{"30: mujoco/self-collision: bodies 'block_left' and 'block_right' touch in the "
+                  "start pose: geoms 'block_left_ball' and 'block_right_ball', 1.2 mm deep"});
   const diag::Finding& finding = verdict.findings[0];
   CHECK(finding.severity == diag::Severity::kError);
   CHECK(finding.hint == "move them apart, or write `contact: {exclude: [[left, right]]}`");
@@ -81,8 +81,8 @@ TEST_CASE("a touch without depth is none, unless the spec wants it") {
   CHECK(FindingTexts(Validated(object)).empty());
   object.checks.self_collision = 0;
   CHECK(FindingTexts(Validated(object)) ==
-        Strings{"30: mujoco/self-collision: bodies 'block_left' and 'block_right' touch with all "
-                "joints at zero: geoms 'block_left_ball' and 'block_right_ball', 0 mm deep"});
+        Strings{"30: mujoco/self-collision: bodies 'block_left' and 'block_right' touch in the "
+                "start pose: geoms 'block_left_ball' and 'block_right_ball', 0 mm deep"});
 }
 
 TEST_CASE("a depth below a hundredth of a millimetre, or below what the spec says, is none") {
@@ -110,8 +110,8 @@ TEST_CASE("a pair of bodies is reported once, by its deepest contact") {
                                                     33));
   hand_made::Weigh(object);
   CHECK(FindingTexts(Validated(object)) ==
-        Strings{"30: mujoco/self-collision: bodies 'block_left' and 'block_right' touch with all "
-                "joints at zero: geoms 'block_left_ball' and 'block_right_bump', 5 mm deep"});
+        Strings{"30: mujoco/self-collision: bodies 'block_left' and 'block_right' touch in the "
+                "start pose: geoms 'block_left_ball' and 'block_right_bump', 5 mm deep"});
 }
 
 TEST_CASE("an excluded pair may touch") {
@@ -143,8 +143,8 @@ TEST_CASE("a child that touches its fixed parent is a warning: MuJoCo lets them 
   const Verdict verdict = Validated(object);
   CHECK(verdict.ok);
   REQUIRE(FindingTexts(verdict) ==
-          Strings{"20: mujoco/self-collision: bodies 'block' and 'block_knob' touch with all "
-                  "joints at zero: geoms 'block_core' and 'block_knob_ball', 5 mm deep; MuJoCo "
+          Strings{"20: mujoco/self-collision: bodies 'block' and 'block_knob' touch in the "
+                  "start pose: geoms 'block_core' and 'block_knob_ball', 5 mm deep; MuJoCo "
                   "lets parent and child collide because the parent is fixed"});
   CHECK(verdict.findings[0].severity == diag::Severity::kWarning);
   CHECK(verdict.findings[0].hint ==
@@ -167,8 +167,8 @@ TEST_CASE("under a nameless body, a host's, only what is no parent and child cou
   AddBall(object, "tip", 2, {0, 0, -0.001}, "hinge", 30);
   const Verdict verdict = Validated(object);
   REQUIRE(FindingTexts(verdict) ==
-          Strings{"30: mujoco/self-collision: bodies 'object' and 'tip' touch with all joints at "
-                  "zero: geoms 'block_core' and 'tip_ball', 6 mm deep"});
+          Strings{"30: mujoco/self-collision: bodies 'object' and 'tip' touch in the start "
+                  "pose: geoms 'block_core' and 'tip_ball', 6 mm deep"});
   CHECK(verdict.findings[0].hint ==
         "move them apart, or write `contact: {exclude: [[block, tip]]}`");
 }
@@ -178,8 +178,8 @@ TEST_CASE("the second of two bodies is the later one in the spec, whatever MuJoC
   // MuJoCo numbers this body before block_right, because it goes depth first.
   AddBall(object, "block_tip", 1, {0.085, 0, 0}, "hinge", 40);
   CHECK(FindingTexts(Validated(object)) ==
-        Strings{"40: mujoco/self-collision: bodies 'block_right' and 'block_tip' touch with all "
-                "joints at zero: geoms 'block_right_ball' and 'block_tip_ball', 5 mm deep"});
+        Strings{"40: mujoco/self-collision: bodies 'block_right' and 'block_tip' touch in the "
+                "start pose: geoms 'block_right_ball' and 'block_tip_ball', 5 mm deep"});
 }
 
 TEST_CASE("the joints' zero is where the file has the bodies, whatever ref says") {
@@ -194,8 +194,8 @@ TEST_CASE("where MuJoCo pushes before a touch, the margin is told") {
   object.bodies[1].parts[0].attributes = {
       hand_made::Numbers("margin", spec::Applies::kCollision, {0.001})};
   CHECK(FindingTexts(Validated(object)) ==
-        Strings{"30: mujoco/self-collision: bodies 'block_left' and 'block_right' touch with all "
-                "joints at zero: geoms 'block_left_ball' and 'block_right_ball', 0.5 mm apart, "
+        Strings{"30: mujoco/self-collision: bodies 'block_left' and 'block_right' touch in the "
+                "start pose: geoms 'block_left_ball' and 'block_right_ball', 0.5 mm apart, "
                 "within the margin"});
   object.bodies[1].parts[0].attributes.push_back(
       hand_made::Numbers("gap", spec::Applies::kCollision, {0.001}));
@@ -219,7 +219,7 @@ TEST_CASE("of very many pairs the rest is counted, and room for contacts is no s
   CHECK(texts.front().find("110: mujoco/self-collision: bodies 'block_b0' and 'block_b1' touch") ==
         0);
   CHECK(texts.back() ==
-        "1: mujoco/self-collision: 730 more pairs of bodies touch with all joints at zero");
+        "1: mujoco/self-collision: 730 more pairs of bodies touch in the start pose");
 }
 
 TEST_CASE("one pair among a thousand bodies is found") {
@@ -242,8 +242,8 @@ TEST_CASE("one pair among a thousand bodies is found") {
   object.bodies[1].joints.emplace_back().name = "block_joint1";
   object.bodies[1].joints[0].type = "ball";
   CHECK(FindingTexts(Validated(object)) ==
-        Strings{"1099: mujoco/self-collision: bodies 'block_b0' and 'block_b999' touch with all "
-                "joints at zero: geoms 'block_b0_ball' and 'block_b999_ball', 5 mm deep"});
+        Strings{"1099: mujoco/self-collision: bodies 'block_b0' and 'block_b999' touch in the "
+                "start pose: geoms 'block_b0_ball' and 'block_b999_ball', 5 mm deep"});
 }
 
 TEST_CASE("a distance is told in millimetres") {
