@@ -161,7 +161,9 @@ Action AddView(CLI::App& command) {
     const bool is_file = options->what.ends_with(".xml");
     if (is_file && (options->spec.given() || options->index != 0))
       return WrongUsage(
-          "--seed, --index, --set, --root, --start and --params take a spec, not a file", "view");
+          "--seed, --place-seed, --index, --set, --root, --start and --params take a spec, not a "
+          "file",
+          "view");
     const ExitStatus status =
         is_file ? ViewFile(options->what, console) : ViewVariant(*options, console);
     return Worse(status, console.Report());

@@ -101,7 +101,7 @@ void AddSpecOptions(CLI::App& command, SpecOptions& options) {
   AddWholeNumber(command, "-s,--seed", options.seed, "Seed of all draws");
   const auto set_place_seed = [&options](std::uint64_t seed) { options.place_seed = seed; };
   AddBounded<std::uint64_t>(command, "--place-seed", output::ReadIndex, set_place_seed, 0,
-                            std::numeric_limits<std::uint64_t>::max(), "a whole number",
+                            std::numeric_limits<std::uint64_t>::max(), "a whole number from 0 up",
                             "Seed of the draws of `place:` alone")
       ->option_text("N");
   AddSettings(command, options.settings, "Set a parameter, in any form a spec allows");

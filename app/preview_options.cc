@@ -104,9 +104,11 @@ std::string FindConflict(const PreviewOptions& options) {
   if (!options.is_file) return {};
   if (options.count > 1 || options.first > 0)
     return fmt::format("'{}' is one object: -n and --first take a spec", options.what);
-  if (!options.spec.settings.empty() || !options.spec.parameter_files.empty())
-    return fmt::format("'{}' has no parameters: --set, --root, --start and --params take a spec",
-                       options.what);
+  if (options.spec.given())
+    return fmt::format(
+        "'{}' is drawn as it is: --seed, --place-seed, --set, --root, --start and "
+        "--params take a spec",
+        options.what);
   return {};
 }
 
