@@ -37,7 +37,7 @@ Item LoadItem(const std::string& name, const spec::LoadOptions& load, Console& c
     for (const spec::Parameter& parameter : spec->parameters)
       item.words += fmt::format("{} {} ", parameter.name, parameter.doc);
   } else {
-    const diag::Finding& first = findings[0];
+    const diag::Finding& first = *findings.FirstError();
     item.problem =
         first.mark ? fmt::format("line {}: {}", first.mark.line, first.message) : first.message;
   }

@@ -57,12 +57,6 @@ std::string_view WithoutNumber(std::string_view name) {
   return name;
 }
 
-// Returns the first error, or the first finding if there is no error.
-const diag::Finding& FirstError(const diag::Findings& findings) {
-  const auto error = std::ranges::find(findings, diag::Severity::kError, &diag::Finding::severity);
-  return error == findings.end() ? findings[0] : *error;
-}
-
 // Makes the HTML page of one spec. Draws each variant before loading the next variant, because one
 // model with many objects may fill most of the memory in MuJoCo 2.2.
 class PageMaker {
@@ -101,7 +95,7 @@ class PageMaker {
     if (typical_subject_ == nullptr) return false;
     if (failed > 0) {
       page_.notices.push_back(fmt::format("{} of {} variants could not be made: {}", failed, count,
-                                          FirstError(findings).message));
+                                          findings.FirstError()->message));
     }
     return true;
   }
@@ -207,7 +201,7 @@ class PageMaker {
 
 // Returns the first error of a spec as a finding about the spec, without a place in a file.
 diag::Finding Problem(const std::string& name, const diag::Findings& findings) {
-  const diag::Finding& first = FirstError(findings);
+  const diag::Finding& first = *findings.FirstError();
   return {.code = first.code,
           .mark = {},
           .message = fmt::format("'{}': {}", name, first.message),

@@ -52,10 +52,8 @@ class Remaker {
 
  private:
   std::optional<structure::Structure> Fail(const diag::Findings& findings) {
-    for (const diag::Finding& finding : findings) {
-      if (why_not.empty() && finding.severity == diag::Severity::kError) why_not = finding.message;
-    }
-    if (why_not.empty()) why_not = "the spec cannot be loaded";
+    const diag::Finding* const error = findings.FirstError();
+    if (why_not.empty()) why_not = error == nullptr ? "the spec cannot be loaded" : error->message;
     return std::nullopt;
   }
 

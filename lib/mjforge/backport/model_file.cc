@@ -91,10 +91,7 @@ engine::Loaded LoadFile(engine::Engine& engine, const std::filesystem::path& fil
   if (const auto read = ReadModelFile(file, sources, findings))
     return LoadFile(engine, file, *read);
   engine::Loaded failed;
-  for (const diag::Finding& finding : findings) {
-    if (failed.error.empty() && finding.severity == diag::Severity::kError)
-      failed.error = finding.message;
-  }
+  if (const diag::Finding* const error = findings.FirstError()) failed.error = error->message;
   return failed;
 }
 

@@ -56,9 +56,9 @@ Reply Failure(std::string_view message) {
 
 // Returns the reason why a variant has no picture: "index 3 failed: size of part 'rod' is 0".
 std::string FailureText(std::uint64_t index, const diag::Findings& findings) {
-  const auto found = std::ranges::find(findings, diag::Severity::kError, &diag::Finding::severity);
+  const diag::Finding* const error = findings.FirstError();
   return fmt::format("index {} failed: {}", index,
-                     found == findings.end() ? "no picture" : diag::SafeText(found->message));
+                     error == nullptr ? "no picture" : diag::SafeText(error->message));
 }
 
 // Returns the description of a film of the drop or, if `joint` is not empty, of the drive of this

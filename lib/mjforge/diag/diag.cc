@@ -44,9 +44,11 @@ void Findings::Append(Findings other) {
                std::make_move_iterator(other.list_.end()));
 }
 
-bool Findings::HasErrors(std::size_t first) const {
-  return std::any_of(list_.begin() + static_cast<std::ptrdiff_t>(first), list_.end(),
-                     [](const Finding& finding) { return finding.severity == Severity::kError; });
+const Finding* Findings::FirstError(std::size_t first) const {
+  const auto found =
+      std::find_if(list_.begin() + static_cast<std::ptrdiff_t>(first), list_.end(),
+                   [](const Finding& finding) { return finding.severity == Severity::kError; });
+  return found == list_.end() ? nullptr : &*found;
 }
 
 void Findings::SetVariant(std::uint64_t seed, std::uint64_t index) {

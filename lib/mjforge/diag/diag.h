@@ -91,8 +91,9 @@ class Findings {
   Finding& Warn(Code code, SourceMark mark, std::string message, std::string hint = {});
   void Append(Findings other);
 
-  /// Returns true if any finding at position `first` of the list, or after it, is an error.
-  bool HasErrors(std::size_t first = 0) const;
+  /// Returns the first error at position `first` of the list, or after it; null if there is none.
+  const Finding* FirstError(std::size_t first = 0) const;
+  bool HasErrors(std::size_t first = 0) const { return FirstError(first) != nullptr; }
   bool empty() const { return list_.empty(); }
   std::size_t size() const { return list_.size(); }
   auto begin() { return list_.begin(); }
