@@ -61,6 +61,7 @@ class Verification {
 
   void CheckFolder(const std::filesystem::path& folder) {
     bool is_empty = true;
+    std::error_code ignored;
     for (const std::string& name : NamesIn(folder, findings_)) {
       if (name.ends_with(kPartEnding) &&
           IsWholeManifest(std::string_view(name).substr(0, name.size() - kPartEnding.size()))) {
@@ -69,7 +70,7 @@ class Verification {
       } else if (name.ends_with(kSealEnding)) {
         CheckBatch(ManifestOf(folder / name));
       } else if (IsWholeManifest(name) &&
-                 !std::filesystem::exists(manifest::SealPathOf(folder / name))) {
+                 !std::filesystem::exists(manifest::SealPathOf(folder / name), ignored)) {
         CheckBatch(folder / name);  // reports that the seal is missing
       } else {
         continue;
