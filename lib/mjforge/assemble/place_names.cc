@@ -196,20 +196,22 @@ std::vector<std::string_view> PlaceNames::TargetsOn(int index) const {
   return names;
 }
 
-void PlaceNames::ExplainAbsence(int body, std::string_view name, diag::Finding& finding) const {
+const spec::Entry* PlaceNames::FindEntry(int body, std::string_view name) const {
   const spec::ObjectSpec& spec = scope_.values.spec();
-  const spec::Entry* entry =
-      body == scope_.body
-          ? FindElement(spec.regions, spec.sites, name)
-          : FindDeclared(spec, object_.bodies[static_cast<std::size_t>(body)].mark, name);
-  if (entry == nullptr || (!IsSearched(*entry) && !MayBeLeftOut(*entry))) return;
-  const std::string_view stem = StemOf(*entry);
+  return body == scope_.body
+             ? FindElement(spec.regions, spec.sites, name)
+             : FindDeclared(spec, object_.bodies[static_cast<std::size_t>(body)].mark, name);
+}
+
+void PlaceNames::ExplainAbsence(const spec::Entry& entry, int body, std::string_view name,
+                                diag::Finding& finding) const {
+  const std::string_view stem = StemOf(entry);
   const auto is_other = [&](std::string_view other) { return other.starts_with(stem); };
   if (!stem.empty() && std::ranges::any_of(TargetsOn(body), is_other)) return;
-  finding.hint = IsSearched(*entry) ? "no level face was found: `area`, `height` or `margin` is "
-                                      "too large, or nothing collides"
-                                    : kLeftOutHint;
-  finding.notes.push_back({entry->mark, fmt::format("{} is here", Quoted(name))});
+  finding.hint = IsSearched(entry) ? "no level face was found: `area`, `height` or `margin` is "
+                                     "too large, or nothing collides"
+                                   : kLeftOutHint;
+  finding.notes.push_back({entry.mark, fmt::format("{} is here", Quoted(name))});
 }
 
 void PlaceNames::ReportTarget(std::string_view owner, std::string_view name, diag::SourceMark mark,
@@ -229,6 +231,9 @@ void PlaceNames::ReportTarget(std::string_view owner, std::string_view name, dia
                        : fmt::format("such as {}.{}", name, places.front()));
     return;
   }
+  const spec::Entry* entry = FindEntry(*index, last);
+  const bool may_be_absent = entry != nullptr && (IsSearched(*entry) || MayBeLeftOut(*entry));
+  if (entry != nullptr && !may_be_absent && findings.HasErrors()) return;  // the entry is wrong
   std::vector<std::string_view> names = TargetsOn(*index);
   std::string hint = diag::DidYouMean(last, std::span<const std::string_view>(names));
   if (names.empty()) {
@@ -242,7 +247,7 @@ void PlaceNames::ReportTarget(std::string_view owner, std::string_view name, dia
                    fmt::format("place of {}: body {} has no region and no site {}", owner,
                                Quoted(body_name), Quoted(last)),
                    std::move(hint));
-  ExplainAbsence(*index, last, finding);
+  if (may_be_absent) ExplainAbsence(*entry, *index, last, finding);
 }
 
 }  // namespace mjforge::assemble

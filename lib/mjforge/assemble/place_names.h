@@ -51,9 +51,12 @@ class PlaceNames {
                     diag::Findings& findings, std::string_view remedy = "regions") const;
 
  private:
-  /// Explains why a variant lacks a region or site that its spec declares. Does nothing if no spec
-  /// declares it.
-  void ExplainAbsence(int body, std::string_view name, diag::Finding& finding) const;
+  /// Returns the entry in a spec that declares a region or site of a body; null if there is none.
+  const spec::Entry* FindEntry(int body, std::string_view name) const;
+  /// Explains why a variant lacks a region or site of a body that `entry` declares with `if` or
+  /// `for`, or searches.
+  void ExplainAbsence(const spec::Entry& entry, int body, std::string_view name,
+                      diag::Finding& finding) const;
 
   /// Returns the names of the regions and sites of a body, without the name of the body.
   std::vector<std::string_view> TargetsOn(int index) const;

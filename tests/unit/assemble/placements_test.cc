@@ -326,6 +326,20 @@ TEST_CASE("a body below one that was left out is reported with the reason") {
         "of `parent:`, `place:` at it and `fewer: true` leave out this one, too)");
 }
 
+TEST_CASE("a place at a faulty region is no second finding") {
+  DiscPlacer placer;
+  const Assembling scene(
+      "bodies:\n"
+      "  - {name: desk, regions: [{name: top, size: [a, 1]}], parts: [{name: d, type: sphere, "
+      "size: "
+      "1}]}\n" +
+          Ball("name: b, place: {at: desk.top}") + "params: {a: -2 .. -1}\n",
+      1, 0, {}, {}, &placer);
+  CHECK(scene.findings() ==
+        std::vector<std::string>{"4:47 size 1 of region 'top' is -1.032142; it must be greater "
+                                 "than 0 (it is the value of 'a')"});
+}
+
 TEST_CASE("a name of a body that was left out is reported with the reason") {
   const auto finding = [](const std::string& entry) {
     const Scene scene(Ball("name: a, place: {at: table.surface, uv: [0, 0]}") +
