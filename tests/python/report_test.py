@@ -198,7 +198,7 @@ class Parameters(unittest.TestCase):
 
             ends = numpy.array([2, 3])
             settings += [4 * [tuple(ends)], 4 * [ends], numpy.array(4 * [ends]),
-                         (ends, list(ends), ends.astype(float), ends)]
+                         (ends, list(ends.astype(numpy.longdouble)), ends.astype(float), ends.astype(numpy.longdouble))]
         for setting in settings:
             drawn = [v.params["grid"] for v in spec.variants(set={"grid": setting})[:20]]
             whole, real, counts, fixed = (set(numbers) for numbers in zip(*drawn))

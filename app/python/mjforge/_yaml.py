@@ -19,7 +19,11 @@ _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 def _plain(value: Any) -> Any:
     """Converts NumPy scalars and arrays, paths and mappings to types of JSON."""
     if hasattr(value, "tolist"):
-        return value.tolist()
+        plain = value.tolist()
+        if type(plain) is not type(value):
+            return plain
+        if value.dtype.kind == "f":  # a longdouble, which remains one
+            return float(value)
     if isinstance(value, os.PathLike):
         return os.fspath(value)
     if isinstance(value, Mapping):
@@ -155,7 +159,7 @@ def _range_text(value: Any, distribution: Optional[str]) -> str:
         value = value.tolist()
     if not isinstance(value, (list, tuple)) or len(value) != 2:
         return ""
-    ends = [end.item() if hasattr(end, "item") else end for end in value]
+    ends = [_plain(end) if hasattr(end, "tolist") else end for end in value]
     if not all(isinstance(end, (int, float)) and not isinstance(end, bool) for end in ends):
         return ""
     low, high = map(flow_text, ends)
