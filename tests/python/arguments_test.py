@@ -53,6 +53,9 @@ class Arguments(InFolder):
         loop = {"mjforge": 1}
         loop["parts"] = [loop]
         self.assertRaisesRegex(ValueError, "spec: .*contains itself", mjforge.Spec, loop)
+        for wrong, kind in ((float("nan"), ValueError), (object(), TypeError), (b"x", TypeError), ({5: 1}, TypeError)):
+            with self.assertRaisesRegex(kind, r"^spec: parts\[0\]\.size\[1\]"):
+                mjforge.Spec({"mjforge": 1, "parts": [{"size": [0.1, wrong]}]})
         for wrong in (5, True, "a=1", [("handle_length", 1)]):
             self.assertRaises(TypeError, mjforge.Spec, "hammer", set=wrong)
         for wrong in ({5: 1}, {None: 1}, {b"handle_length": 1}, {"handle_length": object()}):

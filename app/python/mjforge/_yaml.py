@@ -6,7 +6,7 @@ import itertools
 import json
 import os
 import re
-from typing import TYPE_CHECKING, Any, Container, Mapping, Optional
+from typing import TYPE_CHECKING, Any, Callable, Container, Mapping, Optional
 
 from ._options import text as text_option
 
@@ -38,7 +38,19 @@ def flow_text(value: Any) -> str:
     return json.dumps(value, default=_plain, ensure_ascii=False, allow_nan=False)
 
 
-def _key(path: str, key: str) -> str:
+def _converted(convert: Callable[[Any], Any], value: Any, place: str) -> Any:
+    """Returns convert(value). Raises the errors of `convert` with the place of the value."""
+    try:
+        return convert(value)
+    except ValueError as error:
+        raise ValueError(f"{place}={value!r} is not a value of a spec: {error}") from None
+    except TypeError as error:
+        raise TypeError(f"{place}: {error}") from None
+
+
+def _key(path: str, key: Any) -> str:
+    if not isinstance(key, str):
+        raise TypeError(f"spec: {path}[{key!r}] has a key of type {type(key).__name__}, not a text")
     if not _NAME.fullmatch(key):
         return f"{path}[{key!r}]"
     return f"{path}.{key}" if path else key
@@ -55,10 +67,10 @@ class _Lines:
 
     def add(self, value: Any, path: str, before: str = "", after: str = "") -> None:
         if not isinstance(value, (str, bytes, Mapping, list, tuple, int, float, type(None))):
-            value = _plain(value)
+            value = _converted(_plain, value, f"spec: {path}")
         if isinstance(value, Mapping) and value:
             self._line(f"{before}{{", path)
-            self._items([(_key(path, self._name(key)), f"{flow_text(key)}: ", item)
+            self._items([(_key(path, key), f"{flow_text(key)}: ", item)
                          for key, item in value.items()])
             self._line(f"}}{after}", path)
         elif isinstance(value, (list, tuple)) and value:
@@ -66,13 +78,8 @@ class _Lines:
             self._items([(f"{path}[{i}]", "", item) for i, item in enumerate(value)])
             self._line(f"]{after}", path)
         else:
-            self._line(f"{before}{flow_text(value)}{after}", path)
-
-    @staticmethod
-    def _name(key: Any) -> str:
-        if not isinstance(key, str):
-            raise TypeError(f"{key!r} is not a key of a spec: it is of type {type(key).__name__}")
-        return key
+            text = _converted(flow_text, value, f"spec: {path}")
+            self._line(f"{before}{text}{after}", path)
 
     def _items(self, items: list[tuple[str, str, Any]]) -> None:
         for i, (path, before, item) in enumerate(items, 1):
@@ -106,12 +113,7 @@ def checked_settings(settings: Any) -> dict[str, Any]:
         if isinstance(value, str):
             text_option(value, f"set[{name!r}]")
             continue
-        try:
-            flow_text(value)
-        except ValueError as error:
-            raise ValueError(f"set[{name!r}]={value!r} is not a value of a spec: {error}") from None
-        except TypeError as error:
-            raise TypeError(f"set[{name!r}]: {error}") from None
+        _converted(flow_text, value, f"set[{name!r}]")
     return dict(settings)
 
 
