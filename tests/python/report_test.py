@@ -176,13 +176,15 @@ class Reports(InFolder):
         self.assertIsNone(error.exception.findings[0].key)
 
 
-class Parameters(unittest.TestCase):
+class Parameters(InFolder):
     def test_of_whole_numbers_take_pairs_as_ranges_of_whole_numbers(self):
         spec = mjforge.Spec(KINDS)
         self.assertEqual(spec.parameters["count"].range, (1, 4))
         fixed = mjforge.Spec(KINDS, set={"count": 3})
+        pathlib.Path("fixed.yaml").write_text("count: 3\n")
+        filed = mjforge.Spec(KINDS, parameters=["fixed.yaml"])
         for variants in (spec.variants(set={"count": (2, 3)}), mjforge.Spec(KINDS, set={"count": (2, 3)}).variants(),
-                         fixed.variants(set={"count": (2, 3)}), spec.variants(set={"count": [2.0, 3]})):
+                         fixed.variants(set={"count": (2, 3)}), filed.variants(set={"count": (2, 3)}), spec.variants(set={"count": [2.0, 3]})):
             self.assertEqual({variant.params["count"] for variant in variants[:8]}, {2, 3})
         blender = mjforge.Spec("appliances/blender")
         self.assertTrue(blender.variants(set={"keys": blender.parameters["keys"].range})[1])

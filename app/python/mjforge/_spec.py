@@ -108,17 +108,17 @@ class Spec:
         declares.
         """
         known = self.parameters
-        if any(_yaml.needs_parameter(value) and (not known or name in self._settings)
+        if any(_yaml.needs_parameter(value) and (not known or name in self._settings or self.parameter_files)
                for name, value in settings.items()):
-            known = self._without_settings()
+            known = self._declared()
         return {name: _yaml.setting_text(value, known.get(name), known) for name, value in settings.items()}
 
-    def _without_settings(self) -> Mapping[str, Parameter]:
-        """Returns the parameters of the spec without settings; the known parameters if the spec
-        then has errors.
+    def _declared(self) -> Mapping[str, Parameter]:
+        """Returns the parameters as the spec declares them, without settings and parameter files; the
+        known parameters if the spec then has errors.
         """
         bare = Spec.__new__(Spec)
-        bare.__dict__.update(self.__dict__, _settings={})
+        bare.__dict__.update(self.__dict__, _settings={}, parameter_files=())
         with contextlib.suppress(SpecError):
             bare._open()
         return bare.parameters
