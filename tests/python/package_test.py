@@ -114,6 +114,7 @@ class Variants(unittest.TestCase):
         for wrong in (lambda: variants[5:], lambda: variants[-1], lambda: some[5]):
             self.assertRaises(IndexError, wrong)
         self.assertRaises(TypeError, len, variants)
+        self.assertEqual((bool(variants), bool(some), bool(some[:0])), (True, True, False))
 
     def test_do_not_depend_on_threads(self):
         variants = mjforge.Spec("hammer").variants(seed=3)

@@ -100,6 +100,9 @@ class Variants(Sequence[Variant]):
             raise TypeError("variants are without end: take a slice, such as variants[0:1000]")
         return len(self._indices)
 
+    def __bool__(self) -> bool:
+        return self._indices is None or len(self._indices) > 0
+
     def __iter__(self) -> Iterator[Variant]:
         return _Iteration(self)
 
