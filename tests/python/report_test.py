@@ -87,6 +87,14 @@ class Reports(InFolder):
                 self.assertEqual({finding.index for finding in error.findings}, {index})
         self.assertEqual(made, [i for i in range(20) if self.makes(variants, i)])
 
+    def test_iteration_without_end_gives_up_where_none_is_valid(self):
+        endless = iter(mjforge.Spec(ALL_FAIL).variants(on_invalid="skip"))
+        for first in (0, 1000):
+            with self.assertRaisesRegex(mjforge.VariantError, f"none of the 1000 variants from {first} on is valid") as it:
+                next(endless)
+            self.assertEqual([finding.index for finding in it.exception.findings], [None, first])
+        self.assertEqual(list(mjforge.Spec(ALL_FAIL).variants(on_invalid="skip")[:1200]), [])
+
     def test_options_of_variants_are_used(self):
         variants = mjforge.Spec("mug").variants(seed=7, validate="physics")
         report = variants.write("out", 1)

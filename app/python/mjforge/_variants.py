@@ -10,7 +10,7 @@ import time
 from typing import TYPE_CHECKING, Any, Callable, Iterable, Iterator, Optional, Sequence, Union, overload
 
 from . import _command, _options
-from ._findings import VariantError
+from ._findings import Finding, VariantError
 from ._library import integer
 from ._maker import Maker
 from ._options import Durability, Layout, Profile, Validate
@@ -31,6 +31,9 @@ DEFAULTS: dict[str, Any] = {
 # the caches of the processor.
 _AHEAD = 32
 _TIME_AHEAD = 0.005  # s of this thread
+# Iteration without end stops at this many invalid variants before the first valid one. If one in a
+# hundred is valid, the probability of so many is 0.00004.
+_MOST_INVALID = 1000
 
 
 def described(spec: "Spec") -> str:
@@ -287,6 +290,8 @@ class _Iteration(Iterator[Variant]):
         self._indices: Iterator[int] = itertools.count() if indices is None else iter(indices)
         self._made: list[Union[Variant, Exception, None]] = []  # in reverse order
         self._ahead = 1
+        self._first = 0  # index from which on no variant was valid so far
+        self._patience = _MOST_INVALID if indices is None else 0  # counted down; ends at the first valid one
         self._lock = threading.Lock()  # threads may share an iteration
 
     def __next__(self) -> Variant:
@@ -304,4 +309,19 @@ class _Iteration(Iterator[Variant]):
             if isinstance(made, Exception):
                 raise made
             if made is not None:
+                self._patience = 0
                 return made
+            self._patience -= 1
+            if self._patience == 0:
+                self._give_up()
+
+    def _give_up(self) -> None:
+        """Raises VariantError with the reason of the first invalid variant."""
+        first, self._first, self._patience = self._first, self._first + _MOST_INVALID, _MOST_INVALID
+        try:
+            self._variants[first]
+        except VariantError as error:
+            raise VariantError([Finding({
+                "severity": "error", "code": error.findings[0].code, "notes": [],
+                "message": f"none of the {_MOST_INVALID} variants from {first} on is valid",
+                "hint": "take a slice, such as variants[0:100000], to look further"}), *error.findings]) from None
