@@ -128,6 +128,17 @@ def names_wrong_arguments():
     raises(TypeError, "data=", variant.start, model, model)
     raises(TypeError, "prefix=", variant.start, model, data, None)
     raises(ValueError, "the model has no joint 'p/laptop_", variant.start, model, data, "p/")
+    raises(ValueError, "is of another model: xpos has 3 rows", variant.start, model, mujoco.MjData(variant.load()))
+
+
+def refuses_a_name_twice():
+    """The scene is then as before."""
+    variant = mjforge.Spec("hammer").variants()[0]
+    scene = mujoco.MjSpec.from_string(SCENE)
+    variant.attach(scene, prefix="o/")
+    before = scene.to_xml()
+    raises(ValueError, "prefix='o/': the scene has a body 'o/hammer' already", variant.attach, scene, prefix="o/")
+    expect(scene.to_xml() == before, "the scene has changed")
 
 
 for name in mjforge.catalogue():
@@ -138,4 +149,5 @@ for name in ("laptop", "cardboard_box", "fridge", "plug_and_socket", "scenes/des
     check(f"{name} starts where it should", starts, name)
 check("a keyframe is applied", starts_as_its_keyframe)
 check("wrong arguments are named", names_wrong_arguments)
+check("a name that the scene has is refused", refuses_a_name_twice)
 finish()

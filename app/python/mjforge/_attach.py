@@ -92,6 +92,9 @@ def attach(variant: Variant, scene: MjSpec, prefix: str, pos: Sequence[float], q
     if not hasattr(scene, "attach"):
         raise ImportError(f"mujoco {_module_of(scene).__version__} has no MjSpec.attach: "
                           "python -m pip install 'mujoco>=3.3'")
+    root = prefix + _name_of_root(variant.xml_bytes)
+    if scene.body(root) is not None:  # MuJoCo would notice it after a part was attached
+        raise ValueError(f"prefix={prefix!r}: the scene has a body {root!r} already")
     if stand:
         place[2] -= _bottom(variant, turn)
     # Removes the keyframe from the text, because removing it from the parsed spec takes a hundred
@@ -100,7 +103,7 @@ def attach(variant: Variant, scene: MjSpec, prefix: str, pos: Sequence[float], q
     child = type(scene).from_string(_without_keyframe(variant.xml_bytes), assets=variant.files)
     child.njmax = child.nconmax = -1  # drops buffer sizes, which are for the object alone
     scene.attach(child, prefix=prefix, frame=scene.worldbody.add_frame(pos=place, quat=turn))
-    return scene.body(prefix + _name_of_root(variant.xml_bytes))
+    return scene.body(root)
 
 
 class _Start:
@@ -203,5 +206,10 @@ def start(variant: Variant, model: MjModel, data: MjData, prefix: str) -> None:
     """See Variant.start."""
     _require_type(model, "MjModel", "model")
     _require_type(data, "MjData", "data")
+    for array, size in (("qpos", model.nq), ("qvel", model.nv), ("act", model.na), ("ctrl", model.nu),
+                        ("xpos", model.nbody)):
+        if len(getattr(data, array)) != size:
+            raise ValueError(f"data={data!r} is of another model: {array} has {len(getattr(data, array))} rows, "
+                             f"not {size}")
     c_text(prefix, "prefix")
     _Start(variant.members, model, data, prefix).run()

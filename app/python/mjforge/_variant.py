@@ -244,7 +244,8 @@ class Variant:
         """Adds the object to a scene, a mujoco.MjSpec, and returns the object's first body in the
         scene.
 
-        `prefix`: prefix of the object's names. `pos`, `quat`: place of the object in the world.
+        `prefix`: prefix of the object's names; ValueError if the scene then has the name of the first
+        body already. `pos`, `quat`: place of the object in the world.
         `stand`: if true, `pos` is the height of the object's bottom, otherwise of its origin; the
         bottom is that of the bounding box at the start. A reset of the scene sets the object to its
         start, unless that is in a keyframe, as for objects without a free body
