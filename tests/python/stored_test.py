@@ -198,7 +198,7 @@ class Replays(unittest.TestCase):
         self.assertEqual(mjforge.Variant.from_record(record).record, record)
         with self.assertRaisesRegex(mjforge.MismatchError, "m4 4 of seed 3: it is another file"):
             mjforge.Variant.from_record({**record, "sha256": "0" * 64})
-        with self.assertRaisesRegex(mjforge.MismatchError, "the spec has changed"):
+        with self.assertRaisesRegex(mjforge.MismatchError, "the spec '.*/mug.yaml' has changed"):
             mjforge.Variant.from_record({**record, "spec_sha256": "0" * 64})
 
     def test_take_settings_as_the_command_does(self):
@@ -214,6 +214,8 @@ class Replays(unittest.TestCase):
             variant = mjforge.Spec(file).variants(set={"t": "u"})[3]
             self.assertEqual(variant.params["t"], "u")  # the choice
             self.assertEqual(mjforge.Variant.from_record(variant.record, file).record, variant.record)
+            with self.assertRaisesRegex(FileNotFoundError, f"'{os.getcwd()}/a.yaml': give its path as spec="):
+                mjforge.Variant.from_record(variant.record)
 
     def test_need_the_spec_of_a_text(self):
         text = UNLUCKY.replace('expect: ["r < 15mm"]\n', "")

@@ -6,7 +6,7 @@ import os
 import pathlib
 from typing import Any, Iterator, Mapping, Optional, Union
 
-from ._findings import MismatchError
+from ._findings import MismatchError, SpecError
 from ._spec import Source, Spec
 from ._variant import Variant
 from ._yaml import RecordedText
@@ -28,10 +28,17 @@ def _files_of(record: Mapping[str, Any], folder: Optional[pathlib.Path]) -> Iter
 
 
 def _spec_of(record: Mapping[str, Any], folder: Optional[pathlib.Path]) -> Spec:
-    found = next((file for file in _files_of(record, folder) if file.is_file()), None)
+    files = list(_files_of(record, folder))
+    found = next((file for file in files if file.is_file()), None)
     if found is None and record["spec"] in ("-", "<spec>"):
         raise ValueError("the spec of the record was a text or a mapping: give it as spec=")
-    return Spec(found or record["spec"], set=_settings_of(record))
+    try:
+        return Spec(found or record["spec"], set=_settings_of(record))
+    except SpecError as error:
+        if found or not files or error.findings[0].code != "yaml/cannot-read":
+            raise
+        names = ", ".join(dict.fromkeys(repr(os.path.abspath(file)) for file in files))
+        raise FileNotFoundError(f"the spec of the record is not at {names}: give its path as spec=") from None
 
 
 def _settings_of(record: Mapping[str, Any]) -> dict[str, Any]:
@@ -63,7 +70,8 @@ def replay(record: Mapping[str, Any], spec: Union[Source, Spec, None],
     again = variant.record
     title = f"{record['name']} {record['index']} of seed {record['seed']}"
     if again["spec_sha256"] != record["spec_sha256"]:
-        raise MismatchError(f"{title}: the spec has changed: its SHA-256 is {again['spec_sha256']}, not "
+        where = f" '{spec.path}'" if spec.path else ""
+        raise MismatchError(f"{title}: the spec{where} has changed: its SHA-256 is {again['spec_sha256']}, not "
                             f"{record['spec_sha256']}")
     if again.get("sha256") != record.get("sha256"):
         raise MismatchError(f"{title}: it is another file: its SHA-256 is {again.get('sha256')}, not "

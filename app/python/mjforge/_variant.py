@@ -88,8 +88,9 @@ class Variant:
     def from_record(record: Mapping[str, Any], spec: "Union[Source, Spec, None]" = None) -> "Variant":
         """Makes a variant again from its record, a line of a manifest, and compares the hashes.
 
-        `spec`: the spec, if its file has moved since, or if it was a text or a mapping. Raises
-        MismatchError if the spec has changed or the file differs.
+        `spec`: the spec, if its file is not in the working folder, or if it was a text or a mapping.
+        Raises FileNotFoundError if the file is not there, MismatchError if the spec has changed or
+        the file differs.
         """
         from ._replay import replay
 
