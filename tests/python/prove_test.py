@@ -92,7 +92,7 @@ class Proofs(unittest.TestCase):
         self.write("many/two/", 2)
         self.assertEqual(len(self.read("many")[0]), 4)
         self.assertEqual(len(self.read("many/one/manifest.jsonl")[0]), 2)
-        with self.assertRaisesRegex(FileNotFoundError, "has no manifest"):
+        with self.assertRaisesRegex(FileNotFoundError, "none.tar' does not exist"):
             manifests_of(self.path / "none.tar")
 
     def test_a_shard_that_was_not_made_is_missing(self):

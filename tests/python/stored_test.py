@@ -177,11 +177,16 @@ class Batches(unittest.TestCase):
     def test_that_are_families_name_what_reads_them(self):
         for call in (mjforge.Batch, mjforge.prove):
             self.assertRaisesRegex(FileNotFoundError, "'f.npz' is a family, .* mjforge.load_family", call, "f.npz")
+        with written("f.npz", mjforge.Spec("primitives/ball").variants(), 2) as path:
+            self.assertRaisesRegex(FileNotFoundError, "f.manifest.jsonl' is the manifest of the family 'f.npz'",
+                                   mjforge.Batch, path.replace("npz", "manifest.jsonl"))
 
     def test_wrong_arguments_are_named(self):
         for wrong in (5, None, True, b"out"):
             self.assertRaisesRegex(TypeError, "path=", mjforge.Batch, wrong)
-        self.assertRaises(FileNotFoundError, mjforge.Batch, "no/such/batch")
+        for wrong in ("no/such/batch", "no/such.tar", "no/manifest.jsonl"):
+            self.assertRaisesRegex(FileNotFoundError, f"'{wrong}' does not exist", mjforge.Batch, wrong)
+        self.assertRaisesRegex(FileNotFoundError, "'x_%d.tar' has no manifest 'x.manifest.jsonl'", mjforge.Batch, "x_%d.tar")
         with written("out/", mjforge.Spec("hammer").variants(), 2) as path:
             batch = mjforge.Batch(path)
             for wrong in ("1", 1.0, None, True):

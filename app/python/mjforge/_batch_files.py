@@ -48,10 +48,24 @@ def manifests_of(batch: Union[str, "os.PathLike[str]"]) -> list[pathlib.Path]:
     if path.suffix == ".npz":
         raise FileNotFoundError(f"'{path}' is a family, not a batch: mjforge.load_family reads it")
     if not found or not found[0].exists():
-        raise FileNotFoundError(
-            f"'{os.fspath(batch)}' has no manifest: name the folder, the archive or the manifest that "
-            "'mjforge generate' wrote")
+        lacks = "does not exist"
+        if path.exists() or "%" in path.name or not os.fspath(batch):
+            lacks = f"has no manifest '{found[0]}'" if found else "has no manifest"
+        raise FileNotFoundError(f"'{os.fspath(batch)}' {lacks}: name the folder, the archive or the manifest that "
+                                "'mjforge generate' wrote")
     return found
+
+
+def expect_no_family(manifests: Sequence[pathlib.Path]) -> None:
+    """Raises FileNotFoundError if a manifest is that of a family, according to its first record."""
+    for manifest in manifests:
+        try:
+            archive = loads(next(lines(str(manifest)), b"{}"))["archive"]
+        except (OSError, ValueError, KeyError, TypeError, RecursionError):
+            continue
+        if str(archive).endswith(".npz"):
+            raise FileNotFoundError(f"'{manifest}' is the manifest of the family '{archive}', not of a batch: "
+                                    "mjforge.load_family reads the family")
 
 
 def missing_shards(batch: Union[str, "os.PathLike[str]"],

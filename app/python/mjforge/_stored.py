@@ -10,7 +10,8 @@ import pathlib
 from typing import Any, Iterator, Optional, Sequence, Union, overload
 
 from . import _command
-from ._batch_files import Reader, Stored, bad_manifest, manifests_of, missing_shards, record_of
+from ._batch_files import (Reader, Stored, bad_manifest, expect_no_family, manifests_of, missing_shards,
+                           record_of)
 from ._findings import Finding, VariantError
 from ._json import loads, members_of_record
 from ._library import integer, lines
@@ -71,6 +72,7 @@ class Batch:
         if not isinstance(path, (str, os.PathLike)):
             raise TypeError(f"path={path!r} is not a path but of type {type(path).__name__}")
         self._manifests = [pathlib.Path(os.path.abspath(each)) for each in manifests_of(path)]
+        expect_no_family(self._manifests)
         self.path = pathlib.Path(os.path.abspath(path))
         self._starts: Optional[list[array.array[int]]] = None  # offsets of records in each manifest
         self._reader: Optional[tuple[int, Reader]] = None  # last object read, and its reader
