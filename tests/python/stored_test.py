@@ -171,6 +171,10 @@ class Batches(unittest.TestCase):
                 for call in (len, list, lambda batch: batch[0], lambda batch: list(batch.records())):
                     with self.assertRaisesRegex(mjforge.VariantError, f"jsonl:2:1: error: .*{reason}"):
                         call(mjforge.Batch(path))
+            manifest.write_bytes(b"".join(lines[:2]))
+            for call in (len, list, lambda batch: batch[0], lambda batch: list(batch.records())):
+                with self.assertRaisesRegex(mjforge.VariantError, "jsonl' was changed: it has 2 records, not 3"):
+                    call(mjforge.Batch(path))
             manifest.write_bytes(b"".join(lines)[:-9])
             self.assertRaisesRegex(mjforge.VariantError, "to its end: it was cut off", len, mjforge.Batch(path))
 

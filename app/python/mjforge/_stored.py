@@ -39,9 +39,12 @@ def _lines(manifest: pathlib.Path) -> Iterator[bytes]:
 
 def _records(manifest: pathlib.Path) -> Iterator[tuple[bytes, bool]]:
     """Yields each line of a manifest, and True if the object of the record has a file. Raises
-    VariantError for a line that is not a record.
+    VariantError for a line that is not a record, and at the end if the seal tells another number of
+    records or bytes.
     """
+    reader = Reader(manifest, _raise)
     for number, line in enumerate(_lines(manifest), start=1):
+        reader.records = number
         try:
             status = members_of_record(line, ["status"])[0]
         except (ValueError, TypeError, KeyError, RecursionError):
@@ -49,6 +52,7 @@ def _records(manifest: pathlib.Path) -> Iterator[tuple[bytes, bool]]:
             raise VariantError([bad_manifest(manifest, f"this line is not a record: {problem}", line=number,
                                              column=1)]) from None
         yield line, status == "ok"
+    reader.compare_with_seal()
 
 
 def _stored_lines(manifest: pathlib.Path) -> Iterator[bytes]:
@@ -79,8 +83,9 @@ class Batch:
 
     def __iter__(self) -> Iterator[Variant]:
         for manifest in self._manifests:
-            for stored in Reader(manifest, _raise):
-                yield _variant(stored)
+            reader = Reader(manifest, _raise)
+            yield from map(_variant, reader)
+            reader.compare_with_seal()
 
     def records(self) -> Iterator[dict[str, Any]]:
         """Yields the records of all variants, including those that failed and have no file."""
