@@ -9,8 +9,10 @@ import pickle
 import subprocess
 import tempfile
 import unittest
+import unittest.mock
 
 import mjforge
+from mjforge import _stored
 from mjforge._library import PROGRAM
 
 FORMS = ("out/", "x.tar", "x.tar.zst")
@@ -45,18 +47,27 @@ def has_numpy():
 class Batches(unittest.TestCase):
     def test_are_read_in_forked_processes_after_a_look_in_the_parent(self):
         fork = multiprocessing.get_context("fork")
-        with written("x.tar", mjforge.Spec("hammer").variants(), 300) as path:
+        for output in ("x.tar", "x.tar.zst"):
+            with written(output, mjforge.Spec("hammer").variants(), 300) as path:
+                batch = mjforge.Batch(path)
+                self.assertEqual(batch[0].index, 0)
+                parts = [range(1 + part, 300, 3) for part in range(3)]
+                queues = [fork.SimpleQueue() for _ in parts]
+                workers = [fork.Process(target=indices_of, args=(batch, *each)) for each in zip(parts, queues)]
+                for worker in workers:
+                    worker.start()
+                self.assertEqual([queue.get() for queue in queues], [list(part) for part in parts])
+                self.assertEqual(batch[299].index, 299)
+                for worker in workers:
+                    worker.join()
+
+    def test_that_are_compressed_are_read_once_by_ascending_numbers(self):
+        with written("x.tar.zst", mjforge.Spec("hammer").variants(), 5) as path:
             batch = mjforge.Batch(path)
-            self.assertEqual(batch[0].index, 0)
-            parts = [range(1 + part, 300, 3) for part in range(3)]
-            queues = [fork.SimpleQueue() for _ in parts]
-            workers = [fork.Process(target=indices_of, args=(batch, *each)) for each in zip(parts, queues)]
-            for worker in workers:
-                worker.start()
-            self.assertEqual([queue.get() for queue in queues], [list(part) for part in parts])
-            self.assertEqual(batch[299].index, 299)
-            for worker in workers:
-                worker.join()
+            self.assertEqual(len(batch), 5)
+            with unittest.mock.patch("mjforge._stored.lines", wraps=_stored.lines) as lines:
+                self.assertEqual([batch[number].index for number in (0, 1, 3, 4)], [0, 1, 3, 4])
+            self.assertEqual(lines.call_count, 1)
 
     def test_have_the_variants_that_were_written(self):
         variants = mjforge.Spec("spoon").variants(seed=7, assets="files")

@@ -80,6 +80,8 @@ class Batch:
         self.path = pathlib.Path(os.path.abspath(path))
         self._starts: Optional[list[array.array[int]]] = None  # offsets of records in each manifest
         self._reader: Optional[tuple[int, Reader]] = None  # last object read, and its reader
+        # Compressed manifest that was read last, in which process; number of its next record; its records.
+        self._packed: Optional[tuple[tuple[pathlib.Path, int], int, Iterator[bytes]]] = None
 
     def __iter__(self) -> Iterator[Variant]:
         for manifest in self._manifests:
@@ -128,10 +130,21 @@ class Batch:
             number -= len(starts)
             manifest, starts = next(shards)
         if manifest.suffix == ".zst":
-            return manifest, next(itertools.islice(_stored_lines(manifest), number, None), b"")
+            return manifest, self._packed_line(manifest, number)
         with open(manifest, "rb") as file:
             file.seek(starts[number])
             return manifest, file.readline().rstrip(b"\n")
+
+    def _packed_line(self, manifest: pathlib.Path, number: int) -> bytes:
+        """Returns a record of a compressed manifest. Continues after the record that was read last, but
+        not in a forked process, which shares the position in the open file with its parent.
+        """
+        place, at, found = self._packed or (None, 0, iter(()))
+        if place != (manifest, os.getpid()) or number < at:
+            at, found = 0, _stored_lines(manifest)
+        line = next(itertools.islice(found, number - at, None), b"")
+        self._packed = (manifest, os.getpid()), number + 1, found
+        return line
 
     def _number(self, number: Any) -> int:
         at, count = integer(number, "number"), len(self)
@@ -190,7 +203,7 @@ class Batch:
         return replay(record, None, manifest.parent)
 
     def __getstate__(self) -> dict[str, Any]:
-        return {**self.__dict__, "_reader": None}
+        return {**self.__dict__, "_reader": None, "_packed": None}
 
     def __repr__(self) -> str:
         return f"<mjforge.Batch {str(self.path)!r}>"
