@@ -29,6 +29,11 @@ def check_refusals(folder):
     raises(ValueError, "rows: -1 is not within 0 .. 63", hammer.fields, model, PREFIX, [-1])
     raises(TypeError, "not a list of whole numbers", hammer.fields, model, PREFIX, [0.5])
     raises(ValueError, "rows=[] has no world", hammer.fields, model, PREFIX, [])
+    raises(TypeError, "row=None is not an integer", hammer.to_model, model, PREFIX, None)
+    raises(ValueError, "row=64 is not within 0 .. 63", hammer.to_model, model, PREFIX, 64)
+    raises(TypeError, "over=5 is not a text", hammer.fields, model, PREFIX, over={5: 5})
+    raises(ValueError, "over: mujoco", hammer.fields, model, PREFIX, over={"a": 5})
+    raises(TypeError, "rows=5 cannot be called", hammer.to_mjlab, "hammer", rows=5)
     raises(TypeError, "prefix=3 is not a text", hammer.fields, model, 3)
     raises(TypeError, "is not a mujoco.MjModel", hammer.fields, hammer.base, PREFIX)
     raises(ValueError, "has the shape (2, 11, 3), not (1, 11, 3)", hammer.fields, model, PREFIX, [0],

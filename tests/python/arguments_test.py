@@ -72,7 +72,7 @@ class Arguments(InFolder):
         for wrong in ("a", None, 1.0, b"a", slice(0, "a"), slice("a", 3), slice(0, 3, "a"), slice(0, 2.0)):
             self.assertRaises(TypeError, variants.__getitem__, wrong)
         for wrong in (-1, 2**64):
-            self.assertRaises(IndexError, variants.__getitem__, wrong)
+            self.assertRaisesRegex(IndexError, f"index={wrong} is not within", variants.__getitem__, wrong)
         # C would take it for index 0.
         self.assertRaises(IndexError, variants[2**64:2**64 + 1].__getitem__, 0)
 
@@ -147,7 +147,8 @@ class Arguments(InFolder):
         variants = SPEC.variants()
         functions = {mjforge.Spec: {}, SPEC.variants: {}, SPEC.check: {}, mjforge.prove: {}, mjforge.check: {},
                      variants.write: {"count": 1}, variants.__getitem__: {}, variants[:2].write: {},
-                     variants[0].load: {}, variants[0].verify: {}}
+                     variants[0].load: {}, variants[0].verify: {}, variants[0].save: {}, mjforge.Batch: {},
+                     mjforge.load_family: {}, mjforge.Picture(b"").save: {}}
         wrong = [None, True, False, 0, -1, 7, 2**80, 1.5, float("nan"), "", "nothing", "a\0b", "\ud800", b"mjx",
                  b"\xff", [], [5], (), (None,), {}, {"a": object()}, {5: 5}, set(), object(), type, len,
                  pathlib.Path("no/such"), slice(0, 1), 1j, range(3), Exception("x")]

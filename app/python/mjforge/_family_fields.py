@@ -12,6 +12,7 @@ from ._family_base import mesh_of_row, meshes_that_differ
 from ._family_rows import placements
 from ._family_scene import Placed
 from ._family_worlds import Worlds, writer
+from ._library import integer
 from ._poses import compose, inverse, product, rotate, without
 
 if TYPE_CHECKING:
@@ -46,6 +47,8 @@ def write(placed: Placed, worlds: Worlds, rows: Any) -> None:
 
 def model_of(family: Family, model: MjModel, prefix: Any, row: Any) -> MjModel:
     """See Family.to_model."""
+    if not 0 <= integer(row, "row") < len(family):
+        raise ValueError(f"row={row!r} is not within 0 .. {len(family) - 1}, the variants of '{family.path}'")
     values = fields_of(family, model, prefix, [row], None)
     changed = copy.copy(model)
     for name, array in values.items():

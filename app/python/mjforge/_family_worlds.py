@@ -7,6 +7,7 @@ import functools
 from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, Sequence
 
 from ._attach import _module_of
+from ._library import c_text
 
 if TYPE_CHECKING:
     from mujoco import MjModel  # type: ignore[import-not-found, import-untyped, unused-ignore]
@@ -30,7 +31,10 @@ class Worlds:
         self.arrays: dict[str, Any] = {}
         self._over = {} if over is None else checked(over)
         for name, array in self._over.items():
-            self.array(name)
+            try:
+                self.array(name)
+            except ValueError as error:
+                raise ValueError(f"over: {error}") from None
             if np.shape(array) != self.arrays[name].shape:
                 raise ValueError(f"over: '{name}' has the shape {np.shape(array)}, not {self.arrays[name].shape}, "
                                  "which it has for these worlds")
@@ -153,4 +157,6 @@ def writer(model: MjModel, field: str) -> Callable[[Any], None]:
 def checked(over: Any) -> Mapping[str, Any]:
     if not isinstance(over, Mapping):
         raise TypeError(f"over={over!r} is not a dict of arrays but of type {type(over).__name__}")
+    for name in over:
+        c_text(name, "over")
     return over

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, Iterable, Literal, Mapping, Optional, Uni
 from . import _command
 from ._findings import VariantError
 from ._library import c_number, c_text
+from ._options import path as path_of
 
 if TYPE_CHECKING:
     from ._variant import Variant
@@ -31,7 +32,7 @@ class Picture(bytes):
 
     def save(self, path: Union[str, os.PathLike[str]]) -> None:
         """Writes the file."""
-        pathlib.Path(path).write_bytes(self)
+        pathlib.Path(path_of(path, "path")).write_bytes(self)
 
     def __repr__(self) -> str:
         width, height = (int.from_bytes(self[at:at + 4], "big") for at in (16, 20))

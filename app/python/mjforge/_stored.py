@@ -15,6 +15,7 @@ from ._batch_files import (Reader, Stored, bad_manifest, expect_no_family, manif
 from ._findings import Finding, VariantError
 from ._json import loads, members_of_record
 from ._library import integer, lines
+from ._options import path as path_of
 from ._table import Table
 from ._variant import Variant
 
@@ -73,8 +74,7 @@ class Batch:
     """
 
     def __init__(self, path: Union[str, os.PathLike[str]]) -> None:
-        if not isinstance(path, (str, os.PathLike)):
-            raise TypeError(f"path={path!r} is not a path but of type {type(path).__name__}")
+        path = path_of(path, "path")
         self._manifests = [pathlib.Path(os.path.abspath(each)) for each in manifests_of(path)]
         expect_no_family(self._manifests)
         self.path = pathlib.Path(os.path.abspath(path))

@@ -6,6 +6,7 @@ import importlib.metadata
 from typing import TYPE_CHECKING, Any, Callable, Optional
 
 from ._library import c_text
+from ._options import function
 from ._packages import needed
 from ._to_warp import changes_of
 
@@ -21,8 +22,10 @@ Choice = Callable[[Any, Any], Any]  # (environment, ids of worlds) -> rows of th
 def entity_and_event(family: Family, name: str, mode: str, rows: Optional[Choice]) -> tuple[Any, Any]:
     """See Family.to_mjlab."""
     c_text(name, "name")
-    if mode not in ("startup", "reset"):
+    if not isinstance(mode, str) or mode not in ("startup", "reset"):
         raise ValueError(f"mode={mode!r} is not 'startup' or 'reset'")
+    if rows is not None:
+        function(rows, "rows")
     entity, managers = needed("mjlab.entity", "mjlab"), needed("mjlab.managers", "mjlab")
     choose = rows or (_in_turn(family) if mode == "startup" else _at_random(family))
     term = _term_of(family, f"{name}/", choose)

@@ -17,6 +17,7 @@ from . import _attach
 from ._findings import Finding, MismatchError, VariantError
 from ._json import loads, members_of_record
 from ._members import Joint, Members, Position, Site, elements, members_of
+from ._options import path as path_of
 from ._options import real
 
 if TYPE_CHECKING:
@@ -267,9 +268,7 @@ class Variant:
         or an existing folder, in which the file gets the name that the command gives it. Returns
         the path of the file.
         """
-        if not isinstance(path, (str, os.PathLike)):
-            raise TypeError(f"path={path!r} is not a path but of type {type(path).__name__}")
-        file = pathlib.Path(path)
+        file = pathlib.Path(path_of(path, "path"))
         if file.is_dir():
             file /= os.path.basename(self.record.get("file") or f"{self.name}_{self.index:06}.xml")
         file.write_bytes(self.xml_bytes)

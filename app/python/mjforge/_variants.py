@@ -73,7 +73,7 @@ class Variants(Sequence[Variant]):
 
     def _make(self, index: int) -> Variant:
         if not 0 <= index < 2**64:
-            raise IndexError(f"{index} is not within 0 .. 2^64 - 1")
+            raise IndexError(f"index={index} is not within 0 .. 2^64 - 1")
         maker = self._idle_maker()
         try:
             return maker.make(index)
