@@ -90,9 +90,10 @@ class Reports(InFolder):
     def test_iteration_without_end_gives_up_where_none_is_valid(self):
         endless = iter(mjforge.Spec(ALL_FAIL).variants(on_invalid="skip"))
         for first in (0, 1000):
-            with self.assertRaisesRegex(mjforge.VariantError, f"none of the 1000 variants from {first} on is valid") as it:
+            said = f"none of the 1000 variants from {first} on is valid"
+            with self.assertRaisesRegex(mjforge.VariantError, said) as raised:
                 next(endless)
-            self.assertEqual([finding.index for finding in it.exception.findings], [None, first])
+            self.assertEqual([finding.index for finding in raised.exception.findings], [None, first])
         self.assertEqual(list(mjforge.Spec(ALL_FAIL).variants(on_invalid="skip")[:1200]), [])
 
     def test_options_of_variants_are_used(self):
@@ -192,7 +193,8 @@ class Parameters(InFolder):
         pathlib.Path("fixed.yaml").write_text("count: 3\n")
         filed = mjforge.Spec(KINDS, parameters=["fixed.yaml"])
         for variants in (spec.variants(set={"count": (2, 3)}), mjforge.Spec(KINDS, set={"count": (2, 3)}).variants(),
-                         fixed.variants(set={"count": (2, 3)}), filed.variants(set={"count": (2, 3)}), spec.variants(set={"count": [2.0, 3]})):
+                         fixed.variants(set={"count": (2, 3)}), filed.variants(set={"count": (2, 3)}),
+                         spec.variants(set={"count": [2.0, 3]})):
             self.assertEqual({variant.params["count"] for variant in variants[:8]}, {2, 3})
         blender = mjforge.Spec("appliances/blender")
         self.assertTrue(blender.variants(set={"keys": blender.parameters["keys"].range})[1])

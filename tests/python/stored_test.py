@@ -201,7 +201,8 @@ class Batches(unittest.TestCase):
             self.assertRaisesRegex(TypeError, "path=", mjforge.Batch, wrong)
         for wrong in ("no/such/batch", "no/such.tar", "no/manifest.jsonl"):
             self.assertRaisesRegex(FileNotFoundError, f"'{wrong}' does not exist", mjforge.Batch, wrong)
-        self.assertRaisesRegex(FileNotFoundError, "'x_%d.tar' has no manifest 'x.manifest.jsonl'", mjforge.Batch, "x_%d.tar")
+        self.assertRaisesRegex(FileNotFoundError, "'x_%d.tar' has no manifest 'x.manifest.jsonl'",
+                               mjforge.Batch, "x_%d.tar")
         with written("out/", mjforge.Spec("hammer").variants(), 2) as path:
             batch = mjforge.Batch(path)
             for wrong in ("1", 1.0, None, True):

@@ -93,7 +93,7 @@ def attach(variant: Variant, scene: MjSpec, prefix: str, pos: Sequence[float], q
         raise ImportError(f"mujoco {_module_of(scene).__version__} has no MjSpec.attach: "
                           "python -m pip install 'mujoco>=3.3'")
     root = prefix + _name_of_root(variant.xml_bytes)
-    if scene.body(root) is not None:  # MuJoCo would notice it after a part was attached
+    if scene.body(root) is not None:  # MuJoCo notices this after it has attached a part
         raise ValueError(f"prefix={prefix!r}: the scene has a body {root!r} already")
     if stand:
         place[2] -= _bottom(variant, turn)

@@ -80,7 +80,7 @@ class Batch:
         self.path = pathlib.Path(os.path.abspath(path))
         self._starts: Optional[list[array.array[int]]] = None  # offsets of records in each manifest
         self._reader: Optional[tuple[int, Reader]] = None  # last object read, and its reader
-        # Compressed manifest that was read last, in which process; number of its next record; its records.
+        # Compressed manifest that was read last, and the process; number of the next record; further records.
         self._packed: Optional[tuple[tuple[pathlib.Path, int], int, Iterator[bytes]]] = None
 
     def __iter__(self) -> Iterator[Variant]:

@@ -291,7 +291,7 @@ class _Iteration(Iterator[Variant]):
         self._made: list[Union[Variant, Exception, None]] = []  # in reverse order
         self._ahead = 1
         self._first = 0  # index from which on no variant was valid so far
-        self._patience = _MOST_INVALID if indices is None else 0  # counted down; ends at the first valid one
+        self._patience = _MOST_INVALID if indices is None else 0  # invalid variants until the error; 0 or less: none
         self._lock = threading.Lock()  # threads may share an iteration
 
     def __next__(self) -> Variant:

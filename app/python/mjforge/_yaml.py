@@ -22,7 +22,7 @@ def _plain(value: Any) -> Any:
         plain = value.tolist()
         if type(plain) is not type(value):
             return plain
-        if value.dtype.kind == "f":  # a longdouble, which remains one
+        if value.dtype.kind == "f":  # tolist() returns a longdouble as it is
             return float(value)
     if isinstance(value, os.PathLike):
         return os.fspath(value)
