@@ -177,10 +177,9 @@ class Spec:
         meshes are OBJ files and textures PNG files in `Variant.files`, not in the XML. `name`: name
         of the object; "${index}" is allowed. `batch`: the number of variants over which draws are
         spread by the samplers "latin" and "grid" and by choices with `exact: true`, which require
-        it. `on_invalid="skip"`: iteration leaves out variants that cannot be made; without a slice,
-        iteration raises VariantError if none of the first 1000 is valid. `validate`:
-        "none", "load" or "physics", in the MuJoCo that the package contains. `place_seed`: seed for
-        the places of bodies alone; the objects stay the same.
+        it. `on_invalid="skip"`: iteration leaves out variants that cannot be made, and without a slice
+        raises VariantError if the first 1000 are such. `validate`: "none", "load" or "physics", in the
+        MuJoCo that the package contains. `place_seed`: seed for the places of bodies alone.
 
         >>> import mjforge
         >>> hammer = mjforge.Spec("hammer")
