@@ -193,8 +193,10 @@ class Batches(unittest.TestCase):
         for call in (mjforge.Batch, mjforge.prove):
             self.assertRaisesRegex(FileNotFoundError, "'f.npz' is a family, .* mjforge.load_family", call, "f.npz")
         with written("f.npz", mjforge.Spec("primitives/ball").variants(), 2) as path:
-            self.assertRaisesRegex(FileNotFoundError, "f.manifest.jsonl' is the manifest of the family 'f.npz'",
-                                   mjforge.Batch, path.replace("npz", "manifest.jsonl"))
+            batch = mjforge.Batch(path.replace("npz", "manifest.jsonl"))
+            for call in (lambda: batch[1], lambda: list(batch)):
+                self.assertRaisesRegex(FileNotFoundError, "jsonl' has the records of the family 'f.npz'", call)
+            self.assertEqual([record["index"] for record in batch.records()], [0, 1])
 
     def test_wrong_arguments_are_named(self):
         for wrong in (5, None, True, b"out"):

@@ -56,16 +56,17 @@ def manifests_of(batch: Union[str, "os.PathLike[str]"]) -> list[pathlib.Path]:
     return found
 
 
-def expect_no_family(manifests: Sequence[pathlib.Path]) -> None:
-    """Raises FileNotFoundError if a manifest is that of a family, according to its first record."""
-    for manifest in manifests:
-        try:
-            archive = loads(next(lines(str(manifest)), b"{}"))["archive"]
-        except (OSError, ValueError, KeyError, TypeError, RecursionError):
-            continue
-        if str(archive).endswith(".npz"):
-            raise FileNotFoundError(f"'{manifest}' is the manifest of the family '{archive}', not of a batch: "
-                                    "mjforge.load_family reads the family")
+def expect_no_family(manifest: pathlib.Path) -> None:
+    """Raises FileNotFoundError if the first record of a manifest is that of a family's variant, which
+    has no file.
+    """
+    try:
+        archive = loads(next(lines(str(manifest)), b"{}"))["archive"]
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
+        return
+    if str(archive).endswith(".npz"):
+        raise FileNotFoundError(f"'{manifest}' has the records of the family '{archive}', whose variants have no "
+                                "files: mjforge.load_family reads the family")
 
 
 def missing_shards(batch: Union[str, "os.PathLike[str]"],

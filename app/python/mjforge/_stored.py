@@ -76,7 +76,6 @@ class Batch:
     def __init__(self, path: Union[str, os.PathLike[str]]) -> None:
         path = path_of(path, "path")
         self._manifests = [pathlib.Path(os.path.abspath(each)) for each in manifests_of(path)]
-        expect_no_family(self._manifests)
         self.path = pathlib.Path(os.path.abspath(path))
         self._starts: Optional[list[array.array[int]]] = None  # offsets of records in each manifest
         self._reader: Optional[tuple[int, Reader]] = None  # last object read, and its reader
@@ -85,6 +84,7 @@ class Batch:
 
     def __iter__(self) -> Iterator[Variant]:
         for manifest in self._manifests:
+            expect_no_family(manifest)
             reader = Reader(manifest, _raise)
             yield from map(_variant, reader)
             reader.compare_with_seal()
@@ -119,6 +119,7 @@ class Batch:
         manifest, line = self._line(number)
         record, problem = record_of(line)
         if problem or record["status"] != "ok":
+            expect_no_family(manifest)
             raise VariantError([bad_manifest(manifest, "the manifest is damaged, or was changed since this "
                                                        "Batch was opened: open it again")])
         return manifest, line, record
