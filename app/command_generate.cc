@@ -12,7 +12,7 @@
 
 #include "commands.h"
 #include "completion.h"
-#include "family_conflicts.h"
+#include "family_option_conflicts.h"
 #include "load_time_limit.h"
 #include "make_rule_options.h"
 #include "options.h"

@@ -52,23 +52,23 @@ std::string BlockersText(const Misses& misses) {
   return text;
 }
 
-void ReportCrowded(const NoRoom& what, const Misses& misses, diag::Finding& finding) {
-  const std::string place = what.has_uv           ? "at its `uv` in "
-                            : what.beside.empty() ? "at "
-                                                  : "beside " + Quoted(what.beside) + " at ";
+void ReportCrowded(const NoRoom& facts, const Misses& misses, diag::Finding& finding) {
+  const std::string place = facts.has_uv           ? "at its `uv` in "
+                            : facts.beside.empty() ? "at "
+                                                   : "beside " + Quoted(facts.beside) + " at ";
   finding.message =
-      fmt::format("no room for body {} {}{}", Quoted(what.body), place, Quoted(what.at));
-  if (what.region != nullptr) {
+      fmt::format("no room for body {} {}{}", Quoted(facts.body), place, Quoted(facts.at));
+  if (facts.region != nullptr) {
     finding.message +=
-        fmt::format(", {}: it needs {}", SizeOf(*what.region), Sizes(misses.footprint));
-    if (what.clear > 0) finding.message += fmt::format(" and {} cm around it", Cm(what.clear));
-    if (what.widest_gap) {
+        fmt::format(", {}: it needs {}", SizeOf(*facts.region), Sizes(misses.footprint));
+    if (facts.clear > 0) finding.message += fmt::format(" and {} cm around it", Cm(facts.clear));
+    if (facts.widest_gap) {
       finding.message += fmt::format("; the widest gap is {} cm across",
-                                     Cm(std::floor(1000 * *what.widest_gap) / 1000));
+                                     Cm(std::floor(1000 * *facts.widest_gap) / 1000));
     }
-    if (what.instances > 1) {
+    if (facts.instances > 1) {
       finding.message +=
-          fmt::format("; {} of {} have found a place", what.standing, what.instances);
+          fmt::format("; {} of {} have found a place", facts.standing, facts.instances);
     }
   }
   if (!misses.blockers.empty()) finding.hint = BlockersText(misses) + "; ";
@@ -89,28 +89,28 @@ bool Misses::AreAll(model::PlaceVerdict verdict) const {
   return found != verdicts.end() && found->second == count;
 }
 
-void ReportNoRoom(const NoRoom& what, const Misses& misses, diag::Findings& findings) {
-  diag::Finding& finding = findings.Add(Code::kModelNoRoom, what.mark, {});
-  if (what.target) finding.notes.push_back({what.target, "the place is described here"});
-  const std::string body = Quoted(what.body);
-  const std::string at = Quoted(what.at);
+void ReportNoRoom(const NoRoom& facts, const Misses& misses, diag::Findings& findings) {
+  diag::Finding& finding = findings.Add(Code::kModelNoRoom, facts.mark, {});
+  if (facts.target) finding.notes.push_back({facts.target, "the place is described here"});
+  const std::string body = Quoted(facts.body);
+  const std::string at = Quoted(facts.at);
   if (misses.AreAll(model::PlaceVerdict::kTooLarge)) {
     finding.message =
         fmt::format("body {} is larger than {}: it stands on {}, and the region is {}", body, at,
-                    Sizes(misses.footprint), SizeOf(*what.region));
+                    Sizes(misses.footprint), SizeOf(*facts.region));
     finding.hint = "a smaller body, a larger region, or a share that may lie outside: `overhang`";
   } else if (misses.AreAll(model::PlaceVerdict::kTooHigh)) {
     finding.message = fmt::format("body {} is too high for {}, which has {} cm of free height",
-                                  body, at, Cm(what.region->height));
+                                  body, at, Cm(facts.region->height));
     finding.hint = "a lower body, or another way of `lying`";
   } else if (misses.AreAll(model::PlaceVerdict::kOutside)) {
-    finding.message = what.beside.empty()
+    finding.message = facts.beside.empty()
                           ? fmt::format("the place of body {} is outside of {}", body, at)
                           : fmt::format("the place of body {} beside {} is outside of {}", body,
-                                        Quoted(what.beside), at);
-    finding.hint = fmt::format("the region is {}", SizeOf(*what.region));
+                                        Quoted(facts.beside), at);
+    finding.hint = fmt::format("the region is {}", SizeOf(*facts.region));
   } else {
-    ReportCrowded(what, misses, finding);
+    ReportCrowded(facts, misses, finding);
   }
 }
 

@@ -39,7 +39,8 @@ struct NoRoom {
   diag::SourceMark target;                // position of the region or site in the text of the spec
 };
 
-/// Adds a finding with the reason, the sizes and the blocking bodies.
-void ReportNoRoom(const NoRoom& what, const Misses& misses, diag::Findings& findings);
+/// Adds a finding that no place was found for a body: the reason, the sizes of the place and of the
+/// body's footprint, and the bodies that were most often in the way.
+void ReportNoRoom(const NoRoom& facts, const Misses& misses, diag::Findings& findings);
 
 }  // namespace mjforge::assemble

@@ -20,8 +20,9 @@ using spec::Key;
 // Half the thickness of a region's site, m.
 constexpr double kHalfThickness = 0.0005;
 
-// Least area of a polygon's convex hull, as a share of the square of its size.
-constexpr double kThinnest = 1e-9;
+// Ratio of the area of a polygon's convex hull to the square of the diagonal of its bounding box;
+// with a smaller ratio, the corners are on a line.
+constexpr double kLeastAreaRatio = 1e-9;
 
 // Returns the key that specifies the extent of a region of this type.
 Key ExtentKey(std::string_view type) { return type == "polygon" ? Key::kPolygon : Key::kSize; }
@@ -84,8 +85,8 @@ bool ReadPolygon(FieldReader& reader, const spec::Field& field, model::Region& r
                   "the last corner is connected to the first");
     return false;
   }
-  const double size = solid::BoxAround(corners).sizes().norm();
-  if (solid::AreaOf(solid::ConvexPolygonOf(corners)) <= kThinnest * size * size) {
+  const double diagonal = solid::BoxAround(corners).sizes().norm();
+  if (solid::AreaOf(solid::ConvexPolygonOf(corners)) <= kLeastAreaRatio * diagonal * diagonal) {
     reader.Report(Code::kModelBadValue, field, "has no area: its corners are on a line");
     return false;
   }

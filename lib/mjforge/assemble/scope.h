@@ -22,8 +22,8 @@ struct MaterialState {
   std::vector<model::Attribute> contact;  // attributes of colliding geoms, such as friction
 };
 
-/// State of one spec in the object: of the outermost spec, of a spec used as a part (welded), or of
-/// a spec used as a body.
+/// State of a spec while its elements are added to the object: names, frame, materials. The
+/// outermost spec has a scope, and so has each spec that is used as a part (welded) or as a body.
 struct Scope {
   Scope(sample::Evaluator& evaluator, std::string name_prefix, int root,
         const model::Pose& X_BodyS);

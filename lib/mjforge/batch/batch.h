@@ -11,7 +11,7 @@
 #include <string>
 
 #include "mjforge/batch/finding_summary.h"
-#include "mjforge/batch/process.h"
+#include "mjforge/batch/interprocess.h"
 #include "mjforge/diag/diag.h"
 #include "mjforge/forge/forge.h"
 #include "mjforge/output/output.h"

@@ -1,4 +1,5 @@
-// Table of MJCF attributes with their defaults and the arrays of mjModel that contain their values.
+// Table of MJCF attributes with their defaults and the arrays of mjModel that contain their values,
+// and the elements on the paths of tendons.
 #include "mjforge/compiled/attributes.h"
 
 #include <algorithm>

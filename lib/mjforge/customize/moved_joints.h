@@ -1,7 +1,7 @@
 // Joint positions for the picture on the page of `mjforge customize`.
 #pragma once
 
-#include "mjforge/customize/request.h"
+#include "mjforge/customize/page_request.h"
 #include "mjforge/customize/variant_cache.h"
 
 namespace mjforge::customize {

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "mjforge/customize/request.h"
+#include "mjforge/customize/page_request.h"
 #include "mjforge/forge/forge.h"
 #include "mjforge/picture/picture.h"
 

@@ -56,8 +56,8 @@ class Dimension {
 /// operands have two different dimensions.
 std::optional<Dimension> CommonDimension(const Dimension& a, const Dimension& b);
 
-/// Dimensions of the components of a vector, in order. A single item applies to all components; an
-/// empty list means that the dimensions are unknown.
+/// Physical dimensions of the components of a vector, in order. A single item applies to all
+/// components; an empty list means that the dimensions are unknown.
 using Dimensions = std::vector<Dimension>;
 Dimension DimensionAt(const Dimensions& dimensions, std::size_t component);
 

@@ -78,7 +78,7 @@ struct TargetRules {
   bool adapts() const { return target != Target::kMujoco && target != Target::kScene; }
 };
 
-/// Returns the rules of all targets, in the order of Target.
+/// Returns the rules of all targets, in the order of the enum Target.
 std::span<const TargetRules> Targets();
 std::vector<std::string_view> TargetNames();
 const TargetRules& RulesOf(Target target);

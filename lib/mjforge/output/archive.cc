@@ -190,7 +190,7 @@ std::optional<std::string> ArchiveReader::Content(std::string& why_not) {
 
 std::string ArchiveReader::ReadStart(std::size_t count) {
   std::string bytes(count, '\0');
-  // Ignores the error of an archive that ends within the member, because the bytes before are read.
+  // Ignores errors: if the archive ends within the member, zeros follow the bytes that were read.
   archive_read_data(tar_->reader.get(), bytes.data(), bytes.size());
   bytes.resize(std::min(bytes.find('\0'), bytes.size()));
   return bytes;

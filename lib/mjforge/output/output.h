@@ -141,7 +141,8 @@ class ObjectFolder {
 /// files that a running process has locked.
 void RemoveAbandoned(const std::set<std::filesystem::path>& files);
 /// Removes the abandoned temporary files of `count` objects from index `first` on, and of the
-/// assets beside them, from a folder of objects and its subfolders (numbers, structures).
+/// assets beside them, from a folder of objects and its numbered subfolders (million objects,
+/// structures).
 void RemoveAbandoned(const std::filesystem::path& folder, std::uint64_t first, std::uint64_t count);
 
 /// Writes a file that is not part of a batch, after removing its abandoned temporary files.

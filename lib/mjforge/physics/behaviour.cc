@@ -233,7 +233,7 @@ class Behaviour {
           fmt::format("'{}' still moves after {} s: body '{}' at {}, {} mm from where it began; at "
                       "rest it is slower than {} for 0.1 s",
                       test_.object.name, RoundedText(result.time), outcome.fastest,
-                      SpeedText(result.speed), RoundedText(1000 * outcome.way),
+                      SpeedText(result.speed), RoundedText(1000 * outcome.displacement),
                       SpeedText(checks.rest_speed)),
           RestRemedy(outcome));
     }

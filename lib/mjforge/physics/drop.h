@@ -13,12 +13,13 @@
 
 namespace mjforge::physics {
 
-/// State at the end of a drop, in addition to the members of `Result`.
+/// Facts about a drop for messages, beside the measurements that SimulateDrop() stores in the
+/// `Result` (physics.h).
 struct DropOutcome {
   bool has_diverged = false;
   std::vector<std::string> warnings;  // MuJoCo's warnings during the drop
-  std::string fastest;                // name of the fastest body
-  double way = 0;                     // m, displacement of the fastest body's centre of mass
+  std::string fastest;                // name of the body that is fastest at the end
+  double displacement = 0;            // m, of the centre of mass of `fastest` since the start
 };
 
 /// Initial disturbance of all free bodies: a tilt, and a speed along the floor.

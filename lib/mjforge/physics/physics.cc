@@ -141,7 +141,7 @@ auto Guarded(const model::Object& object, diag::SourceMark mark, diag::Findings&
     return simulate();
   } catch (const std::bad_alloc&) {
     throw;  // this is no failure of MuJoCo
-  } catch (const NoRoom&) {
+  } catch (const BuffersTooLarge&) {
     findings.Warn(Code::kMujocoOlder, mark,
                   fmt::format("'{}' is not simulated: MuJoCo {} has no room for its contacts",
                               object.name, engine::Version()),

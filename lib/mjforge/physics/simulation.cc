@@ -40,7 +40,8 @@ void MakeRoom(mjModel& m) {
   // MuJoCo 2.2 stores a square matrix of the constraint rows, and the Jacobian with its transpose,
   // each number (8 bytes) with an index (4 bytes).
   const double bytes = engine::kHasFixedBuffers ? 12.0 * room.rows * (room.rows + 2.0 * m.nv) : 0;
-  if (room.contacts > kMostContacts || bytes > kMostBytes) throw NoRoom("too many contacts");
+  if (room.contacts > kMostContacts || bytes > kMostBytes)
+    throw BuffersTooLarge("too many contacts");
   // Stack size, in mjtNum: linear in the number of contacts if the model has few degrees of
   // freedom, by the rule of mjcf/size_element.cc.
   room.numbers += 4000.0 * room.contacts * std::max(1.0, static_cast<double>(m.nv) / 24.0);

@@ -26,7 +26,7 @@ class Workspace {
 
 /// Exception: the contacts of a model need a buffer of more than 10,000 contacts or, in MuJoCo 2.2,
 /// constraint matrices of more than 1 GB.
-struct NoRoom : std::runtime_error {
+struct BuffersTooLarge : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
@@ -37,11 +37,12 @@ inline constexpr double kMostSteps = 1e7;
 /// were full.
 bool IsCrowded(const mjData& d);
 /// At least doubles the buffers of the model for contacts and constraint rows; mjData must be
-/// allocated again. Throws NoRoom if the buffers would be too large.
+/// allocated again. Throws BuffersTooLarge if the buffers would be too large.
 void MakeRoom(mjModel& m);
 
 /// Calls `simulate` with data of the model in the initial state, and again with larger buffers
-/// until all contacts and constraints fit. Returns the result of the last call. Throws NoRoom.
+/// until all contacts and constraints fit. Returns the result of the last call. Throws
+/// BuffersTooLarge.
 template <typename Simulation>
 auto Simulate(mjModel& m, Workspace& workspace, const Simulation& simulate) {
   for (;;) {

@@ -52,8 +52,10 @@ struct LevelDepth {
 };
 /// Distance of the backdrop (a plane behind the shapes) from the eye, as a share of Camera::far.
 inline constexpr double kBackdrop = 0.98;
-/// Returns a depth, as OpenGL stores it, between the shapes and the backdrop.
+/// Returns a threshold for depths as OpenGL stores them: those of the shapes are smaller, that of
+/// the backdrop is larger.
 double DepthBeforeBackdrop(const Camera& camera);
+
 /// Returns the depths of the plane z = `level` in a picture of this size in pixels. The depths are
 /// above 1 where the camera does not see the plane.
 LevelDepth DepthOfLevel(const Camera& camera, double level, int width, int height);

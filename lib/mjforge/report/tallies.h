@@ -87,7 +87,8 @@ struct ParameterTally {
   bool all_whole_ = true;
 };
 
-/// Tallies of all parameters of a batch, in the spec's order.
+/// Tallies of the values that each parameter has in the variants of a batch. The parameters are in
+/// the spec's order. `is_bad`: the variant failed or was skipped.
 class ParameterTallies {
  public:
   void Add(const std::vector<std::pair<std::string, sample::ParameterValue>>& params, bool is_bad);

@@ -87,7 +87,8 @@ bool ValueReader::IsVectorForm(std::string_view key, const ExpectedForm& expecte
 }
 
 // Reports the form `hsv` (a colour) in a field other than `rgba`, and the form `about` (a random
-// rotation) in a field that is not a quaternion. Parameters accept both forms.
+// rotation) in a field that is not a quaternion. Values of parameters, which have no key, accept
+// both forms.
 void ValueReader::CheckMeaning(bool is_color, const ExpectedForm& expected, const YamlNode& node) {
   const std::string_view key = expected.key;
   if (key.empty() || (is_color ? key == "rgba" : key.ends_with("quat"))) return;

@@ -317,15 +317,6 @@ TEST_CASE("what only leads to an inner body is no place") {
         "or `for` leaves it out in this variant)");
 }
 
-TEST_CASE("a body below one that was left out is reported with the reason") {
-  const Scene scene(Ball("name: a, place: {at: table.surface, uv: [0, 0]}") +
-                    Ball("name: b, fewer: true, place: {at: table.surface, uv: [0, 0]}") +
-                    "  - {name: c, parent: b, parts: [{name: q, type: sphere, size: 1}]}\n");
-  CHECK(scene.finding() ==
-        "12:23 body 'c': its parent 'b' was left out, because there was no room for it (in place "
-        "of `parent:`, `place:` at it and `fewer: true` leave out this one, too)");
-}
-
 TEST_CASE("a place at a faulty region is no second finding") {
   DiscPlacer placer;
   const Assembling scene(
@@ -346,6 +337,9 @@ TEST_CASE("a name of a body that was left out is reported with the reason") {
                       Ball("name: b, fewer: true, place: {at: table.surface, uv: [0, 0]}") + entry);
     return scene.assembling.findings().at(0);
   };
+  CHECK(finding("  - {name: c, parent: b, parts: [{name: q, type: sphere, size: 1}]}\n") ==
+        "12:23 body 'c': its parent 'b' was left out, because there was no room for it (in place "
+        "of `parent:`, `place:` at it and `fewer: true` leave out this one, too)");
   const std::string why = " (body 'b' found no room, and was left out (`fewer: true`))";
   CHECK(finding("contact: {exclude: [[a, b]]}\n") ==
         "12:25 body2 of exclude is 'b', but the object has no body of that name" + why);

@@ -1,6 +1,7 @@
-// Finds options of `mjforge generate` that do not fit the destination: families need -o NAME.npz.
+// Finds options of `mjforge generate` that do not fit the destination. A family (variants of one
+// MJCF with arrays of the numbers in which they differ) needs -o NAME.npz.
 
-#include "family_conflicts.h"
+#include "family_option_conflicts.h"
 
 #include <fmt/format.h>
 

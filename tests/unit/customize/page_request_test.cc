@@ -1,4 +1,4 @@
-#include "mjforge/customize/request.h"
+#include "mjforge/customize/page_request.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
-// Reader of a JSON request of the page of `mjforge customize`: types and ranges of the members, and
-// conversion of settings to YAML.
+// Reads the JSON requests that the page of `mjforge customize` sends: types and ranges of the
+// members, and conversion of settings to YAML.
 
-#include "mjforge/customize/request.h"
+#include "mjforge/customize/page_request.h"
 
 #include <fmt/format.h>
 #include <rapidjson/document.h>

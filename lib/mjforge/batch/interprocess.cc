@@ -1,6 +1,6 @@
 // Child processes with fork(2), Unix sockets, and anonymous shared memory.
 
-#include "mjforge/batch/process.h"
+#include "mjforge/batch/interprocess.h"
 
 #include <sys/mman.h>
 #include <sys/prctl.h>
