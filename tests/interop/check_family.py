@@ -34,7 +34,8 @@ FIELDS = ("body_pos body_quat body_mass body_ipos body_subtreemass body_invweigh
           "geom_pos geom_quat geom_friction geom_rbound geom_solref geom_solimp geom_margin jnt_type "
           "jnt_pos jnt_axis jnt_range jnt_stiffness dof_damping dof_frictionloss dof_armature dof_M0 "
           "dof_invweight0 qpos0 qpos_spring site_pos site_quat site_size site_rgba eq_data "
-          "actuator_gainprm actuator_biasprm actuator_gear tendon_range").split()
+          "actuator_gainprm actuator_biasprm actuator_gear actuator_user tendon_range tendon_lengthspring wrap_prm "
+          "sensor_cutoff sensor_noise pair_margin numeric_data").split()
 
 
 def twins(mine, own, kind):
@@ -233,6 +234,7 @@ name: rig
 joints: none
 params: {width: 4cm .. 8cm, turn: 5deg .. 40deg, speed: 0.1 .. 1, kp: 20 .. 50}
 parts: [{name: palm, type: box, size: [1cm, width / 2, 1cm]}]
+sites: [{name: eye, pos: [0, 0, 3cm]}]
 bodies:
   - name: finger_${i}
     for: {i: 2}
@@ -248,6 +250,7 @@ bodies:
   - name: lever
     pos: [6cm, 0, 0]
     parts: [{name: lever, type: box, size: [2cm, 1cm, 2mm]}]
+    sites: [{name: hook, pos: [0, 0, width / 2]}]
     joints: [{name: tilt, axis: [0, 1, 0], range: [-90deg, 90deg], armature: 0.01}]
 contact: {exclude: [[finger_0, finger_1]]}
 pose:
@@ -255,11 +258,17 @@ pose:
   - {joint: tilt, value: turn / 2}
 mjcf:
   tendon:
-    - fixed: {name: grip, children: [{joint: {joint: slide_0, coef: 0.5}}, {joint: {joint: slide_1, coef: 0.5}}]}
+    - fixed: {name: grip, children: [{joint: {joint: slide_0, coef: 0.5}}, {joint: {joint: slide_1, coef: width + 0.4}}]}
+    - spatial: {name: spring, stiffness: kp, children: [{site: {site: eye}}, {site: {site: hook}}]}
+  custom: [{numeric: {name: gain, data: [1, kp]}}]
+  sensor: [{tendonpos: {name: opening, tendon: grip, cutoff: kp, noise: width / 100}}]
+  contact:
+    - pair: {geom1: flap, geom2: lever}
+    - pair: {geom1: palm, geom2: lever, margin: width / 100}
   equality: [{joint: {name: together, joint1: slide_0, joint2: slide_1}}]
   actuator:
     - position: {name: close, tendon: grip, kp: kp, ctrlrange: [0, width / 2]}
-    - position: {name: servo, joint: swing, kp: 2}
+    - position: {name: servo, joint: swing, kp: 2, user: [1, kp]}
     - intvelocity: {name: drive, joint: tilt, kp: 2, actrange: [-3, 3]}
 """
 
@@ -318,6 +327,24 @@ def check_welds(folder):
             expect(np.allclose(driven(mine, starts, row), driven(own, starts, row), rtol=0, atol=1e-9), "another motion")
 
 
+MOON = {"mjforge": 1, "name": "moon", "params": {"g": "1 .. 9"}, "parts": [{"name": "rock", "type": "sphere", "size": 0.01}],
+        "mjcf": {"option": {"gravity": [0, 0, "-g"]}}}
+
+
+def check_options(folder):
+    """Objects of one world must not draw the same option."""
+    with tempfile.TemporaryDirectory() as place:
+        mjforge.Spec(MOON).variants(seed=7).write(f"{place}/moon.npz", 4)
+        family = mjforge.load_family(f"{place}/moon.npz")
+        scene = mujoco.MjSpec()
+        for prefix in ("a/", "b/"):
+            scene.attach(family.base, prefix=prefix, frame=scene.worldbody.add_frame())
+        model = scene.compile()
+        gravity = family.fields(model, ["a/", "b/"], [[0, 0], [1, 1]])["opt.gravity"]
+        expect(np.allclose(gravity[:, 2], [-family.parameters["g"][row] for row in (0, 1)]), f"gravity {gravity}")
+        raises(ValueError, "opt.gravity differs", family.fields, model, ["a/", "b/"], [[0, 1]])
+
+
 def driven(model, starts, row):
     """Where a start of a family is after some steps with its controls."""
     data = mujoco.MjData(model)
@@ -333,6 +360,6 @@ for npz, one in families(sys.argv[1]):
 for name, action in {"twice, beside a robot": check_two_beside_a_robot,
                      "where the user moved it": check_pose_in_another_frame,
                      "as a table": check_table, "of one": check_one, "of a mesh file": check_mesh_from_a_file,
-                     "with actuators": check_actuators, "welded to the world": check_welds}.items():
+                     "with options": check_options, "with actuators": check_actuators, "welded to the world": check_welds}.items():
     check(f"{RELEASE}, {name}", action, sys.argv[1])
 finish()

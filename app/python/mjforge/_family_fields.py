@@ -90,7 +90,7 @@ class _Writer:
             self._write_materials(field)
         for name in self._members:
             if name.startswith("opt_"):
-                self._worlds.array(f"opt.{name[4:]}")[...] = self._values(name)
+                self._worlds.set_option(f"opt.{name[4:]}", self._values(name))
         self._worlds.add_bounds(self._sized())
 
     def _values(self, field: str) -> Any:
@@ -102,8 +102,11 @@ class _Writer:
         scene.
         """
         out = self._worlds.array(field)
-        if field == "eq_data":  # the number of columns depends on the release of MuJoCo
+        if field == "eq_data" or field.endswith("_user"):  # the scene may have more columns
+            values = values.reshape(*values.shape[:2], -1)
             out[:, there, :values.shape[-1]] = values
+        elif field == "tendon_lengthspring":  # one length before MuJoCo 2.3.1, later two
+            out[:, there] = values.reshape(*values.shape[:2], -1)
         else:
             out[:, there] = values.reshape(out[:, there].shape)
 
@@ -115,11 +118,7 @@ class _Writer:
             mine, values = mine[is_shape], values[:, is_shape]
         if field == "eq_data":
             values = self._welded_to_world(mine, values.copy())
-        there = self._placed.ids(kind)[mine]
-        if (there < 0).any():
-            name = self._placed.names(kind)[mine[there < 0][0]]
-            raise ValueError(f"prefix={self._placed.prefix!r}: the model has no {kind} '{self._placed.prefix}{name}'")
-        self._write(field, there, values)
+        self._write(field, self._placed.found(kind, mine), values)
 
     def _welded_to_world(self, mine: Any, values: Any) -> Any:
         """Recomputes numbers that are relative to the world of the base. The anchor of a connect

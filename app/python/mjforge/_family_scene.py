@@ -19,7 +19,13 @@ _KINDS = {"body": ("BODY", "nbody"), "geom": ("GEOM", "ngeom"), "jnt": ("JOINT",
           "dof": ("JOINT", "njnt"), "qpos0": ("JOINT", "njnt"), "qpos": ("JOINT", "njnt"),
           "site": ("SITE", "nsite"), "cam": ("CAMERA", "ncam"), "light": ("LIGHT", "nlight"),
           "mat": ("MATERIAL", "nmat"), "mesh": ("MESH", "nmesh"), "pair": ("PAIR", "npair"),
-          "eq": ("EQUALITY", "neq"), "tendon": ("TENDON", "ntendon"), "actuator": ("ACTUATOR", "nu")}
+          "eq": ("EQUALITY", "neq"), "tendon": ("TENDON", "ntendon"), "actuator": ("ACTUATOR", "nu"),
+          "wrap": ("TENDON", "ntendon"), "sensor": ("SENSOR", "nsensor"), "numeric": ("NUMERIC", "nnumeric"),
+          "tuple": ("TUPLE", "ntuple")}
+# Positions of the first numbers of joints, tendons and other elements that have several, by the first word of a
+# field's name.
+_ADDRESSES = {"dof": "jnt_dofadr", "qpos0": "jnt_qposadr", "qpos": "jnt_qposadr", "wrap": "tendon_adr",
+              "numeric": "numeric_adr", "tuple": "tuple_adr"}
 # Kinds of elements that the object must have in the scene, and the field that must be equal there.
 _CHECKED = (("body", None), ("jnt", "jnt_type"), ("geom", "geom_type"), ("site", "site_type"), ("mat", None),
             ("tendon", None), ("actuator", "actuator_trntype"))
@@ -148,14 +154,22 @@ class Placed:
         return self._np.array([numbers[name] if name else next(unnamed) for name in names], dtype=int)
 
     def coordinates(self, field: str) -> "tuple[Any, Any]":
-        """Returns the positions, in the arrays of the base and of the scene, of the numbers of
-        joints in a field: degrees of freedom or coordinates.
+        """Returns the positions, in the arrays of the base and of the scene, of the numbers in a
+        field of which elements have several: degrees of freedom, wraps of tendons and so on.
         """
-        address = "jnt_dofadr" if field.startswith("dof") else "jnt_qposadr"
-        joints = self.elements(field)
+        kind = field.partition("_")[0]
+        address, mine = _ADDRESSES[kind], self.elements(field)
         component = self.family._file.members[f"{field}.components"]
-        return (getattr(self.base, address)[joints] + component,
-                getattr(self.model, address)[self.ids("jnt")[joints]] + component)
+        return (getattr(self.base, address)[mine] + component,
+                getattr(self.model, address)[self.found(kind, mine)] + component)
+
+    def found(self, kind: str, mine: Any) -> Any:
+        """Returns the ids in the scene of elements of the base. Raises ValueError if one is missing."""
+        there = self.ids(kind)[mine]
+        if (there < 0).any():
+            name = self.names(kind)[mine[there < 0][0]]
+            raise ValueError(f"prefix={self.prefix!r}: the model has no {kind} '{self.prefix}{name}'")
+        return there
 
     def frames(self, kind: str, elements: Any) -> Poses:
         """Returns, for each of these elements of the base, the pose of the base's world in the

@@ -29,6 +29,7 @@ class Worlds:
         self._model = model
         self._count = count
         self.arrays: dict[str, Any] = {}
+        self._options: dict[str, Any] = {}  # options that an object has set
         self._over = {} if over is None else checked(over)
         for name, array in self._over.items():
             try:
@@ -51,6 +52,12 @@ class Worlds:
                 shared = shared[:_boxes_of_bodies(self._model)]
             self.arrays[field] = self._np.repeat(self._np.asarray(shared)[None], self._count, axis=0)
         return self.arrays[field]
+
+    def set_option(self, field: str, values: Any) -> None:
+        """Sets an option in each world. Raises ValueError if an object of a world set another value."""
+        if (self._options.setdefault(field, values) != values).any():
+            raise ValueError(f"{field} differs between the objects of a world: draw it in one of them only")
+        self.array(field)[...] = values
 
     def set_mesh(self, geom: int, meshes: Any) -> None:
         """Gives a geom the mesh of each world, with the bounds of the mesh."""

@@ -12,7 +12,8 @@ if TYPE_CHECKING:
     from mujoco import MjModel  # type: ignore[import-not-found, import-untyped, unused-ignore]
 
 # Prefixes of fields that MJX shares between worlds, but does not read in a step.
-_UNREAD = ("body_margin", "cam_", "geom_dataid", "geom_fluid", "light_", "mat_", "mesh_", "site_size")
+_UNREAD = ("body_margin", "cam_", "geom_dataid", "geom_fluid", "light_", "mat_", "mesh_", "numeric_", "sensor_noise",
+           "site_size", "tendon_rgba", "tendon_width", "tuple_")
 # Fields that MJX shares between worlds, and the only type of sensor that reads each of them.
 _SENSED = {"site_size": "TOUCH", "geom_dataid": "RANGEFINDER"}
 
@@ -34,7 +35,7 @@ def replacements(model: MjModel, fields: Mapping[str, Any]) -> tuple[dict[str, A
         if isinstance(leaf, jax.Array):
             arrays[name] = jax.numpy.asarray(values, leaf.dtype).reshape(len(values), *leaf.shape)
             axes[name] = 0
-        elif leaf is not None and not name.startswith(_UNREAD):
+        elif leaf is not None and not name.startswith(_UNREAD) and not name.endswith("_user"):
             raise ValueError(f"{name} differs between the variants, and MJX has it once for all worlds")
     if "geom_dataid" in fields:
         arrays["_impl.mesh_convex"], axes["_impl.mesh_convex"] = _hulls(model, base, fields["geom_dataid"])

@@ -45,7 +45,8 @@ struct ArrayShape {
   bool is_always_stored = false;  // stored even if all variants have the same numbers
   /// Names of the elements of the first dimension. Empty: the array is stored as a whole.
   std::vector<std::string> elements;
-  /// Only for arrays indexed like qvel or qpos: position of each number among those of its joint.
+  /// Only for arrays with several rows for an element, such as a joint or a tendon: position of
+  /// each row among those of its element.
   std::vector<std::uint64_t> components;
 
   /// Number of doubles of one variant.

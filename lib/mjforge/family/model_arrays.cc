@@ -15,79 +15,115 @@ namespace {
 using M = mjModel;
 using compiled::Index;
 
-// An array of mjModel, with one row per element, degree of freedom or coordinate of qpos.
+// An array of mjModel, with one row per element, or one per number of an element: degree of freedom
+// or coordinate of a joint, wrap of a tendon, number of a <numeric>, object of a <tuple>.
 struct Field {
-  enum class Rows { kElement, kDof, kQpos };
+  enum class Rows { kElement, kDof, kQpos, kWrap, kNumeric, kTuple };
 
   std::string_view name;
   mjtObj kind;
   std::variant<mjtNum * M::*, float * M::*> array;
   std::uint64_t width = 1;
   Rows rows = Rows::kElement;
+  engine::Count M::*user = nullptr;  // width of an array of user data
 };
 
 constexpr auto kDof = Field::Rows::kDof;
 constexpr auto kQpos = Field::Rows::kQpos;
+constexpr auto kOne = Field::Rows::kElement;
+// From 2.3.1 on, the resting length of a tendon is a range.
+constexpr std::uint64_t kSpringLengths = mjVERSION_HEADER < 231 ? 1 : 2;
 
-constexpr Field kFields[] = {{"body_pos", mjOBJ_BODY, &M::body_pos, 3},
-                             {"body_quat", mjOBJ_BODY, &M::body_quat, 4},
-                             {"body_mass", mjOBJ_BODY, &M::body_mass},
-                             {"body_inertia", mjOBJ_BODY, &M::body_inertia, 3},
-                             {"body_ipos", mjOBJ_BODY, &M::body_ipos, 3},
-                             {"body_iquat", mjOBJ_BODY, &M::body_iquat, 4},
-                             {"geom_size", mjOBJ_GEOM, &M::geom_size, 3},
-                             {"geom_pos", mjOBJ_GEOM, &M::geom_pos, 3},
-                             {"geom_quat", mjOBJ_GEOM, &M::geom_quat, 4},
-                             {"geom_friction", mjOBJ_GEOM, &M::geom_friction, 3},
-                             {"geom_solmix", mjOBJ_GEOM, &M::geom_solmix},
-                             {"geom_solref", mjOBJ_GEOM, &M::geom_solref, mjNREF},
-                             {"geom_solimp", mjOBJ_GEOM, &M::geom_solimp, mjNIMP},
-                             {"geom_margin", mjOBJ_GEOM, &M::geom_margin},
-                             {"geom_gap", mjOBJ_GEOM, &M::geom_gap},
-                             {"geom_fluid", mjOBJ_GEOM, &M::geom_fluid, mjNFLUID},
-                             {"geom_rgba", mjOBJ_GEOM, &M::geom_rgba, 4},
-                             {"jnt_pos", mjOBJ_JOINT, &M::jnt_pos, 3},
-                             {"jnt_axis", mjOBJ_JOINT, &M::jnt_axis, 3},
-                             {"jnt_range", mjOBJ_JOINT, &M::jnt_range, 2},
-                             {"jnt_stiffness", mjOBJ_JOINT, &M::jnt_stiffness},
-                             {"jnt_margin", mjOBJ_JOINT, &M::jnt_margin},
-                             {"jnt_solref", mjOBJ_JOINT, &M::jnt_solref, mjNREF},
-                             {"jnt_solimp", mjOBJ_JOINT, &M::jnt_solimp, mjNIMP},
-                             {"dof_damping", mjOBJ_JOINT, &M::dof_damping, 1, kDof},
-                             {"dof_frictionloss", mjOBJ_JOINT, &M::dof_frictionloss, 1, kDof},
-                             {"dof_armature", mjOBJ_JOINT, &M::dof_armature, 1, kDof},
-                             {"dof_solref", mjOBJ_JOINT, &M::dof_solref, mjNREF, kDof},
-                             {"dof_solimp", mjOBJ_JOINT, &M::dof_solimp, mjNIMP, kDof},
-                             {"qpos0", mjOBJ_JOINT, &M::qpos0, 1, kQpos},
-                             {"qpos_spring", mjOBJ_JOINT, &M::qpos_spring, 1, kQpos},
-                             {"site_size", mjOBJ_SITE, &M::site_size, 3},
-                             {"site_pos", mjOBJ_SITE, &M::site_pos, 3},
-                             {"site_quat", mjOBJ_SITE, &M::site_quat, 4},
-                             {"site_rgba", mjOBJ_SITE, &M::site_rgba, 4},
-                             {"cam_pos", mjOBJ_CAMERA, &M::cam_pos, 3},
-                             {"cam_quat", mjOBJ_CAMERA, &M::cam_quat, 4},
-                             {"light_pos", mjOBJ_LIGHT, &M::light_pos, 3},
-                             {"light_dir", mjOBJ_LIGHT, &M::light_dir, 3},
-                             {"pair_friction", mjOBJ_PAIR, &M::pair_friction, 5},
-                             {"pair_solref", mjOBJ_PAIR, &M::pair_solref, mjNREF},
-                             {"pair_solimp", mjOBJ_PAIR, &M::pair_solimp, mjNIMP},
-                             {"pair_margin", mjOBJ_PAIR, &M::pair_margin},
-                             {"pair_gap", mjOBJ_PAIR, &M::pair_gap},
-                             {"eq_data", mjOBJ_EQUALITY, &M::eq_data, mjNEQDATA},
-                             {"eq_solref", mjOBJ_EQUALITY, &M::eq_solref, mjNREF},
-                             {"eq_solimp", mjOBJ_EQUALITY, &M::eq_solimp, mjNIMP},
-                             {"tendon_range", mjOBJ_TENDON, &M::tendon_range, 2},
-                             {"tendon_margin", mjOBJ_TENDON, &M::tendon_margin},
-                             {"tendon_stiffness", mjOBJ_TENDON, &M::tendon_stiffness},
-                             {"tendon_damping", mjOBJ_TENDON, &M::tendon_damping},
-                             {"tendon_frictionloss", mjOBJ_TENDON, &M::tendon_frictionloss},
-                             {"actuator_dynprm", mjOBJ_ACTUATOR, &M::actuator_dynprm, mjNDYN},
-                             {"actuator_gainprm", mjOBJ_ACTUATOR, &M::actuator_gainprm, mjNGAIN},
-                             {"actuator_biasprm", mjOBJ_ACTUATOR, &M::actuator_biasprm, mjNBIAS},
-                             {"actuator_ctrlrange", mjOBJ_ACTUATOR, &M::actuator_ctrlrange, 2},
-                             {"actuator_forcerange", mjOBJ_ACTUATOR, &M::actuator_forcerange, 2},
-                             {"actuator_actrange", mjOBJ_ACTUATOR, &M::actuator_actrange, 2},
-                             {"actuator_gear", mjOBJ_ACTUATOR, &M::actuator_gear, 6}};
+constexpr Field kFields[] = {
+    {"body_pos", mjOBJ_BODY, &M::body_pos, 3},
+    {"body_quat", mjOBJ_BODY, &M::body_quat, 4},
+    {"body_mass", mjOBJ_BODY, &M::body_mass},
+    {"body_inertia", mjOBJ_BODY, &M::body_inertia, 3},
+    {"body_ipos", mjOBJ_BODY, &M::body_ipos, 3},
+    {"body_iquat", mjOBJ_BODY, &M::body_iquat, 4},
+    {"body_user", mjOBJ_BODY, &M::body_user, 1, kOne, &M::nuser_body},
+    {"geom_size", mjOBJ_GEOM, &M::geom_size, 3},
+    {"geom_pos", mjOBJ_GEOM, &M::geom_pos, 3},
+    {"geom_quat", mjOBJ_GEOM, &M::geom_quat, 4},
+    {"geom_friction", mjOBJ_GEOM, &M::geom_friction, 3},
+    {"geom_solmix", mjOBJ_GEOM, &M::geom_solmix},
+    {"geom_solref", mjOBJ_GEOM, &M::geom_solref, mjNREF},
+    {"geom_solimp", mjOBJ_GEOM, &M::geom_solimp, mjNIMP},
+    {"geom_margin", mjOBJ_GEOM, &M::geom_margin},
+    {"geom_gap", mjOBJ_GEOM, &M::geom_gap},
+    {"geom_fluid", mjOBJ_GEOM, &M::geom_fluid, mjNFLUID},
+    {"geom_rgba", mjOBJ_GEOM, &M::geom_rgba, 4},
+    {"geom_user", mjOBJ_GEOM, &M::geom_user, 1, kOne, &M::nuser_geom},
+    {"jnt_pos", mjOBJ_JOINT, &M::jnt_pos, 3},
+    {"jnt_axis", mjOBJ_JOINT, &M::jnt_axis, 3},
+    {"jnt_range", mjOBJ_JOINT, &M::jnt_range, 2},
+    {"jnt_stiffness", mjOBJ_JOINT, &M::jnt_stiffness},
+    {"jnt_margin", mjOBJ_JOINT, &M::jnt_margin},
+    {"jnt_solref", mjOBJ_JOINT, &M::jnt_solref, mjNREF},
+    {"jnt_solimp", mjOBJ_JOINT, &M::jnt_solimp, mjNIMP},
+    {"jnt_user", mjOBJ_JOINT, &M::jnt_user, 1, kOne, &M::nuser_jnt},
+    {"dof_damping", mjOBJ_JOINT, &M::dof_damping, 1, kDof},
+    {"dof_frictionloss", mjOBJ_JOINT, &M::dof_frictionloss, 1, kDof},
+    {"dof_armature", mjOBJ_JOINT, &M::dof_armature, 1, kDof},
+    {"dof_solref", mjOBJ_JOINT, &M::dof_solref, mjNREF, kDof},
+    {"dof_solimp", mjOBJ_JOINT, &M::dof_solimp, mjNIMP, kDof},
+    {"qpos0", mjOBJ_JOINT, &M::qpos0, 1, kQpos},
+    {"qpos_spring", mjOBJ_JOINT, &M::qpos_spring, 1, kQpos},
+    {"site_size", mjOBJ_SITE, &M::site_size, 3},
+    {"site_pos", mjOBJ_SITE, &M::site_pos, 3},
+    {"site_quat", mjOBJ_SITE, &M::site_quat, 4},
+    {"site_rgba", mjOBJ_SITE, &M::site_rgba, 4},
+    {"site_user", mjOBJ_SITE, &M::site_user, 1, kOne, &M::nuser_site},
+    {"cam_pos", mjOBJ_CAMERA, &M::cam_pos, 3},
+    {"cam_quat", mjOBJ_CAMERA, &M::cam_quat, 4},
+    {"cam_fovy", mjOBJ_CAMERA, &M::cam_fovy},
+    {"cam_ipd", mjOBJ_CAMERA, &M::cam_ipd},
+    {"cam_user", mjOBJ_CAMERA, &M::cam_user, 1, kOne, &M::nuser_cam},
+    {"light_pos", mjOBJ_LIGHT, &M::light_pos, 3},
+    {"light_dir", mjOBJ_LIGHT, &M::light_dir, 3},
+    {"light_attenuation", mjOBJ_LIGHT, &M::light_attenuation, 3},
+    {"light_cutoff", mjOBJ_LIGHT, &M::light_cutoff},
+    {"light_exponent", mjOBJ_LIGHT, &M::light_exponent},
+    {"light_ambient", mjOBJ_LIGHT, &M::light_ambient, 3},
+    {"light_diffuse", mjOBJ_LIGHT, &M::light_diffuse, 3},
+    {"light_specular", mjOBJ_LIGHT, &M::light_specular, 3},
+    {"pair_friction", mjOBJ_PAIR, &M::pair_friction, 5},
+    {"pair_solref", mjOBJ_PAIR, &M::pair_solref, mjNREF},
+    {"pair_solimp", mjOBJ_PAIR, &M::pair_solimp, mjNIMP},
+    {"pair_margin", mjOBJ_PAIR, &M::pair_margin},
+    {"pair_gap", mjOBJ_PAIR, &M::pair_gap},
+    {"eq_data", mjOBJ_EQUALITY, &M::eq_data, mjNEQDATA},
+    {"eq_solref", mjOBJ_EQUALITY, &M::eq_solref, mjNREF},
+    {"eq_solimp", mjOBJ_EQUALITY, &M::eq_solimp, mjNIMP},
+    {"tendon_range", mjOBJ_TENDON, &M::tendon_range, 2},
+    {"tendon_margin", mjOBJ_TENDON, &M::tendon_margin},
+    {"tendon_stiffness", mjOBJ_TENDON, &M::tendon_stiffness},
+    {"tendon_damping", mjOBJ_TENDON, &M::tendon_damping},
+    {"tendon_frictionloss", mjOBJ_TENDON, &M::tendon_frictionloss},
+    {"tendon_lengthspring", mjOBJ_TENDON, &M::tendon_lengthspring, kSpringLengths},
+    {"tendon_solref_lim", mjOBJ_TENDON, &M::tendon_solref_lim, mjNREF},
+    {"tendon_solimp_lim", mjOBJ_TENDON, &M::tendon_solimp_lim, mjNIMP},
+    {"tendon_solref_fri", mjOBJ_TENDON, &M::tendon_solref_fri, mjNREF},
+    {"tendon_solimp_fri", mjOBJ_TENDON, &M::tendon_solimp_fri, mjNIMP},
+    {"tendon_width", mjOBJ_TENDON, &M::tendon_width},
+    {"tendon_rgba", mjOBJ_TENDON, &M::tendon_rgba, 4},
+    {"tendon_user", mjOBJ_TENDON, &M::tendon_user, 1, kOne, &M::nuser_tendon},
+    {"wrap_prm", mjOBJ_TENDON, &M::wrap_prm, 1, Field::Rows::kWrap},
+    {"actuator_dynprm", mjOBJ_ACTUATOR, &M::actuator_dynprm, mjNDYN},
+    {"actuator_gainprm", mjOBJ_ACTUATOR, &M::actuator_gainprm, mjNGAIN},
+    {"actuator_biasprm", mjOBJ_ACTUATOR, &M::actuator_biasprm, mjNBIAS},
+    {"actuator_ctrlrange", mjOBJ_ACTUATOR, &M::actuator_ctrlrange, 2},
+    {"actuator_forcerange", mjOBJ_ACTUATOR, &M::actuator_forcerange, 2},
+    {"actuator_actrange", mjOBJ_ACTUATOR, &M::actuator_actrange, 2},
+    {"actuator_gear", mjOBJ_ACTUATOR, &M::actuator_gear, 6},
+    {"actuator_cranklength", mjOBJ_ACTUATOR, &M::actuator_cranklength},
+    {"actuator_lengthrange", mjOBJ_ACTUATOR, &M::actuator_lengthrange, 2},
+    {"actuator_user", mjOBJ_ACTUATOR, &M::actuator_user, 1, kOne, &M::nuser_actuator},
+    {"sensor_cutoff", mjOBJ_SENSOR, &M::sensor_cutoff},
+    {"sensor_noise", mjOBJ_SENSOR, &M::sensor_noise},
+    {"sensor_user", mjOBJ_SENSOR, &M::sensor_user, 1, kOne, &M::nuser_sensor},
+    {"numeric_data", mjOBJ_NUMERIC, &M::numeric_data, 1, Field::Rows::kNumeric},
+    {"tuple_objprm", mjOBJ_TUPLE, &M::tuple_objprm, 1, Field::Rows::kTuple}};
 
 class Reader {
  public:
@@ -108,11 +144,14 @@ class Reader {
 
  private:
   void AddField(const Field& field) {
+    const std::uint64_t width =
+        field.user == nullptr ? field.width : static_cast<std::uint64_t>(m_.*field.user);
+    if (width == 0) return;
     ArrayShape& shape = Open(std::string(field.name));
     NameRows(field, shape);
     shape.dims = {shape.elements.size()};
-    if (field.width > 1) shape.dims.push_back(field.width);
-    const std::uint64_t first = field.kind == mjOBJ_BODY ? field.width : 0;
+    if (width > 1) shape.dims.push_back(width);
+    const std::uint64_t first = field.kind == mjOBJ_BODY ? width : 0;
     const std::uint64_t count = shape.size();
     std::visit(
         [&](auto array) {
@@ -130,7 +169,6 @@ class Reader {
   }
 
   // Sets the name of the element to which each row of the array belongs. The world body has no row.
-  // In arrays indexed like qvel or qpos, a joint has a row for each of its numbers.
   void NameRows(const Field& field, ArrayShape& shape) const {
     const int count = ElementCount(m_, field.kind);
     for (int id = field.kind == mjOBJ_BODY ? 1 : 0; id < count; ++id) {
@@ -146,11 +184,15 @@ class Reader {
     }
   }
 
-  std::uint64_t NumbersOf(int joint, Field::Rows rows) const {
-    const bool is_last = joint + 1 == m_.njnt;
+  // Returns the number of rows of an element.
+  std::uint64_t NumbersOf(int id, Field::Rows rows) const {
+    if (rows == Field::Rows::kWrap) return static_cast<std::uint64_t>(m_.tendon_num[id]);
+    if (rows == Field::Rows::kNumeric) return static_cast<std::uint64_t>(m_.numeric_size[id]);
+    if (rows == Field::Rows::kTuple) return static_cast<std::uint64_t>(m_.tuple_size[id]);
+    const bool is_last = id + 1 == m_.njnt;
     const int* first = rows == kDof ? m_.jnt_dofadr : m_.jnt_qposadr;
     const auto all = static_cast<int>(rows == kDof ? m_.nv : m_.nq);
-    return static_cast<std::uint64_t>((is_last ? all : first[joint + 1]) - first[joint]);
+    return static_cast<std::uint64_t>((is_last ? all : first[id + 1]) - first[id]);
   }
 
   double* ArrayAt(std::string_view name) {
@@ -201,6 +243,12 @@ class Reader {
     AddWhole("opt_viscosity", {}, &option.viscosity);
     AddWhole("opt_gravity", {3}, option.gravity);
     AddWhole("opt_wind", {3}, option.wind);
+    AddWhole("opt_magnetic", {3}, option.magnetic);
+    AddWhole("opt_tolerance", {}, &option.tolerance);
+    AddWhole("opt_noslip_tolerance", {}, &option.noslip_tolerance);
+    AddWhole("opt_o_margin", {}, &option.o_margin);
+    AddWhole("opt_o_solref", {mjNREF}, option.o_solref);
+    AddWhole("opt_o_solimp", {mjNIMP}, option.o_solimp);
   }
 
   // Adds the start state: the state of the keyframe or, without a keyframe, qpos0 and zeros.
@@ -309,10 +357,11 @@ void Numbers::Add(std::string name, std::vector<std::uint64_t> dims,
 
 int ElementCount(const mjModel& m, mjtObj kind) {
   constexpr std::pair<mjtObj, engine::Count M::*> kCounts[] = {
-      {mjOBJ_BODY, &M::nbody}, {mjOBJ_JOINT, &M::njnt},   {mjOBJ_GEOM, &M::ngeom},
-      {mjOBJ_SITE, &M::nsite}, {mjOBJ_CAMERA, &M::ncam},  {mjOBJ_LIGHT, &M::nlight},
-      {mjOBJ_PAIR, &M::npair}, {mjOBJ_EQUALITY, &M::neq}, {mjOBJ_TENDON, &M::ntendon},
-      {mjOBJ_ACTUATOR, &M::nu}};
+      {mjOBJ_BODY, &M::nbody},  {mjOBJ_JOINT, &M::njnt},     {mjOBJ_GEOM, &M::ngeom},
+      {mjOBJ_SITE, &M::nsite},  {mjOBJ_CAMERA, &M::ncam},    {mjOBJ_LIGHT, &M::nlight},
+      {mjOBJ_PAIR, &M::npair},  {mjOBJ_EQUALITY, &M::neq},   {mjOBJ_TENDON, &M::ntendon},
+      {mjOBJ_ACTUATOR, &M::nu}, {mjOBJ_SENSOR, &M::nsensor}, {mjOBJ_NUMERIC, &M::nnumeric},
+      {mjOBJ_TUPLE, &M::ntuple}};
   const auto* count =
       std::ranges::find(kCounts, kind, [](const auto& known) { return known.first; });
   return static_cast<int>(m.*count->second);

@@ -125,6 +125,11 @@ class FamilyFile {
         varies = varies || survey_.varies[at + shape.width() * i + j];
       if (varies) stored.push_back(i);
     }
+    if (std::ranges::any_of(stored, [&](std::size_t i) { return shape.elements[i].empty(); })) {
+      // Elements without names are told apart by their order: stores all or none.
+      stored.clear();
+      for (std::size_t i = 0; i < shape.elements.size(); ++i) stored.push_back(i);
+    }
     if (!stored.empty()) WriteElements(shape, at, stored);
   }
 
