@@ -224,7 +224,7 @@ struct PileSettler::Impl {
     mjData* end = nullptr;
     const bool rests = Simulate(m, workspace, [&](mjData& d) {
       end = &d;
-      std::ranges::copy(compiled::StartOf(m), d.qpos);
+      compiled::CopyStart(m, d);
       mj_kinematics(&m, &d);
       mj_comPos(&m, &d);
       bodies = BodiesOf(m, d, pile, release, ids);

@@ -48,7 +48,7 @@ class SettlingSimulation {
   }
 
   std::vector<FreeBody> Run() {
-    std::ranges::copy(compiled::StartOf(m_), d_.qpos);
+    compiled::CopyStart(m_, d_);
     mj_kinematics(&m_, &d_);
     const Ground ground = GroundOf(m_, d_);
     if (ground.is_level_floor()) LiftFreeBodies(m_, d_, ground.height + LargestMargin(m_));
