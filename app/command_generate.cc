@@ -321,12 +321,15 @@ class Generation {
         PrintVariant(done, request.destination);
       };
     }
+    if (options_.make.wanted() &&
+        !MayWriteDependencies(options_.make, request.destination, request.force, console_.findings))
+      return console_.Report();
     batch::Summary summary = batch::Run(recipe, console_.sources, request, watch);
     bar.Clear();
     ExitStatus status = StatusOf(summary);
     if (status == ExitStatus::kDone && options_.make.wanted() &&
         !WriteDependencies(options_.make, request.destination, FilesOf(recipe, summary),
-                           std::filesystem::path(options_.specs[0]).is_absolute(), request.force,
+                           std::filesystem::path(options_.specs[0]).is_absolute(),
                            summary.findings)) {
       status = ExitStatus::kInputOutput;
     }
@@ -375,6 +378,7 @@ class Generation {
     std::set<std::string> files = summary.inputs;
     for (const std::filesystem::path& file : recipe.spec->files) files.insert(file.string());
     files.insert(options_.spec.parameter_files.begin(), options_.spec.parameter_files.end());
+    files.erase("-");  // standard input
     return files;
   }
 

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "completion.h"
+#include "console.h"
 
 namespace mjforge::app {
 namespace {
@@ -27,6 +28,10 @@ std::filesystem::path DependencyFile(const output::Destination& destination) {
   return file.replace_extension(".d");
 }
 
+std::filesystem::path RuleFile(const MakeOptions& options, const output::Destination& destination) {
+  return options.file.empty() ? DependencyFile(destination) : std::filesystem::path(options.file);
+}
+
 // Returns the normalized path of a file, because Make compares the texts of paths.
 std::string NameForMake(const std::filesystem::path& file, bool absolute) {
   std::error_code error;
@@ -40,10 +45,19 @@ std::string NameForMake(const std::filesystem::path& file, bool absolute) {
 
 constexpr std::size_t kRuleStart = std::size_t{64} << 10;  // limit of the targets' line, bytes
 
-// Returns true if a file with this start is empty or has the form that WriteDependencies() writes.
+// Returns true if a file with this start is empty or has the form that MakeRule() writes: rules
+// with a file on each line. Ignores the end of the start, which may be cut within a line.
 bool IsRule(std::string_view start) {
-  const std::string_view line = start.substr(0, start.find('\n'));
-  return start.empty() || line.ends_with(": \\") || line.ends_with(':');
+  if (!start.empty() && start.find('\n') == start.npos) return false;
+  bool continues = false;  // the line before ends with a backslash
+  for (std::size_t end = start.find('\n'); end != start.npos; end = start.find('\n')) {
+    const std::string_view line = start.substr(0, end);
+    start.remove_prefix(end + 1);
+    const bool is_rule = line.empty() || line.ends_with(':') || line.ends_with(": \\");
+    if (continues ? !line.starts_with("  ") : !is_rule) return false;
+    continues = line.ends_with(" \\");
+  }
+  return true;
 }
 
 }  // namespace
@@ -89,17 +103,23 @@ std::string WithShortMakeOptions(std::string text) {
   return text;
 }
 
+bool MayWriteDependencies(const MakeOptions& options, const output::Destination& destination,
+                          bool force, diag::Findings& findings) {
+  return options.file == "-" ||
+         output::MayReplace(RuleFile(options, destination), force, kRuleStart, IsRule, findings);
+}
+
 bool WriteDependencies(const MakeOptions& options, const output::Destination& destination,
-                       const std::set<std::string>& files, bool absolute, bool force,
+                       const std::set<std::string>& files, bool absolute,
                        diag::Findings& findings) {
   std::set<std::string> names;
   for (const std::string& name : files) names.insert(NameForMake(name, absolute));
   std::vector<std::string> targets = options.targets;
-  if (targets.empty()) targets.push_back(output::EscapeForMake(TargetOf(destination).string()));
-  const std::filesystem::path file =
-      options.file.empty() ? DependencyFile(destination) : std::filesystem::path(options.file);
-  return output::MayReplace(file, force, kRuleStart, IsRule, findings) &&
-         output::WriteSingleFile(file, output::MakeRule(targets, names, options.phony), findings);
+  if (targets.empty())
+    targets.push_back(output::EscapeForMake(TargetOf(destination).string(), true));
+  const std::string rule = output::MakeRule(targets, names, options.phony);
+  if (options.file == "-") return PrintBytes(rule) == ExitStatus::kDone;
+  return output::WriteSingleFile(RuleFile(options, destination), rule, findings);
 }
 
 }  // namespace mjforge::app

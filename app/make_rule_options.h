@@ -31,11 +31,15 @@ std::vector<std::string> WithLongMakeOptions(std::vector<std::string> words);
 /// Converts "--MF" to "-MF" in a help text.
 std::string WithShortMakeOptions(std::string text);
 
-/// Writes the Make rule for the output at `destination`, which depends on `files`. Paths of files
-/// below the current folder are relative, unless `absolute`. Returns false and adds a finding on
-/// failure.
+/// Returns true if WriteDependencies() may write its file: no other file has its name, unless
+/// `force`. Otherwise adds a finding.
+bool MayWriteDependencies(const MakeOptions& options, const output::Destination& destination,
+                          bool force, diag::Findings& findings);
+
+/// Writes the Make rule for the output at `destination`, which depends on `files`, or prints the
+/// rule with `-MF -`. Paths of files below the current folder are relative, unless `absolute`.
+/// Returns false and adds a finding on failure.
 bool WriteDependencies(const MakeOptions& options, const output::Destination& destination,
-                       const std::set<std::string>& files, bool absolute, bool force,
-                       diag::Findings& findings);
+                       const std::set<std::string>& files, bool absolute, diag::Findings& findings);
 
 }  // namespace mjforge::app

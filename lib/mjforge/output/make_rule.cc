@@ -4,14 +4,14 @@
 
 namespace mjforge::output {
 
-std::string EscapeForMake(std::string_view name) {
+std::string EscapeForMake(std::string_view name, bool is_target) {
   std::string text;
   std::size_t backslashes = 0;  // number of backslashes at the end of `text`
   for (const char c : name) {
     if (c == ' ' || c == '\t') {
       // Doubles the backslashes before an escaped blank, because Make halves them.
       text.append(backslashes + 1, '\\');
-    } else if (c == '#') {
+    } else if (c == '#' || c == ':' || (c == '%' && is_target)) {
       text += '\\';
     } else if (c == '$') {
       text += '$';
@@ -27,10 +27,10 @@ std::string MakeRule(std::span<const std::string> targets, const std::set<std::s
   std::string rule;
   for (const std::string& target : targets) rule += (rule.empty() ? "" : " ") + target;
   rule += ':';
-  for (const std::string& file : files) rule += " \\\n  " + EscapeForMake(file);
+  for (const std::string& file : files) rule += " \\\n  " + EscapeForMake(file, false);
   rule += '\n';
   if (!phony) return rule;
-  for (const std::string& file : files) rule += "\n" + EscapeForMake(file) + ":\n";
+  for (const std::string& file : files) rule += "\n" + EscapeForMake(file, true) + ":\n";
   return rule;
 }
 

@@ -153,12 +153,12 @@ bool WriteSingleFile(const std::filesystem::path& file, std::string_view bytes,
 std::optional<std::uint64_t> IndexOfFile(std::string_view file);
 
 /// Returns the rule "TARGETS: FILES" for Make in the format of compilers' -MF: one file per line,
-/// with spaces, # and $ escaped. Targets are written unchanged. With `phony`, each file is also a
+/// with names escaped. Targets are written unchanged. With `phony`, each file is also a
 /// target without a rule, so that Make continues if a file is deleted.
 std::string MakeRule(std::span<const std::string> targets, const std::set<std::string>& files,
                      bool phony);
-/// Escapes a name for use in a Make rule.
-std::string EscapeForMake(std::string_view name);
+/// Escapes a name for use in a Make rule, as a target or as a file.
+std::string EscapeForMake(std::string_view name, bool is_target);
 
 /// Returns a text as one word of a shell's command line, quoted if necessary.
 std::string ShellWord(std::string_view word);
