@@ -128,7 +128,7 @@ class Behaviour {
   }
 
   void CheckStability(Result& result) {
-    if (!result.dropped || !result.at_rest) return;
+    if (!result.dropped || !result.at_rest || result.ncon == 0) return;
     const std::optional<int> body = FreeStandingBody(m_, *end_);
     if (!body) return;
     const StabilityMargin margin = FindStabilityMargin(m_, *end_, *body, result.sink);
@@ -221,7 +221,7 @@ class Behaviour {
     ReportAbove(Code::kPhysicsGainsEnergy, result.energy_gain, checks.energy_gain, 1,
                 "'{0}' gains energy as it settles: {1} of mass * gravity * size, more than {2}",
                 EnergySourcesHint(m_));
-    if (!result.at_rest && result.dropped && result.ncon == 0) {
+    if (result.dropped && result.ncon == 0) {
       test_.reporter.Warning(
           Code::kPhysicsNotAtRest, test_.mark,
           fmt::format("'{}' touches nothing for {} s and ends at {}", test_.object.name,

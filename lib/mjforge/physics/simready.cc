@@ -27,7 +27,8 @@ using expr::SpeedText;
 
 // Limits of the benchmark.
 constexpr double kDropHeights = 8;   // drop height, as a multiple of the object's height
-constexpr double kRestWithin = 8;    // s, longest time to reach the floor, and then to rest
+constexpr double kRestWithin = 8;    // s, longest time to rest after the fall
+constexpr double kLeastGravity = 1;  // m/s^2; with less, an object may not reach the floor
 constexpr double kFloorDepth = 0.1;  // m, largest depth of the object's bounding box in the floor
 constexpr double kExplosion = 10;    // factor by which the object's diagonal may grow
 constexpr double kReach = 0.10;      // rad, largest part of a hinge's range that is not reached
@@ -42,6 +43,7 @@ constexpr double kSlopeTime = 2;    // s
 constexpr double kSlides = 2;       // least sliding distance, as a multiple of the object's size
 constexpr double kInterval = 0.01;  // s, time between measurements
 constexpr double kStill = 0.1;      // s, time for which a resting object must be slow
+constexpr const char* kNothingCollides = "none of its geoms collides";
 constexpr const char* kPass = "pass";
 constexpr const char* kFail = "fail";
 
@@ -73,8 +75,11 @@ class Fall {
 
   /// Checks that the object comes to rest on the floor without sinking in.
   Problem Drop() {
+    if (size_ == 0) return kNothingCollides;
     const model::Box3 box = Box();
-    Lift(kDropHeights * (box.max.z() - box.min.z()));
+    const double height = kDropHeights * (box.max.z() - box.min.z());
+    const double fall = std::sqrt(2 * height / std::max(mju_norm3(m_.opt.gravity), kLeastGravity));
+    Lift(height);
     double touched = -1;
     double slow_since = -1;
     double lowest = 0;
@@ -84,7 +89,7 @@ class Fall {
       if (Explodes()) return "its parts fly apart";
       const bool slow = FindFastestBody(m_, d_).speed < checks_.rest_speed;
       if (touched < 0 && d_.ncon > 0 && Lowest() < kFloorDepth) touched = t;
-      if (touched < 0 && t > kRestWithin) return "it does not reach the floor";
+      if (touched < 0 && t > fall + kRestWithin) return "it does not reach the floor";
       lowest = std::min(lowest, Lowest());
       if (lowest < -kFloorDepth)
         return fmt::format("it gets {} mm into the floor", RoundedText(-1000 * lowest));
@@ -101,6 +106,7 @@ class Fall {
 
   /// Checks that the object slides by kSlides times its size, measured along the slope.
   Problem Slide() {
+    if (size_ == 0) return kNothingCollides;
     Lift(DropHeight(m_));
     const std::vector<Vector3d> starts = Centers();
     const Vector3d level = Vector3d(normal_.x(), normal_.y(), 0).normalized();

@@ -53,6 +53,17 @@ TEST_CASE("what is very soft sinks, and what is fixed to the world is not droppe
   CHECK(Tested(fixed) == Result::SimReady{});
 }
 
+TEST_CASE("an object falls as long as it takes, and fails if nothing of it collides") {
+  // The fall takes 9.8 s.
+  const Examined slow = Examine(Free(1000, R"(<geom type="box" size="3 3 3"/>)"),
+                                R"(<option gravity="0 0 -1"/>)", Profile());
+  CHECK(Tested(slow).ground_drop == "pass");
+  const Examined ghost =
+      Examine(Free(0.1, R"(<geom type="box" size="0.1 0.1 0.1" contype="0" conaffinity="0"/>)"), {},
+              Profile());
+  CHECK(Tested(ghost) == Result::SimReady{.ground_drop = "fail", .slope_drop = "fail"});
+}
+
 TEST_CASE("joints must reach both ends of their ranges") {
   const auto door = [](const std::string& stop) {
     return Examine(R"(<body><geom type="box" size="0.02 0.02 0.3"/>)" + stop +
