@@ -120,11 +120,7 @@ Action AddCustomize(CLI::App& command) {
   AddArgument(command, "SPEC", options->what, "A file, or a name in the catalogue", kSpecs);
   AddWholeNumber(command, "--index", options->index, "The variant to begin with");
   AddSpecOptions(command, options->spec);
-  const auto set_port = [options](double port) {
-    options->port = static_cast<std::uint64_t>(port);
-  };
-  AddNumber(command, "--port", set_port, 1, kMostPorts, "a port from 1 to 65535",
-            "Port of the page [a free one]")
+  AddWholeNumber(command, "--port", options->port, "Port of the page [a free one]", 1, kMostPorts)
       ->option_text("N");
   command.add_flag("--no-open", options->no_open, "Only print the address; open no browser");
   AddTimeLimit(command, options->time_limit, "Time for each answer, s");

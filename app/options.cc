@@ -197,11 +197,12 @@ void AddMessageOptions(CLI::App& command, MessageOptions& options) {
 }
 
 CLI::Option* AddWholeNumber(CLI::App& command, const std::string& flags, std::uint64_t& value,
-                            const std::string& doc, std::uint64_t least) {
+                            const std::string& doc, std::uint64_t least, std::uint64_t most) {
   const auto assign = [&value](std::uint64_t number) { value = number; };
-  return AddBounded<std::uint64_t>(command, flags, output::ReadIndex, assign, least,
-                                   std::numeric_limits<std::uint64_t>::max(),
-                                   fmt::format("a whole number from {} up", least), doc)
+  const std::string end =
+      most == std::numeric_limits<std::uint64_t>::max() ? "up" : fmt::format("to {}", most);
+  return AddBounded<std::uint64_t>(command, flags, output::ReadIndex, assign, least, most,
+                                   fmt::format("a whole number from {} {}", least, end), doc)
       ->option_text(fmt::format("N [{}]", value));
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -94,9 +95,10 @@ CLI::Option* AddTimeLimit(CLI::App& command, Seconds& limit,
 /// Adds --quiet, --findings and --color.
 void AddMessageOptions(CLI::App& command, MessageOptions& options);
 
-/// Adds an option for a whole number from `least` to 2^64 - 1.
+/// Adds an option for a whole number from `least` to `most`.
 CLI::Option* AddWholeNumber(CLI::App& command, const std::string& flags, std::uint64_t& value,
-                            const std::string& doc, std::uint64_t least = 0);
+                            const std::string& doc, std::uint64_t least = 0,
+                            std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 /// Adds an option for a number from `least` to `most`; `what` describes the number in errors.
 CLI::Option* AddNumber(CLI::App& command, const std::string& flags,
                        const std::function<void(double)>& assign, double least, double most,

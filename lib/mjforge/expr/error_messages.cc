@@ -112,9 +112,9 @@ Error Unexpected(std::span<const Token> tokens, std::size_t at, const SymbolTabl
 }
 
 Error UnknownName(const Token& token, const SymbolTable& names, bool beside_text) {
-  if (FindBuiltin(token.text) != nullptr) {
+  if (const std::string_view usage = UsageOf(token.text); usage.find('(') != usage.npos) {
     return Syntax(token, fmt::format("'{}' is a function", token.text),
-                  fmt::format("write {}", UsageOf(token.text)));
+                  fmt::format("write {}", usage));
   }
   if (const SpecFunction* function = names.FindFunction(token.text)) {
     return Syntax(token, fmt::format("'{}' is a function", token.text),

@@ -140,6 +140,7 @@ TEST_CASE("broken numbers are reported whole") {
 TEST_CASE("functions want their parentheses and their number of arguments") {
   CheckErrors(Code::kExprSyntax,
               {{"sin", 0, "'sin' is a function", "write sin(x)"},
+               {"len", 0, "'len' is a function", "write len(list)"},
                {"2 * clamp + 1", 4, "'clamp' is a function", "write clamp(x, lo, hi)"},
                {"clamp(r, 1)", 0, "'clamp' takes 3 arguments, not 2", "write clamp(x, lo, hi)"},
                {"1 + sin(r, 2)", 4, "'sin' takes 1 argument, not 2", "write sin(x)"},
