@@ -190,9 +190,20 @@ class Verification {
       CheckBatch(manifest);
       is_sealed = true;
     }
-    if (!is_sealed && findings_.empty())
-      CheckBatch(series.Manifest({}));  // reports that the seal is missing
+    if (!is_sealed && findings_.empty()) CheckUnsealed(series);
     ReportMissingShards();
+  }
+
+  // Reports that the seal of a series is missing, or is of a batch at another place.
+  void CheckUnsealed(const output::Destination& series) {
+    const std::filesystem::path manifest = series.Manifest({});
+    std::string why_not;
+    const auto seal = manifest::ReadSealBeside(manifest, why_not);
+    if (!seal) return CheckBatch(manifest);
+    ReportMissing(fmt::format("'{}' is the manifest of '{}', not of '{}'", manifest.string(),
+                              seal->output.empty() ? "a folder" : seal->output,
+                              series.path.filename().string()),
+                  "name what `mjforge generate` was told to make");
   }
 
   // Checks an archive by the seal of the batch that contains it.

@@ -103,6 +103,14 @@ TEST_CASE_METHOD(VerifyTest, "a series is verified by its name, also without a s
   CHECK(verified.variants == 100);
 }
 
+TEST_CASE_METHOD(VerifyTest, "an archive is not taken for a series of the same name") {
+  Make(Of(4, "out/x.tar"));
+  CHECK_FALSE(IsGood("out/x_%d.tar"));
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0].message.ends_with(
+      "x.manifest.jsonl' is the manifest of 'x.tar', not of 'x_%d.tar'"));
+}
+
 TEST_CASE_METHOD(VerifyTest, "a batch of which a shard was not made is not good") {
   for (const std::string output : {"out", "series/x_%02d.tar.zst"}) {
     const std::string folder_name = output.substr(0, output.find('/'));

@@ -1,0 +1,35 @@
+// Options of `mjforge generate`.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "make_rule_options.h"
+#include "options.h"
+
+namespace mjforge::app {
+
+inline constexpr std::uint64_t kPerArchive = 10'000;  // default
+
+struct GenerateOptions : BatchOptions {
+  std::string output;
+  std::uint64_t per_archive = kPerArchive;
+  std::string shard;
+  std::string target = "mujoco";
+  std::string assets = "inline";
+  std::string validate = "load";
+  std::string on_invalid = "fail";
+  std::string sampler = "random";
+  std::string layout = "any";
+  std::string durability = "batch";
+  bool verbose = false;
+  MakeOptions make;
+};
+
+void AddGenerateOptions(CLI::App& command, GenerateOptions& options);
+
+/// Converts the options to a request. The caller sets the folder, because the spec may name it.
+/// Returns nullopt and sets `why_not` if options contradict each other.
+std::optional<batch::Request> RequestOf(const GenerateOptions& options, std::string& why_not);
+
+}  // namespace mjforge::app
