@@ -53,8 +53,6 @@ std::string FindConflict(const GenerateOptions& options, const batch::Request& r
         "--shard: '{}' is one archive; shards fill a folder or a series, such as '{}'",
         options.output, std::string(options.output).insert(options.output.rfind(".tar"), "_%05d"));
   }
-  if (kind != Kind::kArchives && options.per_archive != kPerArchive)
-    return "--per-archive is for a series of archives, such as -o NAME_%05d.tar";
   if (request.verify && !request.resume) return "--verify is for --resume; see `mjforge verify`";
   return {};
 }

@@ -9,11 +9,9 @@
 
 namespace mjforge::app {
 
-inline constexpr std::uint64_t kPerArchive = 10'000;  // default
-
 struct GenerateOptions : BatchOptions {
   std::string output;
-  std::uint64_t per_archive = kPerArchive;
+  std::uint64_t per_archive = 10'000;
   std::string shard;
   std::string target = "mujoco";
   std::string assets = "inline";
