@@ -51,7 +51,7 @@ bool MayReplace(const std::filesystem::path& file, bool force, std::size_t bytes
 }
 
 bool IsDamagedCopy(std::string_view present, std::string_view bytes) {
-  if (present.size() > bytes.size()) return false;
+  if (present.size() > bytes.size()) return !bytes.empty() && present.starts_with(bytes);
   const auto [end, other] = std::ranges::mismatch(present, bytes);
   if (std::all_of(end, present.end(), [](char c) { return c == 0; })) return true;
   const std::size_t equal = std::transform_reduce(present.begin(), present.end(), bytes.begin(),

@@ -63,7 +63,8 @@ bool MayReplace(const std::filesystem::path& file, std::string_view text, bool f
                 diag::Findings& findings);
 
 /// Returns true if `present` can be a damaged copy of `bytes`: a prefix, possibly followed by
-/// zeros, or the same number of bytes, of which at least half are equal.
+/// zeros, the same number of bytes, of which at least half are equal, or all bytes, followed by
+/// others.
 bool IsDamagedCopy(std::string_view present, std::string_view bytes);
 
 /// Adds the finding "'FILE' exists and was not made by mjforge".
