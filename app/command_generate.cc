@@ -147,7 +147,7 @@ class Generation {
     ExitStatus status = StatusOf(summary);
     if (status == ExitStatus::kDone && options_.make.wanted() &&
         !WriteDependencies(options_.make, request.destination, FilesOf(recipe, summary),
-                           std::filesystem::path(options_.specs[0]).is_absolute(),
+                           std::filesystem::path(options_.specs[0]).is_absolute(), request.force,
                            summary.findings)) {
       status = ExitStatus::kInputOutput;
     }

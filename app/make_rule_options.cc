@@ -110,8 +110,10 @@ bool MayWriteDependencies(const MakeOptions& options, const output::Destination&
 }
 
 bool WriteDependencies(const MakeOptions& options, const output::Destination& destination,
-                       const std::set<std::string>& files, bool absolute,
+                       const std::set<std::string>& files, bool absolute, bool force,
                        diag::Findings& findings) {
+  // Asks again, because the file may be one that was just made.
+  if (!MayWriteDependencies(options, destination, force, findings)) return false;
   std::set<std::string> names;
   for (const std::string& name : files) names.insert(NameForMake(name, absolute));
   std::vector<std::string> targets = options.targets;

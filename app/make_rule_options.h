@@ -40,6 +40,7 @@ bool MayWriteDependencies(const MakeOptions& options, const output::Destination&
 /// rule with `-MF -`. Paths of files below the current folder are relative, unless `absolute`.
 /// Returns false and adds a finding on failure.
 bool WriteDependencies(const MakeOptions& options, const output::Destination& destination,
-                       const std::set<std::string>& files, bool absolute, diag::Findings& findings);
+                       const std::set<std::string>& files, bool absolute, bool force,
+                       diag::Findings& findings);
 
 }  // namespace mjforge::app
