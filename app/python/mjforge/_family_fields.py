@@ -102,11 +102,11 @@ class _Writer:
         scene.
         """
         out = self._worlds.array(field)
+        columns = values.reshape(*values.shape[:2], -1)
         if field == "eq_data" or field.endswith("_user"):  # the scene may have more columns
-            values = values.reshape(*values.shape[:2], -1)
-            out[:, there, :values.shape[-1]] = values
+            out[:, there, :columns.shape[-1]] = columns
         elif field == "tendon_lengthspring":  # one length before MuJoCo 2.3.1, later two
-            out[:, there] = values.reshape(*values.shape[:2], -1)
+            out[:, there] = columns
         else:
             out[:, there] = values.reshape(out[:, there].shape)
 

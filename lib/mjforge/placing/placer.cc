@@ -292,10 +292,10 @@ class RegionTry {
     const double most = start + std::max(-lowest, 0.0) + of_.height;
     const double drop = obstacles.Drop(ShapesAt(of_.shapes, X_WR_ * X_RStart), support.up_W, most);
     const double rise = drop < most ? start - std::max(drop - kContactGap, 0.0) : 0;
+    if (rise <= 0 || rise < highest) return rise;
     // A body that would lie on a lid stands below the lid if it has room there.
-    const bool is_on_top = rise > 0 && rise >= highest;
     const PlacedShapes standing = ShapesAt(of_.shapes, X_WR_ * X_RB);
-    return is_on_top && obstacles.Drop(standing, support.up_W, kContactGap) > 0 ? 0 : rise;
+    return obstacles.Drop(standing, support.up_W, kContactGap) > 0 ? 0 : rise;
   }
 
   const model::Object& object_;
