@@ -292,7 +292,7 @@ class RegionTry {
     const double most = start + std::max(-lowest, 0.0) + of_.height;
     const double drop = obstacles.Drop(ShapesAt(of_.shapes, X_WR_ * X_RStart), support.up_W, most);
     const double rise = drop < most ? start - std::max(drop - kContactGap, 0.0) : 0;
-    if (rise <= 0 || rise < highest) return rise;
+    if (rise <= 0 || rise < highest - kContactGap) return rise;
     // A body that would lie on a lid stands below the lid if it has room there.
     const PlacedShapes standing = ShapesAt(of_.shapes, X_WR_ * X_RB);
     return obstacles.Drop(standing, support.up_W, kContactGap) > 0 ? 0 : rise;

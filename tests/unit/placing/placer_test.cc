@@ -243,12 +243,16 @@ TEST_CASE("a body lies across two walls if its middle is between them") {
 TEST_CASE("a body stands below the lid of an interior that states no height") {
   Scene scene;
   const int bin = scene.AddBin(0.2, 0.1, 0.01);
-  scene.AddPart(ShapeOf(GeomType::kBox, 0.21, 0.21, 0.01), At(0, 0, 0.12));
-  const double half = GENERATE(0.04, 0.06);
+  const double lid = GENERATE(0.12, 0.123, 0.1371);  // height of its middle
+  scene.AddPart(ShapeOf(GeomType::kBox, 0.21, 0.21, 0.01), At(0, 0, lid));
+  const double half = GENERATE(0.04, 0.041, 0.07);
   const int box = scene.Add(ShapeOf(GeomType::kBox, half, half, half));
-  // The larger box has no room below the lid.
-  CheckAt(PlaceInside(scene, bin, 0.2, box), {0, 0, (half < 0.05 ? 0 : 0.13) + half + kContactGap},
-          1e-6);
+  // The largest box has no room below the lid.
+  const double floor = half < 0.05 ? 0 : lid + 0.01;
+  for (int i = 0; i < 20; ++i) {  // rounding does not decide
+    scene.body(bin).X_PB = At(0, 0, 0.01 * i);
+    CheckAt(PlaceInside(scene, bin, 0.2, box), {0, 0, floor + half + kContactGap}, 1e-6);
+  }
 }
 
 TEST_CASE("round bowls nest") {
