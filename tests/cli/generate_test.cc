@@ -136,6 +136,20 @@ TEST_CASE_METHOD(CrateTest, "with -v says a line about each variant") {
         "2 variants of crate in out/: 2 ok (T s)\n");
 }
 
+TEST_CASE_METHOD(CrateTest, "an attached body keeps its inertia, however large") {
+  folder().Write("arm.xml",
+                 "<mujoco><worldbody><body name='arm'>\n"
+                 "<inertial pos='0 0 0' quat='.8 0 0 .6' mass='1' diaginertia='3141592 2718281 "
+                 "1618033'/>\n<geom size='.1'/></body></worldbody></mujoco>\n");
+  folder().Write("thing.yaml",
+                 "mjforge: 1\nname: thing\njoints: none\nbodies: [{name: a, mjcf: arm.xml}]\n");
+  const auto result = Run({"generate", "thing.yaml", "-o", "-"});
+  CHECK(result.err.empty());
+  CHECK(
+      result.out.find("quat=\"0.8 0 0 0.6\" mass=\"1\" diaginertia=\"3141592 2718281 1618033\"") !=
+      std::string::npos);
+}
+
 TEST_CASE_METHOD(UnluckyCrateTest, "failed variants are reported and cost only themselves") {
   const auto result = Run({"generate", "crate.yaml", "-n", "20", "-o", "out"});
   CHECK(result.status == 1);

@@ -65,6 +65,7 @@ model::Body BodyOf(const mjModel& m, int id) {
   body.X_PB = PoseAt(m.body_pos, m.body_quat, id);
   body.explicit_inertial = true;
   body.mass_properties = MassOf(m, id);
+  body.principal_axes = QuaternionAt(m.body_iquat, id);
   return body;
 }
 

@@ -25,9 +25,20 @@ struct PrincipalInertia {
   Eigen::Vector3d moments;
 };
 
-// Replaces MuJoCo's diagonalization of the attribute fullinertia (mju_eig3), which stops at
-// off-diagonal terms of 1e-12 kg m^2: a large error for a small object.
-PrincipalInertia Diagonalize(const Eigen::Matrix3d& inertia) {
+// Returns the moments about the body's given axes if these are principal axes; otherwise replaces
+// MuJoCo's diagonalization of the attribute fullinertia (mju_eig3), which stops at off-diagonal
+// terms of 1e-12 kg m^2: a large error for a small object.
+PrincipalInertia Diagonalize(const model::Body& body) {
+  constexpr double kRounding = 1e-12;  // relative, above the rounding error of rotating a tensor
+  const Eigen::Matrix3d& inertia = body.mass_properties.I_Cm_F;
+  if (body.principal_axes) {
+    const Eigen::Matrix3d R = body.principal_axes->toRotationMatrix();
+    const Eigen::Matrix3d rotated = R.transpose() * inertia * R;
+    const Eigen::Vector3d moments = rotated.diagonal();
+    if ((rotated - Eigen::Matrix3d(moments.asDiagonal())).cwiseAbs().maxCoeff() <=
+        kRounding * inertia.trace())
+      return {*body.principal_axes, moments};
+  }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(inertia);
   Eigen::Matrix3d axes = solver.eigenvectors();
   if (axes.determinant() < 0) axes.col(0) *= -1;
@@ -41,10 +52,13 @@ double Written(double value) { return expr::ParseNumber(expr::NumberText(value))
 /// rounded moments in the file would violate A + B >= C, because MuJoCo rejects such a body.
 void KeepRealizable(Eigen::Vector3d& moments) {
   constexpr double kRounding = 2e-9;  // relative, above the rounding error of ten digits
-  const double sum = moments[0] + moments[1];
-  if (std::abs(moments[2] - sum) > kRounding * sum) return;
-  if (Written(moments[0]) + Written(moments[1]) < Written(moments[2]))
-    moments[2] = (1 - kRounding) * sum;
+  Eigen::Index largest = 0;
+  moments.maxCoeff(&largest);
+  double& c = moments[largest];
+  const double a = moments[(largest + 1) % 3];
+  const double b = moments[(largest + 2) % 3];
+  if (std::abs(c - (a + b)) > kRounding * (a + b)) return;
+  if (Written(a) + Written(b) < Written(c)) c = (1 - kRounding) * (a + b);
 }
 
 class BodyWriter {
@@ -80,7 +94,7 @@ class BodyWriter {
       writer_.WriteRaw(" pos=\"0 0 0\" mass=\"1e-15\" diaginertia=\"0 0 0\"");
       writer_.CloseEmpty();
     } else if (body.explicit_inertial) {
-      PrincipalInertia principal = Diagonalize(properties.I_Cm_F);
+      PrincipalInertia principal = Diagonalize(body);
       KeepRealizable(principal.moments);
       writer_.OpenElement("inertial", body.mark);
       writer_.WritePose({properties.p_FCm, principal.axes});

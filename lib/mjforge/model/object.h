@@ -144,13 +144,13 @@ struct Body {
   /// Region or site at which the body was placed, named as in the spec ("table.surface"); empty if
   /// the body was not placed.
   std::string place_name;
-  std::vector<Element> elements;      // cameras and lights
-  std::vector<Attribute> attributes;  // attributes of <body>
-  MassProperties mass_properties;     // in B
-  /// True if MJCF contains the inertia (<inertial>) and MuJoCo does not compute it: for bodies
-  /// with mesh parts, because MuJoCo's releases compute the mass of meshes differently; for bodies
-  /// whose geoms differ from the exact solid; and for attached bodies, which have the inertia of
-  /// their file.
+  std::vector<Element> elements;                     // cameras and lights
+  std::vector<Attribute> attributes;                 // attributes of <body>
+  MassProperties mass_properties;                    // in B
+  std::optional<Eigen::Quaterniond> principal_axes;  // axes in B, in the order of an attached file
+  /// True if MJCF contains the inertia (<inertial>): for bodies with mesh parts, because MuJoCo's
+  /// releases compute the mass of meshes differently; for bodies whose geoms differ from the exact
+  /// solid; and for attached bodies, which have the inertia of their file.
   bool explicit_inertial = false;
   /// Index of the body (maybe this body) whose key `mjcf:` adds this body; -1 if no key adds it.
   int attached = -1;

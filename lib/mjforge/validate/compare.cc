@@ -213,8 +213,8 @@ void Comparison::CompareInertia(int id, const model::Body& body) {
   const ComparedElement subject{"body", body.name, {}, body.mark};
   const model::MassProperties& meant = body.mass_properties;
   // Rounding error of moments, kg m^2: an error of a length changes them by mass times length
-  // squared.
-  const double rounding = kRelative * meant.mass * scale_ * scale_;
+  // squared. A file may state larger moments than such a body can have.
+  const double rounding = kRelative * std::max(meant.mass * scale_ * scale_, meant.I_Cm_F.trace());
   const Eigen::Matrix3d tensor = compiled::MassOf(m_, id).I_Cm_F;
   constexpr std::string_view kTerms[] = {"inertia xx", "inertia yy", "inertia zz",
                                          "inertia xy", "inertia xz", "inertia yz"};

@@ -43,6 +43,16 @@ TEST_CASE("a body states its inertia in its own frame") {
       Eigen::Matrix3d(Eigen::Vector3d(0.2, 0.1, 0.25).asDiagonal())));
 }
 
+TEST_CASE("an attached body keeps the axes of its inertia, in the order of its file") {
+  Attaching files(
+      Mjcf("<body name=\"b\"><inertial pos=\"1 2 3\" mass=\"2\" diaginertia=\"0.25 0.1 0.2\" "
+           "euler=\"0 0 30\"/></body>\n"));
+  const model::Body& b = files.Get().bodies[0];
+  REQUIRE(b.principal_axes);
+  CHECK(b.principal_axes->isApprox(
+      Eigen::Quaterniond(Eigen::AngleAxisd(std::acos(-1) / 6, Eigen::Vector3d::UnitZ()))));
+}
+
 TEST_CASE("an inertia that cannot be is balanced where the file says so") {
   const std::string body =
       "<body name=\"b\"><inertial pos=\"0 0 0\" mass=\"1\" diaginertia=\"1 1 7\"/></body>\n";

@@ -133,6 +133,28 @@ TEST_CASE("a flat body states an inertia that MuJoCo accepts") {
         "0.08333333333 0.08333333333 0.1666666663");
 }
 
+TEST_CASE("given axes of inertia are written unless they are no principal axes any more") {
+  model::Object object = Ball(Role::kBoth);
+  model::Body& body = object.bodies[0];
+  body.explicit_inertial = true;
+  body.mass_properties.mass = 1;
+  body.principal_axes = Eigen::Quaterniond(0.8, 0, 0, 0.6);
+  const Eigen::Matrix3d axes = body.principal_axes->toRotationMatrix();
+  const auto inertial = [&](const Eigen::Matrix3d& inertia) {
+    body.mass_properties.I_Cm_F = inertia;
+    MjcfDocument document;
+    WriteMjcf(object, Target::kMujoco, {}, document);
+    const std::size_t begin = document.text.find("<inertial");
+    return document.text.substr(begin, document.text.find('\n', begin) - begin);
+  };
+  const Eigen::Matrix3d tensor =
+      axes * Eigen::Vector3d(0.3, 0.1, 0.2).asDiagonal() * axes.transpose();
+  CHECK(inertial(tensor) ==
+        R"(<inertial pos="0 0 0" quat="0.8 0 0 0.6" mass="1" diaginertia="0.3 0.1 0.2"/>)");
+  CHECK(inertial(Eigen::Vector3d(0.1, 0.2, 0.3).asDiagonal()) ==
+        R"(<inertial pos="0 0 0" mass="1" diaginertia="0.1 0.2 0.3"/>)");
+}
+
 TEST_CASE("a body with a prism states its inertia") {
   const model::Object object = hand_made::Wedge();
   MjcfDocument document;
