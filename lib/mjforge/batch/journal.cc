@@ -102,7 +102,14 @@ void Journal::RemoveEmptyFiles() {
   }
 }
 
-// Returns false, after adding a finding, if the earlier run, finished or not, made another batch.
+// Returns the number of variants that the earlier run, whose seal is given, has made.
+std::uint64_t Journal::VariantsIn(const Seal& seal) const {
+  if (!is_unfinished_) return seal.manifest.file == file_.filename() ? seal.records : 0;
+  return checkpoints_.empty() ? 0 : CountBefore(checkpoints_.back());
+}
+
+// Returns false, after adding a finding, if the earlier run, finished or not, made another batch,
+// or more variants than this one has.
 bool Journal::IsOfThisBatch(diag::Findings& findings) const {
   const std::filesystem::path& manifest = is_unfinished_ ? part() : file_;
   const std::optional<Seal>& seal = is_unfinished_ ? journal_seal_ : previous_seal_;
@@ -110,7 +117,10 @@ bool Journal::IsOfThisBatch(diag::Findings& findings) const {
     const auto is_enough = [](const manifest::Record&) { return false; };
     return ReadResumable(manifest, options_, is_enough, findings).has_value();
   }
-  const std::string difference = manifest::DifferenceOfOutput(*seal, seal_);
+  std::string difference = manifest::DifferenceOfOutput(*seal, seal_);
+  const std::uint64_t made = VariantsIn(*seal);
+  if (difference.empty() && made > seal_.records)
+    difference = fmt::format("it has {} variants, not {}", made, seal_.records);
   if (!difference.empty()) ReportOtherBatch(manifest, difference, findings);
   return difference.empty();
 }

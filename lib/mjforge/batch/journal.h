@@ -95,6 +95,7 @@ class Journal {
   bool MayReplaceOutputs(diag::Findings& findings) const;
   bool MayReplaceSnapshot(diag::Findings& findings) const;
   void RemoveEmptyFiles();
+  std::uint64_t VariantsIn(const manifest::Seal& seal) const;
   bool IsOfThisBatch(diag::Findings& findings) const;
   void ReadPreviousSeal();
   void ReadJournal();

@@ -56,6 +56,17 @@ std::string CrateBatch::ManifestText(const std::string& output) const {
   return text;
 }
 
+Summary CrateBatch::MakeUpTo(Request request, std::uint64_t count) {
+  std::atomic<bool> stop = false;
+  request.stop = &stop;
+  request.jobs = 1;  // two workers may finish the batch before the first chunk is taken
+  Observer observer;
+  observer.variant = [&](const FinishedVariant& done) {
+    if (done.index + 1 >= count) stop = true;
+  };
+  return Make(request, observer);
+}
+
 std::map<std::string, std::string> CrateBatch::Bytes(const std::string& subfolder) const {
   std::map<std::string, std::string> bytes;
   for (const std::string& file : folder.Files()) {

@@ -48,6 +48,8 @@ class CrateBatch {
   /// relative to the folder.
   Request Of(std::uint64_t count, const std::string& output, std::uint64_t per_archive = 10) const;
   Summary Make(const Request& request, const Observer& observer = {});
+  /// Stops the batch once `count` variants are done.
+  Summary MakeUpTo(Request request, std::uint64_t count);
   /// Returns the bytes of all files in a subfolder, by name.
   std::map<std::string, std::string> Bytes(const std::string& subfolder) const;
   /// Returns the text of the manifest of an output, decompressed.

@@ -10,18 +10,6 @@
 namespace mjforge::batch {
 namespace {
 
-// Stops the batch once `count` variants are done.
-Summary MakeUpTo(CrateBatch& test, Request request, std::uint64_t count) {
-  std::atomic<bool> stop = false;
-  request.stop = &stop;
-  request.jobs = 1;  // two workers may finish the batch before the first chunk is taken
-  Observer observer;
-  observer.variant = [&](const FinishedVariant& done) {
-    if (done.index + 1 >= count) stop = true;
-  };
-  return test.Make(request, observer);
-}
-
 Request Resuming(Request request) {
   request.resume = true;
   return request;
@@ -43,11 +31,11 @@ TEST_CASE("a batch that was stopped is gone on with to the same bytes") {
   const std::uint64_t per_archive = 7 * third / 10;  // the last one has fewer
   test.Make(test.Of(count, std::string("whole") + output, per_archive));
   const Request request = test.Of(count, std::string("broken") + output, per_archive);
-  const Summary first = MakeUpTo(test, request, third);
+  const Summary first = test.MakeUpTo(request, third);
   REQUIRE(first.interrupted);
   REQUIRE(first.done() < count);
   CHECK(test.Bytes("broken") != test.Bytes("whole"));
-  const Summary second = MakeUpTo(test, Resuming(request), 2 * third);
+  const Summary second = test.MakeUpTo(Resuming(request), 2 * third);
   CHECK(second.resumed > 0);
   std::uint64_t resumed = 0;
   Observer observer;
@@ -96,7 +84,7 @@ TEST_CASE("a finished batch can be gone on with to a larger one") {
 TEST_CASE("without --resume a batch starts anew") {
   CrateBatch test(kBoxSpec);
   const Request request = test.Of(3000, "out");
-  REQUIRE(MakeUpTo(test, request, 500).interrupted);
+  REQUIRE(test.MakeUpTo(request, 500).interrupted);
   const Summary summary = test.Make(request);
   CHECK(summary.resumed == 0);
   CHECK(summary.ok == 3000);
@@ -138,19 +126,24 @@ TEST_CASE("objects of a batch that lost its seal are not written again") {
   CHECK(std::filesystem::last_write_time(kept) == time);
 }
 
-TEST_CASE("a batch of other options is not gone on with") {
+TEST_CASE("a batch of other options, or with more variants, is not gone on with") {
+  const bool is_done = GENERATE(false, true);
   CrateBatch test(kBoxSpec);
   for (const std::string output : {"out", "tar/x.tar"}) {
-    test.Make(test.Of(30, output));
+    const Request request = test.Of(500, output);
+    const std::uint64_t made = (is_done ? test.Make(request) : test.MakeUpTo(request, 300)).done();
     const auto before = test.Bytes(output.substr(0, 3));
-    Request request = Resuming(test.Of(30, output));
-    request.variant.seed = 2;
-    const Summary summary = test.Make(request);
-    CHECK(summary.files_failed);
-    REQUIRE(summary.findings.size() == 1);
-    CHECK(summary.findings[0].code == diag::Code::kBatchDiffers);
-    CHECK(summary.findings[0].message.ends_with("belongs to another batch: seed is '1', not '2'"));
-    CHECK(test.Bytes(output.substr(0, 3)) == before);
+    for (const std::string difference : {"seed is '1', not '2'", "variants, not 40"}) {
+      Request other = Resuming(test.Of(difference[0] == 's' ? 500 : 40, output));
+      if (difference[0] == 's') other.variant.seed = 2;
+      const Summary summary = test.Make(other);
+      CHECK(summary.files_failed);
+      REQUIRE(summary.findings.size() == 1);
+      CHECK(summary.findings[0].code == diag::Code::kBatchDiffers);
+      CHECK(summary.findings[0].message.ends_with(difference));
+      CHECK(test.Bytes(output.substr(0, 3)) == before);
+    }
+    CHECK(test.Make(Resuming(test.Of(made, output))).ok == made);
   }
 }
 
@@ -161,7 +154,7 @@ TEST_CASE("what is under construction was damaged: the same bytes, or an honest 
   test.Make(test.Of(500, "whole" + output, 130));
   const auto whole = test.Bytes("whole");
   const Request request = test.Of(500, "broken" + output, 130);
-  REQUIRE(MakeUpTo(test, request, 300).interrupted);
+  REQUIRE(test.MakeUpTo(request, 300).interrupted);
   const auto broken = test.Bytes("broken");
   std::uint32_t random = 1;
   for (const auto& [name, bytes] : broken) {
@@ -249,7 +242,7 @@ TEST_CASE("a batch of other options is not gone on with when its seal or journal
   const std::string output = GENERATE("out", "out/x_%d.tar");
   Request request = test.Of(500, output, 130);
   if (is_done) test.Make(request);
-  if (!is_done) REQUIRE(MakeUpTo(test, request, 300).interrupted);
+  if (!is_done) REQUIRE(test.MakeUpTo(request, 300).interrupted);
   for (const auto& [name, bytes] : test.Bytes("out")) {
     if (name.ends_with(".seal.json") || name.ends_with(".journal.part"))
       std::filesystem::remove(test.folder / "out" / name);
@@ -269,7 +262,7 @@ TEST_CASE("a batch of other options is not gone on with when its seal or journal
 TEST_CASE("a line of the journal with another blank is not trusted") {
   CrateBatch test(kBoxSpec);
   const Request request = test.Of(500, "out");
-  REQUIRE(MakeUpTo(test, request, 300).interrupted);
+  REQUIRE(test.MakeUpTo(request, 300).interrupted);
   const std::string file = "out/.manifest.jsonl.journal.part";
   std::string journal = test.folder.Read(file);
   journal[journal.find('\n') - 17] = '\t';  // the blank before the checksum of the first line
@@ -315,7 +308,7 @@ TEST_CASE("a series is not gone on with for another output") {
   const bool is_done = GENERATE(false, true);
   const Request request = test.Of(500, "out/x_%05d.tar", 130);
   if (is_done) test.Make(request);
-  if (!is_done) REQUIRE(MakeUpTo(test, request, 300).interrupted);
+  if (!is_done) REQUIRE(test.MakeUpTo(request, 300).interrupted);
   const auto before = test.Bytes("out");
   Request other = Resuming(test.Of(500, "out/x_%05d.tar", 131));
   const Summary per_archive = test.Make(other);
