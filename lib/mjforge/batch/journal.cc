@@ -57,6 +57,11 @@ Seal SealOfRequest(const SinkOptions& options, const std::filesystem::path& mani
   return seal;
 }
 
+// Returns the hidden name of a finished batch's file while another run replaces the batch.
+std::filesystem::path FormerNameOf(const std::filesystem::path& file) {
+  return file.parent_path() / fmt::format(".{}.former", file.filename().string());
+}
+
 // Returns the part of a line after the words that were read: a name, which may contain spaces.
 // Returns an empty text if reading the words failed.
 std::string RestOfLine(std::string_view line, std::istringstream& words) {
@@ -130,7 +135,9 @@ void Journal::ReadPreviousSeal() {
   previous_seal_ = manifest::ReadSealBeside(file_, why_not);
   if (!previous_seal_)
     previous_seal_ = manifest::ReadSealBeside(options_.request.destination.Manifest({}), why_not);
-  if (!previous_seal_ || previous_seal_->spec != seal_.spec) return;
+  if (!previous_seal_) return;
+  for (const SealedFile& archive : previous_seal_->archives) made_archives_.insert(archive.file);
+  if (previous_seal_->spec != seal_.spec) return;
   for (const auto& [name, sha256] : previous_seal_->assets) made_assets_.insert(sha256);
 }
 
@@ -166,12 +173,6 @@ bool Journal::MayReplaceSnapshot(diag::Findings& findings) const {
   if (options_.batch.spec_file != snapshot.filename()) return true;
   return output::MayReplace(snapshot, options_.request.force, spec::kSnapshotHead, spec::IsSnapshot,
                             findings);
-}
-
-bool Journal::HasMadeArchive(const std::string& archive) const {
-  const auto is_it = [&](const SealedFile& file) { return file.file == archive; };
-  return made_archives_.contains(archive) ||
-         (previous_seal_ && std::ranges::any_of(previous_seal_->archives, is_it));
 }
 
 void Journal::ReadJournal() {
@@ -245,6 +246,25 @@ bool Journal::AppendLine(const std::string& line, diag::Findings& findings) {
   return journal_file_->Append(WithChecksum(line) + '\n', findings);
 }
 
+// Gives the manifest and the seal of a finished batch hidden names if this run replaces the files
+// of that batch. Otherwise a manifest would describe other files if this run stopped.
+void Journal::HideFormer() {
+  if (options_.request.resume) return;  // files get the bytes that the manifest describes
+  has_hidden_ = true;
+  for (const auto& file : {file_, manifest::SealPathOf(file_)}) {
+    std::error_code ignored;
+    std::filesystem::rename(file, FormerNameOf(file), ignored);
+  }
+}
+
+// Gives the hidden manifest and its seal their names again.
+void Journal::ShowFormer() {
+  for (const auto& file : {manifest::SealPathOf(file_), file_}) {
+    std::error_code ignored;
+    std::filesystem::rename(FormerNameOf(file), file, ignored);
+  }
+}
+
 bool Journal::Start(const Checkpoint& checkpoint, diag::Findings& findings) {
   if (!manifest_file_->Truncate(0, findings) || !journal_file_->Truncate(0, findings)) return false;
   ReadJournal();  // clears the data read before, because the journal is empty now
@@ -254,6 +274,7 @@ bool Journal::Start(const Checkpoint& checkpoint, diag::Findings& findings) {
       !AddCheckpoint(checkpoint, findings)) {
     return false;
   }
+  HideFormer();
   // Once the journal is on the disk, a later run recognizes the files under construction as its
   // own.
   return options_.request.durability == Durability::kNone ||
@@ -326,6 +347,7 @@ bool Journal::Finish(diag::Findings& findings) {
   seal_.manifest.content = {manifest_file_->size(), manifest_file_->checksum()};
   seal_.archives = closed_archives_;
   const bool if_changed = request.if_changed || request.resume;
+  ShowFormer();  // an equal manifest remains as it is
   // The manifest gets its final name last, because a manifest with this name means that all other
   // files exist.
   if (!output::WriteFile(manifest::SealPathOf(file_), manifest::SealText(seal_), if_changed,
@@ -340,6 +362,7 @@ bool Journal::Finish(diag::Findings& findings) {
 void Journal::Drop() {
   manifest_file_->Drop();
   journal_file_->Drop();
+  if (has_hidden_) ShowFormer();
 }
 
 }  // namespace mjforge::batch

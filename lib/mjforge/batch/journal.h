@@ -51,7 +51,7 @@ class Journal {
   const std::optional<manifest::Seal>& previous_seal() const { return previous_seal_; }
   /// Returns true if an earlier run or this run completed an archive with this name, according to
   /// the journal or the previous seal.
-  bool HasMadeArchive(const std::string& archive) const;
+  bool HasMadeArchive(const std::string& archive) const { return made_archives_.contains(archive); }
   /// Names and SHA-256 of the assets of all records so far.
   const std::map<std::string, std::string>& assets() const { return seal_.assets; }
   /// SHA-256 of the assets of earlier runs with the same output and spec.
@@ -98,6 +98,8 @@ class Journal {
   std::uint64_t VariantsIn(const manifest::Seal& seal) const;
   bool IsOfThisBatch(diag::Findings& findings) const;
   void ReadPreviousSeal();
+  void HideFormer();
+  void ShowFormer();
   void ReadJournal();
   bool ReadLine(std::string_view line, std::uint64_t end);
   bool ReadCheckpoint(std::istringstream& words, std::uint64_t end);
@@ -112,6 +114,7 @@ class Journal {
   std::optional<manifest::Seal> previous_seal_;
   std::optional<manifest::Seal> journal_seal_;  // seal in the first line of the journal
   bool is_unfinished_ = false;
+  bool has_hidden_ = false;  // this run gave the manifest of a finished batch a hidden name
   std::vector<Checkpoint> checkpoints_;
   std::vector<HashedAsset> assets_;  // assets of the folder or of the archive under construction
   std::vector<manifest::SealedFile> closed_archives_;
