@@ -134,9 +134,7 @@ class ShardMerger {
       }
       if (i == 0) whole_ = *seal;
       if (const std::string difference = DifferenceOf(*seal); !difference.empty()) {
-        findings_.Add(diag::Code::kBatchDiffers, {},
-                      fmt::format("'{}' belongs to another batch: {}", file.string(), difference),
-                      "make all shards with the same spec and options");
+        ReportOtherShard(fmt::format("'{}'", file.string()), difference, findings_);
         continue;
       }
       CheckSealed(destination_.Folder(), seal->manifest, true, findings_);
@@ -151,10 +149,8 @@ class ShardMerger {
   // Describes how a shard differs from the shards before it; returns an empty text, and adds the
   // shard's assets to `whole_`, if the shard belongs to the same batch.
   std::string DifferenceOf(const manifest::Seal& seal) {
-    std::string difference = manifest::DifferenceOfOutput(seal, whole_);
+    std::string difference = DifferenceOfShards(seal, whole_);
     if (!difference.empty()) return difference;
-    if (seal.count != whole_.count)
-      return fmt::format("count is '{}', not '{}'", seal.count, whole_.count);
     for (const auto& [name, sha256] : seal.assets) {
       if (whole_.assets.emplace(name, sha256).first->second != sha256)
         return fmt::format("'{}' has other bytes", name);
@@ -227,10 +223,8 @@ class ShardMerger {
     if (!first_) first_ = record;
     const std::string difference = manifest::DifferenceOfBatch(record, *first_);
     if (!difference.empty()) {
-      findings_.Add(diag::Code::kBatchDiffers, {},
-                    fmt::format("line {} of '{}' belongs to another batch: {}", number,
-                                shard.string(), difference),
-                    "make all shards with the same spec and options");
+      ReportOtherShard(fmt::format("line {} of '{}'", number, shard.string()), difference,
+                       findings_);
       return false;
     }
     const std::uint64_t expected = whole_.first + records_;

@@ -57,6 +57,20 @@ void ReportMissingShard(const output::Shard& shard, const std::filesystem::path&
                fmt::format("make it with --shard {}/{} --resume", shard.index, shard.count));
 }
 
+std::string DifferenceOfShards(const manifest::Seal& seal, const manifest::Seal& other) {
+  std::string difference = manifest::DifferenceOfOutput(seal, other);
+  if (difference.empty() && seal.count != other.count)
+    difference = fmt::format("count is '{}', not '{}'", seal.count, other.count);
+  return difference;
+}
+
+void ReportOtherShard(std::string_view what, const std::string& difference,
+                      diag::Findings& findings) {
+  findings.Add(diag::Code::kBatchDiffers, {},
+               fmt::format("{} belongs to another batch: {}", what, difference),
+               "make all shards with the same spec and options");
+}
+
 std::vector<std::string> NamesIn(const std::filesystem::path& folder, diag::Findings& findings) {
   std::vector<std::string> names;
   std::error_code error;

@@ -28,6 +28,14 @@ bool CheckSealed(const std::filesystem::path& folder, const manifest::SealedFile
 void ReportMissingShard(const output::Shard& shard, const std::filesystem::path& manifest,
                         diag::Findings& findings);
 
+/// Describes the first difference that shows that two shards belong to different batches: "count is
+/// '80', not '100'". Empty if their seals can come from one batch.
+std::string DifferenceOfShards(const manifest::Seal& seal, const manifest::Seal& other);
+/// Adds the finding that a shard's manifest, or a line of it, belongs to another batch. `what`
+/// names it.
+void ReportOtherShard(std::string_view what, const std::string& difference,
+                      diag::Findings& findings);
+
 /// Compares the files of a folder with the hashes in records. Usually reads an asset only once,
 /// although several objects use the asset.
 class OutputChecker {

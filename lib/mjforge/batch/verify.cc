@@ -45,6 +45,14 @@ class Verification {
   }
 
  private:
+  /// The shards of one batch that were checked, and the seal and the first record of the first
+  /// ones.
+  struct Shards {
+    std::set<std::uint64_t> present;
+    std::optional<manifest::Seal> seal = {};
+    std::optional<manifest::Record> record = {};
+  };
+
   /// Returns the manifest that the seal names. If the seal cannot be read, returns the compressed
   /// manifest if this file exists, otherwise the path of the uncompressed manifest.
   static std::filesystem::path ManifestOf(std::filesystem::path seal) {
@@ -68,7 +76,7 @@ class Verification {
         ReportMissing(fmt::format("'{}' is of a batch that is not done", (folder / name).string()),
                       "the command that began it goes on with --resume");
       } else if (name.ends_with(kSealEnding)) {
-        CheckBatch(ManifestOf(folder / name));
+        CheckUnlessMerged(ManifestOf(folder / name));
       } else if (IsWholeManifest(name) &&
                  !std::filesystem::exists(manifest::SealPathOf(folder / name), ignored)) {
         CheckBatch(folder / name);  // reports that the seal is missing
@@ -99,12 +107,47 @@ class Verification {
       return;
     }
     const output::Shard shard{seal->shard, seal->shards};
-    if (!shard.IsWhole()) shards_[WholeOf(manifest, shard)][shard.count].insert(shard.index);
+    if (!shard.IsWhole()) {
+      Shards& shards = shards_[WholeOf(manifest, shard)][shard.count];
+      shards.present.insert(shard.index);
+      CheckIsOfOneBatch(manifest, *seal, shards);
+    }
     const std::filesystem::path folder = manifest.parent_path();
     for (const manifest::SealedFile& archive : seal->archives) Check(folder, archive);
     if (!Check(folder, seal->manifest)) return;
     result_.variants += seal->records;
     if (seal->output.empty()) CheckObjects(manifest);
+  }
+
+  // Checks the batch or shard of a manifest, unless the shard was merged: the merged manifest has
+  // its records, too.
+  void CheckUnlessMerged(const std::filesystem::path& manifest) {
+    std::string ignored;
+    std::error_code error;
+    const auto seal = manifest::ReadSealBeside(manifest, ignored);
+    if (seal && seal->shards > 1 &&
+        std::filesystem::exists(WholeOf(manifest, {seal->shard, seal->shards}), error)) {
+      return;
+    }
+    CheckBatch(manifest);
+  }
+
+  // Reports a shard that belongs to another batch than the shards that were checked before.
+  void CheckIsOfOneBatch(const std::filesystem::path& manifest, const manifest::Seal& seal,
+                         Shards& shards) {
+    diag::Findings ignored;
+    auto reader = manifest::RecordReader::Open(manifest, sources_, ignored);
+    manifest::Record record;
+    const bool has_record =
+        reader && reader->Next(record) == manifest::RecordReader::Outcome::kRecord;
+    std::string difference;
+    if (shards.seal) difference = DifferenceOfShards(seal, *shards.seal);
+    if (shards.record && has_record && difference.empty())
+      difference = manifest::DifferenceOfBatch(record, *shards.record);
+    if (!difference.empty())
+      ReportOtherShard(fmt::format("'{}'", manifest.string()), difference, findings_);
+    if (!shards.seal) shards.seal = seal;
+    if (!shards.record && has_record) shards.record = record;
   }
 
   // Returns the path of the manifest into which `merge` joins this shard's manifest.
@@ -120,7 +163,7 @@ class Verification {
     std::error_code ignored;
     for (const auto& [whole, batches] : shards_) {
       if (std::filesystem::exists(whole, ignored)) continue;
-      for (const auto& [count, present] : batches) ReportMissingShards(whole, count, present);
+      for (const auto& [count, shards] : batches) ReportMissingShards(whole, count, shards.present);
     }
   }
 
@@ -187,7 +230,7 @@ class Verification {
       std::string why_not;
       const auto seal = manifest::ReadSealBeside(manifest, why_not);
       if (!seal || seal->output != series.path.filename()) continue;
-      CheckBatch(manifest);
+      CheckUnlessMerged(manifest);
       is_sealed = true;
     }
     if (!is_sealed && findings_.empty()) CheckUnsealed(series);
@@ -237,9 +280,8 @@ class Verification {
   diag::Sources& sources_;
   diag::Findings& findings_;
   VerifyResult result_;
-  // Indices of the shards that were checked, by the manifest into which `merge` would join them,
-  // and by the number of shards.
-  std::map<std::filesystem::path, std::map<std::uint64_t, std::set<std::uint64_t>>> shards_;
+  // By the manifest into which `merge` would join the shards, and by the number of shards.
+  std::map<std::filesystem::path, std::map<std::uint64_t, Shards>> shards_;
 };
 
 }  // namespace

@@ -134,6 +134,35 @@ TEST_CASE_METHOD(VerifyTest, "a batch of which a shard was not made is not good"
   }
 }
 
+TEST_CASE_METHOD(VerifyTest, "shards that were merged are not counted again") {
+  Request request = Of(100, "out");
+  for (request.shard = {.index = 0, .count = 2}; request.shard.index < 2; ++request.shard.index)
+    Make(request);
+  CHECK(IsGood("out"));
+  const VerifyResult apart = verified;
+  CHECK(apart.variants == 100);
+  REQUIRE(Merge(request.destination, false, sources, findings) == 100);
+  CHECK(IsGood("out"));
+  CHECK(verified.variants == 100);
+  CHECK(verified.files == apart.files - 1);  // one manifest in place of two
+}
+
+TEST_CASE_METHOD(VerifyTest, "shards of different batches are no batch") {
+  Request request = Of(100, "out");
+  request.shard = {.index = 0, .count = 2};
+  Make(request);
+  request.shard.index = 1;
+  const std::string difference = GENERATE("seed is '2', not '1'", "count is '80', not '100'");
+  if (difference[0] == 's') request.variant.seed = 2;
+  if (difference[0] == 'c') request.count = 80;
+  Make(request);
+  CHECK_FALSE(IsGood("out"));
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0].code == diag::Code::kBatchDiffers);
+  CHECK(findings[0].message == "'" + request.destination.Manifest(request.shard).string() +
+                                   "' belongs to another batch: " + difference);
+}
+
 TEST_CASE_METHOD(VerifyTest, "a manifest that is left over from another batch is not good") {
   Make(Of(10, "out/x.tar.zst"));
   Request plain = Of(10, "out/x.tar");
