@@ -52,13 +52,16 @@ extern "C" void OnInterrupt(int signal) {
 }
 
 // Installs handlers: the first SIGINT or SIGTERM sets the returned flag, the second one ends the
-// program.
+// program. A signal that the caller ignores remains ignored.
 const std::atomic<bool>& CatchInterrupts() {
   struct sigaction action = {};
   action.sa_handler = OnInterrupt;
   action.sa_flags = static_cast<int>(SA_NODEFER | SA_RESTART);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    struct sigaction present = {};
+    sigaction(signal, nullptr, &present);
+    if (present.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
+  }
   return interrupted;
 }
 
@@ -66,14 +69,14 @@ const std::atomic<bool>& CatchInterrupts() {
 class Generation {
  public:
   Generation(const GenerateOptions& options, batch::Request request, Console& console)
-      : options_(options), request_(std::move(request)), console_(console) {
-    request_.stop = &CatchInterrupts();
-  }
+      : options_(options), request_(std::move(request)), console_(console) {}
 
   ExitStatus operator()() {
     KeepMemory();
     ExitStatus status = Load();
     if (status != ExitStatus::kDone) return status;
+    // Until here a signal ends the program at once, because reading a pipe may take forever.
+    request_.stop = &CatchInterrupts();
     for (const forge::Recipe& recipe : recipes_) {
       status = Worse(status, Make(recipe));
       if (status >= ExitStatus::kInputOutput) break;

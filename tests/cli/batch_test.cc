@@ -63,7 +63,7 @@ TEST_CASE_METHOD(BatchTest,
 TEST_CASE_METHOD(BatchTest, "an interrupted batch ends cleanly and says how to go on") {
   const auto signal = GENERATE("INT", "TERM");
   const CommandResult result = Shell(
-      "$mjforge generate crate.yaml -n 2000000 -j 2 -o out & p=$!\n"
+      "env --default-signal=INT $mjforge generate crate.yaml -n 2000000 -j 2 -o out & p=$!\n"
       "until [ -s out/.manifest.jsonl.part ]; do sleep 0.02; done\n"
       "kill -" +
       std::string(signal) + " $p; wait $p; echo $?");

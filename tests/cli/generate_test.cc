@@ -176,6 +176,34 @@ TEST_CASE_METHOD(UnluckyCrateTest, "with --on-invalid resample draws them again"
   CHECK(folder().Files().size() == 23);
 }
 
+TEST_CASE_METHOD(CrateTest, "a signal ends a program that waits for its spec") {
+  // The script waits until mjforge sleeps, which means that it reads from the pipe.
+  const harness::Command command{
+      .program = "/bin/sh",
+      .arguments = {"-c", "mkfifo pipe; sleep 50 > pipe & holder=$!; '" +
+                              harness::MjforgeProgram().string() +
+                              "' generate - -o out < pipe & "
+                              "until grep -qx mjforge /proc/$!/comm && "
+                              "grep -q '^State:.S' /proc/$!/status; do sleep 0.05; done; "
+                              "kill -TERM $!; wait $!; status=$?; kill $holder; exit $status"},
+      .folder = folder().path(),
+      .timeout = std::chrono::seconds(40)};
+  CHECK(command.Run().status == 143);
+}
+
+TEST_CASE_METHOD(CrateTest, "a signal that the caller ignores does not stop a batch") {
+  // A shell without job control lets commands in the background ignore SIGINT.
+  const harness::Command command{
+      .program = "/bin/sh",
+      .arguments = {"-c", "'" + harness::MjforgeProgram().string() +
+                              "' generate crate.yaml -n 3000 -v -o out 2> words & "
+                              "while ! grep -q crate_000002 words; do sleep 0.01; done; "
+                              "kill -INT $!; wait $!"},
+      .folder = folder().path()};
+  CHECK(command.Run().status == 0);
+  CHECK(folder().Read("words").find("3000 ok") != std::string::npos);
+}
+
 TEST_CASE_METHOD(CrateTest, "an interrupted batch keeps what is done, with its records") {
   // The script interrupts the batch as soon as -v reports the third variant.
   const harness::Command command{

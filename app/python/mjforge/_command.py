@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import os
 import re
-import signal
 import subprocess
 from typing import IO, Any, Callable, Mapping, Optional
 
@@ -82,7 +81,7 @@ def run(arguments: list[str], text: bytes,
         messages.read(process.stderr)
         status = process.wait()
     except BaseException:
-        process.send_signal(signal.SIGINT)
+        process.terminate()  # the command ignores SIGINT if this process does
         process.stderr.read()
         process.wait()
         raise
