@@ -102,6 +102,29 @@ TEST_CASE_METHOD(BadOutputTest, "a pipe is refused at once, by whoever writes a 
   }
 }
 
+TEST_CASE_METHOD(BadOutputTest,
+                 "a link in the place of a file is refused unless --force replaces it") {
+  REQUIRE(Run({"generate", "crate.yaml", "-q", "-o", "mine/"}).status == 0);
+  REQUIRE(Run({"generate", "crate.yaml", "-q", "-o", "mine/x.tar"}).status == 0);
+  const auto [output, link, target] = GENERATE(table<const char*, const char*, const char*>(
+      {{"x.xml", "x.xml", "mine/crate_000000.xml"},
+       {"out/", "out/crate_000000.xml", "mine/crate_000000.xml"},
+       {"out/", "out/manifest.jsonl", "mine/manifest.jsonl"},
+       {"out/", "out/manifest.seal.json", "mine/manifest.seal.json"},
+       {"x.tar", "x.tar", "mine/x.tar"}}));
+  INFO(link);
+  std::filesystem::create_directory(folder() / "out");
+  std::filesystem::create_symlink(folder() / target, folder() / link);
+  const std::string kept = folder().Read(target);
+  const auto result = Run({"generate", "crate.yaml", "-s", "2", "-o", output});
+  CHECK(result.status == 3);
+  CHECK(result.err.find(link + std::string("' is a link, not a file")) != std::string::npos);
+  CHECK(std::filesystem::is_symlink(folder() / link));
+  CHECK(Run({"generate", "crate.yaml", "-s", "2", "-o", output, "--force"}).status == 0);
+  CHECK_FALSE(std::filesystem::is_symlink(folder() / link));
+  CHECK(folder().Read(target) == kept);
+}
+
 TEST_CASE_METHOD(BadOutputTest, "a Make rule replaces a rule and nothing else") {
   folder().Write("notes.txt", "mine\n");
   for (const char* file : {"notes.txt", "x.xml", "crate.yaml", "/dev/full"}) {

@@ -147,7 +147,11 @@ bool ArchiveSink::IsIntact(const manifest::SealedFile& archive) const {
 bool ArchiveSink::OpenArchive(std::uint64_t bytes, diag::Findings& findings) {
   const std::filesystem::path file = FileOf(checkpoint_.archive);
   std::error_code ignored;
-  if (!request_.force && std::filesystem::exists(std::filesystem::symlink_status(file, ignored)) &&
+  if (!request_.force && std::filesystem::is_symlink(file, ignored)) {
+    output::AddLink(file, findings);
+    return false;
+  }
+  if (!request_.force && std::filesystem::exists(file, ignored) &&
       !journal_.HasMadeArchive(file.filename().string()) && !IsOwn(file)) {
     output::AddForeignFile(file, findings);
     return false;

@@ -43,6 +43,10 @@ bool MayReplace(const std::filesystem::path& file, bool force, std::size_t bytes
     return false;
   }
   if (force) return true;
+  if (std::filesystem::is_symlink(file, ignored)) {
+    AddLink(file, findings);
+    return false;
+  }
   std::string why_not;
   const std::optional<std::string> opening = bytes::ReadStart(file, bytes, why_not);
   if (opening && is_ours(*opening)) return true;
@@ -74,6 +78,12 @@ bool MayReplace(const std::filesystem::path& file, std::string_view text, bool f
                IsDamagedCopy(opening, text.substr(0, kCommentBytes));
       },
       findings);
+}
+
+void AddLink(const std::filesystem::path& file, diag::Findings& findings) {
+  findings.Add(diag::Code::kOutputCannotWrite, {},
+               fmt::format("'{}' is a link, not a file", file.string()),
+               "name the file itself, or replace the link with --force");
 }
 
 void AddForeignFile(const std::filesystem::path& file, diag::Findings& findings) {

@@ -50,9 +50,9 @@ bool WriteFile(const std::filesystem::path& file, std::string_view bytes, bool i
 std::optional<std::string> ReadFile(const std::filesystem::path& file, std::uint64_t limit,
                                     diag::Findings& findings);
 
-/// Returns true if `file` may be written: it does not exist, `is_ours` accepts its first `bytes`
-/// bytes, or `force` is set. Otherwise, and always for a pipe or a device, adds a finding and
-/// returns false.
+/// Returns true if `file` may be written: it does not exist, it is no link and `is_ours` accepts
+/// its first `bytes` bytes, or `force` is set. Otherwise, and always for a pipe or a device, adds a
+/// finding and returns false.
 bool MayReplace(const std::filesystem::path& file, bool force, std::size_t bytes,
                 const std::function<bool(std::string_view)>& is_ours, diag::Findings& findings);
 
@@ -67,6 +67,8 @@ bool MayReplace(const std::filesystem::path& file, std::string_view text, bool f
 /// others.
 bool IsDamagedCopy(std::string_view present, std::string_view bytes);
 
+/// Adds the finding "'FILE' is a link, not a file".
+void AddLink(const std::filesystem::path& file, diag::Findings& findings);
 /// Adds the finding "'FILE' exists and was not made by mjforge".
 void AddForeignFile(const std::filesystem::path& file, diag::Findings& findings);
 
