@@ -96,6 +96,7 @@ ExitStatus Print(std::string_view text) { return PrintBytes(diag::SafeLines(text
 
 ExitStatus PrintBytes(std::string_view bytes) {
   if (WriteAll(STDOUT_FILENO, bytes)) return ExitStatus::kDone;
+  if (errno == EPIPE) return ExitStatus::kNoReader;  // silent, as in `mjforge catalogue | head`
   PrintError("error: cannot write to standard output: " + std::generic_category().message(errno));
   return ExitStatus::kInputOutput;
 }

@@ -20,6 +20,7 @@ enum class ExitStatus {
   kInputOutput = 3,    // reading or writing failed, or not enough memory
   kBug = 70,           // EX_SOFTWARE of sysexits.h
   kInterrupted = 130,  // 128 + SIGINT, like shells
+  kNoReader = 141,     // 128 + SIGPIPE, like shells: the reader of standard output has ended
 };
 
 inline ExitStatus Worse(ExitStatus a, ExitStatus b) { return a < b ? b : a; }

@@ -196,11 +196,11 @@ TEST_CASE_METHOD(BadOutputTest, "a full standard output is an output failure") {
   CHECK(result.err == "mjforge: error: cannot write to standard output: No space left on device\n");
 }
 
-TEST_CASE_METHOD(BadOutputTest, "a standard output that nobody reads is an output failure") {
+TEST_CASE_METHOD(BadOutputTest, "a standard output that nobody reads any more ends silently") {
   // The reader ends at once; the writer starts later and reports its status.
   const auto result = RunInShell("{ sleep 0.2;", "-o -; echo $? > status; } | true");
-  CHECK(folder().Read("status") == "3\n");
-  CHECK(result.err == "mjforge: error: cannot write to standard output: Broken pipe\n");
+  CHECK(folder().Read("status") == "141\n");
+  CHECK(result.err.empty());
 }
 
 TEST_CASE_METHOD(BadOutputTest, "somebody else's file is only overwritten with --force") {
