@@ -187,9 +187,10 @@ void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const model::Pose
   AddSpec(inner);
   MarkRootJointsRemoved(inner);
   if (!corner) return;
-  // Moves the added elements so that the lower corner of the box around their parts is at the
-  // required position. The corner is known only after the parts were added.
-  const model::Box3 box = model::BoundsOf(body().parts, before.parts).aabb;
+  // Moves the added elements so that the lower corner of the box around their parts and bodies is
+  // at the required position. The corner is known only after they were added.
+  const model::Box3 box =
+      model::SubtreeBounds(object_.bodies, current_body_, before.parts, before.bodies).aabb;
   if (box.empty()) return;
   Move(scope.X_BS * model::Pose{.p = FromCorner(X_SW.p, *scope.total_size, box.min)}, before,
        inner.body);

@@ -70,14 +70,17 @@ void ScaleMass(double factor, std::vector<Body>& bodies, std::size_t body, std::
   }
 }
 
-Bounds SubtreeBounds(const std::vector<Body>& bodies, std::size_t first) {
+Bounds SubtreeBounds(const std::vector<Body>& bodies, std::size_t first, std::size_t first_part,
+                     std::size_t first_body) {
   const std::vector<Pose> X_FB = SubtreePoses(bodies, first);
-  if (X_FB.size() == 1 && IsIdentity(X_FB[0])) return BoundsOf(bodies[first].parts);
+  if (X_FB.size() == 1 && IsIdentity(X_FB[0])) return BoundsOf(bodies[first].parts, first_part);
   const std::vector<bool> is_below = InSubtree(bodies, first);
   return BoundsOfAll([&](const auto& visit) {
     for (std::size_t i = first; i < bodies.size(); ++i) {
-      if (!is_below[i - first]) continue;
-      for (const Part& part : bodies[i].parts) visit(part, X_FB[i - first] * part.X_BG);
+      if (!is_below[i - first] || (i > first && i < first_body)) continue;
+      const std::vector<Part>& parts = bodies[i].parts;
+      for (std::size_t j = i == first ? first_part : 0; j < parts.size(); ++j)
+        visit(parts[j], X_FB[i - first] * parts[j].X_BG);
     }
   });
 }

@@ -15,8 +15,10 @@ Box3 BoundsOf(const Part& part, const Pose& X_AG);
 /// any of these parts collides, only colliding parts are included.
 Bounds BoundsOf(const std::vector<Part>& parts, std::size_t first = 0);
 /// Return the bounds and the mass of the body `first` and its descendants at the start state, in
-/// the frame F of SubtreePoses().
-Bounds SubtreeBounds(const std::vector<Body>& bodies, std::size_t first);
+/// the frame F of SubtreePoses(). The bounds exclude parts of the body before index `first_part`
+/// and descendants before index `first_body`.
+Bounds SubtreeBounds(const std::vector<Body>& bodies, std::size_t first, std::size_t first_part = 0,
+                     std::size_t first_body = 0);
 MassProperties SubtreeMass(const std::vector<Body>& bodies, std::size_t first);
 /// Returns the bounds for `total_size:`, a box with these half sizes, m.
 Bounds DeclaredBounds(const Eigen::Vector3d& total_size);

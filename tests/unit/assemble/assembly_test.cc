@@ -177,6 +177,26 @@ TEST_CASE("a welded spec is placed by its own lower corner") {
   CHECK((thing.part("thing_p_b").X_BG.p - Vector3d(-0.7, -0.9, -0.9)).norm() < 1e-14);
 }
 
+TEST_CASE("the lower corner of a welded spec includes its bodies") {
+  const TemporaryFolder folder;
+  folder.Write("lamp.yaml",
+               "mjforge: 1\nname: lamp\n"
+               "parts: [{name: foot, type: box, size: [0.1, 0.1, 0.1]}]\n"
+               "bodies:\n"
+               "- {name: arm, pos: [-0.3, 0, 0], joints: [{name: turn, axis: [0, 1, 0]}],\n"
+               "   parts: [{name: a, type: box, size: [0.1, 0.1, 0.1]}]}\n"
+               "- {name: head, parent: arm, euler: [0, 0, 45deg], pos: [0, 0, -0.5],\n"
+               "   parts: [{name: h, type: sphere, size: 0.2}]}\n");
+  const Assembling thing(
+      "placement: corner\ntotal_size: [1, 1, 1]\n"
+      "parts: [{name: first, type: box, size: [0.1, 0.1, 0.1]},\n"
+      "        {name: p, spec: lamp.yaml, pos: [0.2, 0, 0]}]\n",
+      1, 0, folder.path());
+  // The lower corner of the lamp, relative to its foot, is that of the head: (-0.5, -0.2, -0.7).
+  CHECK((thing.part("thing_p_foot").X_BG.p - Vector3d(-0.3, -0.8, -0.3)).norm() < 1e-12);
+  CHECK((thing.object().bodies[1].X_PB.p - Vector3d(-0.6, -0.8, -0.3)).norm() < 1e-12);
+}
+
 TEST_CASE("all errors of an object are found in one go") {
   const Assembling thing(
       "params: {r: -0.01, n: 2.5}\n"
