@@ -135,7 +135,8 @@ void Assembly::AddJoint(Scope& scope, const spec::Entry& entry, sample::StreamId
   if (const spec::Field* field = entry.Find(Key::kStart)) {
     RequestedStart& start = starts_.emplace_back();
     start.key = "start";
-    start.position = {.joint = joint.name, .shown = *name, .numbers = {}, .mark = field->mark};
+    start.position = {
+        .joint = joint.name, .shown = *name, .numbers = {}, .dimension = {}, .mark = field->mark};
     scope.values.Vector(field->value,
                         sample::Child(sample::Child(joints, std::string_view(*name)), "start"),
                         start.position.numbers);

@@ -13,6 +13,7 @@ namespace mjforge::assemble {
 namespace {
 
 using diag::Code;
+using expr::Dimension;
 
 // Tolerance at the ends of a range, because the conversion of a position from degrees to radians
 // rounds. Relative to the length of the range; for ball joints, an angle in rad.
@@ -26,6 +27,18 @@ bool IsWithin(const Eigen::Vector2d& range, double position) {
 // Returns true if the angle of the rotation q (w, x, y, z) is at most range[1], rad.
 bool IsTurnedWithin(const Eigen::Vector2d& range, const Eigen::Vector4d& q) {
   return 2 * std::acos(std::min(std::abs(q[0]), 1.0)) <= range[1] + kTolerance;
+}
+
+// Describes how the unit of a position differs from that of the joint; returns an empty text if
+// they agree.
+std::string UnitClash(const RequestedPosition& position, const model::Joint& joint) {
+  const Dimension unit = joint.type == "hinge"   ? Dimension::Angle()
+                         : joint.type == "slide" ? Dimension(1, 0, 0)
+                                                 : Dimension::Count();
+  if (position.dimension.is_plain() || position.dimension == unit) return {};
+  return fmt::format("is {}, but this is in {}",
+                     unit.is_plain() ? "a quaternion" : "in " + unit.Text(),
+                     position.dimension.Text());
 }
 
 std::string FreeHint(std::string_view what) {
@@ -61,6 +74,7 @@ std::optional<sample::Numbers> Assembly::ToQpos(std::string_view what,
     return std::nullopt;
   };
   if (joint.type == "free") return bad("cannot be set: it is free", FreeHint(what));
+  if (const std::string clash = UnitClash(position, joint); !clash.empty()) return bad(clash);
   const std::size_t wanted = joint.type == "ball" ? 4 : 1;
   if (numbers.size() != wanted) {
     return bad(fmt::format("has {} numbers, but a {} takes {}", numbers.size(), joint.type, wanted),

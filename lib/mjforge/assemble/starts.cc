@@ -44,7 +44,10 @@ void Assembly::ReadStart(Scope& scope, const spec::Entry& entry, sample::StreamI
     start.q = X->q;
   for (const spec::Field& field : entry.fields) {
     const Key key = field.info->id;
-    if (key == Key::kValue) scope.values.Vector(field.value, path, start.position.numbers);
+    if (key == Key::kValue) {
+      scope.values.Vector(field.value, path, start.position.numbers);
+      start.position.dimension = expr::DimensionAt(field.value.dimensions, 0);
+    }
     if (key == Key::kVelocity) reader.Numbers(field, start.velocity);
     if (key == Key::kCtrl) start.ctrl = reader.Number(field);
     if (key == Key::kAct) start.act = reader.Number(field);

@@ -15,6 +15,7 @@ struct RequestedPosition {
   std::string joint;  // full name
   std::string shown;  // name as written in the spec
   sample::Numbers numbers;
+  expr::Dimension dimension;  // dimension of each number; unknown if it was checked before
   diag::SourceMark mark;
 };
 

@@ -73,6 +73,26 @@ TEST_CASE("a start outside of the joint's range is an error of its key") {
         "3:38 start of joint 'turn' is 2, outside its range 0 .. 1");
 }
 
+TEST_CASE("a start in a unit that its joint does not have is an error") {
+  const std::string text =
+      "joints: [{name: slip, type: slide}, {name: turn}]\n"
+      "parts: [{name: p, type: sphere, size: 1}]\n"
+      "params: {far: 1m, angle: {choice: [1deg, 2deg]}}\n";
+  CHECK(OnlyFinding(text + "pose: {turn: far / 2}\n") ==
+        "6:8 pose of joint 'turn' is in rad, but this is in m");
+  CHECK(OnlyFinding(text + "pose: [{joint: slip, value: angle}]\n") ==
+        "6:8 pose of joint 'slip' is in m, but this is in rad");
+  CHECK(OnlyFinding("joints: [{name: socket, type: ball}]\n"
+                    "parts: [{name: p, type: sphere, size: 1}]\n"
+                    "pose: {socket: [1m, 0, 0, 0]}\n") ==
+        "5:8 pose of joint 'socket' is a quaternion, but this is in m");
+  CHECK(OnlyFinding("parts: [{name: p, type: sphere, size: 1}]\n"
+                    "bodies: [{name: arm, joints: [{name: turn}], parts: [{name: q, type: sphere, "
+                    "size: 1}]}]\n"
+                    "expect: [{gap: [p, q], min: -9, at: {turn: 5mm}}]\n") ==
+        "5:38 position of joint 'turn' is in rad, but this is in m");
+}
+
 TEST_CASE("a free body starts at its pose with its velocity, in the frame of its parent") {
   const TemporaryFolder folder;
   folder.Write("set.yaml",
