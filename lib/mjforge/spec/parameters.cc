@@ -131,6 +131,30 @@ void CheckKey(const ParameterNode& declared, const Value& value, Context& contex
       fmt::format("the rows are {}", SomeOf(declared.rows->names)));
 }
 
+// Reports a unit that is not an SI unit, because the values of parameters are in SI units.
+void CheckIsSi(const Parameter& parameter, diag::SourceMark mark, Context& context) {
+  const auto unit = expr::FindUnit(parameter.unit);
+  if (!unit || unit->is_si) return;
+  const std::string si = unit->dimension.Text();
+  context.findings.Add(
+      Code::kSpecBadValue, mark,
+      fmt::format("'{}' is not a unit of parameters, whose values are in {}", parameter.unit, si),
+      fmt::format("write `unit: {}`, and 15{} for 15 {}", si, parameter.unit, parameter.unit));
+}
+
+// Reports `unit:` of a setting that differs from the unit of the parameter.
+void CheckUnitOfSetting(const Parameter& own, const YamlNode& setting, Context& context) {
+  const YamlNode* node = setting.Find("unit");
+  if (node == nullptr || own.value.type != expr::Type::kNumber) return;
+  Parameter given;
+  given.unit = context.values.ReadPlainText("unit", *node);
+  CheckIsSi(given, node->mark, context);
+  const auto dimensions = DimensionsOf(given.unit);
+  if (!dimensions) return;
+  context.values.CheckUnit(fmt::format("parameter '{}'", own.name), own.value.dimensions,
+                           {.mark = node->mark, .dimensions = *dimensions});
+}
+
 // Assigns the dimensions of a parameter's unit to its value, and reports a value of other
 // dimensions.
 void ApplyUnit(Parameter& parameter, Context& context) {
@@ -145,17 +169,6 @@ void ApplyUnit(Parameter& parameter, Context& context) {
   }
 }
 
-// Reports a unit that is not an SI unit, because the values of parameters are in SI units.
-void CheckIsSi(const Parameter& parameter, diag::SourceMark mark, Context& context) {
-  const auto unit = expr::FindUnit(parameter.unit);
-  if (!unit || unit->is_si) return;
-  const std::string si = unit->dimension.Text();
-  context.findings.Add(
-      Code::kSpecBadValue, mark,
-      fmt::format("'{}' is not a unit of parameters, whose values are in {}", parameter.unit, si),
-      fmt::format("write `unit: {}`, and 15{} for 15 {}", si, parameter.unit, parameter.unit));
-}
-
 // Reads the value of a parameter. `own` is the parameter as the spec declares it, if a setting
 // replaces its value; otherwise null. `key` is the key of a record if the parameter is another
 // column of the record; otherwise null.
@@ -167,6 +180,7 @@ void ReadOne(Parameter& parameter, const ParameterNode& declared, const Paramete
   if (own != nullptr) {
     parameter.value = context.values.ReadLike(own->value, node, extra_keys);
     CheckSetting(*own, node, parameter, context);
+    if (IsLongForm(node)) CheckUnitOfSetting(*own, node, context);
     if (declared.is_key()) CheckKey(declared, parameter.value, context);
   } else if (key != nullptr) {
     parameter.value = context.values.ReadDrawOf(declared.kind, node);
@@ -348,12 +362,14 @@ void ReadParameters(const YamlNode* params, const YamlNode* require,
   std::vector<bool> in_cycle(declared.size());
   const auto on_cycle = [&](const std::vector<std::size_t>& path) {
     std::vector<std::string_view> circle;
+    diag::SourceMark mark = parameters[path[0]].mark;
     for (const std::size_t i : path) {
       in_cycle[i] = true;
       circle.push_back(parameters[i].name);
+      if (is_set[i]) mark = declared[i].value.mark;
     }
     context.findings.Add(
-        Code::kSpecCycle, parameters[path[0]].mark,
+        Code::kSpecCycle, mark,
         fmt::format("parameters depend on each other: {}", fmt::join(circle, " -> ")));
   };
   for (const std::size_t at : TopologicalOrder(UsesOf(declared, spec.names), on_cycle)) {

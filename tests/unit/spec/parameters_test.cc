@@ -138,6 +138,26 @@ TEST_CASE("a setting of another kind is one finding, at the setting", "[params]"
   CHECK(report("length", "half.y") == Strings{});
 }
 
+TEST_CASE("a setting in another unit, or in a circle, is reported at the setting", "[params]") {
+  const std::string yaml =
+      "mjforge: 1\nname: t\nparams: {length: {value: 1cm, unit: m}, ratio: 2, d: 2 * length}\n"
+      "parts: [{name: a, type: sphere, size: d * ratio}]\n";
+  const auto report = [&yaml](const std::string& text) {
+    const Loaded loaded = Load(yaml, {{.name = "length", .text = text}});
+    for (const auto& finding : loaded.findings)
+      CHECK(loaded.sources.Name(finding.mark.file) == "--set");
+    return loaded.Report();
+  };
+  CHECK(report("{value: 2, unit: m}") == Strings{});
+  CHECK(report("{value: 2, unit: rad}") ==
+        Strings{"1:26 expr/units: parameter 'length' is in m, but this is in rad"});
+  CHECK(report("{value: 2, unit: mm}") ==
+        Strings{"1:26 spec/bad-value: 'mm' is not a unit of parameters, whose values are in m "
+                "(write `unit: m`, and 15mm for 15 mm)"});
+  CHECK(report("d / 2") ==
+        Strings{"1:9 spec/cycle: parameters depend on each other: length -> d -> length"});
+}
+
 TEST_CASE("a list of one number is a number", "[params]") {
   const std::string yaml =
       "mjforge: 1\nname: t\nparams: {r: [1 .. 2]}\n"
