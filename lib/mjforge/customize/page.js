@@ -590,7 +590,7 @@
     on("reset", "click", () => change(() => { ({ pins, seed, index } = JSON.parse(states[0])); pose("view"); }));
     on("dice", "click", () => setNumber("seed", String(Math.floor(Math.random() * 2 ** 32))));
     for (const id of ["seed", "index"])
-      on(id, "change", () => /^\d{1,19}$/.test(byId(id).value) ? setNumber(id, byId(id).value) : showHistory());
+      on(id, "change", () => /^\d{1,20}$/.test(byId(id).value) && BigInt(byId(id).value) < 2n ** 64n ? setNumber(id, byId(id).value) : showHistory());
     for (const button of document.querySelectorAll("[data-export]")) button.addEventListener("click", () => take(button.dataset.export));
     listenToView();
   }
