@@ -107,6 +107,12 @@ TEST_CASE_METHOD(ReplayTest, "a file leads to its spec through the manifest of i
         "  hint: pass its file with --spec\n");
 }
 
+TEST_CASE_METHOD(ReplayTest, "a folder stands for its manifest") {
+  CHECK(Run({"replay", "out:2"}).err == "out:2: regenerated, same bytes\n");
+  CHECK(Run({"replay", "out/:1"}).status == 0);
+  CHECK(Run({"replay", ".:1"}).err.find("'./manifest.jsonl'") != std::string::npos);
+}
+
 TEST_CASE_METHOD(ReplayTest, "replay of a spec that is gone says how to name it") {
   std::filesystem::rename(folder() / "crate.yaml", folder() / "old.yaml");
   const auto result = Run({"replay", "out/manifest.jsonl:2"});

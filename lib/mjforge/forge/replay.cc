@@ -28,8 +28,16 @@ std::optional<std::pair<std::string, std::uint64_t>> SplitIndex(const std::strin
   return std::pair(what.substr(0, colon), *index);
 }
 
-std::optional<Original> FromManifest(const std::filesystem::path& file, std::uint64_t index,
+// Returns the original of a record. `file` is a manifest, or a folder that contains one.
+std::optional<Original> FromManifest(std::filesystem::path file, std::uint64_t index,
                                      diag::Sources& sources, diag::Findings& findings) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) {
+    output::Destination folder;
+    folder.kind = output::Destination::Kind::kFolder;
+    folder.path = std::move(file);
+    file = folder.Manifest({});
+  }
   std::optional<manifest::Record> record = manifest::FindRecord(file, index, sources, findings);
   if (!record) return std::nullopt;
   Original original;
