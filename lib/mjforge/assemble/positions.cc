@@ -30,15 +30,12 @@ bool IsTurnedWithin(const Eigen::Vector2d& range, const Eigen::Vector4d& q) {
 }
 
 // Describes how the unit of a position differs from that of the joint; returns an empty text if
-// they agree.
+// they agree. The numbers of a ball joint were checked when the spec was read.
 std::string UnitClash(const RequestedPosition& position, const model::Joint& joint) {
-  const Dimension unit = joint.type == "hinge"   ? Dimension::Angle()
-                         : joint.type == "slide" ? Dimension(1, 0, 0)
-                                                 : Dimension::Count();
-  if (position.dimension.is_plain() || position.dimension == unit) return {};
-  return fmt::format("is {}, but this is in {}",
-                     unit.is_plain() ? "a quaternion" : "in " + unit.Text(),
-                     position.dimension.Text());
+  const Dimension unit = joint.type == "slide" ? Dimension(1, 0, 0) : Dimension::Angle();
+  if (joint.type == "ball" || position.dimension.is_plain() || position.dimension == unit)
+    return {};
+  return fmt::format("is in {}, but this is in {}", unit.Text(), position.dimension.Text());
 }
 
 std::string FreeHint(std::string_view what) {

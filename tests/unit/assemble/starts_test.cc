@@ -82,10 +82,6 @@ TEST_CASE("a start in a unit that its joint does not have is an error") {
         "6:8 pose of joint 'turn' is in rad, but this is in m");
   CHECK(OnlyFinding(text + "pose: [{joint: slip, value: angle}]\n") ==
         "6:8 pose of joint 'slip' is in m, but this is in rad");
-  CHECK(OnlyFinding("joints: [{name: socket, type: ball}]\n"
-                    "parts: [{name: p, type: sphere, size: 1}]\n"
-                    "pose: {socket: [1m, 0, 0, 0]}\n") ==
-        "5:8 pose of joint 'socket' is a quaternion, but this is in m");
   CHECK(OnlyFinding("parts: [{name: p, type: sphere, size: 1}]\n"
                     "bodies: [{name: arm, joints: [{name: turn}], parts: [{name: q, type: sphere, "
                     "size: 1}]}]\n"
