@@ -35,8 +35,9 @@ constexpr int kMaxIdleDeaths = 10;
 // time means that the leading process and the workers were stopped (Ctrl-Z).
 constexpr Seconds kMaxLookInterval{1};
 
-// Value that is sent in place of a length if the message is in the worker's mailbox.
-constexpr std::uint64_t kInSharedMemory = ~std::uint64_t{0};
+// Value that is sent in place of a length, plus the number of the message, if the message is in the
+// worker's mailbox.
+constexpr std::uint64_t kInSharedMemory = ~std::uint64_t{0} - kMaxTasksPerWorker;
 
 bool WriteLength(int descriptor, std::uint64_t size) {
   return SendAll(descriptor, {reinterpret_cast<const char*>(&size), sizeof(size)});
@@ -52,8 +53,7 @@ bool WriteResult(int channel, WorkerMailbox& mailbox, const ChunkResult& result)
   char* const room = mailbox.BufferFor(size);
   if (room == nullptr) return WriteMessage(channel, Encode(result));
   EncodeTo(room, result);
-  mailbox.Publish(size);
-  return WriteLength(channel, kInSharedMemory);
+  return WriteLength(channel, kInSharedMemory + mailbox.Publish(room, size));
 }
 
 std::optional<std::string> ReadMessage(int descriptor) {
@@ -85,10 +85,10 @@ std::optional<std::string> ReadMessage(int descriptor) {
   std::exit(status);
 }
 
-// Decodes the next message in the mailbox. The message's buffer is free again when the result is
+// Decodes a message in the mailbox. The message's buffer is free again when the result is
 // destroyed.
-ChunkResult ReadSharedResult(const std::shared_ptr<WorkerMailbox>& mailbox) {
-  const std::string_view message = mailbox->Take();
+ChunkResult ReadSharedResult(const std::shared_ptr<WorkerMailbox>& mailbox, std::uint64_t number) {
+  const std::string_view message = mailbox->Take(number);
   return DecodeResult(
       message, {message.data(), [mailbox, message](const char*) { mailbox->Release(message); }});
 }
@@ -249,11 +249,12 @@ void Pool::Receive(WorkerProcess& worker) {
   std::uint64_t size = 0;
   while (worker.buffer.size() - at >= sizeof(size)) {
     std::memcpy(&size, worker.buffer.data() + at, sizeof(size));
-    const bool is_shared = size == kInSharedMemory;
+    const bool is_shared = size >= kInSharedMemory;
+    const std::uint64_t number = size - kInSharedMemory;
     if (is_shared) size = 0;
     if (worker.buffer.size() - at - sizeof(size) < size) break;
     results_.push_back(
-        is_shared ? ReadSharedResult(worker.mailbox)
+        is_shared ? ReadSharedResult(worker.mailbox, number)
                   : ReadResult(std::string_view(worker.buffer).substr(at + sizeof(size), size)));
     worker.assigned.pop_front();
     RecordProgress(worker);

@@ -42,42 +42,52 @@ class WorkerMailbox {
   bool IsAskedToStop() const { return stop_.load(std::memory_order_relaxed); }
 
   /// Returns shared memory for a message, which saves copying it through the channel; null if the
-  /// message is too long or no buffer is free.
+  /// message is too long or no buffer is free. The memory is always the first free buffer, which is
+  /// probably still in the processor's cache.
   char* BufferFor(std::size_t size) {
-    SharedMessage& message = messages_[published_ % messages_.size()];
-    const bool is_free = message.size.load(std::memory_order_acquire) == 0;
-    return is_free && size <= message.bytes.size() ? message.bytes.data() : nullptr;
+    if (size > kBufferBytes) return nullptr;
+    const auto is_free = [](const SharedMessage& message) {
+      return message.size.load(std::memory_order_acquire) == 0;
+    };
+    const auto found = std::ranges::find_if(messages_, is_free);
+    return found == messages_.end() ? nullptr : found->bytes.data();
   }
-  /// Publishes the message of `size` bytes in the memory that BufferFor returned.
-  void Publish(std::size_t size) {
-    messages_[published_++ % messages_.size()].size.store(size, std::memory_order_release);
+  /// Publishes the message of `size` bytes in the memory `room` that BufferFor returned. Returns
+  /// the message's number, less than kMaxTasksPerWorker.
+  std::uint64_t Publish(const char* room, std::size_t size) {
+    SharedMessage& message = MessageAt(room);
+    message.size.store(size, std::memory_order_release);
+    return static_cast<std::uint64_t>(&message - messages_.data());
   }
-  /// Returns the next published message, which remains until it is released. The caller must know
-  /// that there is such a message.
-  std::string_view Take() {
-    const SharedMessage& message = messages_[taken_++ % messages_.size()];
+  /// Returns the published message with this number, which remains until it is released.
+  std::string_view Take(std::uint64_t number) const {
+    const SharedMessage& message = messages_.at(number);
     // Limits the size, because a crashing worker may have overwritten it.
     return {message.bytes.data(),
             std::min(message.size.load(std::memory_order_acquire), message.bytes.size())};
   }
   /// Frees the buffer of a message that Take returned.
   void Release(std::string_view message) {
-    const auto is_it = [&](const SharedMessage& m) { return m.bytes.data() == message.data(); };
-    std::ranges::find_if(messages_, is_it)->size.store(0, std::memory_order_release);
+    MessageAt(message.data()).size.store(0, std::memory_order_release);
   }
 
  private:
+  static constexpr std::size_t kBufferBytes = std::size_t{2} << 20;  // enough for most results
+  struct SharedMessage {
+    std::atomic<std::uint64_t> size = 0;
+    std::array<char, kBufferBytes> bytes;
+  };
+
+  SharedMessage& MessageAt(const char* room) {
+    return *std::ranges::find_if(messages_,
+                                 [&](const SharedMessage& m) { return m.bytes.data() == room; });
+  }
+
   static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
   std::atomic<std::uint64_t> index_ = 0;
   std::atomic<std::uint64_t> turn_ = 0;
   std::atomic<bool> stop_ = false;
-  struct SharedMessage {
-    std::atomic<std::uint64_t> size = 0;
-    std::array<char, std::size_t{2} << 20> bytes;  // enough for most results
-  };
   std::array<SharedMessage, kMaxTasksPerWorker> messages_;
-  std::uint64_t published_ = 0;  // number of published messages, counted by the worker
-  std::uint64_t taken_ = 0;      // number of taken messages, counted by the leader
 };
 
 /// A function that performs a task in a worker.

@@ -108,27 +108,29 @@ TEST_CASE("results of any length arrive whole and in order") {
 
 TEST_CASE("a mailbox holds a message for each task until they are removed") {
   const auto mailbox = std::make_unique<WorkerMailbox>();
-  const auto leave = [&mailbox](std::string_view message) {
+  // Returns the number of the message; 99 if there is no room for it.
+  const auto leave = [&mailbox](std::string_view message) -> std::uint64_t {
     char* const room = mailbox->BufferFor(message.size());
-    if (room == nullptr) return false;
+    if (room == nullptr) return 99;
     message.copy(room, message.size());
-    mailbox->Publish(message.size());
-    return true;
+    return mailbox->Publish(room, message.size());
   };
+  std::uint64_t number = 0;
   for (const std::string_view message : {"first", "second", "third", "fourth"})
-    CHECK(leave(message));
-  CHECK_FALSE(leave("fifth"));
-  const std::string_view first = mailbox->Take();
-  const std::string_view second = mailbox->Take();
+    CHECK(leave(message) == number++);
+  CHECK(leave("fifth") == 99);
+  const std::string_view first = mailbox->Take(0);
+  const std::string_view third = mailbox->Take(2);
   CHECK(first == "first");
-  CHECK(second == "second");
+  CHECK(third == "third");
+  mailbox->Release(third);
+  CHECK(leave(std::string(std::size_t{3} << 20, 'x')) == 99);
+  CHECK(leave("fifth") == 2);
+  CHECK(leave("sixth") == 99);
   mailbox->Release(first);
-  CHECK_FALSE(leave(std::string(std::size_t{3} << 20, 'x')));
-  CHECK(leave("fifth"));
-  CHECK_FALSE(leave("sixth"));
-  CHECK(second == "second");
-  for (const std::string_view message : {"third", "fourth", "fifth"})
-    CHECK(mailbox->Take() == message);
+  CHECK(leave("sixth") == 0);
+  for (const std::string_view message : {"sixth", "second", "fifth", "fourth"})
+    CHECK(mailbox->Take(number++ % 4) == message);
 }
 
 TEST_CASE("results that are kept stay as they are, whatever becomes of their worker") {
