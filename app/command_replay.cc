@@ -24,8 +24,8 @@ ExitStatus Replay(const forge::ReplayRequest& request, Console& console) {
 
 Action AddReplay(CLI::App& command) {
   auto request = std::make_shared<forge::ReplayRequest>();
-  AddArgument(command, "WHAT", request->what,
-              "MANIFEST:INDEX, FOLDER:INDEX or a generated FILE.xml", ".jsonl .zst .xml");
+  AddArgument(command, "WHAT", request->what, "MANIFEST:INDEX, FOLDER:INDEX or FILE.xml",
+              ".jsonl .zst .xml");
   command.add_option("--spec", request->spec, "The spec, if it has moved")
       ->option_text("SPEC")
       ->check(Offers(kSpecs));
