@@ -135,11 +135,22 @@ class TableReader {
     const auto rows = std::span(rows_).subspan(1);
     CheckUnit(unit, header.mark);
     column.is_text = unit == "text" || (unit.empty() && !std::ranges::all_of(rows, is_number));
+    if (i > 0 && column.is_text && unit.empty() && std::ranges::any_of(rows, is_number))
+      WarnOfTexts(column, (*std::ranges::find_if_not(rows, is_number))[i]);
     const std::optional<expr::NamedUnit> named = expr::FindUnit(unit);
     if (named) column.unit = named->is_si ? std::string(unit) : named->dimension.Text();
     for (const TableRow& row : rows)
       column.cells.push_back(column.is_text ? Text(row[i]) : Number(row[i], unit));
     return column;
+  }
+
+  // Warns that a column of numbers is text because of one cell, which may be a typing error. The
+  // first column is exempt, because it has the rows' names.
+  void WarnOfTexts(const TableColumn& column, const TableCell& cell) {
+    findings_.Warn(
+        Code::kSpecBadTable, cell.mark,
+        fmt::format("column '{}' is text, because '{}' is not a number", column.name, cell.text),
+        fmt::format("write `{} [text]` in the header if this is meant", column.name));
   }
 
   void CheckUnit(std::string_view& unit, SourceMark mark) {

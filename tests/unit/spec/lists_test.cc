@@ -162,6 +162,15 @@ TEST_CASE("a table is a CSV file with a header") {
   CHECK(ReportOfTable("r,name [text]\n3,1\n3,2\n").empty());
 }
 
+TEST_CASE("a column of numbers and texts is told, unless its header says that it is text") {
+  const Strings mixed = ReportOfTable("name,s,r [mm]\nM3,3,3\nM4,4x,4\nM5,x,5\n");
+  CHECK(mixed ==
+        Strings{"3:4 spec/bad-table: column 's' is text, because '4x' is not a number (write `s "
+                "[text]` in the header if this is meant)"});
+  CHECK(ReportOfTable("name,s [text],r [mm]\nM3,3,3\nM4,4x,4\n").empty());
+  CHECK(ReportOfTable("name,r [mm]\n3,3\nM4,4\n").empty());  // names
+}
+
 TEST_CASE("what is wrong in a table is told at its place") {
   CHECK(ReportOfTable("").at(0).starts_with("1:1 spec/bad-table: the table has no rows"));
   CHECK(ReportOfTable("name,r\n").at(0).starts_with("1:1 spec/bad-table: the table has no rows"));
