@@ -119,15 +119,18 @@ class Verification {
     if (seal->output.empty()) CheckObjects(manifest);
   }
 
-  // Checks the batch or shard of a manifest, unless the shard was merged: the merged manifest has
-  // its records, too.
+  // Checks the batch or shard of a manifest, unless the shard was merged into a manifest, which is
+  // checked, too, and has the shard's records.
   void CheckUnlessMerged(const std::filesystem::path& manifest) {
     std::string ignored;
-    std::error_code error;
     const auto seal = manifest::ReadSealBeside(manifest, ignored);
-    if (seal && seal->shards > 1 &&
-        std::filesystem::exists(WholeOf(manifest, {seal->shard, seal->shards}), error)) {
-      return;
+    if (seal && seal->shards > 1) {
+      const auto whole =
+          manifest::ReadSealBeside(WholeOf(manifest, {seal->shard, seal->shards}), ignored);
+      if (whole && whole->shards == 1 && whole->spec == seal->spec &&
+          DifferenceOfShards(*seal, *whole).empty()) {
+        return;
+      }
     }
     CheckBatch(manifest);
   }
@@ -158,11 +161,9 @@ class Verification {
     return manifest.replace_filename(name);
   }
 
-  // Reports the missing manifests of shards, for all checked batches without a merged manifest.
+  // Reports the missing manifests of shards, for all checked batches that were not merged.
   void ReportMissingShards() {
-    std::error_code ignored;
     for (const auto& [whole, batches] : shards_) {
-      if (std::filesystem::exists(whole, ignored)) continue;
       for (const auto& [count, shards] : batches) ReportMissingShards(whole, count, shards.present);
     }
   }

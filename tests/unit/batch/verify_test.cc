@@ -147,6 +147,32 @@ TEST_CASE_METHOD(VerifyTest, "shards that were merged are not counted again") {
   CHECK(verified.files == apart.files - 1);  // one manifest in place of two
 }
 
+TEST_CASE_METHOD(VerifyTest, "shards beside the manifest of another batch are verified") {
+  Make(Of(20, "out"));
+  Request request = Of(100, "out");
+  for (request.shard = {.index = 0, .count = 2}; request.shard.index < 2; ++request.shard.index)
+    Make(request);
+  CHECK(IsGood("out"));
+  CHECK(verified.variants == 120);
+  std::string last;
+  for (const auto& [name, bytes] : Bytes("out")) {
+    if (name.ends_with(".xml")) last = name;
+  }
+  std::filesystem::remove(folder / "out" / last);
+  CHECK_FALSE(IsGood("out"));
+}
+
+TEST_CASE_METHOD(VerifyTest, "merged shards are verified where the merged seal is lost") {
+  Request request = Of(100, "out/x_%d.tar", 30);
+  for (request.shard = {.index = 0, .count = 2}; request.shard.index < 2; ++request.shard.index)
+    Make(request);
+  REQUIRE(Merge(request.destination, false, sources, findings) == 100);
+  std::filesystem::remove(folder / "out/x.manifest.seal.json");
+  CHECK(IsGood("out/x_%d.tar"));
+  CHECK(verified.variants == 100);
+  CHECK_FALSE(IsGood("out"));
+}
+
 TEST_CASE_METHOD(VerifyTest, "shards of different batches are no batch") {
   Request request = Of(100, "out");
   request.shard = {.index = 0, .count = 2};
