@@ -42,12 +42,12 @@ bool ArchiveSink::Finish(diag::Findings& findings) {
   return (!is_open || CloseArchive(findings)) && journal_.Finish(findings);
 }
 
-void ArchiveSink::Drop() {
+void ArchiveSink::Drop(bool) {
   if (archive_) archive_->Drop();
   std::error_code ignored;
   for (const manifest::SealedFile& empty : journal_.closed_archives())
     std::filesystem::remove(destination_.Folder() / empty.file, ignored);
-  journal_.Drop();
+  journal_.Drop(journal_.closed_archives().empty());
 }
 
 // Returns the number of the archive that contains the variant.

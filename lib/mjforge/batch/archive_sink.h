@@ -23,7 +23,7 @@ class ArchiveSink : public JournaledSink {
 
   bool Take(ChunkResult& result, diag::Findings& findings) override;
   bool Finish(diag::Findings& findings) override;
-  void Drop() override;
+  void Drop(bool is_broken) override;
 
  protected:
   std::optional<ResumedVariants> Continue(diag::Findings& findings) override;

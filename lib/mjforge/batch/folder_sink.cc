@@ -42,7 +42,10 @@ class FolderSink : public JournaledSink {
            journal_.Finish(findings);
   }
 
-  void Drop() override { journal_.Drop(); }
+  // Keeps the journal if a finished batch is hidden of which workers may have replaced files.
+  void Drop(bool is_broken) override {
+    if (!is_broken || !journal_.has_hidden()) journal_.Drop();
+  }
 
   void RemoveAbandoned() const override {
     output::RemoveAbandoned(destination_.path, options_.range.first, options_.range.count);

@@ -107,10 +107,18 @@ void Journal::RemoveEmptyFiles() {
   }
 }
 
-// Returns the number of variants that the earlier run, whose seal is given, has made.
-std::uint64_t Journal::VariantsIn(const Seal& seal) const {
-  if (!is_unfinished_) return seal.manifest.file == file_.filename() ? seal.records : 0;
-  return checkpoints_.empty() ? 0 : CountBefore(checkpoints_.back());
+// Returns the number of variants that earlier runs have made; may stop counting above the number
+// that this run needs.
+std::uint64_t Journal::VariantsMade() const {
+  const std::uint64_t unfinished = checkpoints_.empty() ? 0 : CountBefore(checkpoints_.back());
+  if (previous_seal_ && previous_seal_->manifest.file == file_.filename())
+    return std::max(unfinished, previous_seal_->records);
+  std::string why_not;
+  std::optional<bytes::LineReader> lines = bytes::LineReader::Open(file_, why_not);
+  std::uint64_t finished = 0;  // counted, because the seal is lost
+  for (std::string line; finished <= seal_.records && lines && lines->Next(line, why_not);)
+    ++finished;
+  return std::max(unfinished, finished);
 }
 
 // Returns false, after adding a finding, if the earlier run, finished or not, made another batch,
@@ -120,12 +128,11 @@ bool Journal::IsOfThisBatch(diag::Findings& findings) const {
   const std::optional<Seal>& seal = is_unfinished_ ? journal_seal_ : previous_seal_;
   if (!seal) {  // compares the first record, which has the options that determine the objects
     const auto is_enough = [](const manifest::Record&) { return false; };
-    return ReadResumable(manifest, options_, is_enough, findings).has_value();
+    if (!ReadResumable(manifest, options_, is_enough, findings)) return false;
   }
-  std::string difference = manifest::DifferenceOfOutput(*seal, seal_);
-  const std::uint64_t made = VariantsIn(*seal);
-  if (difference.empty() && made > seal_.records)
-    difference = fmt::format("it has {} variants, not {}", made, seal_.records);
+  std::string difference = seal ? manifest::DifferenceOfOutput(*seal, seal_) : std::string();
+  if (difference.empty() && VariantsMade() > seal_.records)
+    difference = fmt::format("it has more than {} variants", seal_.records);
   if (!difference.empty()) ReportOtherBatch(manifest, difference, findings);
   return difference.empty();
 }
@@ -250,10 +257,10 @@ bool Journal::AppendLine(const std::string& line, diag::Findings& findings) {
 // of that batch. Otherwise a manifest would describe other files if this run stopped.
 void Journal::HideFormer() {
   if (options_.request.resume) return;  // files get the bytes that the manifest describes
-  has_hidden_ = true;
   for (const auto& file : {file_, manifest::SealPathOf(file_)}) {
-    std::error_code ignored;
-    std::filesystem::rename(file, FormerNameOf(file), ignored);
+    std::error_code error;
+    std::filesystem::rename(file, FormerNameOf(file), error);
+    has_hidden_ |= !error;
   }
 }
 
@@ -262,6 +269,13 @@ void Journal::ShowFormer() {
   for (const auto& file : {manifest::SealPathOf(file_), file_}) {
     std::error_code ignored;
     std::filesystem::rename(FormerNameOf(file), file, ignored);
+  }
+}
+
+void Journal::RemoveFormer() {
+  for (const auto& file : {manifest::SealPathOf(file_), file_}) {
+    std::error_code ignored;
+    std::filesystem::remove(FormerNameOf(file), ignored);
   }
 }
 
@@ -347,7 +361,7 @@ bool Journal::Finish(diag::Findings& findings) {
   seal_.manifest.content = {manifest_file_->size(), manifest_file_->checksum()};
   seal_.archives = closed_archives_;
   const bool if_changed = request.if_changed || request.resume;
-  ShowFormer();  // an equal manifest remains as it is
+  if (request.if_changed && has_hidden_) ShowFormer();  // an equal manifest remains as it is
   // The manifest gets its final name last, because a manifest with this name means that all other
   // files exist.
   if (!output::WriteFile(manifest::SealPathOf(file_), manifest::SealText(seal_), if_changed,
@@ -355,14 +369,15 @@ bool Journal::Finish(diag::Findings& findings) {
       !manifest_file_->Commit(if_changed, request.durability, findings)) {
     return false;
   }
+  RemoveFormer();
   journal_file_->Drop();
   return true;
 }
 
-void Journal::Drop() {
+void Journal::Drop(bool shows_former) {
   manifest_file_->Drop();
   journal_file_->Drop();
-  if (has_hidden_) ShowFormer();
+  if (has_hidden_ && shows_former) ShowFormer();
 }
 
 }  // namespace mjforge::batch

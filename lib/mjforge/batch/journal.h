@@ -88,18 +88,22 @@ class Journal {
                         diag::Findings& findings);
   /// Completes the manifest, writes the seal, and renames the manifest to its final name.
   bool Finish(diag::Findings& findings);
-  /// Removes the journal and the manifest under construction.
-  void Drop();
+  /// Removes the journal and the manifest under construction. With `shows_former`, a hidden
+  /// manifest gets its name again.
+  void Drop(bool shows_former = true);
+  /// Returns true if this run gave the manifest of a finished batch a hidden name.
+  bool has_hidden() const { return has_hidden_; }
 
  private:
   bool MayReplaceOutputs(diag::Findings& findings) const;
   bool MayReplaceSnapshot(diag::Findings& findings) const;
   void RemoveEmptyFiles();
-  std::uint64_t VariantsIn(const manifest::Seal& seal) const;
+  std::uint64_t VariantsMade() const;
   bool IsOfThisBatch(diag::Findings& findings) const;
   void ReadPreviousSeal();
   void HideFormer();
   void ShowFormer();
+  void RemoveFormer();
   void ReadJournal();
   bool ReadLine(std::string_view line, std::uint64_t end);
   bool ReadCheckpoint(std::istringstream& words, std::uint64_t end);
@@ -114,7 +118,7 @@ class Journal {
   std::optional<manifest::Seal> previous_seal_;
   std::optional<manifest::Seal> journal_seal_;  // seal in the first line of the journal
   bool is_unfinished_ = false;
-  bool has_hidden_ = false;  // this run gave the manifest of a finished batch a hidden name
+  bool has_hidden_ = false;
   std::vector<Checkpoint> checkpoints_;
   std::vector<HashedAsset> assets_;  // assets of the folder or of the archive under construction
   std::vector<manifest::SealedFile> closed_archives_;

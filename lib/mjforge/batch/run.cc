@@ -230,7 +230,7 @@ class BatchRun {
         is_broken ? summary_.done() == 0 : summary_.ok == 0 && request_.shard.IsWhole();
     const bool is_withheld = request_.all_or_nothing && summary_.failed > 0;
     if (has_nothing) {
-      sink.Drop();
+      sink.Drop(is_broken);
     } else if (!WriteSnapshot(output_findings)) {
       summary_.files_failed = true;
     } else if (!is_broken &&

@@ -38,8 +38,9 @@ class Sink {
   virtual bool Take(ChunkResult&, diag::Findings&) { return true; }
   /// Finishes a complete batch: gives the output its final name.
   virtual bool Finish(diag::Findings&) { return true; }
-  /// Removes the output of a batch that has no variant.
-  virtual void Drop() {}
+  /// Removes the output of a batch that has no variant. `is_broken`: the batch was stopped, so that
+  /// workers may have written files that no record mentions.
+  virtual void Drop(bool /*is_broken*/) {}
   /// Removes the temporary files of workers that were killed.
   virtual void RemoveAbandoned() const {}
 };

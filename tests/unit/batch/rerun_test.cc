@@ -44,6 +44,39 @@ TEST_CASE("a batch without a variant keeps the finished one") {
   CHECK(test.Bytes("out") == before);
 }
 
+TEST_CASE("a manifest stays hidden if a run without a variant follows an interrupted one") {
+  CrateBatch test(kUnluckySpec);
+  std::uint64_t bad = 0;
+  const auto failing = [&](const std::string& output) {
+    Request request = test.Of(1, output, 1);
+    request.first = bad;
+    return request;
+  };
+  while (test.Make(failing("other")).ok == 1) ++bad;
+  const std::string output = GENERATE("out", "out/x_%d.tar");
+  INFO(output);
+  Request request = test.Of(500, output, 100);
+  test.Make(request);
+  request.variant.seed = 2;
+  REQUIRE(test.MakeUpTo(request, 300).interrupted);
+  CHECK(test.Make(failing(output)).ok == 0);
+  CHECK_FALSE(std::filesystem::exists(request.destination.Manifest({})));
+}
+
+TEST_CASE("a manifest stays hidden where workers may have replaced files before the first result") {
+  CrateBatch test(kBoxSpec);
+  Request request = test.Of(500, "out");
+  test.Make(request);
+  test.folder.Write("out/crate_000000.xml", "mine");
+  request.variant.seed = 2;
+  CHECK(test.Make(request).done() == 0);
+  CHECK_FALSE(std::filesystem::exists(test.folder / "out/manifest.jsonl"));
+  request.force = true;
+  request.resume = true;
+  CHECK(test.Make(request).ok == 500);
+  CHECK(std::filesystem::exists(test.folder / "out/manifest.jsonl"));
+}
+
 TEST_CASE("a batch that gets the same bytes keeps the time of its manifest where asked") {
   CrateBatch test(kBoxSpec);
   Request request = test.Of(30, "out");

@@ -121,6 +121,7 @@ TEST_CASE("objects of a batch that lost its seal are not written again") {
   std::filesystem::last_write_time(kept, time);
   test.folder.Write("out/crate_000006.xml", "");
   std::filesystem::remove(test.folder / "out/manifest.seal.json");
+  CHECK(test.Make(Resuming(test.Of(20, "out"))).files_failed);
   CHECK(test.Make(Resuming(request)).ok == 30);
   CHECK(test.Bytes("out") == whole);
   CHECK(std::filesystem::last_write_time(kept) == time);
@@ -133,7 +134,7 @@ TEST_CASE("a batch of other options, or with more variants, is not gone on with"
     const Request request = test.Of(500, output);
     const std::uint64_t made = (is_done ? test.Make(request) : test.MakeUpTo(request, 300)).done();
     const auto before = test.Bytes(output.substr(0, 3));
-    for (const std::string difference : {"seed is '1', not '2'", "variants, not 40"}) {
+    for (const std::string difference : {"seed is '1', not '2'", "it has more than 40 variants"}) {
       Request other = Resuming(test.Of(difference[0] == 's' ? 500 : 40, output));
       if (difference[0] == 's') other.variant.seed = 2;
       const Summary summary = test.Make(other);
