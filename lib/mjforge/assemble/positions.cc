@@ -33,9 +33,11 @@ bool IsTurnedWithin(const Eigen::Vector2d& range, const Eigen::Vector4d& q) {
 // they agree. The numbers of a ball joint were checked when the spec was read.
 std::string UnitClash(const RequestedPosition& position, const model::Joint& joint) {
   const Dimension unit = joint.type == "slide" ? Dimension(1, 0, 0) : Dimension::Angle();
-  if (joint.type == "ball" || position.dimension.is_plain() || position.dimension == unit)
-    return {};
-  return fmt::format("is in {}, but this is in {}", unit.Text(), position.dimension.Text());
+  if (joint.type == "ball") return {};
+  const auto differs = [&](const Dimension& given) { return !given.is_plain() && given != unit; };
+  const auto other = std::ranges::find_if(position.dimensions, differs);
+  if (other == position.dimensions.end()) return {};
+  return fmt::format("is in {}, but this is in {}", unit.Text(), other->Text());
 }
 
 std::string FreeHint(std::string_view what) {
@@ -45,6 +47,15 @@ std::string FreeHint(std::string_view what) {
 }
 
 }  // namespace
+
+void AddDimensions(const spec::Value& value, expr::Dimensions& dimensions) {
+  dimensions.insert(dimensions.end(), value.dimensions.begin(), value.dimensions.end());
+  const auto* draw = std::get_if<spec::Draw>(&value.form);
+  if (draw == nullptr || (draw->distribution != spec::Distribution::kChoice &&
+                          draw->distribution != spec::Distribution::kCycle))
+    return;
+  for (const spec::Value& option : draw->arguments) AddDimensions(option, dimensions);
+}
 
 void Assembly::ReportUnknownJoint(std::string_view what, const RequestedPosition& position) {
   const std::size_t prefix = position.joint.size() - position.shown.size();

@@ -15,9 +15,13 @@ struct RequestedPosition {
   std::string joint;  // full name
   std::string shown;  // name as written in the spec
   sample::Numbers numbers;
-  expr::Dimension dimension;  // dimension of each number; unknown if it was checked before
+  /// Dimensions of the numbers and of all options of a choice; empty if they were checked before.
+  expr::Dimensions dimensions;
   diag::SourceMark mark;
 };
+
+/// Appends the dimensions of a value's numbers, and of the options of a choice.
+void AddDimensions(const spec::Value& value, expr::Dimensions& dimensions);
 
 /// A start state that an entry of `pose:`, or `start:` of a joint, requests for a joint or an
 /// actuator.

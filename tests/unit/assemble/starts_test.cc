@@ -80,6 +80,8 @@ TEST_CASE("a start in a unit that its joint does not have is an error") {
       "params: {far: 1m, angle: {choice: [1deg, 2deg]}}\n";
   CHECK(OnlyFinding(text + "pose: {turn: far / 2}\n") ==
         "6:8 pose of joint 'turn' is in rad, but this is in m");
+  CHECK(OnlyFinding(text + "pose: {turn: {choice: [0, 1m]}}\n") ==
+        "6:8 pose of joint 'turn' is in rad, but this is in m");
   CHECK(OnlyFinding(text + "pose: [{joint: slip, value: angle}]\n") ==
         "6:8 pose of joint 'slip' is in m, but this is in rad");
   CHECK(OnlyFinding("parts: [{name: p, type: sphere, size: 1}]\n"
