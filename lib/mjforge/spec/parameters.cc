@@ -179,8 +179,10 @@ void ReadOne(Parameter& parameter, const ParameterNode& declared, const Paramete
       IsLongForm(node) ? std::span(kLongFormKeys) : std::span<const std::string_view>();
   if (own != nullptr) {
     parameter.value = context.values.ReadLike(own->value, node, extra_keys);
+    const std::size_t before = context.findings.size();
     CheckSetting(*own, node, parameter, context);
-    if (IsLongForm(node)) CheckUnitOfSetting(*own, node, context);
+    const bool is_good = context.findings.size() == before;
+    if (is_good && IsLongForm(node)) CheckUnitOfSetting(*own, node, context);
     if (declared.is_key()) CheckKey(declared, parameter.value, context);
   } else if (key != nullptr) {
     parameter.value = context.values.ReadDrawOf(declared.kind, node);

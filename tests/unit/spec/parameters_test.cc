@@ -151,6 +151,7 @@ TEST_CASE("a setting in another unit, or in a circle, is reported at the setting
   CHECK(report("{value: 2, unit: m}") == Strings{});
   CHECK(report("{value: 2, unit: rad}") ==
         Strings{"1:26 expr/units: parameter 'length' is in m, but this is in rad"});
+  CHECK(report("{value: 2kg, unit: kg}").size() == 1);
   CHECK(report("{value: 2, unit: mm}") ==
         Strings{"1:26 spec/bad-value: 'mm' is not a unit of parameters, whose values are in m "
                 "(write `unit: m`, and 15mm for 15 mm)"});
