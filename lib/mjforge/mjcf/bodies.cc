@@ -37,7 +37,7 @@ PrincipalInertia Diagonalize(const model::Body& body) {
     const Eigen::Vector3d moments = rotated.diagonal();
     if ((rotated - Eigen::Matrix3d(moments.asDiagonal())).cwiseAbs().maxCoeff() <=
         kRounding * inertia.trace())
-      return {*body.principal_axes, moments};
+      return {*body.principal_axes, moments.cwiseMax(0.0)};
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(inertia);
   Eigen::Matrix3d axes = solver.eigenvectors();
