@@ -72,7 +72,7 @@ void Assembly::AddExpectation(Scope& scope, const spec::Expectation& entry) {
     position.joint = scope.prefix + position.shown;
     position.mark = at.mark;
     scope.values.Vector(at.value, scope.values.root(), position.numbers);
-    AddDimensions(at.value, position.dimensions);
+    position.value = &at.value;
     const model::Joint* joint = model::FindJoint(object_, position.joint);
     if (joint == nullptr) {
       ReportUnknownJoint("at", position);

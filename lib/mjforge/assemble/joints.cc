@@ -136,7 +136,7 @@ void Assembly::AddJoint(Scope& scope, const spec::Entry& entry, sample::StreamId
     RequestedStart& start = starts_.emplace_back();
     start.key = "start";
     start.position = {
-        .joint = joint.name, .shown = *name, .numbers = {}, .dimensions = {}, .mark = field->mark};
+        .joint = joint.name, .shown = *name, .numbers = {}, .value = nullptr, .mark = field->mark};
     scope.values.Vector(field->value,
                         sample::Child(sample::Child(joints, std::string_view(*name)), "start"),
                         start.position.numbers);

@@ -29,15 +29,29 @@ bool IsTurnedWithin(const Eigen::Vector2d& range, const Eigen::Vector4d& q) {
   return 2 * std::acos(std::min(std::abs(q[0]), 1.0)) <= range[1] + kTolerance;
 }
 
+// Returns a dimension other than `unit` of the value's numbers, or of an option of a choice;
+// nullopt if there is none.
+std::optional<Dimension> OtherDimension(const spec::Value& value, const Dimension& unit) {
+  for (const Dimension& given : value.dimensions) {
+    if (!given.is_plain() && given != unit) return given;
+  }
+  const auto* draw = std::get_if<spec::Draw>(&value.form);
+  if (draw == nullptr || (draw->distribution != spec::Distribution::kChoice &&
+                          draw->distribution != spec::Distribution::kCycle))
+    return std::nullopt;
+  for (const spec::Value& option : draw->arguments) {
+    if (const auto other = OtherDimension(option, unit)) return other;
+  }
+  return std::nullopt;
+}
+
 // Describes how the unit of a position differs from that of the joint; returns an empty text if
 // they agree. The numbers of a ball joint were checked when the spec was read.
 std::string UnitClash(const RequestedPosition& position, const model::Joint& joint) {
+  if (position.value == nullptr || joint.type == "ball") return {};
   const Dimension unit = joint.type == "slide" ? Dimension(1, 0, 0) : Dimension::Angle();
-  if (joint.type == "ball") return {};
-  const auto differs = [&](const Dimension& given) { return !given.is_plain() && given != unit; };
-  const auto other = std::ranges::find_if(position.dimensions, differs);
-  if (other == position.dimensions.end()) return {};
-  return fmt::format("is in {}, but this is in {}", unit.Text(), other->Text());
+  const auto other = OtherDimension(*position.value, unit);
+  return other ? fmt::format("is in {}, but this is in {}", unit.Text(), other->Text()) : "";
 }
 
 std::string FreeHint(std::string_view what) {
@@ -47,15 +61,6 @@ std::string FreeHint(std::string_view what) {
 }
 
 }  // namespace
-
-void AddDimensions(const spec::Value& value, expr::Dimensions& dimensions) {
-  dimensions.insert(dimensions.end(), value.dimensions.begin(), value.dimensions.end());
-  const auto* draw = std::get_if<spec::Draw>(&value.form);
-  if (draw == nullptr || (draw->distribution != spec::Distribution::kChoice &&
-                          draw->distribution != spec::Distribution::kCycle))
-    return;
-  for (const spec::Value& option : draw->arguments) AddDimensions(option, dimensions);
-}
 
 void Assembly::ReportUnknownJoint(std::string_view what, const RequestedPosition& position) {
   const std::size_t prefix = position.joint.size() - position.shown.size();

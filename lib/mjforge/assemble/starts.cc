@@ -46,7 +46,7 @@ void Assembly::ReadStart(Scope& scope, const spec::Entry& entry, sample::StreamI
     const Key key = field.info->id;
     if (key == Key::kValue) {
       scope.values.Vector(field.value, path, start.position.numbers);
-      AddDimensions(field.value, start.position.dimensions);
+      start.position.value = &field.value;
     }
     if (key == Key::kVelocity) reader.Numbers(field, start.velocity);
     if (key == Key::kCtrl) start.ctrl = reader.Number(field);

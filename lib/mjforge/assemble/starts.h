@@ -15,13 +15,9 @@ struct RequestedPosition {
   std::string joint;  // full name
   std::string shown;  // name as written in the spec
   sample::Numbers numbers;
-  /// Dimensions of the numbers and of all options of a choice; empty if they were checked before.
-  expr::Dimensions dimensions;
+  const spec::Value* value = nullptr;  // source of the numbers; null if its units were checked
   diag::SourceMark mark;
 };
-
-/// Appends the dimensions of a value's numbers, and of the options of a choice.
-void AddDimensions(const spec::Value& value, expr::Dimensions& dimensions);
 
 /// A start state that an entry of `pose:`, or `start:` of a joint, requests for a joint or an
 /// actuator.
