@@ -146,16 +146,11 @@ bool ArchiveSink::IsIntact(const manifest::SealedFile& archive) const {
 
 bool ArchiveSink::OpenArchive(std::uint64_t bytes, diag::Findings& findings) {
   const std::filesystem::path file = FileOf(checkpoint_.archive);
-  std::error_code ignored;
-  if (!request_.force && std::filesystem::is_symlink(file, ignored)) {
-    output::AddLink(file, findings);
-    return false;
-  }
-  if (!request_.force && std::filesystem::exists(file, ignored) &&
-      !journal_.HasMadeArchive(file.filename().string()) && !IsOwn(file)) {
-    output::AddForeignFile(file, findings);
-    return false;
-  }
+  // An archive is recognized by its name or by its members, not by its first bytes.
+  const auto is_ours = [&](std::string_view) {
+    return journal_.HasMadeArchive(file.filename().string()) || IsOwn(file);
+  };
+  if (!output::MayReplace(file, request_.force, 0, is_ours, findings)) return false;
   archive_ = output::PartFile::Open(file, findings);
   return archive_ && archive_->Truncate(bytes, findings);
 }

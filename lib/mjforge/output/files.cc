@@ -17,6 +17,18 @@ namespace {
 constexpr std::string_view kObjectMark = "<!-- mjforge ";
 constexpr std::string_view kPlacementMark = R"({"mjforge":)";
 
+void AddLink(const std::filesystem::path& file, diag::Findings& findings) {
+  findings.Add(diag::Code::kOutputCannotWrite, {},
+               fmt::format("'{}' is a link, not a file", file.string()),
+               "name the file itself, or replace the link with --force");
+}
+
+void AddForeignFile(const std::filesystem::path& file, diag::Findings& findings) {
+  findings.Add(diag::Code::kOutputExists, {},
+               fmt::format("'{}' exists and was not made by mjforge", file.string()),
+               "choose another place, or overwrite it with --force");
+}
+
 }  // namespace
 
 std::optional<std::string> ReadFile(const std::filesystem::path& file, std::uint64_t limit,
@@ -78,18 +90,6 @@ bool MayReplace(const std::filesystem::path& file, std::string_view text, bool f
                IsDamagedCopy(opening, text.substr(0, kCommentBytes));
       },
       findings);
-}
-
-void AddLink(const std::filesystem::path& file, diag::Findings& findings) {
-  findings.Add(diag::Code::kOutputCannotWrite, {},
-               fmt::format("'{}' is a link, not a file", file.string()),
-               "name the file itself, or replace the link with --force");
-}
-
-void AddForeignFile(const std::filesystem::path& file, diag::Findings& findings) {
-  findings.Add(diag::Code::kOutputExists, {},
-               fmt::format("'{}' exists and was not made by mjforge", file.string()),
-               "choose another place, or overwrite it with --force");
 }
 
 }  // namespace mjforge::output

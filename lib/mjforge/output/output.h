@@ -67,11 +67,6 @@ bool MayReplace(const std::filesystem::path& file, std::string_view text, bool f
 /// others.
 bool IsDamagedCopy(std::string_view present, std::string_view bytes);
 
-/// Adds the finding "'FILE' is a link, not a file".
-void AddLink(const std::filesystem::path& file, diag::Findings& findings);
-/// Adds the finding "'FILE' exists and was not made by mjforge".
-void AddForeignFile(const std::filesystem::path& file, diag::Findings& findings);
-
 /// Folders made for a batch; the destructor removes those folders that are still empty.
 class MadeFolders {
  public:
