@@ -38,6 +38,18 @@ batch::FindingSummary VariantFindings() {
   return batch::FindingSummary(std::numeric_limits<std::size_t>::max());
 }
 
+// Returns false, and adds a finding, if the unit of a position is not that of a hinge or slide.
+bool IsInUnitOf(const picture::Joint& joint, const JointPosition& position,
+                diag::Findings& findings) {
+  const expr::Dimension own = joint.type == picture::Joint::Type::kHinge ? expr::Dimension::Angle()
+                                                                         : expr::Dimension(1, 0, 0);
+  if (!joint.IsMovable() || position.dimension.is_plain() || position.dimension == own) return true;
+  findings.Add(diag::Code::kPictureBadJointValue, {},
+               fmt::format("joint '{}' is in {}, but its position is given in {}", joint.name,
+                           own.Text(), position.dimension.Text()));
+  return false;
+}
+
 // An object to draw, and the record for the picture's caption and metadata.
 struct PreviewObject {
   std::unique_ptr<picture::Subject> subject;
@@ -168,19 +180,20 @@ class Preview {
     }
     findings_.Append(std::move(of_views));
     bool is_moved = true;
-    for (const auto& [name, value] : options_.poses) is_moved &= MoveJoint(name, value, objects);
+    for (const JointPosition& position : options_.poses) is_moved &= MoveJoint(position, objects);
     return is_moved;
   }
 
-  // Moves the joint `name` of all objects to a position, rad or m. Adds an error if no object's
-  // joint can be moved, and a warning if only some can, because variants differ in their joints.
-  // Returns false after an error.
-  bool MoveJoint(const std::string& name, double value, std::vector<PreviewObject>& objects) {
+  // Moves a joint of all objects to a position. Adds an error if no object's joint can be moved,
+  // and a warning if only some can, because variants differ in their joints. Returns false after an
+  // error.
+  bool MoveJoint(const JointPosition& position, std::vector<PreviewObject>& objects) {
     diag::Findings found;
     bool is_moved = false;
     for (PreviewObject& object : objects) {
-      const std::optional<int> joint = object.subject->FindJoint(name, found);
-      is_moved |= joint && object.subject->SetJoint(*joint, value, found);
+      const std::optional<int> joint = object.subject->FindJoint(position.name, found);
+      is_moved |= joint && IsInUnitOf(object.subject->joints()[*joint], position, found) &&
+                  object.subject->SetJoint(*joint, position.value, found);
     }
     if (found.empty()) return true;
     diag::Finding finding = found[0];

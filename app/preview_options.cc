@@ -39,8 +39,7 @@ std::optional<std::pair<int, int>> ParseSize(std::string_view text) {
 }
 
 // Parses a joint and its position: "hinge=45deg".
-std::optional<std::pair<std::string, double>> ParseJoint(std::string_view text,
-                                                         std::string& why_not) {
+std::optional<JointPosition> ParseJoint(std::string_view text, std::string& why_not) {
   const std::size_t equals = text.find('=');
   if (equals == text.npos || equals == 0) {
     why_not = fmt::format("--joint: '{}' is not of the form NAME=VALUE", text);
@@ -53,7 +52,7 @@ std::optional<std::pair<std::string, double>> ParseJoint(std::string_view text,
     why_not = fmt::format("--joint {}: {}", text, value ? "it is not a number" : error.message);
     return std::nullopt;
   }
-  return std::pair(std::string(text.substr(0, equals)), *value->constant());
+  return JointPosition{std::string(text.substr(0, equals)), *value->constant(), value->dimension()};
 }
 
 std::string CheckBackground(const std::string& text) {

@@ -3,13 +3,19 @@
 
 #include <cstdint>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "mjforge/picture/picture.h"
 #include "options.h"
 
 namespace mjforge::app {
+
+/// A joint's name and the position that the command line gives it.
+struct JointPosition {
+  std::string name;
+  double value = 0;  // rad or m
+  expr::Dimension dimension;
+};
 
 struct PreviewOptions {
   std::vector<std::string> whats;  // a spec, or one or several files
@@ -29,9 +35,9 @@ struct PreviewOptions {
 
   // Results of ResolvePreviewOptions.
   bool is_file = false;
-  picture::Options picture;                           // `view` is set by the command line
-  std::vector<std::pair<std::string, double>> poses;  // joints with positions, rad or m
-  std::string swept;                                  // the joint to sweep; empty: all joints
+  picture::Options picture;  // `view` is set by the command line
+  std::vector<JointPosition> poses;
+  std::string swept;  // the joint to sweep; empty: all joints
 };
 
 void AddPreviewOptions(CLI::App& command, PreviewOptions& options);

@@ -224,6 +224,11 @@ TEST_CASE_METHOD(PreviewTest, "a joint that does not exist or reach there is a f
   CHECK(outside.err ==
         "mjforge: error: joint 'chest_lid_hinge' does not reach 3 rad: its range is 0 to 1.74533 "
         "[picture/bad-joint-value]\n");
+  const auto length = Run({"preview", "chest.xml", "--joint", "hinge=1m"});
+  CHECK(length.status == 1);
+  CHECK(length.err ==
+        "mjforge: error: joint 'chest_lid_hinge' is in rad, but its position is given in m "
+        "[picture/bad-joint-value]\n");
   CHECK(folder().Files() == std::vector<std::string>{"chest.xml", "crate.yaml"});
 }
 

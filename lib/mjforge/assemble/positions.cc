@@ -49,7 +49,7 @@ std::optional<Dimension> OtherDimension(const spec::Value& value, const Dimensio
 // they agree. The numbers of a ball joint were checked when the spec was read.
 std::string UnitClash(const RequestedPosition& position, const model::Joint& joint) {
   if (position.value == nullptr || joint.type == "ball") return {};
-  const Dimension unit = joint.type == "slide" ? Dimension(1, 0, 0) : Dimension::Angle();
+  const Dimension unit = PositionDimension(joint);
   const auto other = OtherDimension(*position.value, unit);
   return other ? fmt::format("is in {}, but this is in {}", unit.Text(), other->Text()) : "";
 }
@@ -61,6 +61,10 @@ std::string FreeHint(std::string_view what) {
 }
 
 }  // namespace
+
+Dimension PositionDimension(const model::Joint& joint) {
+  return joint.type == "slide" ? Dimension(1, 0, 0) : Dimension::Angle();
+}
 
 void Assembly::ReportUnknownJoint(std::string_view what, const RequestedPosition& position) {
   const std::size_t prefix = position.joint.size() - position.shown.size();

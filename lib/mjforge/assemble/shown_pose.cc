@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "mjforge/assemble/names.h"
+#include "mjforge/assemble/starts.h"
 
 namespace mjforge::assemble {
 namespace {
@@ -47,14 +48,36 @@ bool MayHave(const spec::ObjectSpec& spec, std::string_view joint) {
 }
 
 // Returns the joint with this name or, if there is none, the joints whose names end with "_NAME".
-std::vector<std::string_view> FindJoints(std::span<const std::string_view> joints,
-                                         std::string_view name) {
-  if (std::ranges::find(joints, name) != joints.end()) return {name};
-  std::vector<std::string_view> fitting;
-  std::ranges::copy_if(joints, std::back_inserter(fitting), [&](std::string_view joint) {
-    return joint.ends_with(fmt::format("_{}", name));
+std::vector<const model::Joint*> FindJoints(std::span<const model::Joint* const> joints,
+                                            std::string_view name) {
+  const auto same = std::ranges::find(joints, name, &model::Joint::name);
+  if (same != joints.end()) return {*same};
+  std::vector<const model::Joint*> fitting;
+  std::ranges::copy_if(joints, std::back_inserter(fitting), [&](const model::Joint* joint) {
+    return joint->name.ends_with(fmt::format("_{}", name));
   });
   return fitting;
+}
+
+// Returns the hinges and slides. The positions of other joints have several numbers.
+std::vector<const model::Joint*> MovableJoints(const model::Object& object) {
+  std::vector<const model::Joint*> joints;
+  for (const model::Body& body : object.bodies) {
+    for (const model::Joint& joint : body.joints) {
+      if (joint.type == "hinge" || joint.type == "slide") joints.push_back(&joint);
+    }
+  }
+  return joints;
+}
+
+// Warns of a position that is not in the unit of its joint.
+void CheckUnit(const spec::PictureView::Position& position, const model::Joint& joint,
+               diag::Findings& findings) {
+  const expr::Dimension own = PositionDimension(joint);
+  if (position.dimension.is_plain() || position.dimension == own) return;
+  findings.Warn(Code::kModelBadValue, position.mark,
+                fmt::format("view: joint {} is in {}, but this is in {}", Quoted(position.joint),
+                            own.Text(), position.dimension.Text()));
 }
 
 }  // namespace
@@ -62,29 +85,25 @@ std::vector<std::string_view> FindJoints(std::span<const std::string_view> joint
 void CheckShownPose(const spec::ObjectSpec& spec, const model::Object& object,
                     diag::Findings& findings) {
   if (spec.view.pose.empty()) return;
-  std::vector<std::string_view> joints;
-  for (const model::Body& body : object.bodies) {
-    for (const model::Joint& joint : body.joints) {
-      // Skips ball and free joints, whose positions have several numbers.
-      if (joint.type == "hinge" || joint.type == "slide") joints.push_back(joint.name);
-    }
-  }
+  const std::vector<const model::Joint*> joints = MovableJoints(object);
   for (const spec::PictureView::Position& position : spec.view.pose) {
     const std::string shown = Quoted(position.joint);
-    const std::vector<std::string_view> fitting = FindJoints(joints, position.joint);
+    const std::vector<const model::Joint*> fitting = FindJoints(joints, position.joint);
     if (fitting.empty() && !MayHave(spec, position.joint)) {
       std::vector<std::string_view> names;
       names.reserve(joints.size());
-      for (const std::string_view joint : joints)
-        names.push_back(model::OwnName(joint, object.name));
+      for (const model::Joint* joint : joints)
+        names.push_back(model::OwnName(joint->name, object.name));
       findings.Warn(Code::kModelUnknownReference, position.mark,
                     fmt::format("view: the object has no joint {}", shown),
                     diag::DidYouMean(position.joint, names));
     } else if (fitting.size() > 1) {
       findings.Warn(Code::kModelUnknownReference, position.mark,
-                    fmt::format("view: {} could be joint {} or {}", shown, Quoted(fitting[0]),
-                                Quoted(fitting[1])),
+                    fmt::format("view: {} could be joint {} or {}", shown, Quoted(fitting[0]->name),
+                                Quoted(fitting[1]->name)),
                     "give its full name");
+    } else if (fitting.size() == 1) {
+      CheckUnit(position, *fitting[0], findings);
     }
   }
 }

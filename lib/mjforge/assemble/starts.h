@@ -10,6 +10,9 @@
 
 namespace mjforge::assemble {
 
+/// Returns the dimension of the position of a hinge or slide.
+expr::Dimension PositionDimension(const model::Joint& joint);
+
 /// The position of a joint in `pose:` or `at:`.
 struct RequestedPosition {
   std::string joint;  // full name

@@ -72,6 +72,7 @@ struct PictureView {
   struct Position {
     std::string joint;
     double value = 0;  // rad or m
+    expr::Dimension dimension;
     diag::SourceMark mark;
   };
   std::optional<double> azimuth;  // deg, direction of view about z; 0: along x

@@ -49,7 +49,10 @@ void ReadView(const YamlNode& view, Context& context) {
       continue;
     }
     const auto number = FixedNumber(*joint, position.mark, position.value, context);
-    if (number) shown.pose.push_back({std::string(*joint), *number, position.mark});
+    if (!number) continue;
+    const expr::Dimensions& dimensions = position.value.dimensions;
+    shown.pose.push_back({std::string(*joint), *number,
+                          dimensions.empty() ? expr::Dimension() : dimensions[0], position.mark});
   }
 }
 

@@ -121,6 +121,13 @@ TEST_CASE("a pose in pictures names joints of the object") {
   CHECK(findings("left_door: 1, door: 1") ==
         Lines{"12:29 view: 'door' could be joint 'thing_left_door' or 'thing_right_door' "
               "(give its full name)"});
+  CHECK(findings("left_door: 5cm") ==
+        Lines{"12:15 view: joint 'left_door' is in rad, but this is in m"});
+  const Assembling drawer(
+      "parts: [{name: p, type: sphere, size: 1}]\nbodies: [{name: d, pos: [3, 0, 0],\n"
+      "  parts: [{name: q, type: sphere, size: 1}], joints: [{name: pull, type: slide}]}]\n"
+      "view: {pose: {pull: 5deg}}\n");
+  CHECK(drawer.findings() == Lines{"6:15 view: joint 'pull' is in m, but this is in rad"});
   const Assembling free_one(
       "joints: free\nparts: [{name: p, type: sphere, size: 1}]\nview: {pose: {joint0: 1}}\n");
   CHECK(free_one.findings() == Lines{"5:15 view: the object has no joint 'joint0'"});
