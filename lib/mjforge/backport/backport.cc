@@ -141,6 +141,13 @@ class Backporter {
             Code::kMujocoLaterRefuses, MarkOf(child, name),
             fmt::format("{} {}", child.Description(), RefusalText(*refusal, name, value)));
       }
+      if (child.tag == "inertial" && child.Find("fullinertia") && child.Find("diaginertia") &&
+          version_ < 324 && IsNew(child, "diaginertia")) {
+        findings_.Warn(Code::kMujocoLaterRefuses, MarkOf(child, "diaginertia"),
+                       fmt::format("{} has 'diaginertia' beside 'fullinertia'; MuJoCo 3.2.4 and "
+                                   "later reject this",
+                                   child.Description()));
+      }
       ReportRefusals(child);
     }
   }

@@ -14,8 +14,9 @@
 namespace mjforge::backport {
 namespace {
 
-/// Values that later releases accept; kUpToTwo stands for the integers from 0 to 2.
-enum class Accepted { kNone, kInteger, kAtLeastMinusOne, kUpToTwo, kPositive };
+/// Values that later releases accept; kUpToTwo stands for the integers from 0 to 2, kNonzero for
+/// lists of numbers with one that is not 0, kMain for the text "main".
+enum class Accepted { kNone, kInteger, kAtLeastMinusOne, kUpToTwo, kPositive, kNonzero, kMain };
 
 struct Row {
   std::string_view where;  // in the form of MjcfFeature::where
@@ -43,6 +44,10 @@ constexpr Row kRows[] = {
     {"visual/map", "znear", 230, Accepted::kPositive},
     {"mujoco/statistic", "extent", 230, Accepted::kPositive},
     {"visual/headlight", "active", 4000000, Accepted::kUpToTwo},
+    {"body/body body/inertial body/geom body/site body/camera default/geom default/site "
+     "default/camera",
+     "quat", 300, Accepted::kNonzero},
+    {"mujoco/default", "class", 320, Accepted::kMain},
     // MuJoCo 3.0 and later require integers in the following attributes; 2.2 rounds numbers, and
     // ignores further numbers.
     {"option", "iterations noslip_iterations", 300, Accepted::kInteger},
@@ -62,7 +67,8 @@ constexpr Row kRows[] = {
      300, Accepted::kInteger},
 };
 
-bool IsAccepted(Accepted accepted, const std::vector<double>& numbers) {
+bool IsAccepted(Accepted accepted, std::string_view value) {
+  const std::vector<double> numbers = xml::NumbersOf(value);
   const bool is_integer = numbers.size() == 1 && numbers[0] == std::round(numbers[0]) &&
                           std::abs(numbers[0]) <= std::numeric_limits<int>::max();
   switch (accepted) {
@@ -76,6 +82,10 @@ bool IsAccepted(Accepted accepted, const std::vector<double>& numbers) {
       return is_integer && numbers[0] >= 0 && numbers[0] <= 2;
     case Accepted::kPositive:
       return std::ranges::all_of(numbers, [](double number) { return number > 0; });
+    case Accepted::kNonzero:
+      return std::ranges::any_of(numbers, [](double number) { return number != 0; });
+    case Accepted::kMain:
+      return value == "main";
   }
   return true;
 }
@@ -92,6 +102,10 @@ std::string_view Wanted(Accepted accepted) {
       return "0 or 1";  // 2 is accepted, too, but has no meaning
     case Accepted::kPositive:
       return "a number above 0";
+    case Accepted::kNonzero:
+      return "a number other than 0";
+    case Accepted::kMain:
+      return "the name 'main'";
   }
   return {};
 }
@@ -105,7 +119,7 @@ std::optional<AttributeRefusal> FindRefusal(std::string_view parent, std::string
   for (const Row& row : kRows) {
     if (row.since <= version || (found && found->since <= row.since)) continue;
     if (!HasAttribute(row.names, attribute, value) || !IsAt(row.where, parent, tag)) continue;
-    if (IsAccepted(row.accepted, xml::NumbersOf(value))) continue;
+    if (IsAccepted(row.accepted, value)) continue;
     found = AttributeRefusal{.since = row.since,
                              .wanted = std::string(Wanted(row.accepted)),
                              .is_about_value = row.names.find('=') != row.names.npos};

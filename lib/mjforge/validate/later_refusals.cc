@@ -60,6 +60,13 @@ double VolumeOf(const std::vector<Triangle>& triangles) {
   return volume;
 }
 
+// Returns the joints of a fixed tendon; empty for a spatial one.
+std::vector<int> JointsOf(const mjModel& m, int tendon) {
+  const int first = m.tendon_adr[tendon];
+  if (m.wrap_type[first] != mjWRAP_JOINT) return {};
+  return {m.wrap_objid + first, m.wrap_objid + first + m.tendon_num[tendon]};
+}
+
 // Calls report(kind, name, message, hint) for each element of the model that later releases reject.
 template <typename Report>
 void ForEachRefused(const mjModel& m, const Report& report) {
@@ -80,15 +87,21 @@ void ForEachRefused(const mjModel& m, const Report& report) {
            "");
   }
   for (int tendon = 0; tendon < m.ntendon && mjVERSION_HEADER < 4000000; ++tendon) {
-    const int first = m.tendon_adr[tendon];
-    const bool has_ball = std::any_of(
-        m.wrap_objid + first, m.wrap_objid + first + m.tendon_num[tendon], [&](const int& joint) {
-          const bool is_joint = m.wrap_type[&joint - m.wrap_objid] == mjWRAP_JOINT;
-          return is_joint && m.jnt_type[joint] != mjJNT_HINGE && m.jnt_type[joint] != mjJNT_SLIDE;
-        });
+    const char* const name = m.names + m.name_tendonadr[tendon];
+    std::vector<int> joints = JointsOf(m, tendon);
+    const bool has_ball = std::ranges::any_of(joints, [&](int joint) {
+      return m.jnt_type[joint] != mjJNT_HINGE && m.jnt_type[joint] != mjJNT_SLIDE;
+    });
     if (has_ball)
-      report("tendon", m.names + m.name_tendonadr[tendon],
+      report("tendon", name,
              "has a ball or free joint; MuJoCo 4.0.0 and later require hinges and slides", "");
+    std::ranges::sort(joints);
+    const auto repeated = std::ranges::adjacent_find(joints);
+    if (repeated != joints.end())
+      report("tendon", name,
+             fmt::format("has joint '{}' twice, which MuJoCo 4.0.0 and later reject",
+                         m.names + m.name_jntadr[*repeated]),
+             "add the coefficients");
   }
 }
 

@@ -33,6 +33,26 @@ TEST_CASE("attributes that later releases reject are a warning") {
             .findings.empty());
 }
 
+TEST_CASE("quaternions of zeros, and two forms of an inertia, are a warning") {
+  const Backported file(
+      "<worldbody>\n<body quat=\"0 0 0 0\"><inertial mass=\"1\" pos=\"0 0 0\" "
+      "diaginertia=\"1 1 1\" fullinertia=\"1 1 1 0 0 0\"/>\n<geom size=\"1\" "
+      "quat=\"0 0 0 1\"/></body></worldbody>");
+  CHECK(file.findings ==
+        Strings{"3:7 warning: the body on line 3 has 'quat=0 0 0 0'; MuJoCo 3.0.0 and later "
+                "require a number other than 0",
+                "3:53 warning: the inertial on line 3 has 'diaginertia' beside 'fullinertia'; "
+                "MuJoCo 3.2.4 and later reject this"});
+}
+
+TEST_CASE("another name of the default class than main is a warning") {
+  CHECK(Backported("<default class=\"own\"><default class=\"inner\"/></default>").findings ==
+        Strings{"2:10 warning: the default on line 2 has 'class=own'; MuJoCo 3.2.0 and later "
+                "require the name 'main'"});
+  CHECK(
+      Backported("<default class=\"main\"><default class=\"inner\"/></default>").findings.empty());
+}
+
 TEST_CASE("composites that later releases lack are a warning") {
   const std::pair<const char*, const char*> types[] = {
       {"rope", "3.0.0"},      {"cloth", "3.0.0"}, {"box", "3.2.5"},      {"cylinder", "3.2.5"},

@@ -302,6 +302,12 @@ TEST_CASE("a model that later releases reject is read with a warning") {
        4000000,
        "1:1: mujoco/later-refuses: tendon 't' has a ball or free joint; MuJoCo 4.0.0 and later "
        "require hinges and slides"},
+      {"<worldbody><body><joint name=\"j\"/><geom size=\"1\"/></body></worldbody>"
+       "<tendon><fixed name=\"t\"><joint joint=\"j\" coef=\"1\"/><joint joint=\"j\" "
+       "coef=\"2\"/></fixed></tendon>",
+       4000000,
+       "1:1: mujoco/later-refuses: tendon 't' has joint 'j' twice, which MuJoCo 4.0.0 and later "
+       "reject"},
       {"<option><flag passive=\"disable\"/></option>", 336,
        "2:15: mujoco/later-refuses: the flag on line 2 has 'passive', which MuJoCo 3.3.6 and later "
        "reject"}};
