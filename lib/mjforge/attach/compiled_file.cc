@@ -147,7 +147,7 @@ void CompiledFile::Load(diag::Findings& findings) {
   model_ = std::move(loaded.model);
   if (model_) return;
   const engine::Refusal refusal = engine::ParseRefusal(WithOriginalNames(loaded.error));
-  const auto line = static_cast<std::size_t>(refusal.line);
+  const auto line = static_cast<std::size_t>(engine::ParseRefusal(loaded.error, flat_.text).line);
   const XmlElement* element =
       line > 0 && line <= flat_.lines.size() ? flat_.lines[line - 1] : nullptr;
   AddError(findings, Code::kMujocoError, element == nullptr ? diag::SourceMark{} : element->mark,

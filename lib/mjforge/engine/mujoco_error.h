@@ -11,7 +11,9 @@ struct Refusal {
   std::string reason;  // on one line, without MuJoCo's "Error: " and a final full stop
   int line = 0;        // line of the XML; 0 if unknown
 };
-Refusal ParseRefusal(std::string_view message);
+/// If the message names an element without its line, which MuJoCo 2.2 does for sensors, the line is
+/// that of the last element of `xml` with this name.
+Refusal ParseRefusal(std::string_view message, std::string_view xml = {});
 
 /// Returns a text with each run of white space replaced by a blank, and without full stops at its
 /// end.

@@ -247,7 +247,7 @@ Loaded Loader::Impl::LoadDocument(const mjcf::MjcfDocument& document, const std:
   Loaded loaded = engine.LoadText(document.text);
   if (loaded.model) return loaded;
   AddWarnings(loaded, false, MarkOf(object), findings);
-  const Refusal refusal = engine::ParseRefusal(loaded.error);
+  const Refusal refusal = engine::ParseRefusal(loaded.error, document.text);
   diag::SourceMark mark = document.Origin(refusal.line);
   if (!mark) mark = MarkOf(object);
   const std::string element = engine::ElementOnLine(document.text, refusal.line);
@@ -309,10 +309,9 @@ engine::Model Loader::Impl::LoadFile(const std::filesystem::path& file, diag::So
                  loaded.error);
     return nullptr;
   }
-  const Refusal refusal = engine::ParseRefusal(loaded.error);
-  const std::string element = xml->has_includes
-                                  ? "the model"
-                                  : engine::ElementOnLine(sources.Text(xml->source), refusal.line);
+  const std::string_view text = xml->has_includes ? std::string_view() : sources.Text(xml->source);
+  const Refusal refusal = engine::ParseRefusal(loaded.error, text);
+  const std::string element = engine::ElementOnLine(text, refusal.line);
   AddRefusal(element, loaded, xml::MarkOfLine(sources, xml->source, refusal.line),
              xml->has_includes ? "the line may be in an included file" : HintFor(refusal.reason),
              findings);

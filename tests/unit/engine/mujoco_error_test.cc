@@ -26,6 +26,18 @@ TEST_CASE("an error without a place has line 0") {
   CHECK(refusal.line == 0);
 }
 
+TEST_CASE(
+    "an error with a name and without a line is on the line of the last element of the name") {
+  const std::string message =
+      "Error: negative noise in sensor 'p' (id = 0)\nObject name = p, id = 0";
+  const auto line = [&](std::string_view xml) { return ParseRefusal(message, xml).line; };
+  CHECK(line("<mujoco>\n<body name=\"p\"/>\n<jointpos name=\"p\"/>\n</mujoco>\n") == 3);
+  CHECK(line("<mujoco>\n<jointpos name='p'/>\n</mujoco>\n") == 2);
+  CHECK(line("<mujoco>\n<jointpos name=\"pp\"/>\n</mujoco>\n") == 0);
+  CHECK(ParseRefusal("Error: x\nObject name = , id = 0", "<a name=\"\"/>").line == 0);
+  CHECK(ParseRefusal(message).line == 0);
+}
+
 TEST_CASE("a text of several lines becomes one without final stop") {
   CHECK(OneLine("  a\n b.\n\n") == "a b");
   CHECK(OneLine("") == "");
