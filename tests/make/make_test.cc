@@ -107,7 +107,8 @@ TEST_CASE("a changed mesh replaces its copy") {
   project.Change("parts/grip.obj", "v 1 0 0", "v 1.1 0 0");
   project.Do("make", {"-j2"});
   CHECK(project.Fresh("build/") == kDrawers);
-  CHECK(project.folder().Read("build/assets/grip.obj") == project.folder().Read("parts/grip.obj"));
+  CHECK(project.folder().Read("build/assets/parts_grip.obj") ==
+        project.folder().Read("parts/grip.obj"));
 }
 
 TEST_CASE("an imported file that is no longer imported may go") {

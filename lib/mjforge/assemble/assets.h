@@ -82,11 +82,14 @@ class Assets {
   /// Adds a finding if all textures together have too many pixels.
   void CheckPixels();
   /// Returns the index of a mesh that equals `mesh`. If there is none, adds a copy named `name`.
-  int ShareMesh(const model::MeshAsset& mesh, const std::string& name);
-  /// Returns the name of the file's copy in assets/. The copy has the name of the file, with _ in
-  /// place of characters that some file systems reject, and _2, _3, ... appended if another file
-  /// has that name.
-  std::string OutputName(const std::filesystem::path& file);
+  /// `written`: see OutputName.
+  int ShareMesh(const model::MeshAsset& mesh, const std::string& name,
+                const std::filesystem::path& written);
+  /// Returns the name of the file's copy in assets/: `written`, the path by which a spec names the
+  /// file, with _ in place of slashes and of characters that some file systems reject. Folders are
+  /// part of the name, because variants with files of one name from several folders share assets/.
+  /// Appends _2, _3, ... if another file of this object has that name.
+  std::string OutputName(const std::filesystem::path& file, const std::filesystem::path& written);
 
  private:
   /// File and scale from which a mesh was made, and properties of the mesh.
@@ -103,8 +106,9 @@ class Assets {
   /// Sets the part's mesh to an inline mesh (MJCF attributes `vertex`, `face`). If the mesh has no
   /// normals, MuJoCo computes its triangles as the convex hull of its vertices.
   void AddInline(const model::TriangleMesh& mesh, model::Part& part);
-  void AddFile(const std::filesystem::path& file, const Eigen::Vector3d& scale,
-               const Assembler::CachedMesh& content, model::Part& part);
+  void AddFile(const std::filesystem::path& file, const std::filesystem::path& written,
+               const Eigen::Vector3d& scale, const Assembler::CachedMesh& content,
+               model::Part& part);
   /// Adds a mesh whose source has the hash `hash`, and returns the index of the mesh.
   int Add(std::unique_ptr<model::MeshAsset> mesh, MeshSource source, std::size_t hash);
   void SetMesh(int index, model::Part& part);

@@ -43,12 +43,40 @@ bool AreSame(const model::TriangleMesh& a, const model::TriangleMesh& b) {
          a.texcoords == b.texcoords;
 }
 
+// Returns true for a byte of a character in UTF-8 other than the first.
+bool IsWithinCharacter(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
+
 // Returns true for characters that some operating system rejects in file names.
 bool IsUnportable(char c) {
   constexpr unsigned char kDelete = 0x7f;
   const auto byte = static_cast<unsigned char>(c);
   return byte < ' ' || byte == kDelete ||
          std::string_view("\\:*?\"<>|").find(c) != std::string_view::npos;
+}
+
+// Replaces characters that are invalid on systems where archives may be unpacked. The backslash is
+// replaced, too, because MuJoCo treats it like a slash.
+std::string PortableName(std::string name) {
+  std::ranges::replace_if(name, IsUnportable, '_');
+  return name;
+}
+
+// Returns the names of the folders and of the file on a path, without the file's ending, joined by
+// _. Leaves out where the path starts, which may differ between machines, and the first part of
+// long names.
+std::string StemOf(const std::filesystem::path& path) {
+  constexpr std::size_t kLongest = 60;  // names in archives have at most 100 bytes
+  std::string stem;
+  for (const std::filesystem::path& step : path.parent_path().lexically_normal().relative_path()) {
+    if (step != ".." && step != ".") stem += step.string() + '_';
+  }
+  stem += path.stem().string();
+  if (stem.size() > kLongest) {
+    std::size_t start = stem.size() - kLongest;
+    while (start < stem.size() && IsWithinCharacter(stem[start])) ++start;
+    stem.erase(0, start);
+  }
+  return PortableName(std::move(stem));
 }
 
 bool ReadInertia(FieldReader& reader, const spec::Entry& entry, model::Part& part) {
@@ -140,13 +168,14 @@ bool Assets::ReadMesh(FieldReader& reader, const spec::Entry& entry,
         "repair the file, or give the part `role: visual`, or `inertia: shell` and a mass");
     return false;
   }
-  AddFile(file, scale, content, part);
+  AddFile(file, *name, scale, content, part);
   if (part.is_shell) part.solid = model::ShellMassOf(*part.shape.mesh);
   return true;
 }
 
-void Assets::AddFile(const std::filesystem::path& file, const Eigen::Vector3d& scale,
-                     const Assembler::CachedMesh& content, model::Part& part) {
+void Assets::AddFile(const std::filesystem::path& file, const std::filesystem::path& written,
+                     const Eigen::Vector3d& scale, const Assembler::CachedMesh& content,
+                     model::Part& part) {
   const std::filesystem::path path = AbsolutePath(file);
   const std::size_t hash = HashOf(path, scale);
   const auto [begin, end] = meshes_.equal_range(hash);
@@ -169,12 +198,13 @@ void Assets::AddFile(const std::filesystem::path& file, const Eigen::Vector3d& s
   asset->mark = part.mark;
   if (content.fit_for_mujoco) {
     asset->file = file;
-    asset->output_file = OutputName(path);
+    asset->output_file = OutputName(path, written);
   }
   SetMesh(Add(std::move(asset), {path, scale, !content.surface_defect}, hash), part);
 }
 
-int Assets::ShareMesh(const model::MeshAsset& mesh, const std::string& name) {
+int Assets::ShareMesh(const model::MeshAsset& mesh, const std::string& name,
+                      const std::filesystem::path& written) {
   const std::filesystem::path path = AbsolutePath(mesh.file);
   const std::size_t hash = HashOf(path, mesh.scale) + mesh.attributes.size();
   const auto [begin, end] = meshes_.equal_range(hash);
@@ -190,7 +220,7 @@ int Assets::ShareMesh(const model::MeshAsset& mesh, const std::string& name) {
   }
   auto asset = std::make_unique<model::MeshAsset>(mesh);
   asset->name = name;
-  if (!path.empty()) asset->output_file = OutputName(path);
+  if (!path.empty()) asset->output_file = OutputName(path, written);
   return Add(std::move(asset), {path, mesh.scale, false}, hash);
 }
 
@@ -210,18 +240,16 @@ std::optional<model::MassProperties> Assets::UnitMassOf(const model::Shape& shap
   return source.unit_mass;
 }
 
-std::string Assets::OutputName(const std::filesystem::path& file) {
+std::string Assets::OutputName(const std::filesystem::path& file,
+                               const std::filesystem::path& written) {
   const auto [found, is_new] = output_names_.try_emplace(file);
   if (!is_new) return found->second;
-  std::string name = file.filename().string();
-  // Replaces characters that are invalid on systems where archives may be unpacked. The backslash
-  // is replaced, too, because MuJoCo treats it like a slash.
-  std::ranges::replace_if(name, IsUnportable, '_');
-  const std::filesystem::path safe = name;
+  const std::string stem = StemOf(written);
+  const std::string extension = PortableName(file.extension().string());
+  std::string name = stem + extension;
   // Compares names in lower case, because MuJoCo 2.2 ignores the case of file names.
-  for (int i = 2; !taken_names_.insert(diag::LowerCase(name)).second; ++i) {
-    name = fmt::format("{}_{}{}", safe.stem().string(), i, safe.extension().string());
-  }
+  for (int i = 2; !taken_names_.insert(diag::LowerCase(name)).second; ++i)
+    name = fmt::format("{}_{}{}", stem, i, extension);
   found->second = name;
   return name;
 }
