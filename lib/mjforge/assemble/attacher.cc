@@ -3,6 +3,7 @@
 
 #include "mjforge/assemble/attacher.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -24,6 +25,16 @@ std::filesystem::path WrittenPath(const std::filesystem::path& file,
   };
   if (file.empty()) return {};  // an inline mesh
   return written.parent_path() / absolute(file).lexically_relative(absolute(mjcf).parent_path());
+}
+
+// Returns a name for an element of a section of an MJCF file that has no name there. The number is
+// that of the element in the file's section, so that other copies in the object do not change it.
+std::string NewName(const std::vector<model::Element>& section, const model::Element& element) {
+  std::string name;
+  std::ptrdiff_t number = &element - section.data();
+  do name = fmt::format("{}{}", element.tag, number++);
+  while (std::ranges::find(section, name, &model::Element::name) != section.end());
+  return name;
 }
 
 }  // namespace
@@ -163,7 +174,7 @@ void Attacher::CopySections(const model::Attachment& attachment, const Renamer& 
       const References::ElementPlace place = {section.info, elements.size()};
       model::Element& element = elements.emplace_back(own);
       if (own.name.empty() && section.info->name != "contact") {
-        element.name = fmt::format("{}{}", own.tag, place.position);
+        element.name = NewName(section.elements, own);
       }
       renamer.Rename(element);
       AddReferences(place, own, element);

@@ -48,7 +48,7 @@ std::string SectionReader::NameOf(Reference reference) const {
 }
 
 bool SectionReader::IsCarried(mjtObj kind, int id, const std::vector<Reference>& references) {
-  bool inside = false;
+  bool inside = references.empty();  // a clock
   const Reference* outside = nullptr;
   for (const Reference& reference : references) {
     if (reference.id < 0) continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "mjforge/attach/section_reader.h"
 
@@ -12,7 +13,8 @@ namespace {
 struct Sensor {
   mjtSensor type;
   std::string_view tag;
-  // Attribute that names the sensor's target. A sensor with "objname" also needs "objtype".
+  // Attribute that names the sensor's target; empty if there is none. A sensor with "objname" also
+  // needs "objtype".
   std::string_view object;
 };
 constexpr Sensor kSensors[] = {{mjSENS_TOUCH, "touch", "site"},
@@ -50,7 +52,8 @@ constexpr Sensor kSensors[] = {{mjSENS_TOUCH, "touch", "site"},
                                {mjSENS_SUBTREECOM, "subtreecom", "body"},
                                {mjSENS_SUBTREELINVEL, "subtreelinvel", "body"},
                                {mjSENS_SUBTREEANGMOM, "subtreeangmom", "body"},
-                               {mjSENS_USER, "user", "objname"}};  // mjSENS_CLOCK has no target
+                               {mjSENS_CLOCK, "clock", ""},
+                               {mjSENS_USER, "user", "objname"}};
 
 // Keywords in the order of mjtDataType and mjtStage.
 constexpr std::string_view kDataTypes[] = {"real", "positive", "axis", "quaternion"};
@@ -68,7 +71,9 @@ void ReadSensors(SectionReader& sections) {
                               sensor->object, sensor->object == "objname" ? "objtype" : ""};
     const Reference frame = {static_cast<mjtObj>(m.sensor_reftype[i]), m.sensor_refid[i], "refname",
                              "reftype"};
-    auto added = sections.Add("sensor", sensor->tag, mjOBJ_SENSOR, i, {object, frame});
+    std::vector<Reference> references;
+    if (!sensor->object.empty()) references = {object, frame};
+    auto added = sections.Add("sensor", sensor->tag, mjOBJ_SENSOR, i, references);
     if (!added) continue;
     Attributes& attributes = added->attributes;
     if (sensor->type == mjSENS_USER) {

@@ -5,14 +5,11 @@
 #include <numbers>
 #include <string>
 
+#include "mjforge/backport/inherited_gains.h"
 #include "mjforge/backport/replacements.h"
 
 namespace mjforge::backport {
 namespace {
-
-bool IsServo(const xml::XmlElement& element) {
-  return element.tag == "position" || element.tag == "intvelocity";
-}
 
 /// The gains of a servo (an actuator `position` or `intvelocity`), set by the servo itself or by
 /// its default classes.
@@ -25,8 +22,11 @@ struct Gains {
 void ReadGains(const xml::XmlElement& element, Gains& gains) {
   if (!IsServo(element)) {
     if (element.tag == "motor") gains.kp = "1";
+    const std::string* gain = element.tag == "general" ? element.Find("gainprm") : nullptr;
+    const std::vector<double> numbers =
+        gain == nullptr ? std::vector<double>() : xml::NumbersOf(*gain);
+    if (!numbers.empty()) gains.kp = xml::TextOf({numbers[0]});
     gains.mixed |= element.tag != "motor" && element.tag != "general";
-    gains.mixed |= element.Find("gainprm") != nullptr || element.Find("biasprm") != nullptr;
     return;
   }
   if (const std::string* kp = element.Find("kp")) {

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "mjforge/backport/default_classes.h"
+#include "mjforge/backport/inherited_gains.h"
 #include "mjforge/backport/key_limits.h"
 #include "mjforge/backport/legacy_rules.h"
 #include "mjforge/backport/mjcf_versions.h"
@@ -80,6 +81,8 @@ class Backporter {
 
   bool Run() {
     bool changed = ApplyLegacyRules(root_, version_);
+    WarnOfForeignGains(root_, version_, findings_);
+    changed = WriteInheritedGains(root_, version_) || changed;
     changed = ResizeLists(root_) || changed;
     changed = RemoveLongKeys(root_, version_, sources_,
                              use_ == Use::kWholeModel ? &findings_ : nullptr) ||

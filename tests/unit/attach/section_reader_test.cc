@@ -138,7 +138,7 @@ TEST_CASE("actuators of all kinds are written out in full") {
               "200 0.5 1.6 1.5 1.3 1.2"});
 }
 
-TEST_CASE("sensors say what they measure, by type; a clock measures nothing of the body") {
+TEST_CASE("sensors say what they measure, by type; a clock refers to nothing") {
   Attaching files(
       File("<sensor>\n<jointpos name=\"angle\" joint=\"swing\" cutoff=\"3\" noise=\"0.1\"/>\n"
            "<framepos objtype=\"xbody\" objname=\"arm\" reftype=\"site\" refname=\"eye\"/>\n"
@@ -150,7 +150,8 @@ TEST_CASE("sensors say what they measure, by type; a clock measures nothing of t
   CHECK(SaidIn(top, "sensor") ==
         Lines{"jointpos 'angle' joint=swing cutoff=3 noise=0.1",
               "framepos '' objtype=xbody objname=arm reftype=site refname=eye",
-              "user 'u' objtype=geom objname=rod datatype=real needstage=acc dim=2 user=1"});
+              "user 'u' objtype=geom objname=rod datatype=real needstage=acc dim=2 user=1",
+              "clock 'now'"});
   CHECK(top.sections[0].elements[1].attributes[1].refers == "@objtype");
   CHECK(files.OnlyFinding() ==
         "warning attach/not-carried: framepos 'out' of 'arm.xml' is not carried over: it refers to "

@@ -234,7 +234,7 @@ TEST_CASE("gains come from classes, too") {
 }
 
 TEST_CASE("gains among those of other actuators are an error, unless the servo says its own") {
-  const std::string defaults = "<general gainprm=\"2\"/>";
+  const std::string defaults = "<damper kv=\"2\" ctrlrange=\"0 1\"/>";
   CHECK(Backported(Arm("", "<position joint=\"j\" kv=\"40\"/>", defaults)).findings ==
         Strings{"5:31 error: 'kv' of the position on line 5 needs MuJoCo 3.1.0"});
   CHECK(
