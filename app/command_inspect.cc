@@ -85,10 +85,15 @@ ExitStatus Inspect(const InspectOptions& options, Console& console) {
   if (const auto manifest = FindManifest(options.what)) {
     if (options.sweep || !options.contains.empty())
       return WrongUsage("--sweep and --contains take one object, not a batch", "inspect");
+    if (const std::string wrong = RefuseSpecOptions(options); !wrong.empty())
+      return WrongUsage(wrong, "inspect");
     return InspectBatch(*manifest, options.json, console);
   }
+  const bool is_file = IsMjcf(options.what);
+  const std::string wrong = is_file ? RefuseSpecOptions(options) : "";
+  if (!wrong.empty()) return WrongUsage(wrong, "inspect");
   return RunInChild(options.what, options.time_limit, console, [&] {
-    return IsMjcf(options.what) ? InspectFile(options, console) : InspectSpec(options, console);
+    return is_file ? InspectFile(options, console) : InspectSpec(options, console);
   });
 }
 

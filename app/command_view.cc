@@ -159,11 +159,8 @@ Action AddView(CLI::App& command) {
   AddObjectOptions(command, *options, "A spec or a FILE.xml");
   return [options](Console& console) {
     const bool is_file = options->what.ends_with(".xml");
-    if (is_file && (options->spec.given() || options->index != 0))
-      return WrongUsage(
-          "--seed, --place-seed, --index, --set, --root, --start and --params take a spec, not a "
-          "file",
-          "view");
+    const std::string wrong = is_file ? RefuseSpecOptions(*options) : "";
+    if (!wrong.empty()) return WrongUsage(wrong, "view");
     const ExitStatus status =
         is_file ? ViewFile(options->what, console) : ViewVariant(*options, console);
     return Worse(status, console.Report());

@@ -143,6 +143,14 @@ void AddObjectOptions(CLI::App& command, ObjectOptions& options, const std::stri
   AddSpecOptions(command, options.spec);
 }
 
+std::string RefuseSpecOptions(const ObjectOptions& options) {
+  if (!options.spec.given() && options.index == 0) return {};
+  return fmt::format(
+      "'{}' is shown as it is: --seed, --place-seed, --index, --set, --root, --start and --params "
+      "take a spec",
+      options.what);
+}
+
 CLI::Option* AddTimeLimit(CLI::App& command, Seconds& limit, const std::string& doc) {
   const auto set_limit = [&limit](double s) { limit = Seconds(s); };
   return AddNumber(command, "--time-limit", set_limit, 1e-9, 1e9, "a time in seconds above 0", doc)

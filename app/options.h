@@ -56,6 +56,9 @@ struct ObjectOptions {
   SpecOptions spec;
 };
 void AddObjectOptions(CLI::App& command, ObjectOptions& options, const std::string& doc);
+/// Returns the error message for options of a spec that were given for a file or a batch, which is
+/// shown as it is; an empty text if there are none.
+std::string RefuseSpecOptions(const ObjectOptions& options);
 
 /// Options of commands for many variants of specs.
 struct BatchOptions {

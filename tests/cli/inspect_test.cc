@@ -69,6 +69,21 @@ TEST_CASE_METHOD(CrateTest, "inspect shows a range as the spec has it, and the v
   CHECK(first.out != Run({"inspect", "crate.yaml", "--seed", "7", "--index", "2"}).out);
 }
 
+TEST_CASE_METHOD(CrateTest, "inspect refuses options of a spec for a file or a batch") {
+  REQUIRE(Run({"generate", "crate.yaml", "-n", "2", "-o", "out", "-q"}).status == 0);
+  for (const char* what : {"out", "out/crate_000000.xml"}) {
+    const std::vector<std::vector<std::string>> options = {
+        {"--seed", "9"}, {"--index", "1"}, {"--set", "height=0.15"}, {"--start", "zero"}};
+    for (const std::vector<std::string>& option : options) {
+      const auto result = Run(With({"inspect", what}, option));
+      CHECK(result.status == 2);
+      CHECK(result.out.empty());
+      CHECK(result.err.find(std::string(what) + "' is shown as it is: --seed, ") !=
+            std::string::npos);
+    }
+  }
+}
+
 TEST_CASE_METHOD(CrateTest, "inspect --json is one object") {
   const auto result = Run(With(kPinned, {"--json"}));
   CHECK(result.status == 0);
