@@ -74,13 +74,39 @@ std::string FirstLine(std::string_view text) {
   return std::string(text.substr(0, text.find_first_of("\r\n")));
 }
 
-std::optional<MeshFile> BuildObj(const tinyobj::ObjReader& reader, bool has_polygons,
+// Counts of the faces in the text of an OBJ file.
+struct Faces {
+  bool has_polygons = false;  // true if a face has more than four corners
+  std::size_t triangles = 0;  // number of triangles into which all faces can be cut
+};
+
+Faces CountFaces(std::string_view content) {
+  Faces faces;
+  while (!content.empty()) {
+    const std::string_view line = content.substr(0, content.find('\n'));
+    content.remove_prefix(std::min(content.size(), line.size() + 1));
+    if (!line.starts_with("f ") && !line.starts_with("f\t")) continue;
+    std::size_t corners = 0;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      const bool blank = std::isspace(static_cast<unsigned char>(line[i])) != 0;
+      const bool after_blank = std::isspace(static_cast<unsigned char>(line[i - 1])) != 0;
+      if (!blank && after_blank) ++corners;
+    }
+    faces.has_polygons |= corners > 4;
+    if (corners > 2) faces.triangles += corners - 2;
+  }
+  return faces;
+}
+
+std::optional<MeshFile> BuildObj(const tinyobj::ObjReader& reader, const Faces& faces,
                                  std::string& why_not) {
   const std::vector<tinyobj::real_t>& numbers = reader.GetAttrib().vertices;
   const std::size_t vertex_count = numbers.size() / 3;
   MeshBuilder builder;
+  std::size_t triangles = 0;
   for (const tinyobj::shape_t& shape : reader.GetShapes()) {
     const std::vector<tinyobj::index_t>& indices = shape.mesh.indices;
+    triangles += indices.size() / 3;
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
       std::array<Eigen::Vector3d, 3> corners;
       for (std::size_t k = 0; k < 3; ++k) {
@@ -95,26 +121,14 @@ std::optional<MeshFile> BuildObj(const tinyobj::ObjReader& reader, bool has_poly
       builder.Add(corners);
     }
   }
+  // tinyobjloader leaves out triangles of some faces that are not convex.
+  if (faces.has_polygons && triangles < faces.triangles) {
+    why_not = "a face with more than 4 corners is not convex; cut it into triangles";
+    return std::nullopt;
+  }
   std::optional<model::TriangleMesh> mesh = std::move(builder).Finish(why_not);
   if (!mesh) return std::nullopt;
-  return MeshFile{std::move(*mesh), reader.GetShapes().size() == 1 && !has_polygons};
-}
-
-// Returns true if a face in the text of an OBJ file has more than four corners.
-bool HasPolygons(std::string_view content) {
-  while (!content.empty()) {
-    const std::string_view line = content.substr(0, content.find('\n'));
-    content.remove_prefix(std::min(content.size(), line.size() + 1));
-    if (!line.starts_with("f ") && !line.starts_with("f\t")) continue;
-    int corners = 0;
-    for (std::size_t i = 1; i < line.size(); ++i) {
-      const bool blank = std::isspace(static_cast<unsigned char>(line[i])) != 0;
-      const bool after_blank = std::isspace(static_cast<unsigned char>(line[i - 1])) != 0;
-      if (!blank && after_blank) ++corners;
-    }
-    if (corners > 4) return true;
-  }
-  return false;
+  return MeshFile{std::move(*mesh), reader.GetShapes().size() == 1 && !faces.has_polygons};
 }
 
 void AddBinaryStl(std::string_view content, MeshBuilder& builder) {
@@ -200,7 +214,7 @@ std::optional<MeshFile> ParseObj(std::string_view content, std::string& why_not)
     config.triangulate = true;
     config.vertex_color = false;
     if (reader.ParseFromString(std::string(content), std::string(), config))
-      return BuildObj(reader, HasPolygons(content), why_not);
+      return BuildObj(reader, CountFaces(content), why_not);
     why_not = reader.Error().empty() ? "not an OBJ file" : FirstLine(reader.Error());
     return std::nullopt;
   };

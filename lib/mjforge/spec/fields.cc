@@ -549,8 +549,8 @@ constexpr FieldInfo kCoupleFields[] = {
     Number({"lead", Key::kLead}, "m", kAnyNumber, "",
            "In place of `ratio`: how far this slide moves for each full turn of a hinge."),
     AnyUnit(Numbers({"polycoef", Key::kPolycoef}, {1, 5}, "", kAnyNumber, "",
-                    "In place of `ratio`: coefficients of a polynomial in the other joint's "
-                    "position, constant first, in m and rad.")),
+                    "In place of `ratio`: coefficients, constant first, of a polynomial in the "
+                    "other joint's position, in m and rad. Positions count from `ref`.")),
     kCouplingSolref,
     kCouplingSolimp,
 };

@@ -103,7 +103,7 @@ class SectionEntryReader {
       return;
     }
     context_.findings.Add(Code::kSpecUnknownKey, pair.mark,
-                          fmt::format("MJCF has no section '{}'", pair.key),
+                          fmt::format("MJCF of MuJoCo 2.2 has no section '{}'", pair.key),
                           diag::DidYouMean(pair.key, Sections(), &SectionInfo::name));
   }
 
@@ -216,9 +216,10 @@ class SectionEntryReader {
     for (const YamlNode::Pair& pair : item.pairs) {
       if (IsOfEntry(pair)) continue;
       if (std::ranges::find(known, pair.key, &ElementInfo::name) == known.end()) {
-        context_.findings.Add(Code::kSpecUnknownKey, pair.mark,
-                              fmt::format("MJCF has no element '{}' in '{}'", pair.key, owner),
-                              diag::DidYouMean(pair.key, known, &ElementInfo::name));
+        context_.findings.Add(
+            Code::kSpecUnknownKey, pair.mark,
+            fmt::format("MJCF of MuJoCo 2.2 has no element '{}' in '{}'", pair.key, owner),
+            diag::DidYouMean(pair.key, known, &ElementInfo::name));
         return nullptr;
       }
       if (only != nullptr) {

@@ -101,13 +101,14 @@ TEST_CASE("mjcf: takes sections, elements and attributes that MuJoCo knows", "[b
   CHECK(report("option: {timestep: 1e-3, flag: {gravity: disable}}").empty());
   CHECK(report("tendon: [{fixed: {name: f, children: [{joint: {joint: a, coef: 1 .. 2}}]}}]")
             .empty());
-  CHECK(report("senor: []") ==
-        Strings{"5:3 spec/unknown-key: MJCF has no section 'senor' (did you mean 'sensor'?)"});
+  CHECK(report("senor: []") == Strings{"5:3 spec/unknown-key: MJCF of MuJoCo 2.2 has no section "
+                                       "'senor' (did you mean 'sensor'?)"});
   CHECK(report("worldbody: []") ==
         Strings{"5:3 spec/unknown-key: section 'worldbody' has no place in a spec (use `parts:` "
                 "and `bodies:`)"});
   CHECK(report("sensor: [{jointpo: {name: q}}]") ==
-        Strings{"5:13 spec/unknown-key: MJCF has no element 'jointpo' in 'sensor' (did you mean "
+        Strings{"5:13 spec/unknown-key: MJCF of MuJoCo 2.2 has no element 'jointpo' in 'sensor' "
+                "(did you mean "
                 "'jointpos'?)"});
   CHECK(report("sensor: [{jointpos: {name: q, joynt: h}}]") ==
         Strings{"5:33 spec/unknown-key: unknown key 'joynt' in a jointpos (did you mean "
