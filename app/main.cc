@@ -1,7 +1,11 @@
 // The main function: parses the command line and runs a command.
+#include <sys/prctl.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
+#include <cstdlib>
 #include <exception>
 #include <string>
 #include <vector>
@@ -13,6 +17,15 @@
 
 namespace mjforge::app {
 namespace {
+
+// Lets this process get SIGTERM when the process MJFORGE_PARENT ends, which started it. The Python
+// package sets the variable, because a program that waits for a batch may be killed.
+void EndWithParent() {
+  const char* const parent = std::getenv("MJFORGE_PARENT");
+  if (parent == nullptr) return;
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (std::to_string(::getppid()) != parent) std::raise(SIGTERM);  // it ended before prctl
+}
 
 ExitStatus Run(int argc, char** argv) {
   CLI::App app("Randomized MuJoCo objects from declarative YAML specs.", "mjforge");
@@ -50,6 +63,7 @@ int main(int argc, char** argv) {
   // A closed pipe or a file-size limit makes the write fail instead of ending the program.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+  EndWithParent();
   try {
     return static_cast<int>(Run(argc, argv));
   } catch (const std::exception& error) {

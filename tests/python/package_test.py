@@ -30,6 +30,17 @@ bodies:
 """
 
 
+def is_open(path):
+    """Whether a process has the file open."""
+    for link in pathlib.Path("/proc").glob("[0-9]*/fd/*"):
+        try:
+            if os.readlink(link) == path:
+                return True
+        except OSError:  # the process has ended, or is another user's
+            continue
+    return False
+
+
 class Variants(unittest.TestCase):
     def test_are_byte_for_byte_what_the_command_writes(self):
         for name in ("tools/hammer", "containers/mug"):
@@ -314,6 +325,21 @@ class Errors(unittest.TestCase):
             self.assertIn(b"KeyboardInterrupt", said)
             for file in pathlib.Path(folder).glob("*.xml"):
                 self.assertTrue(file.read_bytes().endswith(b"</mujoco>\n"), file)
+
+    def test_a_write_ends_with_the_process_that_waits_for_it(self):
+        program = "import mjforge, sys\nmjforge.Spec('hammer').variants().write(sys.argv[1], 10_000_000)"
+        with tempfile.TemporaryDirectory() as folder:
+            process = subprocess.Popen([sys.executable, "-c", program, folder], stderr=subprocess.PIPE)
+            while not any(pathlib.Path(folder).glob("hammer_*.xml")) and process.poll() is None:
+                time.sleep(0.01)
+            process.kill()
+            process.communicate(timeout=60)
+            # The command removes its temporary file, or is gone, once no process has it open.
+            lock = os.path.join(folder, ".manifest.jsonl.part")
+            deadline = time.monotonic() + 60
+            while is_open(lock) and time.monotonic() < deadline:
+                time.sleep(0.05)
+            self.assertFalse(is_open(lock))
 
 
 if __name__ == "__main__":

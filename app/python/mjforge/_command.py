@@ -67,9 +67,10 @@ def run(arguments: list[str], text: bytes,
     for argument in command:
         c_text(argument, "argument")
     # Starts a session of its own, so that Ctrl-C at the terminal reaches the command only once,
-    # through this process.
+    # through this process; the command ends when this process is killed.
     process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
-                               stderr=subprocess.PIPE, start_new_session=True)
+                               stderr=subprocess.PIPE, start_new_session=True,
+                               env={**os.environ, "MJFORGE_PARENT": str(os.getpid())})
     assert process.stdin is not None and process.stderr is not None
     messages = Messages(progress)
     try:
