@@ -60,7 +60,10 @@ bool SectionReader::IsCarried(mjtObj kind, int id, const std::vector<Reference>&
       inside = inside || scope_.IsDropped(plain, reference.id);
     }
   }
-  if (inside && outside != nullptr) Warn(kind, id, *outside);
+  // A sensor of the world measures the attached body, too.
+  const bool is_of_world = kind == mjOBJ_SENSOR && outside != nullptr &&
+                           Plain(outside->kind) == mjOBJ_BODY && outside->id == 0;
+  if (outside != nullptr && (inside || is_of_world)) Warn(kind, id, *outside);
   return inside && outside == nullptr;
 }
 

@@ -158,6 +158,15 @@ TEST_CASE("sensors say what they measure, by type; a clock refers to nothing") {
         "body 'far', which is not attached [arm.xml:14:1 here]");
 }
 
+TEST_CASE("a sensor of the world is reported") {
+  Attaching files(File("<sensor><subtreecom name=\"all\" body=\"world\"/></sensor>\n"));
+  CHECK(files.Get().sections.empty());
+  CHECK(
+      files.OnlyFinding() ==
+      "warning attach/not-carried: subtreecom 'all' of 'arm.xml' is not carried over: it refers to "
+      "the world, which is not attached [arm.xml:9:9 here]");
+}
+
 TEST_CASE("sections come in MJCF's order, and what concerns others is left out in silence") {
   Attaching files(
       File("<sensor><jointpos name=\"s\" joint=\"swing\"/></sensor>\n"
