@@ -250,6 +250,30 @@ class Iteration(unittest.TestCase):
                 self.assertLess(variant.index, 11)
         self.assertEqual(len(variants._makers), 1)
 
+    def test_loses_no_variant_by_an_exception_of_a_signal(self):
+        for error in (RuntimeError, KeyboardInterrupt, TimeoutError):
+            variants = mjforge.Spec(SOMETIMES).variants(on_invalid="skip")[:200]
+            wanted, calls = [v.index for v in variants], []
+            make = variants._makers[0].make
+
+            def interrupted(index):
+                calls.append(index)
+                if len(calls) % 7 == 0:
+                    raise error
+                return make(index)
+
+            variants._makers[:] = [types.SimpleNamespace(make=interrupted)]
+            given, iterator = [], iter(variants)
+            while len(given) < len(wanted):
+                before = len(calls) // 7
+                try:
+                    given.append(next(iterator).index)
+                except error:
+                    self.assertEqual(len(calls) // 7, before + 1)  # in the call that it interrupts
+            self.assertEqual(given, wanted)
+            self.assertEqual(list(iterator), [])
+            self.assertLess(len(calls), 2 * 200)  # variants that were made ahead are kept
+
     def test_shares_variants_with_indices_iterations_threads_and_forks(self):
         variants = mjforge.Spec("hammer").variants(seed=7)
         alone = [v.xml for v in variants[:40]]

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import itertools
 import operator
 import os
 import threading
 import time
-from typing import TYPE_CHECKING, Any, Callable, Iterable, Iterator, Optional, Sequence, Union, overload
+from typing import TYPE_CHECKING, Any, Callable, Iterator, Optional, Sequence, Union, overload
 
 from . import _command, _options
 from ._findings import Finding, VariantError
@@ -108,23 +107,6 @@ class Variants(Sequence[Variant]):
 
     def __iter__(self) -> Iterator[Variant]:
         return _Iteration(self)
-
-    def _some(self, indices: Iterable[int]) -> list[Union[Variant, Exception, None]]:
-        """Variants of the first indices, as many as are made in a short time: None for one that is left
-        out, and as the last the reason if one cannot be made.
-        """
-        made: list[Union[Variant, Exception, None]] = []
-        end = time.thread_time() + _TIME_AHEAD
-        for index in indices:
-            try:
-                made.append(self._make(index))
-            except Exception as error:
-                if self._options["on_invalid"] != "skip" or not isinstance(error, VariantError):
-                    return [*made, error]
-                made.append(None)
-            if time.thread_time() > end:
-                break
-        return made
 
     def write(
         self,
@@ -281,14 +263,16 @@ class Variants(Sequence[Variant]):
 
 class _Iteration(Iterator[Variant]):
     """Iteration over variants. Not a generator, because an exception would end a generator, and
-    iteration continues after a variant that cannot be made.
+    iteration continues after a variant that cannot be made, and after Ctrl-C.
     """
 
     def __init__(self, variants: Variants) -> None:
         self._variants = variants
         indices = variants._indices
-        self._indices: Iterator[int] = itertools.count() if indices is None else iter(indices)
-        self._made: list[Union[Variant, Exception, None]] = []  # in reverse order
+        self._indices = range(2**64) if indices is None else indices  # indices that were not given yet
+        # Variants that were made ahead, by index, or the reasons for variants that cannot be made; neither for a
+        # variant that is left out.
+        self._made: dict[int, tuple[Optional[Variant], Optional[VariantError]]] = {}
         self._ahead = 1
         self._first = 0  # index from which on no variant was valid so far
         self._patience = _MOST_INVALID if indices is None else 0  # invalid variants until the error; 0 or less: none
@@ -299,21 +283,40 @@ class _Iteration(Iterator[Variant]):
             return self._next()
 
     def _next(self) -> Variant:
-        while True:
-            if not self._made:
-                self._made = self._variants._some(itertools.islice(self._indices, self._ahead))[::-1]
-                self._ahead = min(2 * self._ahead, _AHEAD)
-                if not self._made:
-                    raise StopIteration
-            made = self._made.pop()
-            if isinstance(made, Exception):
-                raise made
-            if made is not None:
+        while self._indices:
+            if self._indices[0] not in self._made:
+                self._make_ahead()
+            variant, error = self._made[self._indices[0]]
+            # No call follows before the variant is returned: the handler of a signal may raise an exception at
+            # any call, and the variant would be lost.
+            self._indices = self._indices[1:]
+            if variant is not None:
                 self._patience = 0
-                return made
+                return variant
+            if error is not None:
+                raise error
             self._patience -= 1
             if self._patience == 0:
                 self._give_up()
+        raise StopIteration
+
+    def _make_ahead(self) -> None:
+        """Makes variants of the first indices, as many as are made in a short time, up to one that fails
+        and is not left out.
+        """
+        skips = self._variants._options["on_invalid"] == "skip"
+        self._made = {}
+        end = time.thread_time() + _TIME_AHEAD
+        for index in self._indices[:self._ahead]:
+            try:
+                self._made[index] = self._variants._make(index), None
+            except VariantError as error:
+                self._made[index] = None, None if skips else error
+                if not skips:
+                    break
+            if time.thread_time() > end:
+                break
+        self._ahead = min(2 * self._ahead, _AHEAD)
 
     def _give_up(self) -> None:
         """Raises VariantError with the reason of the first invalid variant."""
