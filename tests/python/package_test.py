@@ -127,6 +127,37 @@ class Variants(unittest.TestCase):
         self.assertRaises(TypeError, len, variants)
         self.assertEqual((bool(variants), bool(some), bool(some[:0])), (True, True, False))
 
+    def test_are_found_by_their_index(self):
+        variants = mjforge.Spec("hammer").variants(seed=3)
+        variant, other = variants[4], mjforge.Spec("hammer").variants(seed=4)[4]
+        for some, at in ((variants, 4), (variants[:2**64], 4), (variants[1:9:3], 1), (variants[9:1:-1], 5)):
+            self.assertIn(variant, some)
+            self.assertEqual((some.index(variant), some.count(variant), some.count(other)), (at, 1, 0))
+            self.assertEqual(some.index(variant, at, at + 1), at)
+            self.assertRaisesRegex(ValueError, "hammer 4 of seed 3 .* is not one of", some.index, variant, at + 1)
+            self.assertRaises(ValueError, some.index, variant, 0, at)
+            for wrong in (other, variant.record, None, 4):
+                self.assertNotIn(wrong, some)
+                self.assertRaises(ValueError, some.index, wrong)
+        self.assertNotIn(variant, variants[5:9])
+
+    def test_that_cannot_be_made_are_not_found(self):
+        given = mjforge.Spec({**BALL, "params": {"i": "1 .. 2"}}).variants()
+        self.assertNotIn(given[0], mjforge.Spec({**BALL, "expect": ["1 > 2"]}).variants())
+
+    def test_are_equal_if_file_and_record_are_the_same(self):
+        variants = mjforge.Spec("hammer").variants(seed=3)
+        variant = variants[4]
+        self.assertEqual({variant, variants[4], pickle.loads(pickle.dumps(variant))}, {variant})
+        with tempfile.TemporaryDirectory() as folder:
+            variants.write(folder, 6)
+            batch = mjforge.Batch(folder)
+            self.assertEqual(batch[4], mjforge.Batch(folder)[4])
+            self.assertIn(batch[4], batch)
+            self.assertEqual(batch[2:].index(batch[4]), 2)
+        for other in (variants[5], mjforge.Spec("hammer").variants(seed=3, name="other")[4], variant.xml, None):
+            self.assertNotEqual(variant, other)
+
     def test_do_not_depend_on_threads(self):
         variants = mjforge.Spec("hammer").variants(seed=3)
         alone = [v.xml for v in variants[:200]]

@@ -61,7 +61,8 @@ def mujoco_of(given: Any) -> Any:
 
 class Variant:
     """A variant of a spec: an MJCF file, and its record with values and measurements. Quantities
-    are in the object's own frame (m, kg, kg m^2).
+    are in the object's own frame (m, kg, kg m^2). Variants with the same file and the same record are
+    equal.
     """
 
     __slots__ = ("xml_bytes", "record_bytes", "_files_bytes", "_contents", "findings", "_record",
@@ -324,6 +325,14 @@ class Variant:
             words = "; ".join(difference.message for difference in differences)
             raise MismatchError(f"{name}: in MuJoCo {mujoco.__version__} {words}")
         return model
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Variant):
+            return NotImplemented
+        return (self.xml_bytes, self.record_bytes) == (other.xml_bytes, other.record_bytes)
+
+    def __hash__(self) -> int:
+        return hash(self.record_bytes)
 
     def __repr__(self) -> str:
         target = self.record["target"]

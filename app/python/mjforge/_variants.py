@@ -102,8 +102,32 @@ class Variants(Sequence[Variant]):
             raise TypeError("variants are without end: take a slice, such as variants[0:1000]")
         return len(self._indices)
 
+    @property
+    def _all(self) -> range:
+        return range(2**64) if self._indices is None else self._indices
+
     def __bool__(self) -> bool:
-        return self._indices is None or len(self._indices) > 0
+        return bool(self._all)
+
+    def _has(self, value: Any, indices: range) -> bool:
+        """Returns True if the value is the variant of its index, and the index is one of `indices`."""
+        if not isinstance(value, Variant) or value.index not in indices:
+            return False
+        try:
+            return self._make(value.index) == value
+        except VariantError:
+            return False
+
+    def __contains__(self, value: Any) -> bool:
+        return self._has(value, self._all)
+
+    def index(self, value: Any, start: int = 0, stop: Optional[int] = None) -> int:
+        if not self._has(value, self._all[start:stop]):
+            raise ValueError(f"{value!r} is not one of {self!r}")
+        return self._all.index(value.index)
+
+    def count(self, value: Any) -> int:
+        return int(value in self)
 
     def __iter__(self) -> Iterator[Variant]:
         return _Iteration(self)
@@ -268,14 +292,14 @@ class _Iteration(Iterator[Variant]):
 
     def __init__(self, variants: Variants) -> None:
         self._variants = variants
-        indices = variants._indices
-        self._indices = range(2**64) if indices is None else indices  # indices that were not given yet
+        self._indices = variants._all  # indices that were not given yet
         # Variants that were made ahead, by index, or the reasons for variants that cannot be made; neither for a
         # variant that is left out.
         self._made: dict[int, tuple[Optional[Variant], Optional[VariantError]]] = {}
         self._ahead = 1
         self._first = 0  # index from which on no variant was valid so far
-        self._patience = _MOST_INVALID if indices is None else 0  # invalid variants until the error; 0 or less: none
+        # Invalid variants until the error; 0 or less: no error.
+        self._patience = _MOST_INVALID if variants._indices is None else 0
         self._lock = threading.Lock()  # threads may share an iteration
 
     def __next__(self) -> Variant:
