@@ -1,6 +1,7 @@
 """A wrong argument is a TypeError or a ValueError that names it, never a crash of the interpreter."""
 
 import collections.abc
+import enum
 import functools
 import inspect
 import pathlib
@@ -10,7 +11,7 @@ import unittest
 
 import mjforge
 from in_folder import InFolder
-from mjforge import _command, _options
+from mjforge import _command, _options, _picture, _table
 
 TEXTS = ("validate", "target", "assets", "name", "sampler", "on_invalid")
 NUMBERS = ("seed", "batch")
@@ -107,6 +108,26 @@ class Arguments(InFolder):
             with self.assertRaisesRegex(ValueError, f"{option}='{words[0]}x' is not one of .*{words[-1]}.*; "
                                         f"did you mean '{words[0]}'"):
                 call(*arguments, **{option: words[0] + "x"})
+
+    def test_texts_are_the_values_of_enumerations(self):
+        class Word(str, enum.Enum):
+            SPEC, TARGET, NAME, OUTPUT = "hammer", "mjx", "tool", "out"
+            PARAMETER, VALUE, SHAPE, OPTION, LAYER = "handle_length", "25cm", "handle_shape", "fibreglass", "joints"
+            KEY, MEMBER = "mjforge", "mass"
+
+        settings = {Word.PARAMETER: Word.VALUE, Word.SHAPE: Word.OPTION}
+        spec = mjforge.Spec(Word.SPEC, set=settings)
+        self.assertEqual(repr(spec), "<mjforge.Spec hammer (handle_length=25cm, handle_shape=fibreglass)>")
+        variants = mjforge.Spec(Word.SPEC).variants(target=Word.TARGET, name=Word.NAME, set=settings)
+        self.assertEqual(repr(variants), "<mjforge.Variants of hammer (handle_length=25cm, handle_shape=fibreglass), "
+                         "seed 0, target mjx>")
+        self.assertTrue(variants.write(Word.OUTPUT, 2).ok)
+        self.assertEqual(mjforge.Batch(Word.OUTPUT)[1].xml, variants[1].xml)
+        self.assertEqual(_picture._layer_of(Word.LAYER) + _picture._joints_of({Word.NAME: 1})[1], "jointstool=1.0")
+        self.assertEqual([*map(str, _table._members_of([Word.MEMBER]))], ["mass"])
+        with self.assertRaises(mjforge.SpecError) as raised:
+            mjforge.Spec({Word.KEY: 1, "name": "a", Word.NAME: 1, "parts": [{Word.MEMBER: "x"}]})
+        self.assertLessEqual({"tool", "parts[0]"}, {finding.key for finding in raised.exception.findings})
 
     def test_types_have_the_words_of_the_library(self):
         types = {"target": _options.Target, "assets": _options.Assets, "sampler": _options.Sampler,

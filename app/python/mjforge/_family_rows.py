@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from ._library import c_text
+from ._options import text
 
 if TYPE_CHECKING:
     from ._family import Family
@@ -14,9 +14,7 @@ def placements(family: Family, prefix: Any, rows: Any) -> "list[tuple[str, Any]]
     """Returns the prefix of each object and the object's variant in each world. Raises TypeError or
     ValueError.
     """
-    prefixes = [prefix] if isinstance(prefix, str) else _list(prefix)
-    for each in prefixes:
-        c_text(each, "prefix")
+    prefixes = [text(each, "prefix") for each in ([prefix] if isinstance(prefix, str) else _list(prefix))]
     if len(set(prefixes)) != len(prefixes):
         raise ValueError(f"prefix={prefix!r} has a prefix twice")
     variants = rows_of(family, rows, len(prefixes))

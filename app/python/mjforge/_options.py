@@ -28,9 +28,11 @@ WORDS: dict[str, list[str]] = json.loads(bytes_of(library.MjforgeWords()))
 
 
 def text(value: Any, option: str) -> str:
-    """Returns the value, which must be a text without zero characters."""
+    """Returns the value, which must be a text without zero characters. The text of a member of an enumeration is
+    its value: str() would return its name.
+    """
     c_text(value, option)
-    return str(value)
+    return str.__str__(value)
 
 
 def word(value: Any, option: str) -> str:
@@ -39,9 +41,10 @@ def word(value: Any, option: str) -> str:
     if not isinstance(value, str):
         raise TypeError(f"{option}={value!r} is not one of {', '.join(words)}, "
                         f"but of type {type(value).__name__}")
-    if text(value, option) in words:
-        return str(value)
-    meant = difflib.get_close_matches(value, words, 1)
+    given = text(value, option)
+    if given in words:
+        return given
+    meant = difflib.get_close_matches(given, words, 1)
     hint = f"; did you mean '{meant[0]}'?" if meant else ""
     raise ValueError(f"{option}={value!r} is not one of {', '.join(words)}{hint}")
 

@@ -14,8 +14,9 @@ from typing import TYPE_CHECKING, Any, Iterable, Literal, Mapping, Optional, Uni
 
 from . import _command
 from ._findings import VariantError
-from ._library import c_number, c_text
+from ._library import c_number
 from ._options import path as path_of
+from ._options import text
 
 if TYPE_CHECKING:
     from ._variant import Variant
@@ -52,10 +53,10 @@ def _size_of(size: Any) -> str:
 
 
 def _layer_of(layer: Any) -> str:
-    c_text(layer, "layer")
-    if layer not in get_args(Layer):
+    name = text(layer, "layer")
+    if name not in get_args(Layer):
         raise ValueError(f"layer={layer!r} is not one of {', '.join(get_args(Layer))}")
-    return str(layer)
+    return name
 
 
 def _joints_of(pose: Any) -> list[str]:
@@ -63,7 +64,7 @@ def _joints_of(pose: Any) -> list[str]:
         raise TypeError(f"pose={pose!r} is not a mapping of joints to positions")
     words = []
     for joint, value in pose.items():
-        c_text(joint, "pose")
+        joint = text(joint, "pose")
         if isinstance(value, (str, bytes, bool, complex)) or not hasattr(value, "__float__"):
             raise TypeError(f"pose={pose!r}: the position of {joint!r} is not a number")
         if not math.isfinite(value):

@@ -168,7 +168,7 @@ def _members_of(members: Any) -> list[str]:
     for name in names:
         if not isinstance(name, str):
             raise TypeError(f"members={members!r}: {name!r} is not a text but of type {type(name).__name__}")
-    return names
+    return list(map(str.__str__, names))
 
 
 def _pandas(frame: Any) -> Any:

@@ -5,8 +5,7 @@ from __future__ import annotations
 import importlib.metadata
 from typing import TYPE_CHECKING, Any, Callable, Optional
 
-from ._library import c_text
-from ._options import function
+from ._options import function, text
 from ._packages import needed
 from ._to_warp import changes_of
 
@@ -21,7 +20,7 @@ Choice = Callable[[Any, Any], Any]  # (environment, ids of worlds) -> rows of th
 
 def entity_and_event(family: Family, name: str, mode: str, rows: Optional[Choice]) -> tuple[Any, Any]:
     """See Family.to_mjlab."""
-    c_text(name, "name")
+    name = text(name, "name")
     if not isinstance(mode, str) or mode not in ("startup", "reset"):
         raise ValueError(f"mode={mode!r} is not 'startup' or 'reset'")
     if rows is not None:

@@ -53,7 +53,8 @@ def _key(path: str, key: Any) -> str:
         raise TypeError(f"spec: {path}[{key!r}] has a key of type {type(key).__name__}, not a text")
     if not _NAME.fullmatch(key):
         return f"{path}[{key!r}]"
-    return f"{path}.{key}" if path else key
+    name = str.__str__(key)
+    return f"{path}.{name}" if path else name
 
 
 class _Lines:
@@ -108,13 +109,14 @@ def checked_settings(settings: Any) -> dict[str, Any]:
         return {}
     if not isinstance(settings, Mapping):
         raise TypeError(f"set={settings!r} is not a mapping of names to values")
+    checked: dict[str, Any] = {}
     for name, value in settings.items():
-        text_option(name, "set")
+        checked[text_option(name, "set")] = value
         if isinstance(value, str):
             text_option(value, f"set[{name!r}]")
-            continue
-        _converted(flow_text, value, f"set[{name!r}]")
-    return dict(settings)
+        else:
+            _converted(flow_text, value, f"set[{name!r}]")
+    return checked
 
 
 class RecordedText(str):
@@ -140,6 +142,7 @@ def setting_text(value: Any, known: "Optional[Parameter]", names: Container[str]
     if isinstance(value, RecordedText):
         return str(value)
     if isinstance(value, str):
+        value = str.__str__(value)
         is_choice = known is not None and known.type == "text" and value in (known.choices or ())
         return f"'{value}'" if is_choice and value in names else value
     if hasattr(value, "tolist"):
