@@ -226,6 +226,23 @@ class Parameters(InFolder):
                 self.assertEqual(variants[0].params["t"], name.strip("'"))
         self.assertEqual(spec.variants(set={"shape": "disc"}).spec.settings, {"shape": "disc"})
 
+    def test_of_text_take_choices_that_look_like_other_values(self):
+        choices = ("8", "-1.5", "1e3", "0x1f", "true", "null", "False", "no", "M10", "a-b")
+        spec = mjforge.Spec({**KINDS, "params": {**KINDS["params"], "grade": {"choice": [*choices]},
+                                                 "sizes": {"choice": [["8", "x"], ["9", "y"]]}}})
+        self.assertEqual(spec.parameters["grade"].choices, choices)
+        for choice in choices:
+            variants = spec.variants(set={"grade": choice})
+            variant = mjforge.Spec(spec.text, set={"grade": choice}).variants()[0]
+            self.assertEqual((variants[0].params["grade"], variant.params["grade"]), (choice, choice))
+            self.assertEqual(mjforge.Variant.from_record(variant.record, spec.text), variant)
+            self.assertTrue(variants.write(self.folder / "out", 1).ok)
+            self.assertEqual(mjforge.Batch(self.folder / "out")[0].xml, variants[0].xml)
+        for choice in spec.parameters["sizes"].choices:
+            self.assertEqual(spec.variants(set={"sizes": choice})[0].params["sizes"], [*choice])
+        for value, drawn in (("2 * 0.3", 0.6), ("25cm", 0.25), ("0.5", 0.5)):
+            self.assertEqual(spec.variants(set={"rate": value})[0].params["rate"], drawn)
+
     def test_say_what_may_be_drawn(self):
         known = mjforge.Spec(KINDS).parameters
         self.assertEqual(list(known), list(KINDS["params"]))

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from ._parameters import Parameter
 
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+# Texts that YAML takes for a number, a boolean or null, and some others.
+_NOT_TEXT = re.compile(r"[-+.0-9][-+.0-9a-fox]*|true|false|null", re.IGNORECASE)
 
 
 def _plain(value: Any) -> Any:
@@ -128,7 +130,7 @@ def needs_parameter(value: Any) -> bool:
     if isinstance(value, RecordedText):
         return False
     if isinstance(value, str):
-        return _NAME.fullmatch(value) is not None
+        return (_NAME.fullmatch(value) or _NOT_TEXT.fullmatch(value)) is not None
     return isinstance(value, (list, tuple)) or hasattr(value, "tolist")
 
 
@@ -136,15 +138,15 @@ def setting_text(value: Any, known: "Optional[Parameter]", names: Container[str]
     """Returns the value of a setting as YAML. A pair of numbers becomes a range if the parameter is
     one number (a range of whole numbers if the parameter draws whole numbers), or if the pair is a
     component of a vector. A text that is an option of the parameter stays a text, even if it is one
-    of `names`, the names of all parameters. `known`: the parameter as the spec declares it, if
-    there is one.
+    of `names`, the names of all parameters, or looks like a number. `known`: the parameter as the spec
+    declares it, if there is one.
     """
     if isinstance(value, RecordedText):
         return str(value)
     if isinstance(value, str):
         value = str.__str__(value)
         is_choice = known is not None and known.type == "text" and value in (known.choices or ())
-        return f"'{value}'" if is_choice and value in names else value
+        return f"'{value}'" if is_choice and (value in names or _NOT_TEXT.fullmatch(value)) else value
     if hasattr(value, "tolist"):
         value = value.tolist()
     if known is None or known.type != "number" or not isinstance(value, (list, tuple)):
