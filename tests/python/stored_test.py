@@ -189,6 +189,26 @@ class Batches(unittest.TestCase):
             manifest.write_bytes(b"".join(lines)[:-9])
             self.assertRaisesRegex(mjforge.VariantError, "to its end: it was cut off", len, mjforge.Batch(path))
 
+    def test_that_were_changed_since_are_one_finding_in_all_calls(self):
+        variants = mjforge.Spec("hammer").variants()
+        for output in FORMS:
+            with written(output, variants, 6) as path:
+                batch, unread = mjforge.Batch(path), mjforge.Batch(path)
+                self.assertEqual((len(batch), batch[0].seed), (6, 0))
+                variants.write(path, 6)
+                self.assertEqual([variant.index for variant in batch], [*range(6)])  # the same again
+                for change in (lambda: variants.write(path, 9, resume=True),
+                               lambda: mjforge.Spec("hammer").variants(seed=5).write(path, 6)):
+                    change()
+                    for call in (len, list, lambda batch: batch[0], lambda batch: batch[3], lambda batch: batch[1:3][0],
+                                 lambda batch: list(batch.records()), lambda batch: batch.replay(0),
+                                  mjforge.Batch.table):
+                        for each in (batch, unread, pickle.loads(pickle.dumps(batch))):
+                            if call != mjforge.Batch.table or has_numpy():
+                                with self.assertRaisesRegex(mjforge.VariantError, "was changed since this Batch"):
+                                    call(each)
+                self.assertEqual(mjforge.Batch(path)[5].seed, 5)
+
     def test_that_are_families_name_what_reads_them(self):
         for call in (mjforge.Batch, mjforge.prove):
             self.assertRaisesRegex(FileNotFoundError, "'f.npz' is a family, .* mjforge.load_family", call, "f.npz")

@@ -130,16 +130,12 @@ class Reader:
         None if the manifest has no seal.
         """
         try:
-            seal = loads(_content(self._seal_path()))
+            seal = loads(seal_of(self.manifest))
             if seal["manifest"]["file"] != self.manifest.name:
                 return None
             return int(seal["records"]), int(seal["manifest"]["bytes"])
-        except (OSError, ValueError, KeyError, TypeError, RecursionError):
+        except (ValueError, KeyError, TypeError, RecursionError):
             return None
-
-    def _seal_path(self) -> pathlib.Path:
-        name = self.manifest.name.removesuffix(".zst").removesuffix(".jsonl") + ".seal.json"
-        return self.manifest.with_name(name)
 
     def compare_with_seal(self) -> None:
         """Reports a manifest whose number of records or size differs from its seal, unless a line
@@ -289,6 +285,17 @@ def _content(path: pathlib.Path) -> bytes:
     if len(content) > _MAX_FILE:
         raise OSError(f"it has more than {_MAX_FILE} bytes")
     return content
+
+
+def seal_of(manifest: pathlib.Path) -> bytes:
+    """Returns the text of a manifest's seal, which contains the hash of the manifest; empty if there is
+    no seal.
+    """
+    name = manifest.name.removesuffix(".zst").removesuffix(".jsonl") + ".seal.json"
+    try:
+        return _content(manifest.with_name(name))
+    except OSError:
+        return b""
 
 
 def _is_number(value: Any) -> bool:

@@ -11,7 +11,7 @@ from typing import Any, Iterator, Optional, Sequence, Union, overload
 
 from . import _command
 from ._batch_files import (Reader, Stored, bad_manifest, expect_no_family, manifests_of, missing_shards,
-                           record_of)
+                           record_of, seal_of)
 from ._findings import Finding, VariantError
 from ._json import loads, members_of_record
 from ._library import integer, lines
@@ -61,6 +61,11 @@ def _stored_lines(manifest: pathlib.Path) -> Iterator[bytes]:
     return (line for line, is_stored in _records(manifest) if is_stored)
 
 
+def _changed(manifest: pathlib.Path) -> VariantError:
+    return VariantError([bad_manifest(manifest, "the manifest is damaged, or was changed since this Batch was opened: "
+                                                "open it again")])
+
+
 class Batch:
     """A batch that was written, as a sequence of variants: its objects that have a file, numbered
     from 0.
@@ -76,14 +81,27 @@ class Batch:
     def __init__(self, path: Union[str, os.PathLike[str]]) -> None:
         path = path_of(path, "path")
         self._manifests = [pathlib.Path(os.path.abspath(each)) for each in manifests_of(path)]
+        self._seals = {manifest: seal_of(manifest) for manifest in self._manifests}
         self.path = pathlib.Path(os.path.abspath(path))
         self._starts: Optional[list[array.array[int]]] = None  # offsets of records in each manifest
         self._reader: Optional[tuple[int, Reader]] = None  # last object read, and its reader
         # Compressed manifest that was read last, and the process; number of the next record; further records.
         self._packed: Optional[tuple[tuple[pathlib.Path, int], int, Iterator[bytes]]] = None
 
-    def __iter__(self) -> Iterator[Variant]:
+    def _compare(self, manifest: pathlib.Path) -> None:
+        """Raises VariantError if a manifest was changed since the batch was opened."""
+        if seal_of(manifest) != self._seals[manifest]:
+            raise _changed(manifest)
+
+    def _unchanged(self) -> Iterator[pathlib.Path]:
+        """Yields the manifests. Compares each before and after its use."""
         for manifest in self._manifests:
+            self._compare(manifest)
+            yield manifest
+            self._compare(manifest)
+
+    def __iter__(self) -> Iterator[Variant]:
+        for manifest in self._unchanged():
             expect_no_family(manifest)
             reader = Reader(manifest, _raise)
             yield from map(_variant, reader)
@@ -91,16 +109,16 @@ class Batch:
 
     def records(self) -> Iterator[dict[str, Any]]:
         """Yields the records of all variants, including those that failed and have no file."""
-        for manifest in self._manifests:
+        for manifest in self._unchanged():
             for line, _ in _records(manifest):
                 yield loads(line)
 
     def __len__(self) -> int:
-        return sum(map(len, self._index()))
+        return sum(len(starts) for starts, _ in zip(self._index(), self._unchanged()))
 
     def _index(self) -> list[array.array[int]]:
         if self._starts is None:
-            self._starts = [self._starts_of(manifest) for manifest in self._manifests]
+            self._starts = [self._starts_of(manifest) for manifest in self._unchanged()]
         return self._starts
 
     @staticmethod
@@ -114,14 +132,14 @@ class Batch:
 
     def _record(self, number: int) -> tuple[pathlib.Path, bytes, dict[str, Any]]:
         """Returns the manifest, the line and the record of an object. Raises VariantError if the
-        record is not there.
+        record is not there, or if the manifest was changed since the batch was opened.
         """
         manifest, line = self._line(number)
         record, problem = record_of(line)
         if problem or record["status"] != "ok":
             expect_no_family(manifest)
-            raise VariantError([bad_manifest(manifest, "the manifest is damaged, or was changed since this "
-                                                       "Batch was opened: open it again")])
+            raise _changed(manifest)
+        self._compare(manifest)
         return manifest, line, record
 
     def _line(self, number: int) -> tuple[pathlib.Path, bytes]:
@@ -148,7 +166,7 @@ class Batch:
         return line
 
     def _number(self, number: Any) -> int:
-        at, count = integer(number, "number"), len(self)
+        at, count = integer(number, "number"), sum(map(len, self._index()))
         if not -count <= at < count:
             raise IndexError(f"number={number} is not within the {count} objects of '{self.path}'")
         return at % count
@@ -177,7 +195,7 @@ class Batch:
     def table(self, members: Sequence[str] = ("params", "mass", "bounds"), frame: Optional[bool] = None) -> Any:
         """Returns a table of the records of the objects; see Variants.table."""
         table = Table(members, frame)
-        for record in itertools.chain.from_iterable(map(_stored_lines, self._manifests)):
+        for record in itertools.chain.from_iterable(map(_stored_lines, self._unchanged())):
             table.add(record)
         return table.finish()
 
