@@ -12,7 +12,7 @@ import unittest
 import unittest.mock
 
 import mjforge
-from mjforge import _stored
+from mjforge import _batch_files, _stored
 from mjforge._library import PROGRAM
 
 FORMS = ("out/", "x.tar", "x.tar.zst")
@@ -208,6 +208,19 @@ class Batches(unittest.TestCase):
                                 with self.assertRaisesRegex(mjforge.VariantError, "was changed since this Batch"):
                                     call(each)
                 self.assertEqual(mjforge.Batch(path)[5].seed, 5)
+
+    def test_have_the_findings_of_their_records(self):
+        variants = mjforge.Spec("robosuite/hammer").variants(seed=1, validate="physics")
+        wanted = [(f.code, f.message, f.hint, f.line, f.severity, f.index) for f in variants[0].findings]
+        self.assertEqual([code for code, *_ in wanted], ["physics/friction"])
+        for output in FORMS:
+            with written(output, variants, 2) as path:
+                batch = mjforge.Batch(path)
+                record = batch[0].record
+                for variant in (batch[0], next(iter(batch)), batch.replay(0), mjforge.Variant.from_record(record)):
+                    self.assertEqual([(f.code, f.message, f.hint, f.line, f.severity, f.index)
+                                      for f in variant.findings], wanted)
+        self.assertEqual(_batch_files.problem_of({**record, "findings": [3]}), "'findings' is not of its kind")
 
     def test_that_are_families_name_what_reads_them(self):
         for call in (mjforge.Batch, mjforge.prove):

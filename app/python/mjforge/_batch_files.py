@@ -325,13 +325,17 @@ def _are_assets(value: Any) -> bool:
     return isinstance(value, dict) and all(map(_is_inside, value))
 
 
+def _are_findings(value: Any) -> bool:
+    return isinstance(value, list) and all(isinstance(finding, dict) for finding in value)
+
+
 # Values of `status`, and tests of the members of a record that are used here.
 _STATUSES = ("ok", "failed", "skipped")
 _ALWAYS = {"status": lambda value: isinstance(value, str), "index": _is_count, "seed": _is_count}
 _OF_OBJECTS = {"file": _is_inside, "sha256": lambda value: isinstance(value, str), "mass": _is_number,
                "com": _are_numbers(3), "inertia": _are_numbers(6), "aabb": _is_box,
                "nbody": _is_count, "njnt": _is_count, "ngeom": _is_count}
-_OPTIONAL = {"archive": _is_inside, "assets": _are_assets}
+_OPTIONAL = {"archive": _is_inside, "assets": _are_assets, "findings": _are_findings}
 
 
 def bad_manifest(manifest: pathlib.Path, message: str, **place: int) -> Finding:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional, Sequence
+from typing import Any, Mapping, Optional, Sequence
 
 
 TEXT_NAME = "<spec>"  # name of a spec without a file, in findings
@@ -62,9 +62,9 @@ class Finding:
         summary = [f"{place}: {self.severity}: {self.message} [{self.code}]"]
         if self.hint is not None:
             summary.append(f"  hint: {self.hint}")
-        for note in self.notes or []:
-            if note.get("file") == TEXT_NAME:
-                note["key"] = key_of(note.get("line"))
+        self.notes = [{**note, "key": key_of(note.get("line"))} if note.get("file") == TEXT_NAME else note
+                      for note in self.notes or []]
+        for note in self.notes:
             at = note.get("key") or note.get("file")
             summary.append(f"  {at}: note: {note['message']}" if at else f"  note: {note['message']}")
         self.text = printable("\n".join(summary))
@@ -80,6 +80,11 @@ class Finding:
 
     def __repr__(self) -> str:
         return f"<mjforge.Finding {self._summary()!r}>"
+
+
+def findings_of(record: Mapping[str, Any], key_paths: Sequence[str] = ()) -> tuple[Finding, ...]:
+    """Returns the findings in the record of a variant. `key_paths`: see Finding.set_keys."""
+    return tuple(Finding(members).set_keys(key_paths) for members in record.get("findings", ()))
 
 
 class _FindingsError(ValueError):

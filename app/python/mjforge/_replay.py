@@ -6,7 +6,7 @@ import os
 import pathlib
 from typing import Any, Iterator, Mapping, Optional, Union
 
-from ._findings import MismatchError, SpecError
+from ._findings import MismatchError, SpecError, findings_of
 from ._spec import Source, Spec
 from ._variant import Variant
 from ._yaml import RecordedText
@@ -76,4 +76,5 @@ def replay(record: Mapping[str, Any], spec: Union[Source, Spec, None],
     if again.get("sha256") != record.get("sha256"):
         raise MismatchError(f"{title}: it is another file: its SHA-256 is {again.get('sha256')}, not "
                             f"{record.get('sha256')}")
+    variant.findings = findings_of(record, spec._key_paths)  # those of a validation, too
     return variant

@@ -7,7 +7,7 @@ import os
 import pathlib
 from typing import Optional, Sequence
 
-from ._findings import Finding
+from ._findings import Finding, findings_of
 from ._json import loads
 from ._library import bytes_of, library, lines
 
@@ -72,7 +72,7 @@ def report_of(output: str, shard: Optional[str], span: range, made: int, skips: 
             made += 1
             continue
         record = loads(line)
-        own = tuple(Finding(members).set_keys(key_paths) for members in record["findings"])
+        own = findings_of(record, key_paths)
         findings += own
         if record["status"] == "ok":
             made += 1

@@ -12,7 +12,7 @@ from typing import Any, Iterator, Optional, Sequence, Union, overload
 from . import _command
 from ._batch_files import (Reader, Stored, bad_manifest, expect_no_family, manifests_of, missing_shards,
                            record_of, seal_of)
-from ._findings import Finding, VariantError
+from ._findings import Finding, VariantError, findings_of
 from ._json import loads, members_of_record
 from ._library import integer, lines
 from ._options import path as path_of
@@ -23,7 +23,7 @@ from ._variant import Variant
 def _variant(stored: Stored) -> Variant:
     files = [[name, "", len(content)] for name, content in stored.files.items()]
     return Variant(stored.xml, stored.line, json.dumps(files).encode() if files else b"",
-                   b"".join(stored.files.values()), ())
+                   b"".join(stored.files.values()), findings_of(stored.record))
 
 
 def _raise(finding: Finding) -> None:

@@ -70,7 +70,7 @@ class Variant:
 
     xml_bytes: bytes  # the MJCF file, as the command writes it
     record_bytes: bytes  # the record, a line of a manifest, JSON
-    findings: tuple[Finding, ...]  # warnings about the variant
+    findings: tuple[Finding, ...]  # warnings about the variant; after `from_record` and in a Batch, those of the record
     view: Mapping[str, Any]  # `view:` of the spec: azimuth and elevation (degrees), pose (rad, m)
 
     def __init__(self, xml: bytes, record: bytes, files: bytes, contents: bytes,
