@@ -188,6 +188,11 @@ def check_table(folder):
     for name, column in own.items():
         expect(np.array_equal(mine[name], column), f"{name} differs")
     expect(np.array_equal(family.parameters["handle_length"], own["params.handle_length"]), "another handle_length")
+    with tempfile.TemporaryDirectory() as place:  # indices that only integers without a sign have
+        variants.spec.variants(seed=7).write(f"{place}/last.npz", 2, first=2**63 - 1)
+        mine = mjforge.load_family(f"{place}/last.npz").table(frame=False)["index"]
+        own = variants.spec.variants(seed=7)[2**63 - 1:2**63 + 1].table(frame=False)["index"]
+        expect(mine.dtype == own.dtype and np.array_equal(mine, own), f"indices {mine}, not {own}")
     expect(family.facts["seed"] == 7 and len(family) == 64, f"{family.facts}")
     again = pickle.loads(pickle.dumps(family))
     expect(np.array_equal(again.arrays["geom_size"], family.arrays["geom_size"]), "a pickle has other numbers")

@@ -11,7 +11,8 @@ from ._table import _pandas
 def table_of(file: FamilyFile, parameters: Mapping[str, Any], frame: Optional[bool]) -> Any:
     """See Family.table."""
     pandas = _pandas(frame)
-    columns = {"index": file.members["index"].astype("int64")}
+    index = file.members["index"]
+    columns = {"index": index if index.max() >= 2**63 else index.astype("int64")}
     for name, values in parameters.items():
         if values.ndim == 1:
             columns[f"params.{name}"] = values
