@@ -1,6 +1,7 @@
 """A Spec is what its files were when it was made, in every thread, process and folder."""
 
 import concurrent.futures
+import copy
 import json
 import os
 import pathlib
@@ -21,6 +22,18 @@ WOOD = "mjforge: 1\nmaterials: {wood: {rgba: [0.5, 0.3, 0.1, 1], density: 600}}\
 ROOF = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 {}\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
 HOUSE = {"mjforge": 1, "name": "house", "parts": [
     {"name": "roof", "type": "mesh", "file": "roof.obj", "density": 100}]}
+
+
+class Named(mjforge.Spec):
+    """A Spec with an attribute of its own."""
+
+    def __init__(self, *arguments, **options):
+        super().__init__(*arguments, **options)
+        self.title = "a peg"
+
+
+class Some(mjforge.Variants):
+    """Variants with an attribute of their own."""
 
 
 class Snapshot(InFolder):
@@ -86,6 +99,19 @@ class Snapshot(InFolder):
         self.put("5cm .. 6cm")
         os.chdir("/")
         self.assertEqual(pickle.loads(saved)[0].xml, before)
+
+    def test_copies_have_the_type_and_the_attributes(self):
+        spec = Named(PEG.format("1cm .. 2cm"))
+        for each in (copy.copy(spec), copy.deepcopy(spec), pickle.loads(pickle.dumps(spec)),
+                     pickle.loads(pickle.dumps(spec, 0)), spec.variants(set={"r": 0.01}).spec, pickle.loads(pickle.dumps(spec.variants()[:3])).spec):
+            self.assertEqual((type(each), each.title, each.name, each.text), (Named, "a peg", "peg", spec.text))
+            self.assertEqual(list(each.parameters), ["r"])
+        self.assertEqual(spec.variants(set={"r": 0.01}).spec.variants()[0].params["r"], 0.01)
+        variants = Some(spec, spec.variants(seed=3)._options)
+        variants.title = "pegs"
+        for each in (variants[:5], variants[:9][:5], copy.copy(variants)[:5], pickle.loads(pickle.dumps(variants[:5]))):
+            self.assertEqual((type(each), each.title, len(each)), (Some, "pegs", 5))
+            self.assertEqual(each[4], variants[4])
 
     def test_a_search_path_that_changes_later_changes_nothing(self):
         self.put()

@@ -128,7 +128,7 @@ class Spec:
         settings = _yaml.checked_settings(settings)
         if not settings:
             return self
-        other = Spec.__new__(Spec)
+        other = type(self).__new__(type(self))
         other.__dict__.update(self.__dict__)
         other._settings = {**self._settings, **self._texts_of(settings)}
         return other
@@ -196,7 +196,7 @@ class Spec:
             return Variants(self, options)
         maker = Maker(spec, options)
         spec._describe(maker)
-        return Variants(spec, options, None, [maker])
+        return Variants(spec, options, [maker])
 
     def check(
         self,
@@ -222,28 +222,20 @@ class Spec:
         """
         options = _options.checked({"seed": seed, "physics": physics, "profile": profile})
         validate = "physics" if physics or profile not in (None, "none") else "load"
-        variants = Variants(self, {**DEFAULTS, "seed": options["seed"], "validate": validate},
-                            makers=[])
+        variants = Variants(self, {**DEFAULTS, "seed": options["seed"], "validate": validate}, [])
         with tempfile.TemporaryDirectory() as folder:
             report = variants.write(os.path.join(folder, "checked.tar"), count, profile=profile,
                                     jobs=jobs, time_limit=time_limit, durability="none")
         return Report(report.count, report.made, report.failed, report.skipped, report.findings, None)
 
-    def __reduce__(self) -> Any:
-        return _unpickle, (self._snapshot.saved(), self._settings, self.parameter_files,
-                           self._key_paths, self._inputs)
+    def __getstate__(self) -> dict[str, Any]:
+        state = {**self.__dict__, "_snapshot": self._snapshot.saved()}
+        del state["parameters"]  # a read-only mapping cannot be pickled
+        return state
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state, _snapshot=Snapshot.read(state["_snapshot"]))
+        self._open()
 
     def __repr__(self) -> str:
         return f"<mjforge.Spec {described(self)}>"
-
-
-def _unpickle(snapshot: bytes, settings: dict[str, str], parameter_files: tuple[str, ...],
-              key_paths: tuple[str, ...], inputs: dict[str, str]) -> Spec:
-    spec = Spec.__new__(Spec)
-    spec._snapshot = Snapshot.read(snapshot)
-    spec._settings = settings
-    spec.parameter_files = parameter_files
-    spec._key_paths = key_paths
-    spec._inputs = inputs
-    spec._open()
-    return spec

@@ -52,11 +52,10 @@ class Variants(Sequence[Variant]):
     ([10, 15], 100, 99)
     """
 
-    def __init__(self, spec: "Spec", options: dict[str, Any],
-                 indices: Optional[range] = None, makers: Optional[list[Maker]] = None) -> None:
+    def __init__(self, spec: "Spec", options: dict[str, Any], makers: Optional[list[Maker]] = None) -> None:
         self.spec = spec
         self._options = options
-        self._indices = indices
+        self._indices: Optional[range] = None
         if makers is None:
             makers = [Maker(spec, options)]
             makers[0].check()
@@ -85,7 +84,9 @@ class Variants(Sequence[Variant]):
     def __getitem__(self, key: slice) -> "Variants": ...
     def __getitem__(self, key: Any) -> Any:
         if isinstance(key, slice):
-            return Variants(self.spec, self._options, self._range(key), self._makers)
+            some = type(self).__new__(type(self))
+            some.__dict__.update(self.__dict__, _indices=self._range(key))
+            return some
         index = integer(key, "index")
         return self._make(index if self._indices is None else self._indices[index])
 
@@ -276,8 +277,8 @@ class Variants(Sequence[Variant]):
         else:
             raise MemoryError  # no memory for the row of the variant
 
-    def __reduce__(self) -> Any:
-        return Variants, (self.spec, self._options, self._indices)
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_makers": []}
 
     def __repr__(self) -> str:
         which = "" if self._indices is None else f" {self._indices}"
