@@ -155,6 +155,18 @@ class Arguments(InFolder):
         with self.assertRaisesRegex(ValueError, "shard"):
             write("unused", 2, shard="2/2")
 
+    def test_slices_that_are_written(self):
+        variants = SPEC.variants()
+        for some in (variants[0:0], variants[5:5:2], variants[5:9][9:]):
+            with self.assertRaisesRegex(ValueError, r"^the slice range\(.*\) is empty, so it cannot be written"):
+                some.write("unused")
+        for some in (variants[5:9:2], variants[5:9][::-1]):
+            with self.assertRaisesRegex(ValueError, r"^variants range\(.*\) are not consecutive"):
+                some.write("unused")
+        for some in (variants[5:6:7], variants[5:9:7], variants[5:9][0::-1], variants[3:9][2:3]):
+            some.write("one")
+            self.assertEqual([record["index"] for record in mjforge.Batch("one").records()], [5])
+
     def test_numbers_of_processes(self):
         for jobs in (-1, 0, 1025, 2**64):
             for call in (functools.partial(SPEC.variants().write, "unused", 1), functools.partial(SPEC.check, 1),

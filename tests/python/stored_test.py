@@ -284,6 +284,12 @@ class Replays(unittest.TestCase):
         for wrong in (5, None, "x", [1]):
             self.assertRaisesRegex(TypeError, "record=", mjforge.Variant.from_record, wrong)
         self.assertRaisesRegex(ValueError, "record has no 'spec'", mjforge.Variant.from_record, {})
+        record = mjforge.Spec("hammer").variants()[0].record
+        for name, values in (("set", (3, None, ["a"])), ("spec", (3, None)), ("spec_file", (3,)),
+                             ("findings", (3, [3])), ("assets", (3,))):
+            for value in values:
+                with self.assertRaisesRegex(ValueError, f"^record: '{name}' is not of its kind: it is not a line of a"):
+                    mjforge.Variant.from_record({**record, name: value})
 
 
 if __name__ == "__main__":

@@ -310,6 +310,14 @@ def _is_count(value: Any) -> bool:
     return isinstance(value, int) and value >= 0
 
 
+def _is_text(value: Any) -> bool:
+    return isinstance(value, str)
+
+
+def _is_mapping(value: Any) -> bool:
+    return isinstance(value, Mapping)
+
+
 def _is_inside(value: Any) -> bool:
     """Returns True for a relative path that stays below its folder."""
     if not isinstance(value, str) or "\0" in value or os.path.isabs(value):
@@ -331,11 +339,12 @@ def _are_findings(value: Any) -> bool:
 
 # Values of `status`, and tests of the members of a record that are used here.
 _STATUSES = ("ok", "failed", "skipped")
-_ALWAYS = {"status": lambda value: isinstance(value, str), "index": _is_count, "seed": _is_count}
-_OF_OBJECTS = {"file": _is_inside, "sha256": lambda value: isinstance(value, str), "mass": _is_number,
+_ALWAYS = {"status": _is_text, "index": _is_count, "seed": _is_count}
+_OF_OBJECTS = {"file": _is_inside, "sha256": _is_text, "mass": _is_number,
                "com": _are_numbers(3), "inertia": _are_numbers(6), "aabb": _is_box,
                "nbody": _is_count, "njnt": _is_count, "ngeom": _is_count}
-_OPTIONAL = {"archive": _is_inside, "assets": _are_assets, "findings": _are_findings}
+OPTIONAL = {"archive": _is_inside, "assets": _are_assets, "findings": _are_findings, "spec": _is_text,
+            "spec_file": _is_text, "set": _is_mapping}
 
 
 def bad_manifest(manifest: pathlib.Path, message: str, **place: int) -> Finding:
@@ -360,7 +369,7 @@ def problem_of(record: Any) -> str:
     if not isinstance(record, dict):
         return "it is not a JSON object"
     needed = {**_ALWAYS, **(_OF_OBJECTS if record.get("status") == "ok" else {})}
-    for key, is_good in {**needed, **_OPTIONAL}.items():
+    for key, is_good in {**needed, **OPTIONAL}.items():
         if key not in record:
             if key in needed:
                 return f"it has no '{key}'"

@@ -6,6 +6,7 @@ import os
 import pathlib
 from typing import Any, Iterator, Mapping, Optional, Union
 
+from ._batch_files import OPTIONAL
 from ._findings import MismatchError, SpecError, findings_of
 from ._spec import Source, Spec
 from ._variant import Variant
@@ -54,6 +55,9 @@ def replay(record: Mapping[str, Any], spec: Union[Source, Spec, None],
     missing = [name for name in ("spec", "spec_sha256", "seed", "index", "target", "name") if name not in record]
     if missing:
         raise ValueError(f"record has no {missing[0]!r}: it is not a line of a manifest")
+    wrong = [name for name, is_good in OPTIONAL.items() if name in record and not is_good(record[name])]
+    if wrong:
+        raise ValueError(f"record: {wrong[0]!r} is not of its kind: it is not a line of a manifest")
     if record.get("each"):
         raise ValueError("record is that of a scene whose objects are files of their own (--each)")
     if record.get("pad"):

@@ -210,10 +210,12 @@ class Variants(Sequence[Variant]):
         for option, value in (("count", count), ("first", first)):
             if value is not None:
                 raise ValueError(f"{option}={value!r}: a slice has its variants already")
-        if self._indices.step != 1 or not self._indices:
+        if not self._indices:
+            raise ValueError(f"the slice {self._indices} is empty, so it cannot be written")
+        start, last = self._indices[0], self._indices[-1]
+        if self._indices.step != 1 and start != last:
             raise ValueError(f"variants {self._indices} are not consecutive, so they cannot be written")
-        _options.length(self._indices.stop - self._indices.start, "count")
-        return self._indices
+        return range(start, start + _options.length(last - start + 1, "count"))
 
     def _validation(self) -> str:
         return "load" if self._options["validate"] == "none" else str(self._options["validate"])
