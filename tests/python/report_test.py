@@ -263,6 +263,16 @@ class Parameters(InFolder):
                 if parameter and parameter.range and parameter.components == 1:
                     self.assertTrue(parameter.low <= value <= parameter.high, name)
 
+    def test_that_are_lists_or_choices_of_vectors_have_no_range(self):
+        spec = mjforge.Spec({**KINDS, "params": {**KINDS["params"], "list": {"each": "1 .. 2", "count": 3},
+                                                 "pair": {"choice": [[1, 2], [3, 4]]}}})
+        known = spec.parameters
+        self.assertEqual([(known[name].range, known[name].components) for name in ("list", "pair")],
+                         [(None, 0), (None, 2)])
+        self.assertEqual(spec.variants(set={"list": (3, 4)})[0].params["list"], [3, 4])
+        drawn = spec.variants(set={"list": {"each": "3 .. 4", "count": 5}})[0].params["list"]
+        self.assertTrue(len(drawn) == 5 and all(3 < number < 4 for number in drawn))
+
     def test_can_be_set_without_reading_the_spec_again(self):
         spec = mjforge.Spec("hammer")
         for value in ((0.2, 0.21), [0.2, 0.21], "20cm .. 21cm"):

@@ -25,14 +25,14 @@ class Parameter:
     components: int  # 1, the size of a vector, or 0 for a list of any length
     distribution: Optional[str]  # "uniform", "choice", ...; None if the value is no single draw
     distributions: tuple[Optional[str], ...]  # `distribution` of each component of a vector; else empty
-    low: Optional[Number]  # bounds, each a tuple for a vector; None if they differ between variants
+    low: Optional[Number]  # bounds, each a tuple for a vector; None if `range` is
     high: Optional[Number]
     choices: Optional[tuple[Any, ...]]  # options of "choice" and "cycle"
 
     @property
     def range(self) -> Optional[tuple[Number, Number]]:
         """The bounds, which are infinite for some distributions; None if the value depends on other
-        parameters or is not a number.
+        parameters, is a list of any length, a choice of vectors, a text or a boolean.
         """
         return None if self.low is None or self.high is None else (self.low, self.high)
 

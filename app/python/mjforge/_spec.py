@@ -25,8 +25,8 @@ class Spec:
     """A spec of random objects, as its files were when the Spec was made.
 
     `spec`: a name in the catalogue, a path, YAML (a text with a line break), or the content of the
-    YAML as a mapping. `set`: values of parameters, each a number, a list, a pair (a range; of whole
-    numbers for a parameter that draws whole numbers) or any text that a spec allows, such as
+    YAML as a mapping. `set`: values of parameters, each a number, a list, a pair (a range if the
+    parameter is one number; of whole numbers if it draws them) or any text that a spec allows, such as
     "20cm .. 30cm"; "root.joints", "root.start" and "checks.profile" are names, too. `parameters`:
     YAML files with values of parameters. Raises SpecError with all errors of the spec.
 
