@@ -133,7 +133,8 @@ class Snapshot(InFolder):
         mesh = pathlib.Path("roof.obj")
         mesh.write_text(ROOF.format(1))
         spec = mjforge.Spec(HOUSE)
-        first = spec.variants()[0]
+        used = spec.variants()
+        first = used[0]
         self.assertEqual(list(first.files.values()), [mesh.read_bytes()])
         saved = pickle.dumps(spec)
         mesh.write_text(ROOF.format(2))
@@ -144,8 +145,10 @@ class Snapshot(InFolder):
                     variants[0]
             with self.assertRaisesRegex(OSError, "roof.obj' has changed since"):
                 variants.write("out", 1)
-        with self.assertRaisesRegex(OSError, "roof.obj' has changed since"):
-            first.files
+        for variant in (first, used[1]):
+            self.assertEqual(variant.mass, first.mass)  # made from the mesh that was read
+            for call in (lambda: variant.files, lambda: variant.save(self.folder)):
+                self.assertRaisesRegex(OSError, "roof.obj' has changed since the Spec of this variant first used", call)
         self.assertAlmostEqual(mjforge.Spec(HOUSE).variants()[0].mass, 2 * first.mass)
 
     def test_a_changed_mjcf_file_is_an_error(self):

@@ -39,8 +39,8 @@ class Spec:
 
     The text of the spec and the texts of all files that it imports are read once and kept; pickles
     contain these texts. Files that variants refer to (meshes, textures, MJCF) are read when they
-    are used. Their hashes are kept from the first use on; if such a file has changed since, OSError
-    is raised.
+    are used. Their hashes are kept from the first use on; if such a file has changed when it is read
+    again, OSError is raised.
     """
 
     name: str

@@ -224,7 +224,7 @@ class Variant:
                 with open(os.fsencode(path), "rb") as file:
                     files[name] = file.read()
                 if hashlib.sha256(files[name]).hexdigest() != self.record["assets"][name]:
-                    raise OSError(f"'{path}' has changed since this variant was made")
+                    raise OSError(f"'{path}' has changed since the Spec of this variant first used it")
             else:
                 files[name] = self._contents[start:start + size]
                 start += size
