@@ -281,7 +281,8 @@ def _regular(path: Union[str, "os.PathLike[str]"]) -> Union[str, "os.PathLike[st
 
 def _content(path: pathlib.Path) -> bytes:
     with open(_regular(path), "rb") as file:
-        content = file.read(_MAX_FILE + 1)
+        # A larger number would cost time: memory for as many bytes is allocated.
+        content = file.read(min(os.fstat(file.fileno()).st_size, _MAX_FILE) + 1)
     if len(content) > _MAX_FILE:
         raise OSError(f"it has more than {_MAX_FILE} bytes")
     return content
