@@ -115,13 +115,17 @@ class Arguments(InFolder):
             PARAMETER, VALUE, SHAPE, OPTION, LAYER = "handle_length", "25cm", "handle_shape", "fibreglass", "joints"
             KEY, MEMBER = "mjforge", "mass"
 
+        class Number(enum.IntEnum):
+            SEED, COUNT = 7, 2
+
         settings = {Word.PARAMETER: Word.VALUE, Word.SHAPE: Word.OPTION}
         spec = mjforge.Spec(Word.SPEC, set=settings)
         self.assertEqual(repr(spec), "<mjforge.Spec hammer (handle_length=25cm, handle_shape=fibreglass)>")
-        variants = mjforge.Spec(Word.SPEC).variants(target=Word.TARGET, name=Word.NAME, set=settings)
+        variants = mjforge.Spec(Word.SPEC).variants(target=Word.TARGET, name=Word.NAME, set=settings,
+                                                    seed=Number.SEED)
         self.assertEqual(repr(variants), "<mjforge.Variants of hammer (handle_length=25cm, handle_shape=fibreglass), "
-                         "seed 0, target mjx>")
-        self.assertTrue(variants.write(Word.OUTPUT, 2).ok)
+                         "seed 7, target mjx>")
+        self.assertTrue(variants.write(Word.OUTPUT, Number.COUNT).ok)
         self.assertEqual(mjforge.Batch(Word.OUTPUT)[1].xml, variants[1].xml)
         self.assertEqual(_picture._layer_of(Word.LAYER) + _picture._joints_of({Word.NAME: 1})[1], "jointstool=1.0")
         self.assertEqual([*map(str, _table._members_of([Word.MEMBER]))], ["mass"])

@@ -140,7 +140,7 @@ def integer(number: Any, what: str) -> int:
     """Returns an integer of any type as int. Raises a TypeError with the name `what`."""
     try:
         if not isinstance(number, bool):
-            return operator.index(number)
+            return int(operator.index(number))  # in Python 3.9, index() returns a member of an IntEnum as it is
     except TypeError:
         pass
     raise TypeError(f"{what}={number!r} is not an integer but of type {type(number).__name__}")
