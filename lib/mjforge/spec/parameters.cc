@@ -169,6 +169,17 @@ void ApplyUnit(Parameter& parameter, Context& context) {
   }
 }
 
+// Returns true if a setting is one of the texts among which the spec chooses. Such a text may have
+// names of parameters among its words.
+bool IsOption(const Value& own, const YamlNode& setting) {
+  const auto* draw = std::get_if<Draw>(&own.form);
+  return draw != nullptr && own.type == expr::Type::kText &&
+         setting.kind == YamlNode::Kind::kScalar &&
+         std::ranges::any_of(draw->arguments, [&](const Value& option) {
+           return LiteralText(option) == setting.text;
+         });
+}
+
 // Reads the value of a parameter. `own` is the parameter as the spec declares it, if a setting
 // replaces its value; otherwise null. `key` is the key of a record if the parameter is another
 // column of the record; otherwise null.
@@ -178,7 +189,9 @@ void ReadOne(Parameter& parameter, const ParameterNode& declared, const Paramete
   const std::span<const std::string_view> extra_keys =
       IsLongForm(node) ? std::span(kLongFormKeys) : std::span<const std::string_view>();
   if (own != nullptr) {
-    parameter.value = context.values.ReadLike(own->value, node, extra_keys);
+    parameter.value = IsOption(own->value, node)
+                          ? context.values.ReadText(node)
+                          : context.values.ReadLike(own->value, node, extra_keys);
     const std::size_t before = context.findings.size();
     CheckSetting(*own, node, parameter, context);
     const bool is_good = context.findings.size() == before;

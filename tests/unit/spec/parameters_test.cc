@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "harness/temporary_folder.h"
 #include "loading.h"
 
 TEST_CASE("parameters may stand in any order", "[params]") {
@@ -96,6 +97,18 @@ TEST_CASE("a setting of an unknown parameter is reported at the setting", "[para
   CHECK(loaded.sources.Name(loaded.findings[0].mark.file) == "--set");
   CHECK(Load(yaml, {{.name = "shape", .text = "bal"}}).Report() ==
         Strings{"1:8 spec/bad-value: 'bal' is not one of box, ball (did you mean 'ball'?)"});
+}
+
+TEST_CASE("a text with the name of a parameter among its words can be set", "[params]") {
+  const mjforge::harness::TemporaryFolder folder;
+  folder.Write("tints.csv", "name,weight\ndeep orange,0\nred,1\n");
+  const std::string yaml =
+      "mjforge: 1\nname: t\nparams: {deep: 1 .. 2, tint: {rows: " +
+      (folder / "tints.csv").string() +
+      ", weights: weight}}\nparts: [{name: p, type: sphere, size: deep, if: tint.name != 'red'}]\n";
+  for (const char* text : {"deep orange", "red"})
+    CHECK(Load(yaml, {{.name = "tint.name", .text = text}}).Report() == Strings{});
+  CHECK(Load(yaml, {{.name = "tint.name", .text = "deep blue"}}).Report().size() > 0);
 }
 
 TEST_CASE("a choice of digits is set as text, quoted or in an expression", "[params]") {
