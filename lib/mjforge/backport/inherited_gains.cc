@@ -57,6 +57,17 @@ bool WriteGain(const DefaultClasses& elements, const ClassedElement& adhesion) {
   return !gain.empty();
 }
 
+// Writes the `kv` that a damper has from a default damper.
+bool WriteDamperGain(const DefaultClasses& elements, const ClassedElement& damper) {
+  if (damper.element->Find("kv") != nullptr) return false;
+  const std::string* kv = nullptr;
+  for (const xml::XmlElement* element : elements.DefaultsOf(damper)) {
+    if (element->tag == "damper" && element->Find("kv") != nullptr) kv = element->Find("kv");
+  }
+  if (kv != nullptr) damper.element->Set("kv", std::string(*kv));
+  return kv != nullptr;
+}
+
 bool WriteDamping(const DefaultClasses& elements, const ClassedElement& servo) {
   if (servo.element->Find("kv") != nullptr) return false;
   const std::string bias = FromGeneral(elements.DefaultsOf(servo), "biasprm", 2, "kv");
@@ -93,6 +104,8 @@ bool WriteInheritedGains(xml::XmlElement& root, int version) {
   for (const ClassedElement* actuator : elements.In("actuator")) {
     if (actuator->element->tag == "adhesion" && version < kAdhesionInherits)
       changed = WriteGain(elements, *actuator) || changed;
+    if (actuator->element->tag == "damper" && version < kKindsAreApart)
+      changed = WriteDamperGain(elements, *actuator) || changed;
     if (IsServo(*actuator->element) && version < kServoKeepsBias)
       changed = WriteDamping(elements, *actuator) || changed;
   }

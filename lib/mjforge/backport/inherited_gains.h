@@ -10,9 +10,9 @@ namespace mjforge::backport {
 bool IsServo(const xml::XmlElement& element);
 
 /// Writes gains that MuJoCo 2.2 drops, and later releases inherit, into the actuators themselves:
-/// the `gain` of `<adhesion>`, and the damping of a servo whose default `<general>` has a
-/// `biasprm`. `version`: the release (a mjVERSION_HEADER) that is to read the file. Returns true if
-/// the tree changed.
+/// the `gain` of `<adhesion>`, the `kv` of `<damper>` (inherited since 3.16), and the damping of a
+/// servo whose default `<general>` has a `biasprm`. `version`: the release (a mjVERSION_HEADER)
+/// that is to read the file. Returns true if the tree changed.
 bool WriteInheritedGains(xml::XmlElement& root, int version);
 
 /// Warns of actuators that take the gains of another kind of actuator from a default class (a

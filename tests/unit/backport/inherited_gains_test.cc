@@ -59,6 +59,18 @@ TEST_CASE("an adhesion has the gain of its class, as in later releases") {
   CHECK(gain_of("<motor gear=\"2\"/>") == 1);
 }
 
+TEST_CASE("a damper has the gain of its class, as in MuJoCo 4") {
+  const auto gain_of = [](const std::string& more) {
+    const Backported file(
+        Driven("<damper kv=\"3\" ctrlrange=\"0 1\"/>", "<damper joint=\"j\" " + more + "/>"));
+    CHECK(file.findings.empty());
+    engine::Loaded loaded;
+    return Load(file.text, loaded)->actuator_gainprm[2];
+  };
+  CHECK(gain_of("") == -3);
+  CHECK(gain_of("kv=\"2\"") == -2);
+}
+
 TEST_CASE("gains of another kind of actuator are a warning, once for each two kinds") {
   const std::string said =
       "4:11 warning: the velocity on line 4 has gains of the default <position> up to MuJoCo 3.15, "
