@@ -64,6 +64,10 @@ class Assembler {
   /// Returns the count of pixels of a picture. Each file is read only once.
   const CachedTexture& ReadTexture(const std::filesystem::path& file);
 
+  /// Returns bytes::HashOf the content of a file; an empty text if the file cannot be read. Each
+  /// file is read only once.
+  const std::string& HashOf(const std::filesystem::path& file);
+
   model::AttachmentSource* attachments() const { return attachments_; }
   model::Placer* placer() const { return placer_; }
   solid::Cache& solids() { return solids_; }
@@ -73,6 +77,7 @@ class Assembler {
   model::Placer* placer_;
   std::map<std::filesystem::path, CachedMesh> meshes_;
   std::map<std::filesystem::path, CachedTexture> textures_;
+  std::map<std::filesystem::path, std::string> hashes_;
   solid::Cache solids_;
 };
 

@@ -49,4 +49,13 @@ const Assembler::CachedTexture& Assembler::ReadTexture(const std::filesystem::pa
   return cached;
 }
 
+const std::string& Assembler::HashOf(const std::filesystem::path& file) {
+  const auto [found, is_new] = hashes_.try_emplace(file);
+  if (!is_new) return found->second;
+  std::string ignored;  // an unreadable file is an error of the mesh or texture that names the file
+  if (const auto content = bytes::Read(file, bytes::kMaxAsset, ignored))
+    found->second = bytes::HashOf(*content);
+  return found->second;
+}
+
 }  // namespace mjforge::assemble

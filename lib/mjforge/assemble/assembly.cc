@@ -32,6 +32,7 @@ std::optional<model::Object> Assembly::Run(sample::Evaluator& values,
   const spec::ObjectSpec& spec = values.spec();
   spec_ = &spec;
   place_seed_ = options.place_seed;
+  assets_.SetFolder(spec.folder);
   const std::size_t left_out = left_out_.size();
   object_.left_out.assign(left_out_.begin(), left_out_.end());
   object_.name = options.name.empty() ? spec.name : options.name;

@@ -56,6 +56,8 @@ class Assets {
   Assets(Assembler& assembler, model::Object& object, diag::Findings& findings)
       : assembler_(assembler), object_(object), findings_(findings) {}
 
+  /// Sets the folder of the object's spec; see OutputName.
+  void SetFolder(const std::filesystem::path& folder);
   /// Makes a shape with the library `solid`. Sets the part's render mesh (unless the part only
   /// collides) and the part's exact mass properties. Returns the colliding convex pieces, with
   /// poses in the part's frame. If the shape is a single convex mesh, sets this mesh, and returns
@@ -82,14 +84,13 @@ class Assets {
   /// Adds a finding if all textures together have too many pixels.
   void CheckPixels();
   /// Returns the index of a mesh that equals `mesh`. If there is none, adds a copy named `name`.
-  /// `written`: see OutputName.
-  int ShareMesh(const model::MeshAsset& mesh, const std::string& name,
-                const std::filesystem::path& written);
-  /// Returns the name of the file's copy in assets/: `written`, the path by which a spec names the
-  /// file, with _ in place of slashes and of characters that some file systems reject. Folders are
-  /// part of the name, because variants with files of one name from several folders share assets/.
-  /// Appends _2, _3, ... if another file of this object has that name.
-  std::string OutputName(const std::filesystem::path& file, const std::filesystem::path& written);
+  int ShareMesh(const model::MeshAsset& mesh, const std::string& name);
+  /// Returns the name of the file's copy in assets/: the name of the file, with _ in place of
+  /// characters that some file systems reject. A file outside of the folder of the object's spec
+  /// has a hash of its content in the name, because variants, and objects in one folder, may use
+  /// files of one name from several folders. Appends _2, _3, ... if another file of this object has
+  /// the name.
+  std::string OutputName(const std::filesystem::path& file);
 
  private:
   /// File and scale from which a mesh was made, and properties of the mesh.
@@ -106,9 +107,8 @@ class Assets {
   /// Sets the part's mesh to an inline mesh (MJCF attributes `vertex`, `face`). If the mesh has no
   /// normals, MuJoCo computes its triangles as the convex hull of its vertices.
   void AddInline(const model::TriangleMesh& mesh, model::Part& part);
-  void AddFile(const std::filesystem::path& file, const std::filesystem::path& written,
-               const Eigen::Vector3d& scale, const Assembler::CachedMesh& content,
-               model::Part& part);
+  void AddFile(const std::filesystem::path& file, const Eigen::Vector3d& scale,
+               const Assembler::CachedMesh& content, model::Part& part);
   /// Adds a mesh whose source has the hash `hash`, and returns the index of the mesh.
   int Add(std::unique_ptr<model::MeshAsset> mesh, MeshSource source, std::size_t hash);
   void SetMesh(int index, model::Part& part);
@@ -122,6 +122,7 @@ class Assets {
   // Indices in Object::meshes by hash of the source.
   std::unordered_multimap<std::size_t, int> meshes_;
   std::unordered_multimap<std::string, int> textures_;  // indices by name in the spec or file
+  std::filesystem::path folder_;
   std::map<std::filesystem::path, std::string> output_names_;
   std::set<std::string> taken_names_;
 };

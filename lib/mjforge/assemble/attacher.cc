@@ -15,18 +15,6 @@ using spec::Key;
 
 namespace {
 
-// Returns the path from the folder of the spec to a file to which the MJCF file `mjcf` refers.
-// `written` is the path by which the spec names `mjcf`.
-std::filesystem::path WrittenPath(const std::filesystem::path& file,
-                                  const std::filesystem::path& mjcf,
-                                  const std::filesystem::path& written) {
-  const auto absolute = [](const std::filesystem::path& path) {
-    return std::filesystem::absolute(path).lexically_normal();
-  };
-  if (file.empty()) return {};  // an inline mesh
-  return written.parent_path() / absolute(file).lexically_relative(absolute(mjcf).parent_path());
-}
-
 // Returns a name for an element of a section of an MJCF file that has no name there. The number is
 // that of the element in the file's section, so that other copies in the object do not change it.
 std::string NewName(const std::vector<model::Element>& section, const model::Element& element) {
@@ -107,7 +95,7 @@ std::size_t Attacher::Add(Scope& scope, FieldReader& reader, const spec::Entry& 
   if (found->second == nullptr) return 0;
   const model::Attachment& attachment = *found->second;
   Renamer renamer(attachment, scope.prefix + name + "_", context_.object.bodies[index].name);
-  CopyAssets(attachment, path, *file, renamer);
+  CopyAssets(attachment, renamer);
   const std::size_t parts = CopyBodies(attachment, renamer, index);
   for (const std::string& joint : attachment.root_joints) {
     context_.references.MarkRemoved(renamer.Name(joint), fmt::format("'{}'", *file));
@@ -116,15 +104,13 @@ std::size_t Attacher::Add(Scope& scope, FieldReader& reader, const spec::Entry& 
   return parts;
 }
 
-void Attacher::CopyAssets(const model::Attachment& attachment, const std::filesystem::path& file,
-                          const std::filesystem::path& written, Renamer& renamer) {
+void Attacher::CopyAssets(const model::Attachment& attachment, Renamer& renamer) {
   std::vector<int> textures;
   for (const model::Texture& own : attachment.textures) {
     model::Texture texture = own;
     texture.name = renamer.Name(own.name);
     for (model::TextureFile& picture : texture.files)
-      picture.output_file =
-          context_.assets.OutputName(picture.file, WrittenPath(picture.file, file, written));
+      picture.output_file = context_.assets.OutputName(picture.file);
     textures.push_back(context_.assets.ShareTexture(own.name, std::move(texture)));
   }
   for (const model::Material& own : attachment.materials) {
@@ -134,8 +120,7 @@ void Attacher::CopyAssets(const model::Attachment& attachment, const std::filesy
     renamer.materials.push_back(context_.materials.Share(own.name, std::move(material)));
   }
   for (const auto& mesh : attachment.meshes) {
-    renamer.meshes.push_back(context_.assets.ShareMesh(*mesh, renamer.Name(mesh->name),
-                                                       WrittenPath(mesh->file, file, written)));
+    renamer.meshes.push_back(context_.assets.ShareMesh(*mesh, renamer.Name(mesh->name)));
   }
 }
 

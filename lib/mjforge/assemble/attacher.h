@@ -37,9 +37,7 @@ class Attacher {
                   const std::string& name, std::size_t index);
 
  private:
-  /// `file`: the attached MJCF file; `written`: the path by which the spec names that file.
-  void CopyAssets(const model::Attachment& attachment, const std::filesystem::path& file,
-                  const std::filesystem::path& written, Renamer& renamer);
+  void CopyAssets(const model::Attachment& attachment, Renamer& renamer);
   std::size_t CopyBodies(const model::Attachment& attachment, const Renamer& renamer,
                          std::size_t index);
   void CopySections(const model::Attachment& attachment, const Renamer& renamer);

@@ -43,9 +43,6 @@ bool AreSame(const model::TriangleMesh& a, const model::TriangleMesh& b) {
          a.texcoords == b.texcoords;
 }
 
-// Returns true for a byte of a character in UTF-8 other than the first.
-bool IsWithinCharacter(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
-
 // Returns true for characters that some operating system rejects in file names.
 bool IsUnportable(char c) {
   constexpr unsigned char kDelete = 0x7f;
@@ -61,22 +58,13 @@ std::string PortableName(std::string name) {
   return name;
 }
 
-// Returns the names of the folders and of the file on a path, without the file's ending, joined by
-// _. Leaves out where the path starts, which may differ between machines, and the first part of
-// long names.
-std::string StemOf(const std::filesystem::path& path) {
-  constexpr std::size_t kLongest = 60;  // names in archives have at most 100 bytes
-  std::string stem;
-  for (const std::filesystem::path& step : path.parent_path().lexically_normal().relative_path()) {
-    if (step != ".." && step != ".") stem += step.string() + '_';
-  }
-  stem += path.stem().string();
-  if (stem.size() > kLongest) {
-    std::size_t start = stem.size() - kLongest;
-    while (start < stem.size() && IsWithinCharacter(stem[start])) ++start;
-    stem.erase(0, start);
-  }
-  return PortableName(std::move(stem));
+// Cuts a name to 60 bytes, because names in archives have at most 100, and not within a character.
+std::string ShortStem(std::string stem) {
+  const auto is_within = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; };
+  std::size_t end = std::min<std::size_t>(stem.size(), 60);
+  while (end > 0 && end < stem.size() && is_within(stem[end])) --end;
+  stem.resize(end);
+  return stem;
 }
 
 bool ReadInertia(FieldReader& reader, const spec::Entry& entry, model::Part& part) {
@@ -168,14 +156,13 @@ bool Assets::ReadMesh(FieldReader& reader, const spec::Entry& entry,
         "repair the file, or give the part `role: visual`, or `inertia: shell` and a mass");
     return false;
   }
-  AddFile(file, *name, scale, content, part);
+  AddFile(file, scale, content, part);
   if (part.is_shell) part.solid = model::ShellMassOf(*part.shape.mesh);
   return true;
 }
 
-void Assets::AddFile(const std::filesystem::path& file, const std::filesystem::path& written,
-                     const Eigen::Vector3d& scale, const Assembler::CachedMesh& content,
-                     model::Part& part) {
+void Assets::AddFile(const std::filesystem::path& file, const Eigen::Vector3d& scale,
+                     const Assembler::CachedMesh& content, model::Part& part) {
   const std::filesystem::path path = AbsolutePath(file);
   const std::size_t hash = HashOf(path, scale);
   const auto [begin, end] = meshes_.equal_range(hash);
@@ -198,13 +185,12 @@ void Assets::AddFile(const std::filesystem::path& file, const std::filesystem::p
   asset->mark = part.mark;
   if (content.fit_for_mujoco) {
     asset->file = file;
-    asset->output_file = OutputName(path, written);
+    asset->output_file = OutputName(path);
   }
   SetMesh(Add(std::move(asset), {path, scale, !content.surface_defect}, hash), part);
 }
 
-int Assets::ShareMesh(const model::MeshAsset& mesh, const std::string& name,
-                      const std::filesystem::path& written) {
+int Assets::ShareMesh(const model::MeshAsset& mesh, const std::string& name) {
   const std::filesystem::path path = AbsolutePath(mesh.file);
   const std::size_t hash = HashOf(path, mesh.scale) + mesh.attributes.size();
   const auto [begin, end] = meshes_.equal_range(hash);
@@ -220,7 +206,7 @@ int Assets::ShareMesh(const model::MeshAsset& mesh, const std::string& name,
   }
   auto asset = std::make_unique<model::MeshAsset>(mesh);
   asset->name = name;
-  if (!path.empty()) asset->output_file = OutputName(path, written);
+  if (!path.empty()) asset->output_file = OutputName(path);
   return Add(std::move(asset), {path, mesh.scale, false}, hash);
 }
 
@@ -240,11 +226,16 @@ std::optional<model::MassProperties> Assets::UnitMassOf(const model::Shape& shap
   return source.unit_mass;
 }
 
-std::string Assets::OutputName(const std::filesystem::path& file,
-                               const std::filesystem::path& written) {
+void Assets::SetFolder(const std::filesystem::path& folder) {
+  folder_ = AbsolutePath(folder / "file").parent_path();
+}
+
+std::string Assets::OutputName(const std::filesystem::path& file) {
   const auto [found, is_new] = output_names_.try_emplace(file);
   if (!is_new) return found->second;
-  const std::string stem = StemOf(written);
+  std::string stem = PortableName(file.stem().string());
+  if (AbsolutePath(file).parent_path() != folder_)
+    stem = fmt::format("{}_{}", ShortStem(stem), assembler_.HashOf(file));
   const std::string extension = PortableName(file.extension().string());
   std::string name = stem + extension;
   // Compares names in lower case, because MuJoCo 2.2 ignores the case of file names.

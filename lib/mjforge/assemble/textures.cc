@@ -50,7 +50,7 @@ bool Assets::ReadPicture(FieldReader& reader, const spec::Field& field,
         .files = {file.string()};
     return false;
   }
-  texture.files.push_back({.file = file, .output_file = OutputName(file, *name)});
+  texture.files.push_back({.file = file, .output_file = OutputName(file)});
   return true;
 }
 

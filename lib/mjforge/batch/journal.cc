@@ -185,6 +185,7 @@ bool Journal::MayReplaceSnapshot(diag::Findings& findings) const {
 void Journal::ReadJournal() {
   checkpoints_.clear();
   assets_.clear();
+  sources_.clear();
   closed_archives_.clear();
   seal_.assets.clear();
   std::string why_not;
@@ -221,6 +222,12 @@ bool Journal::ReadLine(std::string_view line, std::uint64_t end) {
     if (journal_seal_->spec == seal_.spec) made_assets_.insert(asset.sha256);
     seal_.assets.emplace(asset.name, asset.sha256);
     assets_.push_back(std::move(asset));
+    return true;
+  }
+  if (kind == "source") {
+    std::string sha256;
+    words >> sha256;
+    sources_.emplace(RestOfLine(line, words), sha256);
     return true;
   }
   if (kind == "closed") {
@@ -320,12 +327,17 @@ bool Journal::HasAsset(const HashedAsset& asset) const {
 }
 
 bool Journal::AddAsset(const HashedAsset& asset, diag::Findings& findings) {
-  if (seal_.assets.emplace(asset.name, asset.sha256).first->second != asset.sha256) {
-    output::AddAssetChanged(asset.name, findings);
-    return false;
-  }
+  const auto is_same = [&](std::map<std::string, std::string>& hashes, const std::string& file) {
+    const bool same = hashes.emplace(file, asset.sha256).first->second == asset.sha256;
+    if (!same) output::AddAssetChanged(file, findings);
+    return same;
+  };
+  if (!is_same(seal_.assets, asset.name)) return false;
   assets_.push_back(asset);
-  return AppendLine(fmt::format("asset {} {}", asset.sha256, asset.name), findings);
+  if (!AppendLine(fmt::format("asset {} {}", asset.sha256, asset.name), findings)) return false;
+  if (asset.source.empty()) return true;  // generated
+  return is_same(sources_, asset.source) &&
+         AppendLine(fmt::format("source {} {}", asset.sha256, asset.source), findings);
 }
 
 bool Journal::AddCheckpoint(const Checkpoint& checkpoint, diag::Findings& findings) {

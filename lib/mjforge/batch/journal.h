@@ -77,7 +77,7 @@ class Journal {
   /// hash.
   bool HasAsset(const HashedAsset& asset) const;
   /// Adds an asset of the folder or of the archive under construction. Returns false, after adding
-  /// a finding, if an asset with that name has had another hash.
+  /// a finding, if an asset with that name or from that file has had another hash.
   bool AddAsset(const HashedAsset& asset, diag::Findings& findings);
   /// Adds a checkpoint to the journal, with the present size and checksum of the manifest in place
   /// of those in `checkpoint`.
@@ -121,6 +121,9 @@ class Journal {
   bool has_hidden_ = false;
   std::vector<Checkpoint> checkpoints_;
   std::vector<HashedAsset> assets_;  // assets of the folder or of the archive under construction
+  // SHA-256 of the files that were copied as assets, by path. The name of a copy may differ after a
+  // change of the file.
+  std::map<std::string, std::string> sources_;
   std::vector<manifest::SealedFile> closed_archives_;
   std::set<std::string> made_archives_;  // names of archives closed by any run
   std::set<std::string> made_assets_;

@@ -145,6 +145,11 @@ class Checksum {
 /// Returns the checksum of `bytes`, in hexadecimal.
 std::string ChecksumOf(std::string_view bytes);
 
+/// Number of hexadecimal digits of a checksum in the name of a file.
+inline constexpr std::size_t kHashDigits = 16;
+/// Returns the first digits of the checksum of `bytes`, for the name of a file.
+std::string HashOf(std::string_view bytes);
+
 /// Length and checksum of the first bytes of a file, or of a whole file.
 struct Fingerprint {
   std::uint64_t size = 0;

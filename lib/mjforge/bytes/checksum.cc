@@ -68,6 +68,8 @@ std::string ChecksumOf(std::string_view bytes) {
   return checksum.Text();
 }
 
+std::string HashOf(std::string_view bytes) { return ChecksumOf(bytes).substr(0, kHashDigits); }
+
 std::size_t CountSound(const std::filesystem::path& file, std::span<const Fingerprint> prefixes) {
   std::string ignored;
   return CountMatching(file, prefixes, ignored);

@@ -28,10 +28,6 @@ struct Content {
   std::string hash;
 };
 
-std::string HashOf(std::string_view bytes) {
-  return bytes::ChecksumOf(bytes).substr(0, mjcf::kHashDigits);
-}
-
 // Hashes the pixels instead of the PNG, whose bytes depend on the version of the compressor.
 Content ContentOf(const TexturePixels& picture) {
   const bytes::Pixels pixels = {
@@ -39,7 +35,7 @@ Content ContentOf(const TexturePixels& picture) {
   const std::string_view colors(reinterpret_cast<const char*>(picture.rgb.data()),
                                 picture.rgb.size());
   return {std::make_shared<const std::string>(bytes::EncodePng(pixels)),
-          HashOf(fmt::format("{} {} {}", picture.width, picture.height, colors))};
+          bytes::HashOf(fmt::format("{} {} {}", picture.width, picture.height, colors))};
 }
 
 }  // namespace
@@ -66,7 +62,7 @@ std::optional<Content> Maker::State::MeshFile(const model::MeshAsset& mesh,
                  fmt::format("mesh '{}' has no faces, and its hull {}", mesh.name, why_not));
     return std::nullopt;
   }
-  std::string hash = HashOf(*obj);
+  std::string hash = bytes::HashOf(*obj);
   return Content{std::make_shared<const std::string>(*std::move(obj)), std::move(hash)};
 }
 

@@ -108,7 +108,7 @@ class AssetWriter {
   void WriteGeneratedFile(GeneratedFile file, std::string_view label, std::string_view extension) {
     std::string name = std::string(kAssetFolder) + StemOf(label) + '_';
     const std::size_t hash = name.size();
-    name.append(kHashDigits, '0').append(extension);
+    name.append(bytes::kHashDigits, '0').append(extension);
     writer_.WriteText("file", name);
     file.hash_position = writer_.size() - 1 - name.size() + hash;  // 1 for the closing quote
     document_.generated_files.push_back(file);

@@ -62,10 +62,8 @@ inline constexpr std::string_view kAssetFolder = "assets/";
 /// components of unit vectors, such small values are rounding errors of rotations and sums.
 inline double FlushNoise(double value) { return std::abs(value) < 1e-15 ? 0.0 : value; }
 
-/// Number of digits of the hash in the name of a generated file.
-inline constexpr std::size_t kHashDigits = 16;
 /// A mesh or texture file that is still to be generated from the object. The file's name in the
-/// text has kHashDigits zeros as a placeholder for the hash of the content.
+/// text has bytes::kHashDigits zeros as a placeholder for the hash of the content.
 struct GeneratedFile {
   enum class Kind { kMesh, kTexture };
   Kind kind = Kind::kMesh;

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "assembling.h"
+#include "mjforge/bytes/bytes.h"
 
 namespace mjforge::assemble {
 namespace {
@@ -58,33 +59,36 @@ TEST_CASE("a mesh file is read beside the spec and shared where file and scale a
   const auto& meshes = thing.object().meshes;
   REQUIRE(meshes.size() == 3);
   CHECK(thing.part("thing_b").mesh == 0);
-  CHECK(meshes[0]->output_file == "x_t.obj");
-  CHECK(meshes[1]->output_file == "y_t.obj");
-  CHECK(meshes[2]->output_file == "x_t.obj");
+  const std::string hash = bytes::HashOf(kTetrahedron);
+  CHECK(meshes[0]->output_file == "t_" + hash + ".obj");
+  CHECK(meshes[1]->output_file == "t_" + hash + "_2.obj");
+  CHECK(meshes[2]->output_file == "t_" + hash + ".obj");
   CHECK(meshes[2]->scale == Eigen::Vector3d(-1, 2, 3));
   CHECK(thing.part("thing_a").mass == Approx(1));
   CHECK(thing.part("thing_d").mass == Approx(6));
 }
 
-TEST_CASE("a mesh file has the same name in each variant, other than those of other files") {
+TEST_CASE("a mesh file outside of the spec's folder is named by its content, too") {
   const TemporaryFolder folder;
+  const std::string other = kTetrahedron + "# other\n";
+  folder.Write("s/t.obj", kTetrahedron);
   folder.Write("s/a/t.obj", kTetrahedron);
-  folder.Write("s/b/t.obj", kTetrahedron);
-  folder.Write("t.obj", kTetrahedron);
-  const auto name_of = [&](const std::string& file, const std::string& more = "") {
-    const Assembling thing(
-        "parts:\n- {name: a, type: mesh, file: '" + file + "', density: 6}\n" + more, 1, 0,
-        folder.path() / "s");
+  folder.Write("s/b/t.obj", other);
+  folder.Write("t.obj", other);
+  const auto name_of = [&](const std::string& file) {
+    const Assembling thing("parts:\n- {name: a, type: mesh, file: '" + file + "', density: 6}\n", 1,
+                           0, folder.path() / "s");
     return thing.object().meshes.back()->output_file;
   };
-  CHECK(name_of("a/t.obj") == "a_t.obj");
-  CHECK(name_of("b/../b/t.obj") == "b_t.obj");
-  CHECK(name_of("../t.obj") == "t.obj");
-  const std::string folder_name = std::string(80, 'x') + "/\xc3\xa4" + std::string(57, 'y');
-  folder.Write("s/" + folder_name + "/t.obj", kTetrahedron);
-  CHECK(name_of(folder_name + "/t.obj") == std::string(57, 'y') + "_t.obj");
-  folder.Write("s/a_t.obj", kTetrahedron);
-  CHECK(name_of("a/t.obj", "- {name: b, type: mesh, file: a_t.obj, density: 6}\n") == "a_t_2.obj");
+  CHECK(name_of("t.obj") == "t.obj");
+  CHECK(name_of("a/../t.obj") == "t.obj");
+  CHECK(name_of("a/t.obj") == "t_" + bytes::HashOf(kTetrahedron) + ".obj");
+  CHECK(name_of("b/t.obj") == "t_" + bytes::HashOf(other) + ".obj");
+  CHECK(name_of("../t.obj") == name_of("b/t.obj"));
+  const std::string end = "\xc3\xa4" + std::string(20, 'z') + ".obj";
+  folder.Write("s/a/" + std::string(59, 'y') + end, other);
+  CHECK(name_of("a/" + std::string(59, 'y') + end) ==
+        std::string(59, 'y') + "_" + bytes::HashOf(other) + ".obj");
 }
 
 TEST_CASE("a mesh must be closed unless it is only seen") {

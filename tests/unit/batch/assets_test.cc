@@ -1,5 +1,7 @@
 // Tests of assets in batches: copies, changes, and assets of earlier runs.
 
+#include <cstring>
+
 #include <catch2/catch.hpp>
 
 #include "crate_batch.h"
@@ -8,7 +10,14 @@ namespace mjforge::batch {
 namespace {
 
 struct AssetsTest : CrateBatch {
-  AssetsTest() : CrateBatch(kWoodenSpec) { folder.Write("wood.png", Png('a')); }
+  explicit AssetsTest(const std::string& picture = "wood.png") : CrateBatch(SpecWith(picture)) {
+    folder.Write(picture, Png('a'));
+  }
+
+  static std::string SpecWith(const std::string& picture) {
+    std::string spec = kWoodenSpec;
+    return spec.replace(spec.find("wood.png"), std::strlen("wood.png"), picture);
+  }
 
   // Returns the finding that ended the batch; empty if the batch was made.
   std::string ErrorOf(const Request& request) {
@@ -150,6 +159,29 @@ TEST_CASE_METHOD(AssetsTest, "a series has one version of an asset") {
   CHECK(IsGood("out"));
   Make(Of(2000, "whole/x_%d.tar", 500));
   CHECK(Bytes("out") == Bytes("whole"));
+}
+
+/// An asset whose name has a hash of its content.
+struct FarAssetsTest : AssetsTest {
+  FarAssetsTest() : AssetsTest("pictures/wood.png") {}
+};
+
+TEST_CASE_METHOD(FarAssetsTest, "a resumed batch has one version of an asset, whatever its name") {
+  const std::string output = GENERATE("out", "out/x.tar");
+  Request request = Of(2000, output);
+  std::atomic<bool> stop = false;
+  request.stop = &stop;
+  Observer observer;
+  observer.variant = [&](const FinishedVariant& done) { stop = done.index > 700; };
+  REQUIRE(Make(request, observer).interrupted);
+  request.stop = nullptr;
+  request.resume = true;
+  folder.Write("pictures/wood.png", Png('b'));
+  const std::string file = (folder / "pictures/wood.png").string();
+  CHECK(ErrorOf(request) == "'" + file + "' was changed while the batch was made");
+  folder.Write("pictures/wood.png", Png('a'));
+  CHECK(ErrorOf(request).empty());
+  CHECK(IsGood("out"));
 }
 
 TEST_CASE_METHOD(AssetsTest, "a lost or changed asset is found, and made again") {
