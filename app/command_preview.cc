@@ -38,18 +38,6 @@ batch::FindingSummary VariantFindings() {
   return batch::FindingSummary(std::numeric_limits<std::size_t>::max());
 }
 
-// Returns false, and adds a finding, if the unit of a position is not that of a hinge or slide.
-bool IsInUnitOf(const picture::Joint& joint, const JointPosition& position,
-                diag::Findings& findings) {
-  const expr::Dimension own = joint.type == picture::Joint::Type::kHinge ? expr::Dimension::Angle()
-                                                                         : expr::Dimension(1, 0, 0);
-  if (!joint.IsMovable() || position.dimension.is_plain() || position.dimension == own) return true;
-  findings.Add(diag::Code::kPictureBadJointValue, {},
-               fmt::format("joint '{}' is in {}, but its position is given in {}", joint.name,
-                           own.Text(), position.dimension.Text()));
-  return false;
-}
-
 // An object to draw, and the record for the picture's caption and metadata.
 struct PreviewObject {
   std::unique_ptr<picture::Subject> subject;
@@ -192,7 +180,8 @@ class Preview {
     bool is_moved = false;
     for (PreviewObject& object : objects) {
       const std::optional<int> joint = object.subject->FindJoint(position.name, found);
-      is_moved |= joint && IsInUnitOf(object.subject->joints()[*joint], position, found) &&
+      is_moved |= joint &&
+                  IsInUnitOf(object.subject->joints()[*joint], position.dimension, found) &&
                   object.subject->SetJoint(*joint, position.value, found);
     }
     if (found.empty()) return true;

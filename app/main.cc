@@ -18,13 +18,16 @@
 namespace mjforge::app {
 namespace {
 
-// Lets this process get SIGTERM when the process MJFORGE_PARENT ends, which started it. The Python
-// package sets the variable, because a program that waits for a batch may be killed.
+// Lets this process get SIGTERM when its parent ends, if MJFORGE_PARENT is the id of the parent.
+// The Python package sets the variable, because a program that waits for a batch may be killed.
+// Linux sends the signal when the thread ends that started this process; that thread waits for it.
 void EndWithParent() {
   const char* const parent = std::getenv("MJFORGE_PARENT");
   if (parent == nullptr) return;
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-  if (std::to_string(::getppid()) != parent) std::raise(SIGTERM);  // it ended before prctl
+  // The parent may have ended before prctl.
+  if (std::to_string(::getppid()) != parent) std::raise(SIGTERM);
+  ::unsetenv("MJFORGE_PARENT");
 }
 
 ExitStatus Run(int argc, char** argv) {

@@ -14,4 +14,8 @@ picture::View ViewOf(const spec::ObjectSpec& spec, picture::View chosen = {});
 /// reports them.
 void SetPoseOf(const spec::ObjectSpec& spec, picture::Subject& subject, diag::Findings& findings);
 
+/// Returns false, and adds a finding, if a joint is a hinge or slide whose position has another
+/// dimension.
+bool IsInUnitOf(const picture::Joint& joint, expr::Dimension dimension, diag::Findings& findings);
+
 }  // namespace mjforge::app

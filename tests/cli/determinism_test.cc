@@ -135,5 +135,27 @@ TEST_CASE_METHOD(MeshOfTwoShapesTest, "a part has all shapes of a file that is a
   CHECK(MassOf("absolute") == Approx(3 * tetra));
 }
 
+TEST_CASE_METHOD(DeterminismTest,
+                 "names that an attached file gets do not depend on what else is attached") {
+  folder().Write("arm.xml",
+                 "<mujoco><worldbody><body name='b'><geom size='.1'/><body name='c' pos='0 0 1'>"
+                 "<joint name='j'/><geom size='.1'/></body></body></worldbody>"
+                 "<tendon><fixed><joint joint='j' coef='1'/></fixed></tendon><actuator>"
+                 "<motor joint='j'/><motor joint='j'/><motor name='general1' joint='j'/></actuator>"
+                 "<sensor><jointpos joint='j'/></sensor></mujoco>");
+  const std::string head = "mjforge: 1\nname: s\njoints: none\nbodies:\n";
+  const std::string right = "  - {name: right, pos: [3, 0, 0], mjcf: arm.xml}\n";
+  folder().Write("one.yaml", head + right);
+  folder().Write("two.yaml", head + "  - {name: left, mjcf: arm.xml}\n" + right);
+  for (const char* spec : {"one.yaml", "two.yaml"}) {
+    const auto result = Run({"generate", spec, "-o", "-"});
+    REQUIRE(result.err.empty());
+    for (const char* name : {"general0", "general1", "general1_", "fixed0", "jointpos0"}) {
+      INFO(spec << ' ' << name);
+      CHECK(result.out.find(std::string("name=\"s_right_") + name + "\"") != std::string::npos);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace mjforge

@@ -1,6 +1,7 @@
 """The Python package makes what the command makes, and raises what it finds."""
 
 import concurrent.futures
+import itertools
 import json
 import os
 import pathlib
@@ -304,6 +305,29 @@ class Iteration(unittest.TestCase):
             self.assertEqual(given, wanted)
             self.assertEqual(list(iterator), [])
             self.assertLess(len(calls), 2 * 200)  # variants that were made ahead are kept
+
+    def test_loses_no_variant_by_an_exception_at_any_time(self):
+        class Alarm(Exception):
+            pass
+
+        def ring(*_):
+            raise Alarm
+
+        given, iterator = [], iter(mjforge.Spec(BALL).variants())
+        before = signal.signal(signal.SIGALRM, ring)
+        try:
+            signal.setitimer(signal.ITIMER_REAL, 0.001, 0.001)
+            while len(given) < 5000:
+                try:
+                    given.extend(itertools.islice(iterator, 5000))  # keeps what came before an exception
+                except Alarm:
+                    pass
+        except Alarm:  # between two calls of `extend`
+            pass
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0)
+            signal.signal(signal.SIGALRM, before)
+        self.assertEqual([v.index for v in given], list(range(len(given))))
 
     def test_shares_variants_with_indices_iterations_threads_and_forks(self):
         variants = mjforge.Spec("hammer").variants(seed=7)

@@ -288,7 +288,7 @@ class Replays(unittest.TestCase):
         for name, values in (("set", (3, None, ["a"])), ("spec", (3, None)), ("spec_file", (3,)),
                              ("findings", (3, [3])), ("assets", (3,))):
             for value in values:
-                with self.assertRaisesRegex(ValueError, f"^record: '{name}' is not of its kind: it is not a line of a"):
+                with self.assertRaisesRegex(ValueError, f"^the member '{name}' of record has a wrong type: record is not a line of a"):
                     mjforge.Variant.from_record({**record, name: value})
 
 

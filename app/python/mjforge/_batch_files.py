@@ -281,7 +281,7 @@ def _regular(path: Union[str, "os.PathLike[str]"]) -> Union[str, "os.PathLike[st
 
 def _content(path: pathlib.Path) -> bytes:
     with open(_regular(path), "rb") as file:
-        # A larger number would cost time: memory for as many bytes is allocated.
+        # `read` allocates as many bytes as it is asked for, which takes time.
         content = file.read(min(os.fstat(file.fileno()).st_size, _MAX_FILE) + 1)
     if len(content) > _MAX_FILE:
         raise OSError(f"it has more than {_MAX_FILE} bytes")
@@ -335,7 +335,9 @@ def _are_assets(value: Any) -> bool:
 
 
 def _are_findings(value: Any) -> bool:
-    return isinstance(value, list) and all(isinstance(finding, dict) for finding in value)
+    return isinstance(value, list) and all(
+        isinstance(finding, dict) and all(_is_text(finding.get(key)) for key in ("severity", "code", "message")) and
+        all(map(_is_mapping, finding.get("notes", ()))) for finding in value)
 
 
 # Values of `status`, and tests of the members of a record that are used here.

@@ -25,7 +25,7 @@ class Parameter:
     components: int  # 1, the size of a vector, or 0 for a list of any length
     distribution: Optional[str]  # "uniform", "choice", ...; None if the value is no single draw
     distributions: tuple[Optional[str], ...]  # `distribution` of each component of a vector; else empty
-    low: Optional[Number]  # bounds, each a tuple for a vector; None if `range` is
+    low: Optional[Number]  # bounds, each a tuple for a vector; None if `range` is None
     high: Optional[Number]
     choices: Optional[tuple[Any, ...]]  # options of "choice" and "cycle"
 

@@ -57,7 +57,7 @@ def replay(record: Mapping[str, Any], spec: Union[Source, Spec, None],
         raise ValueError(f"record has no {missing[0]!r}: it is not a line of a manifest")
     wrong = [name for name, is_good in OPTIONAL.items() if name in record and not is_good(record[name])]
     if wrong:
-        raise ValueError(f"record: {wrong[0]!r} is not of its kind: it is not a line of a manifest")
+        raise ValueError(f"the member {wrong[0]!r} of record has a wrong type: record is not a line of a manifest")
     if record.get("each"):
         raise ValueError("record is that of a scene whose objects are files of their own (--each)")
     if record.get("pad"):

@@ -61,9 +61,10 @@ def _stored_lines(manifest: pathlib.Path) -> Iterator[bytes]:
     return (line for line, is_stored in _records(manifest) if is_stored)
 
 
-def _changed(manifest: pathlib.Path) -> VariantError:
+def _changed(manifest: pathlib.Path, problem: str = "") -> VariantError:
+    reason = f" (the record of this object is wrong: {problem})" if problem else ""
     return VariantError([bad_manifest(manifest, "the manifest is damaged, or was changed since this Batch was opened: "
-                                                "open it again")])
+                                                f"open it again{reason}")])
 
 
 class Batch:
@@ -138,7 +139,7 @@ class Batch:
         record, problem = record_of(line)
         if problem or record["status"] != "ok":
             expect_no_family(manifest)
-            raise _changed(manifest)
+            raise _changed(manifest, problem)
         self._compare(manifest)
         return manifest, line, record
 
@@ -166,7 +167,7 @@ class Batch:
         return line
 
     def _number(self, number: Any) -> int:
-        at, count = integer(number, "number"), sum(map(len, self._index()))
+        at, count = integer(number, "number"), len(self)
         if not -count <= at < count:
             raise IndexError(f"number={number} is not within the {count} objects of '{self.path}'")
         return at % count

@@ -295,55 +295,60 @@ class _Iteration(Iterator[Variant]):
 
     def __init__(self, variants: Variants) -> None:
         self._variants = variants
-        self._indices = variants._all  # indices that were not given yet
-        # Variants that were made ahead, by index, or the reasons for variants that cannot be made; neither for a
-        # variant that is left out.
-        self._made: dict[int, tuple[Optional[Variant], Optional[VariantError]]] = {}
+        self._indices = variants._all  # indices that are not in `_ready`
+        self._ready: Iterator[Variant] = iter(())  # variants that can be given
+        self._made: dict[int, Optional[Variant]] = {}  # the next of `_ready`, by index; None: left out
         self._ahead = 1
         self._first = 0  # index from which on no variant was valid so far
-        # Invalid variants until the error; 0 or less: no error.
+        # Invalid variants until the error; 0: no error.
         self._patience = _MOST_INVALID if variants._indices is None else 0
         self._lock = threading.Lock()  # threads may share an iteration
 
     def __next__(self) -> Variant:
-        with self._lock:
-            return self._next()
-
-    def _next(self) -> Variant:
-        while self._indices:
-            if self._indices[0] not in self._made:
-                self._make_ahead()
-            variant, error = self._made[self._indices[0]]
-            # No call follows before the variant is returned: the handler of a signal may raise an exception at
-            # any call, and the variant would be lost.
-            self._indices = self._indices[1:]
-            if variant is not None:
-                self._patience = 0
+        while True:
+            ready = self._ready
+            # The handler of a signal may raise an exception at any call, and Python makes none from the step of
+            # the iterator to the end of this method, so that no variant is lost.
+            for variant in ready:
                 return variant
-            if error is not None:
-                raise error
-            self._patience -= 1
-            if self._patience == 0:
-                self._give_up()
-        raise StopIteration
+            with self._lock:
+                if self._ready is ready:
+                    self._make_ahead()
 
     def _make_ahead(self) -> None:
-        """Makes variants of the first indices, as many as are made in a short time, up to one that fails
-        and is not left out.
+        """Makes variants of the next indices, as many as are made in a short time, up to one that fails
+        and is not left out. Raises the error of the first variant, or StopIteration after the last.
         """
         skips = self._variants._options["on_invalid"] == "skip"
-        self._made = {}
         end = time.thread_time() + _TIME_AHEAD
-        for index in self._indices[:self._ahead]:
+        for index in self._indices[:min(self._ahead, self._patience or self._ahead)]:
+            if index in self._made:
+                continue  # before an exception
             try:
-                self._made[index] = self._variants._make(index), None
-            except VariantError as error:
-                self._made[index] = None, None if skips else error
-                if not skips:
-                    break
+                self._made[index] = self._variants._make(index)
+            except VariantError:
+                if skips:
+                    self._made[index] = None
+                elif self._made:
+                    break  # the variant is tried again when its turn comes
+                else:
+                    self._indices = self._indices[1:]
+                    raise
             if time.thread_time() > end:
                 break
+        if not self._made:
+            raise StopIteration
         self._ahead = min(2 * self._ahead, _AHEAD)
+        self._pass_on([variant for variant in self._made.values() if variant is not None])
+
+    def _pass_on(self, valid: list[Variant]) -> None:
+        patience = 0 if valid else max(self._patience - len(self._made), 0)
+        gives_up = patience == 0 and self._patience > 0 and not valid
+        state = iter(valid), self._indices[len(self._made):], {}, patience
+        # No call comes between these assignments, so that an exception finds all of them or none.
+        self._ready, self._indices, self._made, self._patience = state
+        if gives_up:
+            self._give_up()
 
     def _give_up(self) -> None:
         """Raises VariantError with the reason of the first invalid variant."""

@@ -18,10 +18,8 @@ namespace {
 // Returns a name for an element of a section of an MJCF file that has no name there. The number is
 // that of the element in the file's section, so that other copies in the object do not change it.
 std::string NewName(const std::vector<model::Element>& section, const model::Element& element) {
-  std::string name;
-  std::ptrdiff_t number = &element - section.data();
-  do name = fmt::format("{}{}", element.tag, number++);
-  while (std::ranges::find(section, name, &model::Element::name) != section.end());
+  std::string name = fmt::format("{}{}", element.tag, &element - section.data());
+  while (std::ranges::find(section, name, &model::Element::name) != section.end()) name += '_';
   return name;
 }
 

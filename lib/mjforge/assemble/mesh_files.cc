@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -76,24 +75,20 @@ std::string FirstLine(std::string_view text) {
 
 // Counts of the faces in the text of an OBJ file.
 struct Faces {
-  bool has_polygons = false;  // true if a face has more than four corners
+  std::size_t polygon = 0;    // line of the first face with more than 4 corners; 0 if there is none
   std::size_t triangles = 0;  // number of triangles into which all faces can be cut
 };
 
 Faces CountFaces(std::string_view content) {
   Faces faces;
-  while (!content.empty()) {
+  for (std::size_t number = 1; !content.empty(); ++number) {
     const std::string_view line = content.substr(0, content.find('\n'));
     content.remove_prefix(std::min(content.size(), line.size() + 1));
-    if (!line.starts_with("f ") && !line.starts_with("f\t")) continue;
-    std::size_t corners = 0;
-    for (std::size_t i = 1; i < line.size(); ++i) {
-      const bool blank = std::isspace(static_cast<unsigned char>(line[i])) != 0;
-      const bool after_blank = std::isspace(static_cast<unsigned char>(line[i - 1])) != 0;
-      if (!blank && after_blank) ++corners;
-    }
-    faces.has_polygons |= corners > 4;
-    if (corners > 2) faces.triangles += corners - 2;
+    const std::vector<std::string_view> words = expr::WordsOf(line);
+    if (words.size() < 4 || words[0] != "f") continue;
+    const std::size_t corners = words.size() - 1;
+    if (corners > 4 && faces.polygon == 0) faces.polygon = number;
+    faces.triangles += corners - 2;
   }
   return faces;
 }
@@ -121,14 +116,17 @@ std::optional<MeshFile> BuildObj(const tinyobj::ObjReader& reader, const Faces& 
       builder.Add(corners);
     }
   }
-  // tinyobjloader leaves out triangles of some faces that are not convex.
-  if (faces.has_polygons && triangles < faces.triangles) {
-    why_not = "a face with more than 4 corners is not convex; cut it into triangles";
+  // tinyobjloader leaves out triangles of some faces that are not convex, or thin.
+  if (faces.polygon > 0 && triangles < faces.triangles) {
+    why_not = fmt::format(
+        "a face with more than 4 corners (the first one is on line {}) is not "
+        "convex or too thin; cut it into triangles",
+        faces.polygon);
     return std::nullopt;
   }
   std::optional<model::TriangleMesh> mesh = std::move(builder).Finish(why_not);
   if (!mesh) return std::nullopt;
-  return MeshFile{std::move(*mesh), reader.GetShapes().size() == 1 && !faces.has_polygons};
+  return MeshFile{std::move(*mesh), reader.GetShapes().size() == 1 && faces.polygon == 0};
 }
 
 void AddBinaryStl(std::string_view content, MeshBuilder& builder) {

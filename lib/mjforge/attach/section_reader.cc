@@ -48,7 +48,7 @@ std::string SectionReader::NameOf(Reference reference) const {
 }
 
 bool SectionReader::IsCarried(mjtObj kind, int id, const std::vector<Reference>& references) {
-  bool inside = references.empty();  // a clock
+  bool inside = references.empty();  // a clock, which measures no element
   const Reference* outside = nullptr;
   for (const Reference& reference : references) {
     if (reference.id < 0) continue;
@@ -60,7 +60,7 @@ bool SectionReader::IsCarried(mjtObj kind, int id, const std::vector<Reference>&
       inside = inside || scope_.IsDropped(plain, reference.id);
     }
   }
-  // A sensor of the world measures the attached body, too.
+  // A sensor of the world may measure the attached body.
   const bool is_of_world = kind == mjOBJ_SENSOR && outside != nullptr &&
                            Plain(outside->kind) == mjOBJ_BODY && outside->id == 0;
   if (outside != nullptr && (inside || is_of_world)) Warn(kind, id, *outside);

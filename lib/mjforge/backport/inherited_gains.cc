@@ -19,16 +19,16 @@ constexpr int kServoKeepsBias = 310;       // first release in which a servo can
 constexpr int kKindsAreApart = 3'016'000;  // first release that keeps kinds of actuators apart
 
 // Attributes that set the gains, biases and dynamics of an actuator.
-constexpr std::string_view kGains[] = {"kp",   "kv",    "gain",  "area",  "diameter",
-                                       "bias", "force", "scale", "range", "timeconst",
-                                       "lmin", "lmax",  "vmax",  "fpmax", "fvmax"};
+constexpr std::string_view kGains[] = {"kp",    "kv",    "gain",  "area",      "diameter",  "bias",
+                                       "force", "scale", "range", "timeconst", "dampratio", "lmin",
+                                       "lmax",  "vmax",  "fpmax", "fvmax"};
 
 bool SetsGains(const xml::XmlElement& element) {
   return std::ranges::any_of(kGains, [&](std::string_view gain) { return element.Find(gain); });
 }
 
-// Returns a number of a list in the last default `<general>` that has so many; empty if there is
-// none, or if a later default of an adhesion or a servo sets `own`.
+// Returns number `index` of a list in the last default `<general>` whose list is that long; empty
+// if there is none, or if a later default of an adhesion or a servo sets `own`.
 std::string FromGeneral(const std::vector<const xml::XmlElement*>& defaults, std::string_view list,
                         std::size_t index, std::string_view own) {
   std::string number;
@@ -68,8 +68,22 @@ bool WriteDamperGain(const DefaultClasses& elements, const ClassedElement& dampe
   return kv != nullptr;
 }
 
+// Returns true if the gains of a servo are those of servos and general actuators alone, and its
+// damping is a number, so that `kv` can replace the damping.
+bool HasPlainGains(const DefaultClasses& elements, const ClassedElement& servo) {
+  bool is_mixed = false;
+  for (const xml::XmlElement* element : elements.DefaultsOf(servo)) {
+    const bool is_servo = IsServo(*element);
+    if (!is_servo && element->tag != "general" && element->tag != "motor") is_mixed = true;
+    if (is_servo && element->Find("kp") != nullptr) is_mixed = false;
+  }
+  return (!is_mixed || servo.element->Find("kp") != nullptr) &&
+         elements.Find(servo, "dampratio") == nullptr &&
+         elements.Find(servo, "timeconst") == nullptr;
+}
+
 bool WriteDamping(const DefaultClasses& elements, const ClassedElement& servo) {
-  if (servo.element->Find("kv") != nullptr) return false;
+  if (servo.element->Find("kv") != nullptr || !HasPlainGains(elements, servo)) return false;
   const std::string bias = FromGeneral(elements.DefaultsOf(servo), "biasprm", 2, "kv");
   if (bias.empty() || bias == "0") return false;
   servo.element->Set("kv", xml::TextOf({-xml::NumbersOf(bias).front()}));
@@ -77,8 +91,8 @@ bool WriteDamping(const DefaultClasses& elements, const ClassedElement& servo) {
 }
 
 // Returns the kind of the last default that sets the gains of an actuator and is of another kind;
-// empty if there is none, if the actuator sets its gains itself, or for the section <actuator>,
-// which is of the same kind.
+// empty if there is none, or if the actuator sets a gain itself. DefaultClasses::In("actuator")
+// also returns the section <actuator>, which has no kind.
 std::string_view ForeignKind(const DefaultClasses& elements, const ClassedElement& actuator) {
   const std::string& own = actuator.element->tag;
   if (own == "actuator" || own == "general" || own == "motor" || SetsGains(*actuator.element))

@@ -6,7 +6,8 @@
 
 namespace mjforge::backport {
 
-/// Returns true for the actuators `position` and `intvelocity`, whose bias holds a position.
+/// Returns true for the actuators `position` and `intvelocity`, which pull their joint to a
+/// position.
 bool IsServo(const xml::XmlElement& element);
 
 /// Writes gains that MuJoCo 2.2 drops, and later releases inherit, into the actuators themselves:
@@ -15,7 +16,8 @@ bool IsServo(const xml::XmlElement& element);
 /// that is to read the file. Returns true if the tree changed.
 bool WriteInheritedGains(xml::XmlElement& root, int version);
 
-/// Warns of actuators that take the gains of another kind of actuator from a default class (a
+/// Warns of actuators without gains of their own that take the gains of another kind of actuator
+/// from a default class (a
 /// `<velocity>` the `kp` of a default `<position>`), which MuJoCo does up to 3.15: one warning for
 /// each two kinds.
 void WarnOfForeignGains(xml::XmlElement& root, int version, diag::Findings& findings);

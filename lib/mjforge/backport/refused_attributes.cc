@@ -103,7 +103,7 @@ std::string_view Wanted(Accepted accepted) {
     case Accepted::kPositive:
       return "a number above 0";
     case Accepted::kNonzero:
-      return "a number other than 0";
+      return "a quaternion other than zero";
     case Accepted::kMain:
       return "the name 'main'";
   }

@@ -29,19 +29,25 @@ int LineOf(std::string_view message) {
   return 0;
 }
 
-// Returns the line of the last element with the name that a message ends with: "Object name = NAME,
-// id = 1". Returns 0 if there is none.
-int LineOfNamed(std::string_view message, std::string_view xml) {
+// Returns the line of the sensor with the name that a message ends with: "Object name = NAME, id =
+// 1". Returns 0 if there is none.
+int LineOfSensor(std::string_view message, std::string_view xml) {
   constexpr std::string_view kStart = "\nObject name = ";
   const std::size_t start = message.rfind(kStart);
-  if (start == std::string_view::npos) return 0;
+  if (start == std::string_view::npos || message.find("in sensor") == std::string_view::npos)
+    return 0;
   const std::string_view rest = message.substr(start + kStart.size());
-  const std::string_view name = rest.substr(0, rest.find(", id"));
+  const std::string_view name = rest.substr(0, rest.rfind(", id"));
   if (name.empty()) return 0;
-  for (const char quote : {'"', '\''}) {
-    const std::size_t at = xml.rfind(fmt::format(" name={0}{1}{0}", quote, name));
-    if (at != std::string_view::npos)
-      return 1 + static_cast<int>(std::ranges::count(xml.substr(0, at), '\n'));
+  for (std::size_t begin = xml.find("<sensor>"); begin != std::string_view::npos;
+       begin = xml.find("<sensor>", begin + 1)) {
+    const std::size_t end = std::min(xml.find("</sensor>", begin), xml.size());
+    for (const char quote : {'"', '\''}) {
+      const std::size_t at =
+          xml.substr(0, end).find(fmt::format(" name={0}{1}{0}", quote, name), begin);
+      if (at != std::string_view::npos)
+        return 1 + static_cast<int>(std::ranges::count(xml.substr(0, at), '\n'));
+    }
   }
   return 0;
 }
@@ -74,7 +80,7 @@ std::string OneLine(std::string_view text) {
 Refusal ParseRefusal(std::string_view message, std::string_view xml) {
   Refusal refusal;
   refusal.line = LineOf(message);
-  if (refusal.line == 0) refusal.line = LineOfNamed(message, xml);
+  if (refusal.line == 0) refusal.line = LineOfSensor(message, xml);
   std::string_view reason = message;
   for (const std::string_view prefix : kPrefixes) {
     if (reason.starts_with(prefix)) reason.remove_prefix(prefix.size());

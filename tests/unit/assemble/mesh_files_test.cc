@@ -250,7 +250,11 @@ TEST_CASE("a polygon that is not convex is an error if it loses triangles") {
   const std::string sides = "f 1 2 7 6\nf 2 3 8 7\nf 3 4 9 8\nf 4 5 10 9\nf 5 1 6 10\n";
   std::string why_not;
   CHECK_FALSE(ParseObj(vertices + sides + "f 5 4 3 2 1\nf 6 7 8 9 10\n", why_not));
-  CHECK(why_not == "a face with more than 4 corners is not convex; cut it into triangles");
+  CHECK(why_not ==
+        "a face with more than 4 corners (the first one is on line 16) is not convex or too thin; "
+        "cut "
+        "it into triangles");
+  CHECK_FALSE(ParseObj(vertices + sides + "  f 5 4 3 2 1\nf 6 7 8 9 10\n", why_not));
   const std::string cut = "f 1 4 2\nf 2 4 3\nf 1 5 4\nf 6 7 9\nf 7 8 9\nf 6 9 10\n";
   const std::optional<MeshFile> file = ParseObj(vertices + sides + cut, why_not);
   REQUIRE(file);

@@ -44,6 +44,22 @@ TEST_CASE("a servo is damped by the bias of a default general, as in later relea
   }
 }
 
+TEST_CASE("a servo whose gains are not plain numbers of servos keeps its words") {
+  const std::string general = "<general biasprm=\"0 0 -2\"/>";
+  for (const std::string other :
+       {"<velocity kv=\"1\"/>", "<adhesion gain=\"1\" ctrlrange=\"0 1\"/>"}) {
+    const Backported file(Driven(other + general, "<position joint=\"j\"/>"));
+    REQUIRE(file.findings.size() == 1);
+    CHECK(file.findings[0].find("warning: the position on line 4 has gains of the default") !=
+          std::string::npos);
+    CHECK(Backported(Driven(other + general, "<position joint=\"j\" kp=\"3\"/>"))
+              .Says("biasprm=\"0 -3 -2 "));
+  }
+  const Backported ratio(Driven(general, "<position joint=\"j\" dampratio=\"1\"/>"));
+  REQUIRE(ratio.findings.size() == 1);
+  CHECK(ratio.findings[0].find("'dampratio' of the position") != std::string::npos);
+}
+
 TEST_CASE("an adhesion has the gain of its class, as in later releases") {
   const auto gain_of = [](const std::string& defaults, const std::string& more = "") {
     const Backported file(

@@ -40,7 +40,7 @@ TEST_CASE("quaternions of zeros, and two forms of an inertia, are a warning") {
       "quat=\"0 0 0 1\"/></body></worldbody>");
   CHECK(file.findings ==
         Strings{"3:7 warning: the body on line 3 has 'quat=0 0 0 0'; MuJoCo 3.0.0 and later "
-                "require a number other than 0",
+                "require a quaternion other than zero",
                 "3:53 warning: the inertial on line 3 has 'diaginertia' beside 'fullinertia'; "
                 "MuJoCo 3.2.4 and later reject this"});
 }

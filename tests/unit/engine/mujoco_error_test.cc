@@ -26,15 +26,19 @@ TEST_CASE("an error without a place has line 0") {
   CHECK(refusal.line == 0);
 }
 
-TEST_CASE(
-    "an error with a name and without a line is on the line of the last element of the name") {
+TEST_CASE("an error of a sensor is on the line of the sensor of that name") {
   const std::string message =
       "Error: negative noise in sensor 'p' (id = 0)\nObject name = p, id = 0";
   const auto line = [&](std::string_view xml) { return ParseRefusal(message, xml).line; };
-  CHECK(line("<mujoco>\n<body name=\"p\"/>\n<jointpos name=\"p\"/>\n</mujoco>\n") == 3);
-  CHECK(line("<mujoco>\n<jointpos name='p'/>\n</mujoco>\n") == 2);
-  CHECK(line("<mujoco>\n<jointpos name=\"pp\"/>\n</mujoco>\n") == 0);
-  CHECK(ParseRefusal("Error: x\nObject name = , id = 0", "<a name=\"\"/>").line == 0);
+  CHECK(line("<mujoco>\n<body name=\"p\"/>\n<sensor>\n<jointpos name=\"p\"/></sensor>\n"
+             "<worldbody><body name=\"p\"/></worldbody></mujoco>\n") == 4);
+  CHECK(line("<mujoco><sensor>\n</sensor><sensor>\n<jointpos name='p'/></sensor></mujoco>") == 3);
+  CHECK(line("<mujoco><sensor><jointpos name=\"pp\"/></sensor><body name=\"p\"/></mujoco>") == 0);
+  const auto line_of = [](std::string_view said) {
+    return ParseRefusal(said, "<sensor><a name=\"\"/><a name=\"p\"/></sensor>").line;
+  };
+  CHECK(line_of("Error: x in sensor\nObject name = , id = 0") == 0);
+  CHECK(line_of("Error: x in text\nObject name = p, id = 0") == 0);
   CHECK(ParseRefusal(message).line == 0);
 }
 
