@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -147,6 +148,15 @@ void AddCrashFinding(const std::string& what, const std::string& reason, diag::F
                : reason == kNeedsMemory   ? "8 GiB are the most; `ulimit -v` may set a lower limit"
                                           : "see whether sizes and counts are sensible; a newer "
                                             "MuJoCo may say more");
+}
+
+void EndWithParent() {
+  const char* const parent = std::getenv("MJFORGE_PARENT");
+  if (parent == nullptr) return;
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  // The parent may have ended before prctl.
+  if (std::to_string(::getppid()) != parent) std::raise(SIGTERM);
+  ::unsetenv("MJFORGE_PARENT");
 }
 
 ExitStatus RunInChild(const std::string& what, Seconds time_limit, Console& console,

@@ -1,4 +1,5 @@
-// Runs work that may crash or hang (loading untrusted files in MuJoCo) in a child process.
+// Runs work that may crash or hang (loading untrusted files in MuJoCo) in a child process, and ends
+// this process with its parent.
 #pragma once
 
 #include <cstddef>
@@ -18,6 +19,11 @@ namespace mjforge::app {
 ExitStatus RunInChild(std::size_t count, Seconds time_limit,
                       const std::function<ExitStatus(std::size_t)>& run_step,
                       const std::function<ExitStatus(std::size_t, const std::string&)>& crashed);
+
+/// Lets this process get SIGTERM when its parent ends, if MJFORGE_PARENT is the id of the parent.
+/// The Python package sets the variable, because a program that waits for a batch may be killed.
+/// Linux sends the signal when the thread ends that started this process; that thread waits for it.
+void EndWithParent();
 
 /// Limits the memory of this process to 8 GiB, more than any object needs.
 void LimitMemory();

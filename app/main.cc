@@ -1,15 +1,12 @@
 // The main function: parses the command line and runs a command.
-#include <sys/prctl.h>
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
-#include <cstdlib>
 #include <exception>
 #include <string>
 #include <vector>
 
+#include "child_process.h"
 #include "commands.h"
 #include "completion.h"
 #include "make_rule_options.h"
@@ -17,18 +14,6 @@
 
 namespace mjforge::app {
 namespace {
-
-// Lets this process get SIGTERM when its parent ends, if MJFORGE_PARENT is the id of the parent.
-// The Python package sets the variable, because a program that waits for a batch may be killed.
-// Linux sends the signal when the thread ends that started this process; that thread waits for it.
-void EndWithParent() {
-  const char* const parent = std::getenv("MJFORGE_PARENT");
-  if (parent == nullptr) return;
-  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-  // The parent may have ended before prctl.
-  if (std::to_string(::getppid()) != parent) std::raise(SIGTERM);
-  ::unsetenv("MJFORGE_PARENT");
-}
 
 ExitStatus Run(int argc, char** argv) {
   CLI::App app("Randomized MuJoCo objects from declarative YAML specs.", "mjforge");

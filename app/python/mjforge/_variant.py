@@ -272,12 +272,12 @@ class Variant:
         file = pathlib.Path(path_of(path, "path"))
         if file.is_dir():
             file /= os.path.basename(self.record.get("file") or f"{self.name}_{self.index:06}.xml")
-        # The MJCF file comes last, so that it never exists without what it refers to.
-        for name, content in self.files.items():
+        files = self.files  # first, because a file that has changed is an error
+        file.write_bytes(self.xml_bytes)
+        for name, content in files.items():
             beside = file.parent / name
             beside.parent.mkdir(parents=True, exist_ok=True)
             beside.write_bytes(content)
-        file.write_bytes(self.xml_bytes)
         return file
 
     @contextlib.contextmanager

@@ -344,9 +344,10 @@ class _Iteration(Iterator[Variant]):
     def _pass_on(self, valid: list[Variant]) -> None:
         patience = 0 if valid else max(self._patience - len(self._made), 0)
         gives_up = patience == 0 and self._patience > 0 and not valid
-        state = iter(valid), self._indices[len(self._made):], {}, patience
+        ready, indices = iter(valid), self._indices[len(self._made):]
+        made: dict[int, Optional[Variant]] = {}
         # No call comes between these assignments, so that an exception finds all of them or none.
-        self._ready, self._indices, self._made, self._patience = state
+        self._ready, self._indices, self._made, self._patience = ready, indices, made, patience
         if gives_up:
             self._give_up()
 

@@ -214,21 +214,10 @@ bool Journal::ReadLine(std::string_view line, std::uint64_t end) {
   std::string kind;
   words >> kind;
   if (!journal_seal_) return false;
-  if (kind == "asset") {
-    HashedAsset asset;
-    words >> asset.sha256;
-    asset.name = RestOfLine(line, words);
-    if (asset.name.empty()) return false;
-    if (journal_seal_->spec == seal_.spec) made_assets_.insert(asset.sha256);
-    seal_.assets.emplace(asset.name, asset.sha256);
-    assets_.push_back(std::move(asset));
-    return true;
-  }
-  if (kind == "source") {
+  if (kind == "asset" || kind == "source") {
     std::string sha256;
     words >> sha256;
-    sources_.emplace(RestOfLine(line, words), sha256);
-    return true;
+    return AddReadAsset(kind == "asset", RestOfLine(line, words), sha256);
   }
   if (kind == "closed") {
     SealedFile file;
@@ -244,6 +233,15 @@ bool Journal::ReadLine(std::string_view line, std::uint64_t end) {
   if (kind == "made-asset" && journal_seal_->spec == seal_.spec)
     made_assets_.insert(RestOfLine(line, words));
   return kind.starts_with("made") || (kind == "at" && ReadCheckpoint(words, end));
+}
+
+bool Journal::AddReadAsset(bool is_copy, const std::string& file, const std::string& sha256) {
+  if (!is_copy) sources_.emplace(file, sha256);
+  if (!is_copy || file.empty()) return !file.empty();
+  if (journal_seal_->spec == seal_.spec) made_assets_.insert(sha256);
+  seal_.assets.emplace(file, sha256);
+  assets_.push_back({.name = file, .source = {}, .sha256 = sha256});
+  return true;
 }
 
 bool Journal::ReadCheckpoint(std::istringstream& words, std::uint64_t end) {

@@ -106,6 +106,8 @@ class Journal {
   void RemoveFormer();
   void ReadJournal();
   bool ReadLine(std::string_view line, std::uint64_t end);
+  /// Adds an asset that a line of the journal names: a copy, or the file that was copied.
+  bool AddReadAsset(bool is_copy, const std::string& file, const std::string& sha256);
   bool ReadCheckpoint(std::istringstream& words, std::uint64_t end);
   bool AppendEarlierOutputs(diag::Findings& findings);
   bool AppendLine(const std::string& line, diag::Findings& findings);

@@ -169,15 +169,13 @@ void ApplyUnit(Parameter& parameter, Context& context) {
   }
 }
 
-// Returns true if a setting is one of the texts among which the spec chooses. Such a text may have
-// names of parameters among its words.
+// Returns true if a setting is one of the texts among which the spec chooses, and has names of
+// parameters at most among its words.
 bool IsOption(const Value& own, const YamlNode& setting) {
   const auto* draw = std::get_if<Draw>(&own.form);
-  return draw != nullptr && own.type == expr::Type::kText &&
-         setting.kind == YamlNode::Kind::kScalar &&
-         std::ranges::any_of(draw->arguments, [&](const Value& option) {
-           return LiteralText(option) == setting.text;
-         });
+  if (draw == nullptr || own.type != expr::Type::kText || expr::IsName(setting.text)) return false;
+  const auto is_same = [&](const Value& option) { return LiteralText(option) == setting.text; };
+  return std::ranges::any_of(draw->arguments, is_same);
 }
 
 // Reads the value of a parameter. `own` is the parameter as the spec declares it, if a setting
@@ -189,7 +187,7 @@ void ReadOne(Parameter& parameter, const ParameterNode& declared, const Paramete
   const std::span<const std::string_view> extra_keys =
       IsLongForm(node) ? std::span(kLongFormKeys) : std::span<const std::string_view>();
   if (own != nullptr) {
-    parameter.value = IsOption(own->value, node)
+    parameter.value = node.kind == YamlNode::Kind::kScalar && IsOption(own->value, node)
                           ? context.values.ReadText(node)
                           : context.values.ReadLike(own->value, node, extra_keys);
     const std::size_t before = context.findings.size();
