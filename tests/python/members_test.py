@@ -98,6 +98,20 @@ class Files(unittest.TestCase):
             self.assertRaises(OSError, variants[0].save, pathlib.Path(folder, "no", "a.xml"))
         self.assertRaisesRegex(TypeError, "path=5", variants[0].save, 5)
 
+    def test_of_other_objects_are_not_replaced(self):
+        cube = "".join(f"v {x} {y} {z}\n" for x in (0, 1) for y in (0, 1) for z in (0, 1))
+        spec = "mjforge: 1\nname: {}\njoints: none\nparts: [{{name: p, type: mesh, file: m.obj, role: visual}}]\n"
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("one", "two"):
+                pathlib.Path(folder, name).mkdir()
+                pathlib.Path(folder, name, "m.obj").write_text(f"{cube}f 1 2 3\nf 1 2 5\nf 2 3 5\n# {name}\n")
+                pathlib.Path(folder, name, "s.yaml").write_text(spec.format(name))
+            one, two = (mjforge.Spec(os.path.join(folder, name, "s.yaml")).variants()[0] for name in ("one", "two"))
+            for _ in range(2):
+                one.save(folder)
+            self.assertRaisesRegex(FileExistsError, "assets/m.obj' has another content", two.save, folder)
+            self.assertFalse(any(pathlib.Path(folder).glob("two_*")))
+
     def test_may_be_there_for_a_while(self):
         variant = mjforge.Spec("spoon").variants(assets="files")[0]
         with variant.as_file() as path:

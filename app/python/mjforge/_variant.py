@@ -267,15 +267,18 @@ class Variant:
     def save(self, path: Union[str, "os.PathLike[str]"]) -> pathlib.Path:
         """Writes the MJCF file, and beside it the meshes and textures in `files`. `path`: the file,
         or an existing folder, in which the file gets the name that the command gives it. Returns
-        the path of the file.
+        the path of the file. Raises FileExistsError if there is a mesh or texture of the name with
+        another content, such as one of another spec.
         """
         file = pathlib.Path(path_of(path, "path"))
         if file.is_dir():
             file /= os.path.basename(self.record.get("file") or f"{self.name}_{self.index:06}.xml")
-        files = self.files  # first, because a file that has changed is an error
+        files = {file.parent / name: content for name, content in self.files.items()}
+        for beside, content in files.items():
+            if beside.exists() and beside.read_bytes() != content:
+                raise FileExistsError(f"'{beside}' has another content: save to another folder, or remove it")
         file.write_bytes(self.xml_bytes)
-        for name, content in files.items():
-            beside = file.parent / name
+        for beside, content in files.items():
             beside.parent.mkdir(parents=True, exist_ok=True)
             beside.write_bytes(content)
         return file
