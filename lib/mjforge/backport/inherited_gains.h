@@ -17,9 +17,8 @@ bool IsServo(const xml::XmlElement& element);
 bool WriteInheritedGains(xml::XmlElement& root, int version);
 
 /// Warns of actuators without gains of their own that take the gains of another kind of actuator
-/// from a default class (a
-/// `<velocity>` the `kp` of a default `<position>`), which MuJoCo does up to 3.15: one warning for
-/// each two kinds.
+/// from a default class, such as a `<velocity>` the `kp` of a default `<position>`. MuJoCo up to
+/// 3.15 does so. Adds one warning for each two kinds.
 void WarnOfForeignGains(xml::XmlElement& root, int version, diag::Findings& findings);
 
 }  // namespace mjforge::backport
