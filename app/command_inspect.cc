@@ -82,16 +82,13 @@ ExitStatus Inspect(const InspectOptions& options, Console& console) {
     return WrongUsage(fmt::format("--contains: '{}' is not of the form X,Y,Z", options.contains),
                       "inspect");
   }
-  if (const auto manifest = FindManifest(options.what)) {
-    if (options.sweep || !options.contains.empty())
-      return WrongUsage("--sweep and --contains take one object, not a batch", "inspect");
-    if (const std::string wrong = RefuseSpecOptions(options); !wrong.empty())
-      return WrongUsage(wrong, "inspect");
-    return InspectBatch(*manifest, options.json, console);
-  }
-  const bool is_file = IsMjcf(options.what);
-  const std::string wrong = is_file ? RefuseSpecOptions(options) : "";
+  const auto manifest = FindManifest(options.what);
+  const bool is_file = !manifest && IsMjcf(options.what);
+  if (manifest && (options.sweep || !options.contains.empty()))
+    return WrongUsage("--sweep and --contains take one object, not a batch", "inspect");
+  const std::string wrong = manifest || is_file ? RefuseSpecOptions(options) : "";
   if (!wrong.empty()) return WrongUsage(wrong, "inspect");
+  if (manifest) return InspectBatch(*manifest, options.json, console);
   return RunInChild(options.what, options.time_limit, console, [&] {
     return is_file ? InspectFile(options, console) : InspectSpec(options, console);
   });

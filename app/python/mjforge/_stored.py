@@ -115,7 +115,9 @@ class Batch:
                 yield loads(line)
 
     def __len__(self) -> int:
-        return sum(len(starts) for starts, _ in zip(self._index(), self._unchanged()))
+        for manifest in self._manifests:
+            self._compare(manifest)
+        return sum(map(len, self._index()))
 
     def _index(self) -> list[array.array[int]]:
         if self._starts is None:
@@ -167,8 +169,9 @@ class Batch:
         return line
 
     def _number(self, number: Any) -> int:
-        at, count = integer(number, "number"), len(self)
+        at, count = integer(number, "number"), sum(map(len, self._index()))
         if not -count <= at < count:
+            count = len(self)  # a VariantError if the batch was changed, which may have this object
             raise IndexError(f"number={number} is not within the {count} objects of '{self.path}'")
         return at % count
 

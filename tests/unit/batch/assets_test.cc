@@ -29,6 +29,17 @@ struct AssetsTest : CrateBatch {
     request.shard = {index, 2};
     return request;
   }
+  // Makes a batch, interrupts it after the variant `last`, and returns the request that resumes it.
+  Request Interrupted(Request request, std::uint64_t last) {
+    std::atomic<bool> stop = false;
+    request.stop = &stop;
+    Observer observer;
+    observer.variant = [&](const FinishedVariant& done) { stop = done.index >= last; };
+    REQUIRE(Make(request, observer).interrupted);
+    request.stop = nullptr;
+    request.resume = true;
+    return request;
+  }
   bool IsGood(const std::string& what) {
     diag::Sources sources;
     findings.clear();
@@ -144,14 +155,7 @@ TEST_CASE_METHOD(AssetsTest, "an asset of kept objects is noted again when a bat
 }
 
 TEST_CASE_METHOD(AssetsTest, "a series has one version of an asset") {
-  Request request = Of(2000, "out/x_%d.tar", 500);
-  std::atomic<bool> stop = false;
-  request.stop = &stop;
-  Observer observer;
-  observer.variant = [&](const FinishedVariant& done) { stop = done.index > 700; };
-  REQUIRE(Make(request, observer).interrupted);
-  request.stop = nullptr;
-  request.resume = true;
+  const Request request = Interrupted(Of(2000, "out/x_%d.tar", 500), 701);
   folder.Write("wood.png", Png('b'));
   CHECK(ErrorOf(request) == "'assets/wood.png' was changed while the batch was made");
   folder.Write("wood.png", Png('a'));
@@ -168,14 +172,7 @@ struct FarAssetsTest : AssetsTest {
 
 TEST_CASE_METHOD(FarAssetsTest, "a resumed batch has one version of an asset, whatever its name") {
   const std::string output = GENERATE("out", "out/x.tar");
-  Request request = Of(2000, output);
-  std::atomic<bool> stop = false;
-  request.stop = &stop;
-  Observer observer;
-  observer.variant = [&](const FinishedVariant& done) { stop = done.index > 700; };
-  REQUIRE(Make(request, observer).interrupted);
-  request.stop = nullptr;
-  request.resume = true;
+  const Request request = Interrupted(Of(2000, output), 701);
   folder.Write("pictures/wood.png", Png('b'));
   const std::string file = (folder / "pictures/wood.png").string();
   CHECK(ErrorOf(request) == "'" + file + "' was changed while the batch was made");
