@@ -56,8 +56,8 @@ class Assets {
   Assets(Assembler& assembler, model::Object& object, diag::Findings& findings)
       : assembler_(assembler), object_(object), findings_(findings) {}
 
-  /// Sets the folder of the object's spec; see OutputName.
-  void SetFolder(const std::filesystem::path& folder);
+  /// Sets the folder of the object's spec; see OutputName. `folder` must outlive this object.
+  void SetFolder(const std::filesystem::path& folder) { folder_ = &folder; }
   /// Makes a shape with the library `solid`. Sets the part's render mesh (unless the part only
   /// collides) and the part's exact mass properties. Returns the colliding convex pieces, with
   /// poses in the part's frame. If the shape is a single convex mesh, sets this mesh, and returns
@@ -122,7 +122,7 @@ class Assets {
   // Indices in Object::meshes by hash of the source.
   std::unordered_multimap<std::size_t, int> meshes_;
   std::unordered_multimap<std::string, int> textures_;  // indices by name in the spec or file
-  std::filesystem::path folder_;
+  const std::filesystem::path* folder_ = nullptr;
   std::map<std::filesystem::path, std::string> output_names_;
   std::set<std::string> taken_names_;
 };

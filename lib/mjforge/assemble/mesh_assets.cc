@@ -226,15 +226,11 @@ std::optional<model::MassProperties> Assets::UnitMassOf(const model::Shape& shap
   return source.unit_mass;
 }
 
-void Assets::SetFolder(const std::filesystem::path& folder) {
-  folder_ = AbsolutePath(folder / "file").parent_path();
-}
-
 std::string Assets::OutputName(const std::filesystem::path& file) {
   const auto [found, is_new] = output_names_.try_emplace(file);
   if (!is_new) return found->second;
   std::string stem = PortableName(file.stem().string());
-  if (AbsolutePath(file).parent_path() != folder_)
+  if (AbsolutePath(file).parent_path() != AbsolutePath(*folder_ / "file").parent_path())
     stem = fmt::format("{}_{}", ShortStem(stem), assembler_.HashOf(file));
   const std::string extension = PortableName(file.extension().string());
   std::string name = stem + extension;
