@@ -188,7 +188,8 @@ std::vector<Contact> Obstacles::FindContacts(std::span<const PlacedShape> shapes
         const Vector3d apart = distance::Separation(shapes[i], obstacle);
         const double distance = apart.norm();
         if (distance <= 0 || distance > within) continue;
-        contacts.push_back({body, i, IsBox(shapes[i]) && IsBox(obstacle), apart / distance});
+        contacts.push_back(
+            {body, &obstacle, i, IsBox(shapes[i]) && IsBox(obstacle), apart / distance});
       }
     }
   }

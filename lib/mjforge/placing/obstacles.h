@@ -61,10 +61,11 @@ struct Blocker {
 
 /// A contact of a shape with an obstacle.
 struct Contact {
-  int body = -1;             // body of the obstacle
-  std::size_t shape = 0;     // index of the shape
-  bool of_boxes = false;     // true: both shapes are boxes
-  Eigen::Vector3d normal_W;  // unit vector from the obstacle to the shape
+  int body = -1;                                    // body of the obstacle
+  const distance::PlacedShape* obstacle = nullptr;  // valid until obstacles are added or cleared
+  std::size_t shape = 0;                            // index of the shape
+  bool of_boxes = false;                            // true: both shapes are boxes
+  Eigen::Vector3d normal_W;                         // unit vector from the obstacle to the shape
 };
 
 /// The bodies that have places already, with the bodies below them.

@@ -233,6 +233,17 @@ TEST_CASE("a body that would hang on a wall by its end does not stand") {
   }
 }
 
+TEST_CASE("a plate that lies on one wall with its edge does not stand") {
+  Scene scene;
+  const int bin = scene.AddBin(0.2, 0.05, 0.01);
+  const int pan = scene.Add(ShapeOf(GeomType::kBox, 0.05, 0.05, 0.05));
+  // The plate's faces contain the middle of the body, but only its end is above a wall.
+  scene.AddPart(ShapeOf(GeomType::kBox, 0.175, 0.1, 0.01), At(0.075, 0, -0.03));
+  const PlaceResult result = PlaceInside(scene, bin, 0.2, pan);
+  CHECK(result.verdict == PlaceVerdict::kBlocked);
+  CHECK(result.blocker == bin);
+}
+
 TEST_CASE("a body lies across two walls if its middle is between them") {
   Scene scene;
   const int bin = scene.AddBin(0.2, 0.05, 0.01);
