@@ -36,13 +36,22 @@ std::string SizeOf(const model::Region& region) {
 }
 
 // Returns the bodies that blocked the most tries: "of 900 tries, 'plate_0' was in the way of 400,
-// 'mug_1' of 120".
-std::string BlockersText(const Misses& misses) {
+// 'mug_1' of 120". A single body is described further.
+std::string BlockersText(const NoRoom& facts, const Misses& misses) {
   std::vector<std::pair<std::string, std::size_t>> all(misses.blockers.begin(),
                                                        misses.blockers.end());
   std::ranges::stable_sort(all, std::greater<>(), &std::pair<std::string, std::size_t>::second);
   all.resize(std::min(all.size(), kMostNamed));
-  if (all.size() == 1) return fmt::format("{} is in the way", Quoted(all.front().first));
+  if (all.size() == 1) {
+    const std::string& only = all.front().first;
+    if (misses.most_apart > 0)
+      return fmt::format("{} would be {} cm away, and `clear` asks for more", Quoted(only),
+                         Cm(misses.most_apart));
+    if (only == facts.owner)
+      return fmt::format("{} itself is in the way: the body would touch it above the region",
+                         Quoted(only));
+    return fmt::format("{} is in the way", Quoted(only));
+  }
   std::string text;
   for (const auto& [name, times] : all) {
     text += text.empty() ? fmt::format("of {} tries, {} was in the way of {}", misses.count,
@@ -71,7 +80,7 @@ void ReportCrowded(const NoRoom& facts, const Misses& misses, diag::Finding& fin
           fmt::format("; {} of {} have found a place", facts.standing, facts.instances);
     }
   }
-  if (!misses.blockers.empty()) finding.hint = BlockersText(misses) + "; ";
+  if (!misses.blockers.empty()) finding.hint = BlockersText(facts, misses) + "; ";
   finding.hint += "make room, or leave out what finds none with `fewer: true`";
 }
 
@@ -80,8 +89,9 @@ void ReportCrowded(const NoRoom& facts, const Misses& misses, diag::Finding& fin
 void Misses::Add(const model::PlaceResult& result, const PlaceNames& names) {
   if (++count == 1 || result.footprint.prod() < footprint.prod()) footprint = result.footprint;
   ++verdicts[result.verdict];
-  if (result.verdict == model::PlaceVerdict::kBlocked && result.blocker >= 0)
-    ++blockers[names.NameOf(result.blocker)];
+  if (result.verdict != model::PlaceVerdict::kBlocked || result.blocker < 0) return;
+  ++blockers[names.NameOf(result.blocker)];
+  most_apart = std::max(most_apart, result.distance);
 }
 
 bool Misses::AreAll(model::PlaceVerdict verdict) const {

@@ -17,6 +17,7 @@ struct Misses {
   std::size_t count = 0;
   std::map<model::PlaceVerdict, std::size_t> verdicts;  // number of tries by verdict
   std::map<std::string, std::size_t> blockers;          // tries by the name of the blocking body
+  double most_apart = 0;  // largest distance from a blocking body, m; 0 if all tries overlap it
   Eigen::Vector2d footprint = Eigen::Vector2d::Zero();  // smallest footprint of all tries, m
 
   void Add(const model::PlaceResult& result, const PlaceNames& names);
@@ -28,6 +29,7 @@ struct Misses {
 struct NoRoom {
   std::string body;
   std::string at;                         // name in `at:`: a region or a site
+  std::string owner;                      // name of the body that has the region or site
   const model::Region* region = nullptr;  // null: the place is a site
   std::string beside;                     // name in `beside:`; empty if not given
   bool has_uv = false;                    // true if `uv:` gives the position in the region

@@ -150,6 +150,7 @@ void Placements::GiveUp(const Request& request, const Trial& trial, const Misses
   NoRoom what;
   what.body = request.name;
   what.at = trial.at;
+  what.owner = names_.NameOf(trial.where.support);
   what.region = trial.where.region;
   what.clear = trial.where.clear;
   what.standing = standing_;
