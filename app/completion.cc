@@ -298,9 +298,8 @@ CLI::Validator Offers(const std::string& values) {
 CLI::Validator IsOneOf(std::span<const std::string_view> words) {
   const auto check = [known = std::vector(words.begin(), words.end())](const std::string& text) {
     if (std::ranges::find(known, text) != known.end()) return std::string();
-    const std::string meant = diag::DidYouMean(text, known);
-    return fmt::format("'{}' is not one of {}{}{}", text, fmt::join(known, ", "),
-                       meant.empty() ? "" : "; ", meant);
+    return diag::WithSuggestion(fmt::format("'{}' is not one of {}", text, fmt::join(known, ", ")),
+                                text, known);
   };
   return {check, "", fmt::format("{}{}", kOffered, fmt::join(words, " "))};
 }

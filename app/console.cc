@@ -15,17 +15,6 @@
 namespace mjforge::app {
 namespace {
 
-// Writes all bytes to a file descriptor; returns false and sets errno if that fails.
-bool WriteAll(int descriptor, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return true;
-}
-
 bool UseColor(const std::string& choice) {
   if (choice != "auto") return choice == "always";
   return !IsSet("NO_COLOR") && IsTerminal();  // https://no-color.org
@@ -54,7 +43,7 @@ ExitStatus Console::Report() {
 }
 
 void Console::Show(diag::Findings found, const diag::Sources& places, std::uint64_t more) const {
-  WriteAll(STDERR_FILENO, TextOf(std::move(found), places, more));
+  bytes::WriteAll(STDERR_FILENO, TextOf(std::move(found), places, more));
 }
 
 std::string Console::TextOf(diag::Findings found, const diag::Sources& places,
@@ -74,7 +63,7 @@ std::string Console::TextOf(diag::Findings found, const diag::Sources& places,
 }
 
 void Console::PrintLine(std::string_view line) const {
-  if (!quiet_) WriteAll(STDERR_FILENO, diag::SafeText(line) + '\n');
+  if (!quiet_) bytes::WriteAll(STDERR_FILENO, diag::SafeText(line) + '\n');
 }
 
 std::string Counted(std::uint64_t count, std::string_view one, std::string_view many) {
@@ -89,13 +78,13 @@ std::string OneLine(std::string text) {
 }
 
 void PrintError(std::string_view message) {
-  WriteAll(STDERR_FILENO, fmt::format("mjforge: {}\n", diag::SafeText(message)));
+  bytes::WriteAll(STDERR_FILENO, fmt::format("mjforge: {}\n", diag::SafeText(message)));
 }
 
 ExitStatus Print(std::string_view text) { return PrintBytes(diag::SafeLines(text)); }
 
 ExitStatus PrintBytes(std::string_view bytes) {
-  if (WriteAll(STDOUT_FILENO, bytes)) return ExitStatus::kDone;
+  if (bytes::WriteAll(STDOUT_FILENO, bytes)) return ExitStatus::kDone;
   if (errno == EPIPE) return ExitStatus::kNoReader;  // silent, as in `mjforge catalogue | head`
   PrintError("error: cannot write to standard output: " + std::generic_category().message(errno));
   return ExitStatus::kInputOutput;

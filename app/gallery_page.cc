@@ -31,15 +31,6 @@ report::Thumbnail Encode(const picture::Image& image) {
   return {picture::EncodeWebp(image, kQuality), image.width, image.height};
 }
 
-report::GalleryPicture PictureOf(const report::Thumbnail& image, std::string alt,
-                                 std::string caption) {
-  report::GalleryPicture picture;
-  picture.image = image;
-  picture.alt = std::move(alt);
-  picture.caption = std::move(caption);
-  return picture;
-}
-
 std::optional<report::Thumbnail> Draw(picture::Renderer& renderer, picture::Subject& subject,
                                       const picture::View& view, std::pair<int, int> size) {
   diag::Findings ignored;  // after an error, the page has one picture less
@@ -105,8 +96,8 @@ class PageMaker {
     if (renderer_ == nullptr) return;
     const std::uint64_t index = typical_.record.index;
     if (auto large = Draw(*renderer_, *typical_subject_, view_, kLarge)) {
-      page_.large = PictureOf(*large, fmt::format("Variant {} of {}", index, name_),
-                              fmt::format("Variant {} of seed {}", index, kSeed));
+      page_.large = {*large, fmt::format("Variant {} of {}", index, name_),
+                     fmt::format("Variant {} of seed {}", index, kSeed)};
     }
     card.picture = Draw(*renderer_, *typical_subject_, view_, kCard);
     DrawFilms(*renderer_, *typical_subject_);
@@ -146,8 +137,8 @@ class PageMaker {
 
   void DrawTile(std::uint64_t index, picture::Subject& subject) {
     if (auto drawn = Draw(*renderer_, subject, view_, kTile)) {
-      page_.tiles.push_back(PictureOf(*drawn, fmt::format("Variant {} of {}", index, name_),
-                                      fmt::format("Variant {}", index)));
+      page_.tiles.push_back({*drawn, fmt::format("Variant {} of {}", index, name_),
+                             fmt::format("Variant {}", index)});
     }
   }
 
@@ -180,8 +171,8 @@ class PageMaker {
       const double value = poses[i].front().second;
       const std::string text =
           joint.type == picture::Joint::Type::kSlide ? LengthText(value) : AngleText(value);
-      film.frames.push_back(PictureOf(Encode((*frames)[i]),
-                                      fmt::format("{} with {} at {}", name_, name, text), text));
+      film.frames.push_back(
+          {Encode((*frames)[i]), fmt::format("{} with {} at {}", name_, name, text), text});
     }
     page_.films.push_back(std::move(film));
   }
@@ -203,12 +194,8 @@ class PageMaker {
 diag::Finding Problem(const std::string& name, const diag::Findings& findings) {
   const diag::Finding& first = *findings.FirstError();
   return {.code = first.code,
-          .mark = {},
           .message = fmt::format("'{}': {}", name, first.message),
-          .hint = first.hint,
-          .notes = {},
-          .seed = {},
-          .index = {}};
+          .hint = first.hint};
 }
 
 }  // namespace

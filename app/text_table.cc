@@ -11,9 +11,7 @@ namespace {
 
 // Returns the number of characters, which are all bytes except UTF-8 continuation bytes.
 std::size_t Width(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
-  }));
+  return static_cast<std::size_t>(std::ranges::count_if(text, std::not_fn(diag::IsContinuation)));
 }
 
 }  // namespace

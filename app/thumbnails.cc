@@ -50,18 +50,15 @@ std::unique_ptr<picture::Subject> Thumbnails::Load(const manifest::Record& recor
   if (!record.archive.empty()) return LoadFromArchive(record);
   if (record.each) return MakeAgain(record, record.sha256);  // the record's file is the placement
   std::string why_not;
-  std::error_code ignored;
   const std::filesystem::path file = manifest_.parent_path() / record.file;
-  if (!std::filesystem::is_regular_file(file, ignored)) return nullptr;
-  return loader_.LoadFile(file, why_not);
+  return bytes::IsFile(file) ? loader_.LoadFile(file, why_not) : nullptr;
 }
 
 // Makes the object again from the spec, because that is faster than reading all earlier members of
 // the archive. Reads the archive if the object is not the same.
 std::unique_ptr<picture::Subject> Thumbnails::LoadFromArchive(const manifest::Record& record) {
-  std::error_code error;
   const std::filesystem::path archive = manifest_.parent_path() / record.archive;
-  if (!std::filesystem::is_regular_file(archive, error)) return nullptr;
+  if (!bytes::IsFile(archive)) return nullptr;
   if (auto subject = MakeAgain(record, record.sha256)) return subject;
   diag::Findings ignored;
   const std::optional<std::string> text = output::ReadMember(archive, record.file, ignored);

@@ -16,14 +16,6 @@
 namespace mjforge::app {
 namespace {
 
-std::string WithSuggestion(std::string message, const std::string& word,
-                           const std::vector<std::string>& candidates) {
-  const std::vector<std::string_view> views(candidates.begin(), candidates.end());
-  const std::string meant = diag::DidYouMean(word, views);
-  if (!meant.empty()) message += "; " + meant;
-  return message;
-}
-
 std::vector<std::string> CommandNames(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
@@ -42,7 +34,8 @@ std::string UnexpectedWord(const CLI::App& app, const CLI::App& command) {
   for (const std::string& word : app.remaining(true)) {
     if (word.size() < 2 || word[0] != '-' || word == "--") continue;
     const std::string name = word.substr(0, word.find('='));
-    return WithSuggestion(fmt::format("there is no option '{}'", name), name, OptionNames(command));
+    return diag::WithSuggestion(fmt::format("there is no option '{}'", name), name,
+                                OptionNames(command));
   }
   std::vector<std::string> words = app.remaining(true);
   std::erase(words, "--");
@@ -67,8 +60,9 @@ ExitStatus ExplainParseError(const CLI::App& app, const CLI::ParseError& error,
   const std::vector<CLI::App*> parsed = app.get_subcommands();
   if (parsed.empty() && !first_word.empty() && first_word[0] != '-') {
     const std::string word(first_word);
-    return WrongUsage(
-        WithSuggestion(fmt::format("there is no command '{}'", word), word, CommandNames(app)), {});
+    return WrongUsage(diag::WithSuggestion(fmt::format("there is no command '{}'", word), word,
+                                           CommandNames(app)),
+                      {});
   }
   const CLI::App& command = parsed.empty() ? app : *parsed.back();
   const std::string name = parsed.empty() ? std::string() : command.get_name();

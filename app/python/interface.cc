@@ -76,11 +76,8 @@ auto FindWord(std::string_view option, std::string_view word, const Find& find,
               const Words& words) {
   const auto found = find(word);
   if (found) return *found;
-  const std::vector<std::string_view> known(std::begin(words), std::end(words));
-  const std::string meant = diag::DidYouMean(word, known);
-  throw std::invalid_argument(fmt::format("{}='{}' is not one of {}{}{}", option, word,
-                                          fmt::join(known, ", "), meant.empty() ? "" : "; ",
-                                          meant));
+  throw std::invalid_argument(diag::WithSuggestion(
+      fmt::format("{}='{}' is not one of {}", option, word, fmt::join(words, ", ")), word, words));
 }
 
 spec::LoadOptions LoadOptionsOf(const MjforgeRequest& request) {

@@ -66,9 +66,8 @@ std::optional<ResumedVariants> ArchiveSink::Continue(diag::Findings& findings) {
 // start. Returns nullopt, after adding a finding, if the records are not those of this batch.
 std::optional<ResumedVariants> ArchiveSink::ContinueFinished(diag::Findings& findings) {
   const manifest::Seal& seal = *journal_.previous_seal();
-  std::string why_not;
   const bool is_sound =
-      bytes::IsSound(journal_.file(), seal.manifest.content, why_not) &&
+      bytes::IsSound(journal_.file(), seal.manifest.content) &&
       std::ranges::all_of(seal.archives, [&](const auto& file) { return IsIntact(file); });
   if (!is_sound) return ResumedVariants();
   const std::optional<ResumedVariants> resumed =

@@ -75,10 +75,8 @@ class FolderSink : public JournaledSink {
       return resumed && RollBackTo(*resumed, findings) ? resumed : std::nullopt;
     }
     // If the earlier batch was finished, checks its manifest, and continues at its end.
-    std::string why_not;
     const std::optional<manifest::Seal>& seal = journal_.previous_seal();
-    if (!seal || !bytes::IsSound(journal_.file(), seal->manifest.content, why_not))
-      return ResumedVariants();
+    if (!seal || !bytes::IsSound(journal_.file(), seal->manifest.content)) return ResumedVariants();
     const std::optional<ResumedVariants> resumed =
         ReadResumable(journal_.file(), options_, is_there, findings);
     if (!resumed || resumed->done() == 0) return resumed;

@@ -16,18 +16,11 @@ constexpr std::size_t kMaxRememberedAssets = 10'000;
 
 void ReportDamage(const std::filesystem::path& file, const std::string& why_not,
                   diag::Findings& findings, std::string_view option = "--resume") {
-  std::error_code ignored;
-  const bool exists = std::filesystem::exists(file, ignored);
+  const bool exists = bytes::Exists(file);
   findings.Add(exists ? diag::Code::kBatchChanged : diag::Code::kBatchMissing, {},
                exists ? fmt::format("'{}' was changed: {}", file.string(), why_not)
                       : fmt::format("'{}' is missing", file.string()),
                fmt::format("run the command that made it again with {}", option));
-}
-
-void ReportUnreadable(const std::filesystem::path& file, const std::string& why_not,
-                      diag::Findings& findings) {
-  findings.Add(diag::Code::kYamlCannotRead, {},
-               fmt::format("cannot read '{}': {}", file.string(), why_not));
 }
 
 // Returns true if a file exists and is not empty or, with `verify`, has its hash; otherwise adds a
@@ -39,7 +32,7 @@ bool CheckHash(const std::filesystem::path& file, bool verify, std::uint64_t lim
   if (start && (verify ? bytes::Sha256Of(*start) == sha256 : !start->empty())) return true;
   std::string ignored;
   if (!start && bytes::MayRead(file, limit, ignored)) {
-    ReportUnreadable(file, why_not, findings);
+    findings.AddCannotRead(file.string(), why_not);
     return false;
   }
   if (start) why_not = start->empty() ? "it is empty" : "its bytes are others";
@@ -76,10 +69,7 @@ std::vector<std::string> NamesIn(const std::filesystem::path& folder, diag::Find
   std::error_code error;
   for (const std::filesystem::path& entry : output::EntriesOf(folder, error))
     names.push_back(entry.filename().string());
-  if (error) {
-    findings.Add(diag::Code::kYamlCannotRead, {},
-                 fmt::format("cannot read '{}': {}", folder.string(), error.message()));
-  }
+  if (error) findings.AddCannotRead(folder.string(), error.message());
   std::ranges::sort(names);
   return names;
 }
@@ -88,15 +78,13 @@ bool CheckSealed(const std::filesystem::path& folder, const manifest::SealedFile
                  diag::Findings& findings) {
   const std::filesystem::path path = folder / file.file;
   std::string why_not;
-  auto found = bytes::Soundness::kSound;
-  if (verify) {
-    found = bytes::Compare(path, file.content, why_not);
-  } else if (!bytes::HasSize(path, file.content.size, why_not)) {
-    found = bytes::Soundness::kChanged;
-  }
+  const auto found = verify ? bytes::Compare(path, file.content, why_not)
+                     : bytes::HasSize(path, file.content.size, why_not)
+                         ? bytes::Soundness::kSound
+                         : bytes::Soundness::kChanged;
   if (found == bytes::Soundness::kSound) return true;
   if (found == bytes::Soundness::kUnreadable) {
-    ReportUnreadable(path, why_not, findings);
+    findings.AddCannotRead(path.string(), why_not);
     return false;
   }
   // Suggests --verify if the size is right, because resuming otherwise compares only sizes.

@@ -97,7 +97,7 @@ std::string EncodePng(const Pixels& pixels, const PngTexts& texts = {},
 /// A file that an MJCF text refers to.
 struct Asset {
   std::string name;                                   // the file's name in the text
-  std::filesystem::path file;                         // empty if the content is generated
+  std::filesystem::path file = {};                    // empty if the content is generated
   std::shared_ptr<const std::string> made = nullptr;  // the generated content
 
   bool operator==(const Asset& other) const {
@@ -107,6 +107,15 @@ struct Asset {
   }
 };
 using Assets = std::vector<Asset>;
+
+/// Returns true if the path exists, is a regular file, or is a folder. Links are followed. If the
+/// file system cannot tell, returns false.
+bool Exists(const std::filesystem::path& path);
+bool IsFile(const std::filesystem::path& path);
+bool IsFolder(const std::filesystem::path& path);
+
+/// Writes all bytes to a file descriptor; returns false, with errno, if that fails.
+bool WriteAll(int descriptor, std::string_view bytes);
 
 /// Returns true for standard input and for a regular file of at most `limit` bytes. Otherwise sets
 /// `why_not`.
@@ -165,8 +174,8 @@ enum class Soundness { kSound, kChanged, kUnreadable };
 /// 12 bytes, not 40", "Too many open files").
 Soundness Compare(const std::filesystem::path& file, const Fingerprint& whole,
                   std::string& why_not);
-/// Returns true if a file has the expected size and checksum; sets `why_not` otherwise.
-bool IsSound(const std::filesystem::path& file, const Fingerprint& whole, std::string& why_not);
+/// Returns true if a file has the expected size and checksum.
+bool IsSound(const std::filesystem::path& file, const Fingerprint& whole);
 
 /// Returns the SHA-256 hash of `bytes`, in hexadecimal.
 std::string Sha256Of(std::string_view bytes);

@@ -85,8 +85,9 @@ Soundness Compare(const std::filesystem::path& file, const Fingerprint& whole,
   return Soundness::kChanged;
 }
 
-bool IsSound(const std::filesystem::path& file, const Fingerprint& whole, std::string& why_not) {
-  return Compare(file, whole, why_not) == Soundness::kSound;
+bool IsSound(const std::filesystem::path& file, const Fingerprint& whole) {
+  std::string ignored;
+  return Compare(file, whole, ignored) == Soundness::kSound;
 }
 
 }  // namespace mjforge::bytes

@@ -1,4 +1,5 @@
-// Reading of regular files and standard input within limits, and the pixel count of PNG files.
+// Reading of regular files and standard input within limits, kinds of paths, writing to
+// descriptors, and the pixel count of PNG files.
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -162,6 +163,31 @@ std::optional<std::uint64_t> PngPixels(const std::filesystem::path& file, std::s
     return value;
   };
   return number(kWidth) * number(kHeight);
+}
+
+bool Exists(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::exists(path, ignored);
+}
+
+bool IsFile(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(path, ignored);
+}
+
+bool IsFolder(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::is_directory(path, ignored);
+}
+
+bool WriteAll(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
 }
 
 bool MayRead(const std::filesystem::path& file, std::uint64_t limit, std::string& why_not) {

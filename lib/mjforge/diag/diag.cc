@@ -2,6 +2,8 @@
 
 #include "mjforge/diag/diag.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 #include <tuple>
@@ -32,11 +34,15 @@ std::string_view Sources::Line(SourceMark mark) const {
 }
 
 Finding& Findings::Add(Code code, SourceMark mark, std::string message, std::string hint) {
-  return Add({Severity::kError, code, mark, std::move(message), std::move(hint), {}, {}, {}});
+  return Add({Severity::kError, code, mark, std::move(message), std::move(hint)});
 }
 
 Finding& Findings::Warn(Code code, SourceMark mark, std::string message, std::string hint) {
-  return Add({Severity::kWarning, code, mark, std::move(message), std::move(hint), {}, {}, {}});
+  return Add({Severity::kWarning, code, mark, std::move(message), std::move(hint)});
+}
+
+Finding& Findings::AddCannotRead(std::string_view file, std::string_view why_not) {
+  return Add(Code::kYamlCannotRead, {}, fmt::format("cannot read '{}': {}", file, why_not));
 }
 
 void Findings::Append(Findings other) {

@@ -71,14 +71,14 @@ struct Note {
 struct Finding {
   Severity severity = Severity::kError;
   Code code = Code::kYamlSyntax;
-  SourceMark mark;
-  std::string message;      // a single line without a final full stop
-  std::string hint;         // remedy; may be empty
-  std::vector<Note> notes;  // related places
+  SourceMark mark = {};
+  std::string message;           // a single line without a final full stop
+  std::string hint = {};         // remedy; may be empty
+  std::vector<Note> notes = {};  // related places
   // Seed of the variant; nullopt if the finding is about the spec.
-  std::optional<std::uint64_t> seed;
+  std::optional<std::uint64_t> seed = {};
   // Index of the variant; nullopt if the finding is about the spec.
-  std::optional<std::uint64_t> index;
+  std::optional<std::uint64_t> index = {};
   /// Paths of files that are missing or wrong. A change of one of them may resolve the finding.
   std::vector<std::string> files = {};
 };
@@ -89,6 +89,8 @@ class Findings {
   Finding& Add(Finding finding) { return list_.emplace_back(std::move(finding)); }
   Finding& Add(Code code, SourceMark mark, std::string message, std::string hint = {});
   Finding& Warn(Code code, SourceMark mark, std::string message, std::string hint = {});
+  /// Adds the error that a file cannot be read.
+  Finding& AddCannotRead(std::string_view file, std::string_view why_not);
   void Append(Findings other);
 
   /// Returns the first error at position `first` of the list, or after it; null if there is none.
@@ -133,6 +135,8 @@ struct Utf8Char {
 };
 /// Decodes the first character of a text that is not empty.
 Utf8Char DecodeUtf8(std::string_view text);
+/// Returns true for a byte of UTF-8 that does not begin a character.
+constexpr bool IsContinuation(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
 /// Returns text of unknown origin in a form that is safe to show on one line. Control characters,
 /// line separators, bidirectional controls and invalid bytes are replaced by escapes ("\x1b"), so
@@ -160,6 +164,13 @@ std::string DidYouMean(std::string_view word, const List& list, Name name = {}) 
   std::vector<std::string_view> candidates(std::size(list));
   std::ranges::transform(list, candidates.begin(), name);
   return DidYouMean(word, std::span<const std::string_view>(candidates));
+}
+
+/// Returns the message with "; did you mean 'x'?" if a word of the list is close to `word`.
+template <typename List>
+std::string WithSuggestion(std::string message, std::string_view word, const List& list) {
+  const std::string meant = DidYouMean(word, list);
+  return meant.empty() ? message : message + "; " + meant;
 }
 
 }  // namespace mjforge::diag

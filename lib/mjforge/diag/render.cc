@@ -27,8 +27,6 @@ std::string Painted(std::string_view text, std::string_view paint, bool color) {
   return color ? fmt::format("{}{}{}", paint, text, kReset) : std::string(text);
 }
 
-bool IsContinuation(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
-
 // The part of a source line around the caret, as terminal cells (one per character).
 struct Excerpt {
   std::vector<TerminalCell> cells;

@@ -64,7 +64,7 @@ Utf8Char DecodeUtf8(std::string_view text) {
   if (lead < 0xc2 || lead > 0xf4 || text.size() < length) return {};
   char32_t value = lead & (0x7fu >> length);
   for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xc0) != 0x80) return {};
+    if (!IsContinuation(text[i])) return {};
     value = (value << 6) | (byte(i) & 0x3fu);
   }
   // Rejects overlong forms, surrogates, and values beyond the last plane.

@@ -99,7 +99,7 @@ bool Maker::Make(const model::Object& object, mjcf::MjcfDocument& document,
     const std::string name = text.substr(begin, text.find('"', file.hash_position) - begin);
     // Adds each file once, because equal meshes can have the same file name.
     if (std::ranges::count(document.assets, name, &bytes::Asset::name) == 0)
-      document.assets.push_back({.name = name, .file = {}, .made = content->bytes});
+      document.assets.push_back({.name = name, .made = content->bytes});
   }
   return true;
 }

@@ -73,9 +73,8 @@ bool Generator::WritePart(split::ScenePart& part, manifest::PlacedFile& placed, 
     if (std::ranges::count(assets, asset.name, &bytes::Asset::name) == 0)
       assets.push_back(std::move(asset));
   }
-  assets.push_back({.name = placed.file,
-                    .file = {},
-                    .made = std::make_shared<const std::string>(std::move(document.text))});
+  assets.push_back(
+      {.name = placed.file, .made = std::make_shared<const std::string>(std::move(document.text))});
   return true;
 }
 

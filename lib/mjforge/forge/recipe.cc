@@ -70,10 +70,8 @@ bool HasChangedFile(const spec::Snapshot& snapshot) {
   return std::ranges::any_of(snapshot.texts, [](const auto& read) {
     const auto& [file, text] = read;
     if (file == bytes::kStandardInput) return false;
-    std::error_code ignored;
     std::string why_not;
-    return !std::filesystem::is_regular_file(file, ignored) ||
-           bytes::ReadStart(file, text.size() + 1, why_not) != text;
+    return !bytes::IsFile(file) || bytes::ReadStart(file, text.size() + 1, why_not) != text;
   });
 }
 

@@ -13,11 +13,10 @@ namespace {
 // one folder up, because the comment in a generated file has the name of the spec without its
 // folder, and `generate` writes to a folder below the working directory by default.
 std::string FindSpec(const manifest::Record& record, const std::filesystem::path& folder) {
-  std::error_code ignored;
   for (const std::filesystem::path& file :
        {folder / record.spec_file, std::filesystem::path(record.spec), folder / record.spec,
         folder / ".." / record.spec}) {
-    if (std::filesystem::is_regular_file(file, ignored)) return file.string();
+    if (bytes::IsFile(file)) return file.string();
   }
   return record.spec;
 }
@@ -27,9 +26,7 @@ std::string FindSpec(const manifest::Record& record, const std::filesystem::path
 std::optional<Recipe> LoadRecordedRecipe(const manifest::Record& record, const std::string& spec,
                                          const std::filesystem::path& folder,
                                          diag::Sources& sources, diag::Findings& findings) {
-  std::error_code error;
-  const bool is_kept = !record.spec_file.empty() &&
-                       std::filesystem::is_regular_file(folder / record.spec_file, error);
+  const bool is_kept = !record.spec_file.empty() && bytes::IsFile(folder / record.spec_file);
   if (spec.empty() && record.spec == bytes::kStandardInput && !is_kept) {
     findings.Add(diag::Code::kSpecNotFound, {}, "the spec was read from standard input",
                  "pass its file with --spec");

@@ -31,13 +31,7 @@ std::optional<std::pair<std::string, std::uint64_t>> SplitIndex(const std::strin
 // Returns the original of a record. `file` is a manifest, or a folder that contains one.
 std::optional<Original> FromManifest(std::filesystem::path file, std::uint64_t index,
                                      diag::Sources& sources, diag::Findings& findings) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) {
-    output::Destination folder;
-    folder.kind = output::Destination::Kind::kFolder;
-    folder.path = std::move(file);
-    file = folder.Manifest({});
-  }
+  if (bytes::IsFolder(file)) file /= "manifest.jsonl";
   std::optional<manifest::Record> record = manifest::FindRecord(file, index, sources, findings);
   if (!record) return std::nullopt;
   Original original;
@@ -61,12 +55,11 @@ void FindSpecFile(Original& original) {
        {original.folder, original.folder / "..", original.folder / "../..",
         original.folder / "../../.."}) {
     std::error_code error;
-    std::filesystem::directory_iterator at(folder.empty() ? "." : folder, error);
-    for (; !error && at != std::filesystem::directory_iterator(); at.increment(error)) {
+    for (const std::filesystem::path& file : output::EntriesOf(folder, error)) {
       diag::Sources sources;
       diag::Findings ignored;
-      if (at->path().filename().string().find(".jsonl") == std::string::npos) continue;
-      auto records = manifest::RecordReader::Open(at->path(), sources, ignored);
+      if (file.filename().string().find(".jsonl") == std::string::npos) continue;
+      auto records = manifest::RecordReader::Open(file, sources, ignored);
       manifest::Record first;
       if (!records || records->Next(first) != manifest::RecordReader::Outcome::kRecord) continue;
       if (first.spec_file.empty() || first.spec_sha256 != original.record.spec_sha256) continue;
@@ -113,11 +106,10 @@ std::string_view TextOf(const Original& original, const Variant& variant) {
 // manifest lists the file but the file is missing. Adds a finding if they differ.
 bool HasSameText(const Original& original, const Variant& variant, diag::Sources& sources,
                  diag::Findings& findings) {
-  std::error_code ignored;
   const std::filesystem::path& holder = original.archive.empty() ? original.file : original.archive;
   // Compares hashes if there is no file. A family (.npz), for example, contains the numbers of its
   // variants, but not their files.
-  const bool has_no_file = original.file.empty() || !std::filesystem::exists(holder, ignored);
+  const bool has_no_file = original.file.empty() || !bytes::Exists(holder);
   if (original.from_manifest && has_no_file) {
     if (original.record.sha256 == variant.record.sha256) return true;
     findings.Add(diag::Code::kOutputDiffers, {},

@@ -12,21 +12,13 @@ RecordReader::RecordReader(bytes::LineReader lines, std::string name, diag::Sour
                            diag::Findings& findings)
     : lines_(std::move(lines)), name_(std::move(name)), sources_(&sources), findings_(&findings) {}
 
-namespace {
-
-void AddCannotRead(const std::filesystem::path& file, std::string_view why_not,
-                   diag::Findings& findings) {
-  findings.Add(diag::Code::kYamlCannotRead, {},
-               fmt::format("cannot read '{}': {}", file.string(), why_not));
-}
-
-}  // namespace
+namespace {}  // namespace
 
 std::optional<std::vector<std::uint64_t>> CutsOf(const std::filesystem::path& file,
                                                  diag::Findings& findings) {
   std::string why_not;
   auto cuts = bytes::CutsOf(file, why_not);
-  if (!cuts) AddCannotRead(file, why_not, findings);
+  if (!cuts) findings.AddCannotRead(file.string(), why_not);
   return cuts;
 }
 
@@ -36,7 +28,7 @@ std::optional<RecordReader> RecordReader::Open(const std::filesystem::path& file
   std::string why_not;
   std::optional<bytes::LineReader> lines = bytes::LineReader::Open(file, why_not, section);
   if (!lines) {
-    AddCannotRead(file, why_not, findings);
+    findings.AddCannotRead(file.string(), why_not);
     return std::nullopt;
   }
   return RecordReader(*std::move(lines), file.string(), sources, findings);

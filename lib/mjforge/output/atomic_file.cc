@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "mjforge/bytes/bytes.h"
+#include "mjforge/output/destination.h"
 #include "mjforge/output/output.h"
 
 namespace mjforge::output {
@@ -60,32 +61,18 @@ std::optional<std::string> FinalNameOf(std::string_view temporary) {
   if (!temporary.starts_with('.') || tail == temporary.npos || tail < 2) return std::nullopt;
   const std::string_view numbers = temporary.substr(tail + 4);
   const std::size_t dash = numbers.find('-');
-  if (dash == numbers.npos || dash == 0 || dash + 1 == numbers.size() ||
-      numbers.find_first_not_of("0123456789-") != numbers.npos ||
-      numbers.find('-', dash + 1) != numbers.npos) {
+  if (dash == numbers.npos || !ReadIndex(numbers.substr(0, dash)) ||
+      !ReadIndex(numbers.substr(dash + 1))) {
     return std::nullopt;
   }
   return std::string(temporary.substr(1, tail - 1));
 }
 
-void AddCannotWrite(const std::filesystem::path& file, int error, diag::Findings& findings) {
+bool AddCannotWrite(const std::filesystem::path& file, int error, diag::Findings& findings) {
   findings.Add(
       diag::Code::kOutputCannotWrite, {},
       fmt::format("cannot write '{}': {}", file.string(), std::generic_category().message(error)));
-}
-
-bool WriteAll(int descriptor, std::string_view bytes, const std::filesystem::path& file,
-              diag::Findings& findings) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) {
-      AddCannotWrite(file, errno, findings);
-      return false;
-    }
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return true;
+  return false;
 }
 
 bool WriteSingleFile(const std::filesystem::path& file, std::string_view bytes,
@@ -100,19 +87,17 @@ bool WriteFile(const std::filesystem::path& file, std::string_view bytes, bool i
   if (if_changed && bytes::Read(file, bytes.size(), ignored) == bytes) return true;
   std::string temporary;
   const int descriptor = OpenTemporary(file, temporary);
-  if (descriptor < 0) {
-    AddCannotWrite(file, errno, findings);
-    return false;
-  }
-  const bool is_written = WriteAll(descriptor, bytes, file, findings);
-  const bool is_synced =
-      is_written && (durability == Durability::kNone || ::fdatasync(descriptor) == 0);
+  if (descriptor < 0) return AddCannotWrite(file, errno, findings);
+  const bool is_synced = bytes::WriteAll(descriptor, bytes) &&
+                         (durability == Durability::kNone || ::fdatasync(descriptor) == 0);
   // Holds the lock until the file has its final name, because RemoveAbandoned() removes temporary
   // files that no process has locked.
   const bool is_renamed =
       is_synced && Flush(descriptor) && std::rename(temporary.c_str(), file.c_str()) == 0;
-  if (is_written && !is_renamed) AddCannotWrite(file, errno, findings);
-  if (!is_renamed) ::unlink(temporary.c_str());
+  if (!is_renamed) {
+    AddCannotWrite(file, errno, findings);
+    ::unlink(temporary.c_str());
+  }
   ::close(descriptor);
   return is_renamed &&
          (durability == Durability::kNone || SyncFolder(file.parent_path(), false, findings));

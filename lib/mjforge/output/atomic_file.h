@@ -1,4 +1,4 @@
-// Helpers of atomic writing: names of temporary files, complete writes, findings for errors.
+// Helpers of atomic writing: names of temporary files, and findings for errors.
 
 #pragma once
 
@@ -21,10 +21,7 @@ std::optional<std::string> FinalNameOf(std::string_view temporary);
 inline constexpr std::size_t kCommentBytes = 64 * 1024;
 
 /// Adds the finding "cannot write 'FILE': MESSAGE" with the system's message for `error`, an errno.
-void AddCannotWrite(const std::filesystem::path& file, int error, diag::Findings& findings);
-
-/// Writes all bytes to an open file. If that fails, returns false and adds a finding about `file`.
-bool WriteAll(int descriptor, std::string_view bytes, const std::filesystem::path& file,
-              diag::Findings& findings);
+/// Returns false.
+bool AddCannotWrite(const std::filesystem::path& file, int error, diag::Findings& findings);
 
 }  // namespace mjforge::output

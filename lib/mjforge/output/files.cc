@@ -17,28 +17,13 @@ namespace {
 constexpr std::string_view kObjectMark = "<!-- mjforge ";
 constexpr std::string_view kPlacementMark = R"({"mjforge":)";
 
-void AddLink(const std::filesystem::path& file, diag::Findings& findings) {
-  findings.Add(diag::Code::kOutputCannotWrite, {},
-               fmt::format("'{}' is a link, not a file", file.string()),
-               "name the file itself, or replace the link with --force");
-}
-
-void AddForeignFile(const std::filesystem::path& file, diag::Findings& findings) {
-  findings.Add(diag::Code::kOutputExists, {},
-               fmt::format("'{}' exists and was not made by mjforge", file.string()),
-               "choose another place, or overwrite it with --force");
-}
-
 }  // namespace
 
 std::optional<std::string> ReadFile(const std::filesystem::path& file, std::uint64_t limit,
                                     diag::Findings& findings) {
   std::string why_not;
   std::optional<std::string> content = bytes::Read(file, limit, why_not);
-  if (!content) {
-    findings.Add(diag::Code::kYamlCannotRead, {},
-                 fmt::format("cannot read '{}': {}", file.string(), why_not));
-  }
+  if (!content) findings.AddCannotRead(file.string(), why_not);
   return content;
 }
 
@@ -56,13 +41,17 @@ bool MayReplace(const std::filesystem::path& file, bool force, std::size_t bytes
   }
   if (force) return true;
   if (std::filesystem::is_symlink(file, ignored)) {
-    AddLink(file, findings);
+    findings.Add(diag::Code::kOutputCannotWrite, {},
+                 fmt::format("'{}' is a link, not a file", file.string()),
+                 "name the file itself, or replace the link with --force");
     return false;
   }
   std::string why_not;
   const std::optional<std::string> opening = bytes::ReadStart(file, bytes, why_not);
   if (opening && is_ours(*opening)) return true;
-  AddForeignFile(file, findings);
+  findings.Add(diag::Code::kOutputExists, {},
+               fmt::format("'{}' exists and was not made by mjforge", file.string()),
+               "choose another place, or overwrite it with --force");
   return false;
 }
 

@@ -261,7 +261,7 @@ bool ObjectFolder::CopyAsset(const bytes::Asset& asset, const std::filesystem::p
   if (!asset.made) read = ReadAsset(asset.file, sha256, findings);
   if (!asset.made && !read) return false;
   const std::string& bytes = asset.made ? *asset.made : *read;
-  if (std::error_code ignored; std::filesystem::exists(target, ignored)) {
+  if (bytes::Exists(target)) {
     const std::optional<std::string> present = ReadFile(target, bytes::kMaxAsset, findings);
     if (!present) return false;
     if (*present == bytes) return true;

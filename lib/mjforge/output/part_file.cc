@@ -65,8 +65,7 @@ std::filesystem::path PartFile::TemporaryNameOf(const std::filesystem::path& fil
 }
 
 bool PartFile::Exists(const std::filesystem::path& file) {
-  std::error_code ignored;
-  return std::filesystem::exists(TemporaryNameOf(file), ignored);
+  return bytes::Exists(TemporaryNameOf(file));
 }
 
 std::unique_ptr<PartFile> PartFile::Open(const std::filesystem::path& file,
@@ -125,7 +124,7 @@ bool PartFile::ReleaseReserve() {
 
 bool PartFile::Append(std::string_view bytes, diag::Findings& findings) {
   Reserve(size_ + bytes.size());
-  if (!WriteAll(descriptor_, bytes, file_, findings)) return false;
+  if (!bytes::WriteAll(descriptor_, bytes)) return AddCannotWrite(file_, errno, findings);
   size_ += bytes.size();
   checksum_.Add(bytes);
   if (size_ - writeback_end_ >= kWritebackBytes) {
@@ -150,9 +149,7 @@ bool PartFile::AppendFrom(const std::filesystem::path& file, std::uint64_t count
     count -= *got;
   }
   if (count == 0) return true;
-  findings.Add(diag::Code::kYamlCannotRead, {},
-               fmt::format("cannot read '{}': {}", file.string(),
-                           why_not.empty() ? "it is shorter than before" : why_not));
+  findings.AddCannotRead(file.string(), why_not.empty() ? "it is shorter than before" : why_not);
   return false;
 }
 
@@ -161,15 +158,12 @@ bool PartFile::AppendSeekTable(diag::Findings& findings) {
   const std::optional<std::vector<bytes::Frame>> frames = bytes::FramesOf(temporary_, why_not);
   if (frames && (frames->empty() ? 0 : frames->back().end()) == size_)
     return Append(bytes::SeekTableOf(*frames), findings);
-  AddCannotWrite(file_, EIO, findings);
-  return false;
+  return AddCannotWrite(file_, EIO, findings);
 }
 
 bool PartFile::Truncate(std::uint64_t size, diag::Findings& findings) {
-  if (::ftruncate(descriptor_, static_cast<::off_t>(size)) != 0) {
-    AddCannotWrite(file_, errno, findings);
-    return false;
-  }
+  if (::ftruncate(descriptor_, static_cast<::off_t>(size)) != 0)
+    return AddCannotWrite(file_, errno, findings);
   size_ = size;
   writeback_end_ = size;
   reserved_ = 0;
@@ -178,38 +172,27 @@ bool PartFile::Truncate(std::uint64_t size, diag::Findings& findings) {
   std::string why_not;
   std::optional<bytes::File> kept = bytes::File::Open(temporary_, why_not);
   if (kept && checksum_.Add(*kept, size, why_not)) return true;
-  AddCannotWrite(file_, EIO, findings);
-  return false;
+  return AddCannotWrite(file_, EIO, findings);
 }
 
 bool PartFile::Sync(diag::Findings& findings) {
   if (::fdatasync(descriptor_) == 0) return true;
-  AddCannotWrite(file_, errno, findings);
-  return false;
+  return AddCannotWrite(file_, errno, findings);
 }
 
 bool PartFile::Commit(bool if_changed, Durability durability, diag::Findings& findings) {
-  std::string why_not;
-  if (if_changed && bytes::IsSound(file_, {size_, checksum()}, why_not)) {
+  if (if_changed && bytes::IsSound(file_, {size_, checksum()})) {
     Drop();
     return true;
   }
-  if (!ReleaseReserve()) {
-    AddCannotWrite(file_, errno, findings);
-    return false;
-  }
+  if (!ReleaseReserve()) return AddCannotWrite(file_, errno, findings);
   if (durability == Durability::kBatch && !Sync(findings)) return false;
-  if (std::rename(temporary_.c_str(), file_.c_str()) != 0) {
-    AddCannotWrite(file_, errno, findings);
-    return false;
-  }
+  if (std::rename(temporary_.c_str(), file_.c_str()) != 0)
+    return AddCannotWrite(file_, errno, findings);
   // Closes the file after the renaming, because closing releases the lock, and another process
   // could then open the part by its old name. On a network disk or at a quota, only close() reports
   // that writing failed.
-  if (::close(std::exchange(descriptor_, -1)) != 0) {
-    AddCannotWrite(file_, errno, findings);
-    return false;
-  }
+  if (::close(std::exchange(descriptor_, -1)) != 0) return AddCannotWrite(file_, errno, findings);
   return durability == Durability::kNone || SyncFolder(file_.parent_path(), false, findings);
 }
 

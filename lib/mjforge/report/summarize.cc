@@ -84,9 +84,8 @@ class Joiner {
     bad_lines_ += section.bad_lines;
     if (section.is_unreadable) return false;
     if (bad_lines_ <= manifest::RecordReader::kMaxSkippedLines) return true;
-    findings_.Add(diag::Code::kYamlCannotRead, {},
-                  fmt::format("cannot read '{}': more than {} lines are not records",
-                              file_.string(), manifest::RecordReader::kMaxSkippedLines));
+    findings_.AddCannotRead(file_.string(), fmt::format("more than {} lines are not records",
+                                                        manifest::RecordReader::kMaxSkippedLines));
     return false;
   }
 
