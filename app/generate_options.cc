@@ -37,7 +37,7 @@ std::optional<output::Shard> ParseShard(std::string_view text, std::string& why_
 // Returns the message for an option that the destination does not support; empty if there is none.
 std::string FindConflict(const GenerateOptions& options, const batch::Request& request) {
   const Kind kind = request.destination.kind;
-  const bool is_one = kind == Kind::kFile || kind == Kind::kStandardOutput;
+  const bool is_one = request.destination.TakesOne();
   if (is_one && request.count > 1)
     return fmt::format("-o {} takes one variant, -n asks for {}", options.output, request.count);
   if (kind != Kind::kFolder && options.specs.size() > 1)
@@ -60,8 +60,7 @@ std::string FindConflict(const GenerateOptions& options, const batch::Request& r
 // Returns an error message if --each contradicts other options; otherwise an empty text.
 std::string FindEachConflict(const GenerateOptions& options, const batch::Request& request) {
   if (!request.variant.each) return {};
-  const Kind kind = request.destination.kind;
-  if (kind == Kind::kFile || kind == Kind::kStandardOutput)
+  if (request.destination.TakesOne())
     return fmt::format("--each writes several files: -o {} must be a folder or an archive",
                        options.output);
   if (!mjcf::RulesOf(request.variant.target).has_scene) return {};
@@ -79,9 +78,7 @@ std::string FindLayoutConflict(const GenerateOptions& options, const batch::Requ
         "--layout {} reads structures from the models that MuJoCo loads, and "
         "--validate none loads none",
         options.layout);
-  const Kind kind = request.destination.kind;
-  if (request.variant.layout == manifest::Layout::kSplit &&
-      (kind == Kind::kFile || kind == Kind::kStandardOutput))
+  if (request.variant.layout == manifest::Layout::kSplit && request.destination.TakesOne())
     return fmt::format("--layout split makes folders: -o {} must be a folder or an archive",
                        options.output);
   return {};

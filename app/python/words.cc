@@ -43,7 +43,7 @@ MjforgeText MjforgeCatalogue(const char* catalogue) {
       if (!seen.insert(name).second) continue;
       std::error_code error;
       std::filesystem::path file = std::filesystem::absolute(folder, error) / (name + ".yaml");
-      if (!std::filesystem::exists(file, error)) file.replace_extension(".yml");
+      if (!bytes::Exists(file)) file.replace_extension(".yml");
       json.Value(std::vector<std::string>{name, file.string()});
     }
   }
@@ -53,12 +53,10 @@ MjforgeText MjforgeCatalogue(const char* catalogue) {
 }
 
 MjforgeText MjforgeManifest(const char* output, std::uint64_t shard, std::uint64_t shards) {
-  using Kind = output::Destination::Kind;
   thread_local std::string path;
   std::string why_not;
   const auto destination = output::ParseDestination(output, 1, why_not);
-  if (!destination || (destination->kind != Kind::kFolder && !destination->PacksVariants()))
-    return {};
+  if (!destination || !destination->HasManifest()) return {};
   path = destination->Manifest({shard, shards}).string();
   return View(path);
 }

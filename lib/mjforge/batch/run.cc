@@ -210,9 +210,7 @@ class BatchRun {
   // Writes the snapshot of a spec whose file cannot be read again beside the manifest, so that
   // replaying finds it. Journal::Open has checked that an existing file there may be replaced.
   bool WriteSnapshot(diag::Findings& findings) const {
-    const bool has_manifest = request_.destination.kind == output::Destination::Kind::kFolder ||
-                              request_.destination.PacksVariants();
-    return recipe_.snapshot.empty() || !has_manifest ||
+    return recipe_.snapshot.empty() || !request_.destination.HasManifest() ||
            output::WriteSingleFile(SnapshotPath(request_.destination), recipe_.snapshot, findings);
   }
 

@@ -88,12 +88,11 @@ class ChunkMaker {
     diag::Finding finding;
     finding.code = quarantined.too_slow ? diag::Code::kBatchTooSlow : diag::Code::kBatchWorkerDied;
     finding.message = fmt::format("variant {}: its worker {}", quarantined.index, quarantined.how);
-    const bool resumes =
-        request_.destination.kind == Kind::kFolder || request_.destination.PacksVariants();
     finding.hint = quarantined.too_slow
                        ? "raise --time-limit, or look at the variant with inspect --index"
-                   : resumes ? "no other variant is affected; --resume tries this one again"
-                             : "look at it with inspect --index";
+                   : request_.destination.HasManifest()
+                       ? "no other variant is affected; --resume tries this one again"
+                       : "look at it with inspect --index";
     return finding;
   }
 
@@ -253,8 +252,7 @@ std::filesystem::path SnapshotPath(const output::Destination& destination) {
 
 forge::Options OptionsOf(const Request& request) {
   forge::Options options = request.variant;
-  if (request.destination.kind == Kind::kFolder || request.destination.PacksVariants())
-    options.folder = request.destination.Folder();
+  if (request.destination.HasManifest()) options.folder = request.destination.Folder();
   options.layout_first = request.first;
   if (options.pad > 0) options.pad = request.count;
   options.family = request.destination.kind == Kind::kFamily;

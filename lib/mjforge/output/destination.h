@@ -39,6 +39,9 @@ struct Destination {
   bool PacksVariants() const {
     return kind == Kind::kArchive || kind == Kind::kArchives || kind == Kind::kFamily;
   }
+  bool HasManifest() const { return kind == Kind::kFolder || PacksVariants(); }
+  /// Returns true for a file of one variant and for standard output.
+  bool TakesOne() const { return kind == Kind::kFile || kind == Kind::kStandardOutput; }
   /// Returns the path of archive `number`, counted from 0, of a series; for a single archive, its
   /// path.
   std::filesystem::path Archive(std::uint64_t number) const;
