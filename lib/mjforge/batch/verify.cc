@@ -28,14 +28,13 @@ class Verification {
       : sources_(sources), findings_(findings) {}
 
   VerifyResult operator()(const std::filesystem::path& what) {
-    std::error_code ignored;
     const std::string name = what.filename().string();
-    if (std::filesystem::is_directory(what, ignored)) {
+    if (bytes::IsFolder(what)) {
       CheckFolder(what);
     } else if (name.ends_with(kSealEnding)) {
-      CheckBatch(ManifestOf(what));
+      CheckBatch(ReadSeal(what));
     } else if (output::IsManifestName(name)) {
-      CheckBatch(what);
+      CheckBatch(SealBeside(what));
     } else if (const auto series = SeriesOf(what)) {
       CheckSeries(*series);
     } else {
@@ -45,6 +44,13 @@ class Verification {
   }
 
  private:
+  /// A seal, if it can be read, and the manifest beside it.
+  struct SealedManifest {
+    std::filesystem::path file;
+    std::optional<manifest::Seal> seal = {};
+    std::string why_not = {};  // the reason if there is no seal
+  };
+
   /// The shards of one batch that were checked, and the seal and the first record of the first
   /// ones.
   struct Shards {
@@ -53,33 +59,43 @@ class Verification {
     std::optional<manifest::Record> record = {};
   };
 
-  /// Returns the manifest that the seal names. If the seal cannot be read, returns the compressed
-  /// manifest if this file exists, otherwise the path of the uncompressed manifest.
-  static std::filesystem::path ManifestOf(std::filesystem::path seal) {
-    seal.replace_extension().replace_extension(kManifestEnding);
-    std::filesystem::path compressed = seal;
+  static SealedManifest SealBeside(const std::filesystem::path& manifest) {
+    SealedManifest sealed{manifest};
+    sealed.seal = manifest::ReadSealBeside(manifest, sealed.why_not);
+    return sealed;
+  }
+
+  /// Reads a seal, which names its manifest. If the seal cannot be read, the manifest is the
+  /// compressed one if this file exists, otherwise the uncompressed one.
+  static SealedManifest ReadSeal(std::filesystem::path seal) {
+    SealedManifest sealed = SealBeside(seal.replace_extension().replace_extension(kManifestEnding));
+    std::filesystem::path compressed = sealed.file;
     compressed += kCompressedEnding;
-    std::string why_not;
-    if (const auto read = manifest::ReadSealBeside(seal, why_not)) {
-      return read->manifest.file == compressed.filename() ? compressed : seal;
+    const bool is_compressed = sealed.seal ? sealed.seal->manifest.file == compressed.filename()
+                                           : bytes::Exists(compressed);
+    if (is_compressed) sealed.file = compressed;
+    return sealed;
+  }
+
+  std::vector<std::filesystem::path> SealsIn(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> seals;
+    for (const std::string& name : NamesIn(folder, findings_)) {
+      if (name.ends_with(kSealEnding)) seals.push_back(folder / name);
     }
-    std::error_code ignored;
-    return std::filesystem::exists(compressed, ignored) ? compressed : seal;
+    return seals;
   }
 
   void CheckFolder(const std::filesystem::path& folder) {
     bool is_empty = true;
-    std::error_code ignored;
     for (const std::string& name : NamesIn(folder, findings_)) {
       if (name.ends_with(kPartEnding) &&
           IsWholeManifest(std::string_view(name).substr(0, name.size() - kPartEnding.size()))) {
         ReportMissing(fmt::format("'{}' is of a batch that is not done", (folder / name).string()),
                       "the command that began it goes on with --resume");
       } else if (name.ends_with(kSealEnding)) {
-        CheckUnlessMerged(ManifestOf(folder / name));
-      } else if (IsWholeManifest(name) &&
-                 !std::filesystem::exists(manifest::SealPathOf(folder / name), ignored)) {
-        CheckBatch(folder / name);  // reports that the seal is missing
+        CheckUnlessMerged(ReadSeal(folder / name));
+      } else if (IsWholeManifest(name) && !bytes::Exists(manifest::SealPathOf(folder / name))) {
+        CheckBatch(SealBeside(folder / name));  // reports that the seal is missing
       } else {
         continue;
       }
@@ -90,9 +106,8 @@ class Verification {
     ReportMissingShards();
   }
 
-  void CheckBatch(const std::filesystem::path& manifest) {
-    std::string why_not;
-    const std::optional<manifest::Seal> seal = manifest::ReadSealBeside(manifest, why_not);
+  void CheckBatch(const SealedManifest& sealed) {
+    const auto& [manifest, seal, why_not] = sealed;
     if (!seal) {
       ReportMissing(fmt::format("'{}' cannot be verified: '{}': {}", manifest.string(),
                                 manifest::SealPathOf(manifest).string(), why_not),
@@ -121,18 +136,17 @@ class Verification {
 
   // Checks the batch or shard of a manifest, unless the shard was merged into a manifest, which is
   // checked, too, and has the shard's records.
-  void CheckUnlessMerged(const std::filesystem::path& manifest) {
-    std::string ignored;
-    const auto seal = manifest::ReadSealBeside(manifest, ignored);
-    if (seal && seal->shards > 1) {
+  void CheckUnlessMerged(const SealedManifest& sealed) {
+    if (const auto& seal = sealed.seal; seal && seal->shards > 1) {
+      std::string ignored;
       const auto whole =
-          manifest::ReadSealBeside(WholeOf(manifest, {seal->shard, seal->shards}), ignored);
+          manifest::ReadSealBeside(WholeOf(sealed.file, {seal->shard, seal->shards}), ignored);
       if (whole && whole->shards == 1 && whole->spec == seal->spec &&
           DifferenceOfShards(*seal, *whole).empty()) {
         return;
       }
     }
-    CheckBatch(manifest);
+    CheckBatch(sealed);
   }
 
   // Reports a shard that belongs to another batch than the shards that were checked before.
@@ -183,9 +197,7 @@ class Verification {
   }
 
   bool Check(const std::filesystem::path& folder, const manifest::SealedFile& file) {
-    diag::Findings found;
-    const bool is_good = CheckSealed(folder, file, true, found);
-    return Count(is_good, std::move(found));
+    return Count([&](diag::Findings& found) { return CheckSealed(folder, file, true, found); });
   }
 
   void CheckObjects(const std::filesystem::path& manifest) {
@@ -194,14 +206,16 @@ class Verification {
     OutputChecker objects(manifest.parent_path(), true);
     manifest::Record record;
     while (reader && reader->Next(record) == Outcome::kRecord) {
-      if (record.status != Status::kOk) continue;
-      diag::Findings found;
-      const bool is_good = objects.Check(record, found);
-      Count(is_good, std::move(found));
+      if (record.status == Status::kOk)
+        Count([&](diag::Findings& found) { return objects.Check(record, found); });
     }
   }
 
-  bool Count(bool is_good, diag::Findings found) {
+  // Counts a file that `check` accepts; otherwise adds or counts the finding of `check`.
+  template <typename CheckFile>
+  bool Count(const CheckFile& check) {
+    diag::Findings found;
+    const bool is_good = check(found);
     if (is_good) {
       ++result_.files;
     } else if (findings_.size() < kMaxFindings) {
@@ -225,13 +239,10 @@ class Verification {
   // Checks the batches and shards whose seals name this series of archives or of families.
   void CheckSeries(const output::Destination& series) {
     bool is_sealed = false;
-    for (const std::string& name : NamesIn(series.Folder(), findings_)) {
-      if (!name.ends_with(kSealEnding)) continue;
-      const std::filesystem::path manifest = ManifestOf(series.Folder() / name);
-      std::string why_not;
-      const auto seal = manifest::ReadSealBeside(manifest, why_not);
-      if (!seal || seal->output != series.path.filename()) continue;
-      CheckUnlessMerged(manifest);
+    for (const std::filesystem::path& file : SealsIn(series.Folder())) {
+      const SealedManifest sealed = ReadSeal(file);
+      if (!sealed.seal || sealed.seal->output != series.path.filename()) continue;
+      CheckUnlessMerged(sealed);
       is_sealed = true;
     }
     if (!is_sealed && findings_.empty()) CheckUnsealed(series);
@@ -240,34 +251,29 @@ class Verification {
 
   // Reports that the seal of a series is missing, or is of a batch at another place.
   void CheckUnsealed(const output::Destination& series) {
-    const std::filesystem::path manifest = series.Manifest({});
-    std::string why_not;
-    const auto seal = manifest::ReadSealBeside(manifest, why_not);
-    if (!seal) return CheckBatch(manifest);
-    ReportMissing(fmt::format("'{}' is the manifest of '{}', not of '{}'", manifest.string(),
-                              seal->output.empty() ? "a folder" : seal->output,
-                              series.path.filename().string()),
-                  "name what `mjforge generate` was told to make");
+    const SealedManifest sealed = SealBeside(series.Manifest({}));
+    if (!sealed.seal) return CheckBatch(sealed);
+    const std::string& output = sealed.seal->output;
+    ReportMissing(
+        fmt::format("'{}' is the manifest of '{}', not of '{}'", sealed.file.string(),
+                    output.empty() ? "a folder" : output, series.path.filename().string()),
+        "name what `mjforge generate` was told to make");
   }
 
   // Checks an archive by the seal of the batch that contains it.
   void CheckArchive(const std::filesystem::path& archive) {
     const std::filesystem::path folder = archive.parent_path();
-    for (const std::string& name : NamesIn(folder, findings_)) {
-      if (!name.ends_with(kSealEnding)) continue;
-      std::string why_not;
-      const auto seal = manifest::ReadSealBeside(ManifestOf(folder / name), why_not);
-      if (!seal) continue;
-      for (const manifest::SealedFile& file : seal->archives) {
+    for (const std::filesystem::path& seal : SealsIn(folder)) {
+      const SealedManifest sealed = ReadSeal(seal);
+      if (!sealed.seal) continue;
+      for (const manifest::SealedFile& file : sealed.seal->archives) {
         if (file.file != archive.filename()) continue;
         Check(folder, file);
         return;
       }
     }
-    std::error_code error;
-    if (!std::filesystem::exists(archive, error)) {
-      findings_.Add(diag::Code::kYamlCannotRead, {},
-                    fmt::format("cannot read '{}': there is no such file", archive.string()));
+    if (!bytes::Exists(archive)) {
+      findings_.AddCannotRead(archive.string(), "there is no such file");
       return;
     }
     ReportMissing(fmt::format("no seal beside '{}' is about it", archive.string()),
