@@ -30,6 +30,9 @@ std::optional<output::Shard> ShardOf(std::string_view name, std::string_view man
   return output::Shard{*index, *count};
 }
 
+constexpr std::string_view kSameOptions =
+    "were all shards made with the same -n, --first and --per-archive?";
+
 class ShardMerger {
  public:
   ShardMerger(const output::Destination& destination, bool verify, diag::Sources& sources,
@@ -50,21 +53,11 @@ class ShardMerger {
     std::unique_ptr<output::PartFile> part = output::PartFile::Open(file_, findings_);
     output::RemoveAbandoned({manifest::SealPathOf(file_)});
     if (!part || !part->Truncate(0, findings_)) return std::nullopt;
-    for (std::uint64_t i = 0; i < *count; ++i) {
-      if (!Append(destination_.Manifest({i, *count}), *part)) {
-        part->Drop();
-        return std::nullopt;
-      }
-    }
-    if (is_family() && !WriteFamily()) {
-      part->Drop();
-      return std::nullopt;
-    }
-    if (!Finish(*part)) {
-      for (const auto& npz : families_) npz->Drop();
-      return std::nullopt;
-    }
-    return records_;
+    const bool is_complete = AppendAll(*count, *part);
+    if (is_complete && Finish(*part)) return records_;
+    if (!is_complete) part->Drop();
+    for (const auto& npz : families_) npz->Drop();
+    return std::nullopt;
   }
 
  private:
@@ -158,18 +151,21 @@ class ShardMerger {
     return {};
   }
 
+  // Appends the records of all shards, and writes the family.
+  bool AppendAll(std::uint64_t count, output::PartFile& part) {
+    for (std::uint64_t i = 0; i < count; ++i) {
+      if (!Append(destination_.Manifest({i, count}), part)) return false;
+    }
+    if (is_family() && !WriteFamily()) return false;
+    if (records_ == whole_.count) return !IsCompressed() || part.AppendSeekTable(findings_);
+    ReportMissing(
+        fmt::format("the shards have {} variants, and their batch {}", records_, whole_.count),
+        std::string(kSameOptions));
+    return false;
+  }
+
+  // Gives all files their final names, the manifest last.
   bool Finish(output::PartFile& part) {
-    if (records_ != whole_.count) {
-      ReportMissing(
-          fmt::format("the shards have {} variants, and their batch {}", records_, whole_.count),
-          "were all shards made with the same -n, --first and --per-archive?");
-      part.Drop();
-      return false;
-    }
-    if (IsCompressed() && !part.AppendSeekTable(findings_)) {
-      part.Drop();
-      return false;
-    }
     whole_.shard = 0;
     whole_.shards = 1;
     whole_.records = records_;
@@ -197,8 +193,7 @@ class ShardMerger {
     std::string why_not;
     const std::optional<std::uint64_t> count = BytesOfRecords(shard, why_not);
     if (count) return part.AppendFrom(shard, *count, findings_);
-    findings_.Add(diag::Code::kYamlCannotRead, {},
-                  fmt::format("cannot read '{}': {}", shard.string(), why_not));
+    findings_.AddCannotRead(shard.string(), why_not);
     return false;
   }
 
@@ -229,13 +224,12 @@ class ShardMerger {
     }
     const std::uint64_t expected = whole_.first + records_;
     if (record.index != expected) {
-      ReportMissing(fmt::format("line {} of '{}' has index {}; expected {}", number, shard.string(),
-                                record.index, expected),
-                    record.index < expected
-                        ? "a variant appears twice: were all shards made with the "
-                          "same -n, --first and --per-archive?"
-                        : "variants are missing: were all shards made with the "
-                          "same -n, --first and --per-archive?");
+      ReportMissing(
+          fmt::format("line {} of '{}' has index {}; expected {}", number, shard.string(),
+                      record.index, expected),
+          fmt::format("{}: {}",
+                      record.index < expected ? "a variant appears twice" : "variants are missing",
+                      kSameOptions));
       return false;
     }
     ++records_;
