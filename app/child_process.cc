@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -153,9 +152,7 @@ void AddCrashFinding(const std::string& what, const std::string& reason, diag::F
 void EndWithParent() {
   const char* const parent = std::getenv("MJFORGE_PARENT");
   if (parent == nullptr) return;
-  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-  // The parent may have ended before prctl.
-  if (std::to_string(::getppid()) != parent) std::raise(SIGTERM);
+  batch::EndWith(static_cast<::pid_t>(output::ReadIndex(parent).value_or(0)), SIGTERM);
   ::unsetenv("MJFORGE_PARENT");
 }
 

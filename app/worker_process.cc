@@ -59,12 +59,8 @@ void WorkerProcess::Serve(int socket) const {
   LimitMemory();
   try {
     const Worker answer = make_();
-    std::string head(kHeadBytes, '\0');
-    while (batch::ReceiveAll(socket, head.data(), head.size())) {
-      std::string request(LengthOf(head), '\0');
-      if (!batch::ReceiveAll(socket, request.data(), request.size())) break;
-      const std::string reply = answer(request);
-      if (!batch::SendAll(socket, Head(reply.size())) || !batch::SendAll(socket, reply)) break;
+    while (const std::optional<std::string> request = batch::ReadMessage(socket)) {
+      if (!batch::WriteMessage(socket, answer(*request))) break;
     }
   } catch (const std::bad_alloc&) {
     std::_Exit(batch::kNoMemoryStatus);

@@ -21,6 +21,29 @@ namespace {
   throw std::system_error(errno, std::generic_category(), failure);
 }
 
+// Returns false, without a signal, if the other end is closed.
+bool SendAll(int socket, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ::ssize_t sent = ::send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent < 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(sent));
+  }
+  return true;
+}
+
+// Receives exactly `size` bytes; returns false at the end of the stream.
+bool ReceiveAll(int socket, char* out, std::size_t size) {
+  while (size > 0) {
+    const ::ssize_t received = ::read(socket, out, size);
+    if (received < 0 && errno == EINTR) continue;
+    if (received <= 0) return false;
+    out += received;
+    size -= static_cast<std::size_t>(received);
+  }
+  return true;
+}
+
 }  // namespace
 
 ::pid_t Fork(const char* failure) {
@@ -29,9 +52,13 @@ namespace {
   const ::pid_t child = ::fork();
   if (child < 0) ThrowError(failure);
   if (child > 0) return child;
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) std::_Exit(0);  // the parent ended before prctl
+  EndWith(parent, SIGKILL);
   return 0;
+}
+
+void EndWith(::pid_t parent, int signal) {
+  ::prctl(PR_SET_PDEATHSIG, signal);
+  if (::getppid() != parent) std::raise(signal);  // the parent ended before prctl
 }
 
 int WaitForEnd(::pid_t child) {
@@ -54,25 +81,20 @@ std::array<int, 2> MakeSockets(int type) {
   return ends;
 }
 
-bool SendAll(int socket, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ::ssize_t sent = ::send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL);
-    if (sent < 0 && errno == EINTR) continue;
-    if (sent < 0) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(sent));
-  }
-  return true;
+bool WriteLength(int socket, std::uint64_t size) {
+  return SendAll(socket, {reinterpret_cast<const char*>(&size), sizeof(size)});
 }
 
-bool ReceiveAll(int socket, char* out, std::size_t size) {
-  while (size > 0) {
-    const ::ssize_t received = ::read(socket, out, size);
-    if (received < 0 && errno == EINTR) continue;
-    if (received <= 0) return false;
-    out += received;
-    size -= static_cast<std::size_t>(received);
-  }
-  return true;
+bool WriteMessage(int socket, std::string_view message) {
+  return WriteLength(socket, message.size()) && SendAll(socket, message);
+}
+
+std::optional<std::string> ReadMessage(int socket) {
+  std::uint64_t size = 0;
+  if (!ReceiveAll(socket, reinterpret_cast<char*>(&size), sizeof(size))) return std::nullopt;
+  std::string message(size, '\0');
+  if (!ReceiveAll(socket, message.data(), size)) return std::nullopt;
+  return message;
 }
 
 std::shared_ptr<void> ShareBytes(std::size_t size) {

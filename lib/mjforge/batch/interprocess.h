@@ -6,8 +6,11 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <new>
+#include <optional>
+#include <string>
 #include <string_view>
 
 namespace mjforge::batch {
@@ -16,6 +19,9 @@ namespace mjforge::batch {
 /// process id, and 0 in the child process. Throws std::system_error with the message `failure` if
 /// forking fails.
 ::pid_t Fork(const char* failure);
+
+/// Sends `signal` to this process when its parent `parent` ends, at once if it has ended.
+void EndWith(::pid_t parent, int signal);
 
 /// Waits until a child process has ended; returns its wait status.
 int WaitForEnd(::pid_t child);
@@ -26,10 +32,13 @@ void EndBySignalOf(int wait_status);
 
 /// Returns the two ends of a pair of connected sockets of this type (SOCK_STREAM).
 std::array<int, 2> MakeSockets(int type);
-/// Sends all bytes to a stream; returns false, without a signal, if the other end is closed.
-bool SendAll(int socket, std::string_view bytes);
-/// Receives exactly `size` bytes; returns false at the end of the stream.
-bool ReceiveAll(int socket, char* out, std::size_t size);
+// Functions that send to a stream return false, without a signal, if the other end is closed.
+/// Sends a length of eight bytes, like that before a message.
+bool WriteLength(int socket, std::uint64_t size);
+/// Sends a message: its length, as eight bytes, and its bytes.
+bool WriteMessage(int socket, std::string_view message);
+/// Receives a message; returns nullopt at the end of the stream.
+std::optional<std::string> ReadMessage(int socket);
 
 /// Returns memory that child processes share with this process.
 std::shared_ptr<void> ShareBytes(std::size_t size);

@@ -39,29 +39,12 @@ constexpr Seconds kMaxLookInterval{1};
 // worker's mailbox.
 constexpr std::uint64_t kInSharedMemory = ~std::uint64_t{0} - kMaxTasksPerWorker;
 
-bool WriteLength(int descriptor, std::uint64_t size) {
-  return SendAll(descriptor, {reinterpret_cast<const char*>(&size), sizeof(size)});
-}
-
-// Writes the length of a message, as eight bytes, and the message.
-bool WriteMessage(int descriptor, const std::string& message) {
-  return WriteLength(descriptor, message.size()) && SendAll(descriptor, message);
-}
-
 bool WriteResult(int channel, WorkerMailbox& mailbox, const ChunkResult& result) {
   const std::size_t size = EncodedSize(result);
   char* const room = mailbox.BufferFor(size);
   if (room == nullptr) return WriteMessage(channel, Encode(result));
   EncodeTo(room, result);
   return WriteLength(channel, kInSharedMemory + mailbox.Publish(room, size));
-}
-
-std::optional<std::string> ReadMessage(int descriptor) {
-  std::uint64_t size = 0;
-  if (!ReceiveAll(descriptor, reinterpret_cast<char*>(&size), sizeof(size))) return std::nullopt;
-  std::string message(size, '\0');
-  if (!ReceiveAll(descriptor, message.data(), size)) return std::nullopt;
-  return message;
 }
 
 // Performs tasks until the channel closes. Ignores SIGINT and SIGTERM, which the leading process
