@@ -240,7 +240,7 @@ bool Journal::AddReadAsset(bool is_copy, const std::string& file, const std::str
   if (!is_copy || file.empty()) return !file.empty();
   if (journal_seal_->spec == seal_.spec) made_assets_.insert(sha256);
   seal_.assets.emplace(file, sha256);
-  assets_.push_back({.name = file, .source = {}, .sha256 = sha256});
+  assets_.emplace(file, sha256);
   return true;
 }
 
@@ -318,12 +318,6 @@ bool Journal::AppendEarlierOutputs(diag::Findings& findings) {
   return append("made ", made_archives_) && append("made-asset ", made_assets_);
 }
 
-bool Journal::HasAsset(const HashedAsset& asset) const {
-  return std::ranges::any_of(assets_, [&](const HashedAsset& known) {
-    return known.name == asset.name && known.sha256 == asset.sha256;
-  });
-}
-
 bool Journal::AddAsset(const HashedAsset& asset, diag::Findings& findings) {
   const auto is_same = [&](std::map<std::string, std::string>& hashes, const std::string& file) {
     const bool same = hashes.emplace(file, asset.sha256).first->second == asset.sha256;
@@ -331,7 +325,7 @@ bool Journal::AddAsset(const HashedAsset& asset, diag::Findings& findings) {
     return same;
   };
   if (!is_same(seal_.assets, asset.name)) return false;
-  assets_.push_back(asset);
+  assets_.emplace(asset.name, asset.sha256);
   if (!AppendLine(fmt::format("asset {} {}", asset.sha256, asset.name), findings)) return false;
   if (asset.source.empty()) return true;  // generated
   return is_same(sources_, asset.source) &&

@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mjforge/batch/sink.h"
@@ -75,7 +76,9 @@ class Journal {
   }
   /// Returns true if the folder or the archive under construction has an asset with that name and
   /// hash.
-  bool HasAsset(const HashedAsset& asset) const;
+  bool HasAsset(const HashedAsset& asset) const {
+    return assets_.contains({asset.name, asset.sha256});
+  }
   /// Adds an asset of the folder or of the archive under construction. Returns false, after adding
   /// a finding, if an asset with that name or from that file has had another hash.
   bool AddAsset(const HashedAsset& asset, diag::Findings& findings);
@@ -122,7 +125,8 @@ class Journal {
   bool is_unfinished_ = false;
   bool has_hidden_ = false;
   std::vector<Checkpoint> checkpoints_;
-  std::vector<HashedAsset> assets_;  // assets of the folder or of the archive under construction
+  // Names and SHA-256 of the assets of the folder or of the archive under construction.
+  std::set<std::pair<std::string, std::string>> assets_;
   // SHA-256 of the files that were copied as assets, by path. The name of a copy may differ after a
   // change of the file.
   std::map<std::string, std::string> sources_;
