@@ -24,15 +24,14 @@ Column& InnerOf(Column& column, std::string_view key, std::size_t next) {
   for (Column& each : inner) {
     if (each.key == key) return each;
   }
-  inner.push_back({.key = std::string(key), .kinds = {}, .values = {}, .inner = {}});
+  inner.push_back({.key = std::string(key)});
   return inner.back();
 }
 
 }  // namespace
 
 Columns::Columns(const std::vector<std::string>& members) {
-  for (const std::string& member : members)
-    columns_.push_back({.key = member, .kinds = {}, .values = {}, .inner = {}});
+  for (const std::string& member : members) columns_.push_back({.key = member});
 }
 
 std::uint64_t Columns::NumberOf(std::string_view text) {
@@ -49,10 +48,7 @@ void Columns::PutInner(const Value& value, Column& column) {
       Put(member, InnerOf(column, TextOf(name), next++));
   } else {
     for (const auto& item : value.GetArray()) {
-      if (next == column.inner.size()) {
-        column.inner.push_back(
-            {.key = std::to_string(next), .kinds = {}, .values = {}, .inner = {}});
-      }
+      if (next == column.inner.size()) column.inner.push_back({.key = std::to_string(next)});
       Put(item, column.inner[next++]);
     }
   }

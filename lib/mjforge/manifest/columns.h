@@ -23,10 +23,10 @@ struct Column {
   static constexpr char kList = 'l';     // number of items
   static constexpr char kObject = 'o';   // number of members
 
-  std::string key;                    // name of the member, or number of the item of a list
-  std::string kinds;                  // kind of each row's value
-  std::vector<std::uint64_t> values;  // value of each row
-  std::vector<Column> inner;          // columns of the items or members, in order of occurrence
+  std::string key;                         // name of the member, or number of the item of a list
+  std::string kinds = {};                  // kind of each row's value
+  std::vector<std::uint64_t> values = {};  // value of each row
+  std::vector<Column> inner = {};  // columns of the items or members, in order of occurrence
 };
 
 /// Makes columns from members of JSON records, one record per row. Ignores other members.
