@@ -54,10 +54,6 @@ std::vector<Row> RowsOf(const BarChart& chart) {
   return rows;
 }
 
-double Share(std::uint64_t part, std::uint64_t whole) {
-  return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
-}
-
 // Total numbers of drawn and expected values, and the largest share of a single value in these.
 struct Totals {
   std::uint64_t drawn = 0;

@@ -9,27 +9,30 @@ namespace mjforge::report {
 namespace {
 
 using manifest::Record;
+using physics::Result;
 using Number = std::optional<double>;
 
 bool HasObject(const Record& record) { return record.nbody > 0; }
 
 // Returns a result of the physics checks; nullopt if the checks did not run.
-template <typename T>
-Number Measured(const Record& record, T physics::Result::*member) {
+template <auto member>
+Number Measured(const Record& record) {
   return record.physics ? Number((*record.physics).*member) : std::nullopt;
 }
 
 // Returns a result of the drop test; nullopt if the object was not dropped.
-Number Dropped(const Record& record, double physics::Result::*member) {
-  return record.physics && record.physics->dropped ? Measured(record, member) : std::nullopt;
+template <double Result::*member>
+Number Dropped(const Record& record) {
+  return record.physics && record.physics->dropped ? Measured<member>(record) : std::nullopt;
 }
 
 // Returns the worst result of all driven joints: the least if `least` is true, otherwise the
 // largest. Returns nullopt if no joint was driven.
-Number OfJoints(const Record& record, double physics::Result::Joint::*member, bool least) {
+template <double Result::Joint::*member, bool least = false>
+Number OfJoints(const Record& record) {
   if (!record.physics || record.physics->joints.empty()) return std::nullopt;
   double worst = record.physics->joints.front().*member;
-  for (const physics::Result::Joint& joint : record.physics->joints)
+  for (const Result::Joint& joint : record.physics->joints)
     worst = least ? std::min(worst, joint.*member) : std::max(worst, joint.*member);
   return worst;
 }
@@ -46,43 +49,35 @@ constexpr std::array kMeasures = {
     Measure{MeasureId::kTimeToRest, "time", "Time to rest", "s",
             "Simulated time, for objects that came to rest.",
             [](const Record& r) {
-              return r.physics && r.physics->at_rest ? Dropped(r, &physics::Result::time)
-                                                     : std::nullopt;
+              return r.physics && r.physics->at_rest ? Dropped<&Result::time>(r) : std::nullopt;
             },
             true},
     Measure{MeasureId::kDrift, "drift", "Drift", "m",
-            "How far the centre of mass moved along the floor.",
-            [](const Record& r) { return Dropped(r, &physics::Result::drift); }, true},
+            "How far the centre of mass moved along the floor.", Dropped<&Result::drift>, true},
     Measure{MeasureId::kTilt, "tilt", "Tilt", "rad",
-            "How far the object leans over at the end; near pi/2 it fell.",
-            [](const Record& r) { return Dropped(r, &physics::Result::tilt); }, true},
+            "How far the object leans over at the end; near pi/2 it fell.", Dropped<&Result::tilt>,
+            true},
     Measure{MeasureId::kPenetration, "penetration", "Penetration", "m",
-            "The deepest contact during the drop.",
-            [](const Record& r) { return Dropped(r, &physics::Result::penetration); }, true},
+            "The deepest contact during the drop.", Dropped<&Result::penetration>, true},
     Measure{MeasureId::kSink, "sink", "Depth at rest", "m", "The deepest contact at the end.",
-            [](const Record& r) { return Dropped(r, &physics::Result::sink); }, true},
+            Dropped<&Result::sink>, true},
     Measure{MeasureId::kEnergyGain, "energy_gain", "Energy gain", "",
             "The largest gain since the start, as a share of mass * gravity * size.",
-            [](const Record& r) { return Measured(r, &physics::Result::energy_gain); }, true},
+            Measured<&Result::energy_gain>, true},
     Measure{MeasureId::kOverlap, "overlap", "Overlap", "",
-            "The share of the mass that is counted twice.",
-            [](const Record& r) { return Measured(r, &physics::Result::overlap); }, true},
+            "The share of the mass that is counted twice.", Measured<&Result::overlap>, true},
     Measure{MeasureId::kContacts, "ncon", "Contacts", "", "ncon: the most in one step.",
-            [](const Record& r) { return Measured(r, &physics::Result::ncon); }, true, true},
+            Measured<&Result::ncon>, true, true},
     Measure{MeasureId::kConstraints, "nefc", "Constraint rows", "", "nefc: the most in one step.",
-            [](const Record& r) { return Measured(r, &physics::Result::nefc); }, true, true},
+            Measured<&Result::nefc>, true, true},
     Measure{MeasureId::kJointReach, "joints.reach", "Reach of joints", "",
             "The share of its range that the least mobile joint reached.",
-            [](const Record& r) { return OfJoints(r, &physics::Result::Joint::reach, true); },
-            true},
-    Measure{
-        MeasureId::kJointPenetration, "joints.penetration", "Depth between bodies", "m",
-        "How deep bodies got into each other as joints were driven.",
-        [](const Record& r) { return OfJoints(r, &physics::Result::Joint::penetration, false); },
-        true},
+            OfJoints<&Result::Joint::reach, true>, true},
+    Measure{MeasureId::kJointPenetration, "joints.penetration", "Depth between bodies", "m",
+            "How deep bodies got into each other as joints were driven.",
+            OfJoints<&Result::Joint::penetration>, true},
     Measure{MeasureId::kJointOvershoot, "joints.overshoot", "Overshoot of joints", "rad or m",
-            "How far a joint was driven beyond its range.",
-            [](const Record& r) { return OfJoints(r, &physics::Result::Joint::overshoot, false); },
+            "How far a joint was driven beyond its range.", OfJoints<&Result::Joint::overshoot>,
             true},
 };
 

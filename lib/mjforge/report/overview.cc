@@ -26,8 +26,7 @@ void AddStatuses(Dictionary& page, const ManifestSummary& summary) {
     Set(tile, "SHARE", ShareText(count, summary.variants));
     if (count == 0) continue;
     Dictionary& piece = Section(statuses, "PIECE");
-    const double width =
-        kBarWidth * static_cast<double>(count) / static_cast<double>(summary.variants);
+    const double width = kBarWidth * Share(count, summary.variants);
     Set(piece, "STATUS", status);
     Set(piece, "X", x);
     Set(piece, "WIDTH", width);
@@ -79,10 +78,20 @@ void AddOverview(Dictionary& page, const Request& request, const Batch& batch) {
   if (batch.recipe) ShowText(page, "DESCRIPTION", Clean(batch.recipe->spec->description, 1000));
   AddStatuses(page, summary);
   AddFacts(page, summary);
-  if (batch.notices.empty()) return;
-  Dictionary& notices = Section(page, "HAS_NOTICES");
-  for (const std::string& notice : batch.notices)
-    Set(Section(notices, "NOTICE"), "TEXT", Clean(notice, 1000));
+  ShowNotices(page, batch.notices);
+}
+
+void ShowNotices(Dictionary& page, const std::vector<std::string>& notices) {
+  if (notices.empty()) return;
+  Dictionary& section = Section(page, "HAS_NOTICES");
+  for (const std::string& notice : notices) ShowText(section, "NOTICE", Clean(notice, 1000));
+}
+
+void ShowSpecText(Dictionary& parent, const std::string& file, const std::string& text) {
+  if (text.empty()) return;
+  Dictionary& section = Section(parent, "SPEC_TEXT");
+  Set(section, "FILE", Clean(file));
+  Set(section, "TEXT", text);
 }
 
 const spec::Parameter* ParameterOf(const Batch& batch, const std::string& name) {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include "mjforge/report/charts.h"
@@ -34,7 +35,7 @@ void AddCode(Dictionary& list, const std::string& name, const CodeTally& tally,
   Set(code, "SEVERITY", example.severity == "warning" ? "warning" : "error");
   Set(code, "VARIANTS", CountText(tally.variants));
   Set(code, "SHARE", share);
-  Set(code, "PERCENT", 100 * static_cast<double>(tally.variants) / static_cast<double>(variants));
+  Set(code, "PERCENT", 100 * Share(tally.variants, variants));
   ShowText(code, "PLACE", Clean(example.place));
   Set(code, "MESSAGE", Clean(example.message));
   ShowText(code, "HINT", Clean(example.hint));
@@ -145,20 +146,15 @@ class ParameterPanels {
 };
 
 std::string WordsOf(const TestTally& test) {
-  switch (test.kind) {
-    case TestTally::Kind::kSimReady:
-      return "SimReady benchmark";
-    case TestTally::Kind::kHolds:
-      return "The balls that are dropped into it stay inside.";
-    case TestTally::Kind::kSettled:
-      return "All free bodies stay where they start.";
-    case TestTally::Kind::kFits:
-      return "All that has to fit into holes goes in.";
-    case TestTally::Kind::kGrasps:
-      return fmt::format("Jaws lift and hold it; {} of {} do.", CountText(test.held),
-                         CountText(test.ways, "way"));
+  if (test.kind == TestTally::Kind::kGrasps) {
+    return fmt::format("Jaws lift and hold it; {} of {} do.", CountText(test.held),
+                       CountText(test.ways, "way"));
   }
-  return {};
+  // In the order of Kind.
+  constexpr std::array kWords = {
+      "SimReady benchmark", "The balls that are dropped into it stay inside.",
+      "All free bodies stay where they start.", "All that has to fit into holes goes in."};
+  return kWords[static_cast<std::size_t>(test.kind)];
 }
 
 void AddTests(Dictionary& section, const TestTallies& tests) {
@@ -172,7 +168,7 @@ void AddTests(Dictionary& section, const TestTallies& tests) {
     Set(row, "PASSED", CountText(test.passed));
     Set(row, "FAILED", CountText(test.failed));
     Set(row, "SHARE", ShareText(test.passed, all));
-    Set(row, "PERCENT", 100 * static_cast<double>(test.passed) / static_cast<double>(all));
+    Set(row, "PERCENT", 100 * Share(test.passed, all));
   }
 }
 
@@ -237,10 +233,7 @@ void AddParameters(Dictionary& body, const Batch& batch) {
         fmt::format("The first {} of {}.", kMaxParameters, CountText(drawn.size(), "parameter")));
   }
   AddParameterPanels(section, batch, [](const ParameterTally&) { return true; });
-  if (batch.spec_text.empty()) return;
-  Dictionary& text = Section(section, "SPEC_TEXT");
-  Set(text, "FILE", Clean(batch.summary.first->spec));
-  Set(text, "TEXT", batch.spec_text);
+  ShowSpecText(section, batch.summary.first->spec, batch.spec_text);
 }
 
 void AddMassAndSize(Dictionary& body, const ManifestSummary& summary) {

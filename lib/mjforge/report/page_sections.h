@@ -42,6 +42,10 @@ ParameterTallies DrawExpected(const forge::Recipe& recipe, const ManifestSummary
 
 /// Adds the title, numbers of variants by status, facts and notices.
 void AddOverview(Dictionary& page, const Request& request, const Batch& batch);
+/// Adds sentences above all others, unless there are none.
+void ShowNotices(Dictionary& page, const std::vector<std::string>& notices);
+/// Adds the text of the spec's file `file`, unless it is empty.
+void ShowSpecText(Dictionary& parent, const std::string& file, const std::string& text);
 
 // Functions that add the sections of the page's body.
 void AddFindings(Dictionary& body, const ManifestSummary& summary);

@@ -118,22 +118,14 @@ std::string MakeSpecPage(SpecPage page) {
   Set(body, "INDEX", index + "index.html");
   Set(body, "NAME", Clean(page.name));
   ShowText(body, "DESCRIPTION", Clean(page.recipe.spec->description, 1000));
-  if (!page.notices.empty()) {
-    Dictionary& notices = Section(body, "HAS_NOTICES");
-    for (const std::string& notice : page.notices)
-      Set(Section(notices, "NOTICE"), "TEXT", Clean(notice, 1000));
-  }
+  ShowNotices(body, page.notices);
   AddPictures(body, page);
   AddFacts(body, "FACT", page.facts);
   AddFeatures(body, page.features);
   AddCommands(body, page.name);
   const Batch batch = MakeBatch(page);
   AddParameterSections(body, batch);
-  if (const std::string lines = CleanSpec(page.text); !lines.empty()) {
-    Dictionary& text = Section(body, "SPEC_TEXT");
-    Set(text, "FILE", Clean(page.name + ".yaml"));
-    Set(text, "TEXT", lines);
-  }
+  ShowSpecText(body, page.name + ".yaml", CleanSpec(page.text));
   return Expand(TemplateName::kSpec, body);
 }
 

@@ -49,8 +49,6 @@ bool LoadTemplates() {
   });
 }
 
-bool IsContinuation(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
-
 }  // namespace
 
 std::string Expand(TemplateName name, const Dictionary& dictionary) {
@@ -85,7 +83,7 @@ std::string Clean(std::string_view text, std::size_t limit) {
   std::string clean = diag::SafeText(text.substr(0, limit + 4));
   if (clean.size() <= limit) return clean;
   std::size_t end = limit;
-  while (end > 0 && IsContinuation(clean[end])) --end;
+  while (end > 0 && diag::IsContinuation(clean[end])) --end;
   return clean.substr(0, end) + "...";
 }
 
@@ -126,11 +124,14 @@ std::string CountText(std::uint64_t number, std::string_view noun) {
   return fmt::format("{} {}{}", CountText(number), noun, number == 1 ? "" : "s");
 }
 
+double Share(std::uint64_t part, std::uint64_t whole) {
+  return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
 std::string ShareText(std::uint64_t part, std::uint64_t whole) {
   if (whole == 0) return "0 %";
   if (part == 0 || part == whole) return part == 0 ? "0 %" : "100 %";
-  const double percent = 100 * static_cast<double>(part) / static_cast<double>(whole);
-  return fmt::format("{:.1f} %", std::clamp(percent, 0.1, 99.9));
+  return fmt::format("{:.1f} %", std::clamp(100 * Share(part, whole), 0.1, 99.9));
 }
 
 }  // namespace mjforge::report

@@ -57,6 +57,8 @@ void SetPicture(Dictionary& picture, const Thumbnail& image);
 std::string CountText(std::uint64_t number);
 /// Returns a number with its noun: "1 variant", "2 variants".
 std::string CountText(std::uint64_t number, std::string_view noun);
+/// Returns `part` divided by `whole`; 0 if both are 0.
+double Share(std::uint64_t part, std::uint64_t whole);
 /// Returns `part` as a percentage of `whole`: "12.5 %". Returns "0 %" only for no item, and "100 %"
 /// only for all items.
 std::string ShareText(std::uint64_t part, std::uint64_t whole);
