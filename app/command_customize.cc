@@ -28,15 +28,6 @@ struct CustomizeOptions : ObjectOptions {
 
 constexpr std::uint64_t kMostPorts = 65535;
 
-customize::Start StartOf(const CustomizeOptions& options) {
-  customize::Start start;
-  start.reference = options.what;
-  start.load = LoadOptionsOf(options.spec);
-  start.seed = options.spec.seed;
-  start.index = options.index;
-  return start;
-}
-
 // Returns true if the spec exists. A spec with errors counts, because errors can be corrected while
 // its page is open. Otherwise adds findings and returns false.
 bool SpecExists(const CustomizeOptions& options, Console& console) {
@@ -49,7 +40,11 @@ bool SpecExists(const CustomizeOptions& options, Console& console) {
 
 WorkerMaker MakeWorkerOf(const CustomizeOptions& options) {
   return [options]() -> Worker {
-    const auto studio = std::make_shared<customize::Studio>(StartOf(options));
+    const auto studio =
+        std::make_shared<customize::Studio>(customize::Start{.reference = options.what,
+                                                             .load = LoadOptionsOf(options.spec),
+                                                             .seed = options.spec.seed,
+                                                             .index = options.index});
     return [studio](std::string_view request) {
       const customize::Reply reply = studio->Answer(request);
       return EncodeAnswer(reply.files, reply.json, reply.picture);

@@ -125,11 +125,10 @@ class Preview {
     if (!recipe_) return objects;
     ChoosePlace(recipe_->spec->name);
     picture_.view = ViewOf(*recipe_->spec, picture_.view);
-    forge::Options options;
-    options.seed = options_.spec.seed;
-    options.place_seed = options_.spec.place_seed;
-    options.validation = forge::Validation::kNone;
-    forge::Generator generator(*recipe_, console_.sources, options);
+    forge::Generator generator(*recipe_, console_.sources,
+                               {.seed = options_.spec.seed,
+                                .place_seed = options_.spec.place_seed,
+                                .validation = forge::Validation::kNone});
     picture::Loader loader;
     forge::Variant variant;
     batch::FindingSummary found = VariantFindings();

@@ -23,10 +23,9 @@ LoadedSubject LoadVariant(const std::string& what, const std::vector<std::string
   options.settings = settings;
   const std::optional<forge::Recipe> recipe = LoadRecipe(what, options, console);
   if (!recipe || console.findings.HasErrors()) return {};
-  forge::Options how;
-  how.validation = forge::Validation::kNone;
   forge::Variant variant;
-  forge::Generator(*recipe, console.sources, how).Make(0, variant);
+  forge::Generator(*recipe, console.sources, {.validation = forge::Validation::kNone})
+      .Make(0, variant);
   if (!variant.ok()) return {};
   std::string why_not;
   return {picture::Loader().LoadText(variant.document.text, variant.document.assets, why_not),

@@ -12,6 +12,7 @@
 
 #include "mjforge/customize/settings_text.h"
 #include "mjforge/expr/expr.h"
+#include "mjforge/manifest/manifest.h"
 #include "mjforge/output/output.h"
 
 namespace mjforge::customize {
@@ -27,13 +28,6 @@ std::string_view TextOf(const Json& value) { return {value.GetString(), value.Ge
 const Json* Find(const Json& object, const char* key) {
   const auto found = object.FindMember(key);
   return found == object.MemberEnd() ? nullptr : &found->value;
-}
-
-std::optional<BasePose> FindPose(std::string_view word) {
-  constexpr std::string_view kWords[] = {"view", "start", "zero"};
-  const auto* const found = std::ranges::find(kWords, word);
-  if (found == std::end(kWords)) return std::nullopt;
-  return static_cast<BasePose>(found - kWords);
 }
 
 // Reads members of one request, and keeps the reason of the first failure. Functions leave `out`
@@ -176,7 +170,7 @@ std::optional<Request> ReadRequest(std::string_view json, std::string& why_not) 
   reader.Whole("index", request.index);
   reader.Whole("count", request.count);
   reader.Flag("nine", request.nine);
-  reader.Word("pose", FindPose, "view, start or zero", request.pose);
+  reader.Word("pose", manifest::Find<BasePose>, "view, start or zero", request.pose);
   reader.Settings(request.settings, request.values);
   reader.Joints(request.joints);
   picture::Options& picture = request.picture;

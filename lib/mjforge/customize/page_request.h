@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,6 +24,8 @@ enum class BasePose {
   kStart,  // the start pose
   kZero    // all joints at zero
 };
+inline constexpr std::string_view kBasePoses[] = {"view", "start", "zero"};
+constexpr std::span<const std::string_view> WordsOf(BasePose) { return kBasePoses; }
 
 struct Request {
   std::string action;

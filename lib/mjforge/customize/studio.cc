@@ -229,7 +229,7 @@ std::optional<picture::Image> Studio::State::DrawNine(const Request& request,
   one.picture.height /= 3;
   for (int cell = 8; cell >= 0; --cell) {
     one.index = request.index + static_cast<std::uint64_t>(cell);
-    ShownVariant& shown = cache.Make(one, CheckLevel::kNone);
+    ShownVariant& shown = cache.Make(one, Validation::kNone);
     diag::Findings findings;
     const auto tile = DrawPicture(one, shown, findings);
     if (findings.HasErrors() && renderer == nullptr) return std::nullopt;
@@ -246,7 +246,7 @@ Reply Studio::State::Draw(const Request& request) {
   std::optional<picture::Image> nine;
   std::vector<std::string> cells;
   if (request.nine) nine = DrawNine(request, cells);
-  const CheckLevel level = request.picture.quick ? CheckLevel::kNone : CheckLevel::kLoad;
+  const Validation level = request.picture.quick ? Validation::kNone : Validation::kLoad;
   ShownVariant& shown = cache.Make(request, level);
   diag::Findings findings = shown.Findings();
   const std::optional<picture::Image> image =
@@ -265,14 +265,14 @@ Reply Studio::State::Draw(const Request& request) {
 
 // Returns all findings about a variant, including those of the physics checks.
 Reply Studio::State::Check(const Request& request) {
-  const ShownVariant& shown = cache.Make(request, CheckLevel::kPhysics);
+  const ShownVariant& shown = cache.Make(request, Validation::kPhysics);
   return JsonReply([&](diag::Json& json) { WriteFindings(json, shown.Findings(), shown.sources); });
 }
 
 // Returns an animation of the simulated drop or, if the request has a name, of the drive of the
 // joint with this name.
 Reply Studio::State::Film(const Request& request) {
-  ShownVariant& shown = cache.Make(request, CheckLevel::kNone);
+  ShownVariant& shown = cache.Make(request, Validation::kNone);
   if (shown.subject == nullptr) return Failure("the variant has errors");
   diag::Findings findings;
   if (renderer == nullptr) renderer = picture::Renderer::Open(findings);
@@ -298,7 +298,7 @@ Reply Studio::State::Film(const Request& request) {
 Reply Studio::State::Redraw(Request request) {
   std::erase_if(request.settings,
                 [&](const spec::Setting& setting) { return setting.name == request.name; });
-  const ShownVariant& shown = cache.Make(request, CheckLevel::kNone);
+  const ShownVariant& shown = cache.Make(request, Validation::kNone);
   return JsonReply([&](diag::Json& json) {
     if (shown.variant) {
       for (const auto& [name, value] : shown.variant->record.params) {
@@ -310,7 +310,7 @@ Reply Studio::State::Redraw(Request request) {
 }
 
 Reply Studio::State::Export(const Request& request) {
-  ShownVariant& shown = cache.Make(request, CheckLevel::kLoad);
+  ShownVariant& shown = cache.Make(request, Validation::kLoad);
   std::string text;
   std::string picture;
   diag::Findings findings;
@@ -350,7 +350,7 @@ Reply Studio::State::Export(const Request& request) {
 }
 
 Reply Studio::State::Pick(const Request& request) {
-  ShownVariant& shown = cache.Make(request, CheckLevel::kNone);
+  ShownVariant& shown = cache.Make(request, Validation::kNone);
   return JsonReply([&](diag::Json& json) {
     if (shown.subject == nullptr) return;
     MoveJoints(request, shown);

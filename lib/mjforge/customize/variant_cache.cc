@@ -89,7 +89,7 @@ ShownVariant& VariantCache::LoadSpec(const Request& request) {
   return shown_;
 }
 
-ShownVariant& VariantCache::Make(const Request& request, CheckLevel level) {
+ShownVariant& VariantCache::Make(const Request& request, Validation level) {
   LoadSpec(request);
   if (!shown_.recipe) return shown_;
   std::string key = fmt::format("{} {}", request.seed, request.index);
@@ -102,15 +102,11 @@ ShownVariant& VariantCache::Make(const Request& request, CheckLevel level) {
   return shown_;
 }
 
-void VariantCache::MakeVariant(const Request& request, CheckLevel level) {
-  forge::Options options;
-  options.seed = request.seed;
-  options.validation = level == CheckLevel::kNone   ? forge::Validation::kNone
-                       : level == CheckLevel::kLoad ? forge::Validation::kLoad
-                                                    : forge::Validation::kPhysics;
+void VariantCache::MakeVariant(const Request& request, Validation level) {
   shown_.level = level;
   shown_.variant.emplace();
-  forge::Generator(*shown_.recipe, shown_.sources, options).Make(request.index, *shown_.variant);
+  forge::Generator(*shown_.recipe, shown_.sources, {.seed = request.seed, .validation = level})
+      .Make(request.index, *shown_.variant);
 }
 
 void VariantCache::LoadSubject() {

@@ -18,8 +18,7 @@
 
 namespace mjforge::customize {
 
-/// Checks of a variant: none, loading in MuJoCo, or also the physics checks.
-enum class CheckLevel { kNone, kLoad, kPhysics };
+using forge::Validation;
 
 /// A spec with settings, and one of the spec's variants.
 struct ShownVariant {
@@ -27,7 +26,7 @@ struct ShownVariant {
   diag::Findings spec_findings;
   std::optional<forge::Recipe> recipe;
   std::optional<forge::Variant> variant;
-  CheckLevel level = CheckLevel::kNone;
+  Validation level = Validation::kNone;
   std::unique_ptr<picture::Subject> subject;  // null: there is nothing to draw
   std::vector<picture::Joint> joints;         // joints of the subject in the base pose
 
@@ -52,7 +51,7 @@ class VariantCache {
   ShownVariant& LoadSpec(const Request& request);
   /// Returns the variant of the request, with at least the checks of `level`. The variant is
   /// nullopt if the spec or a setting has errors.
-  ShownVariant& Make(const Request& request, CheckLevel level);
+  ShownVariant& Make(const Request& request, Validation level);
 
   /// Returns the files on which the current spec and variant depend, including those that are
   /// missing.
@@ -61,7 +60,7 @@ class VariantCache {
  private:
   void Renew(std::uint64_t revision);
   void FindNames(std::uint64_t revision);
-  void MakeVariant(const Request& request, CheckLevel level);
+  void MakeVariant(const Request& request, Validation level);
   void LoadSubject();
 
   std::string reference_;

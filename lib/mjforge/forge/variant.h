@@ -46,8 +46,8 @@ struct Options {
   std::optional<std::uint64_t> place_seed = {};  // seed for the draws of `place:`; empty: `seed`
   mjcf::Target target = mjcf::Target::kMujoco;
   mjcf::AssetForm assets = mjcf::AssetForm::kInline;
-  bool each = false;  // each object of a scene gets a file; `document` is then the whole scene
-  std::string name;   // name of each object, with ${index}; empty: the spec's name
+  bool each = false;      // each object of a scene gets a file; `document` is then the whole scene
+  std::string name = {};  // name of each object, with ${index}; empty: the spec's name
   std::uint64_t attempt = 0;  // first attempt; earlier ones are not tried
   OnInvalid on_invalid = OnInvalid::kFail;
   sample::Method sampler = sample::Method::kRandom;
@@ -68,7 +68,7 @@ struct Options {
   bool mocap = false;  // for records only: mocap bodies replace fixed bodies of the family's base
   /// Folder of the manifest. Records contain the path of the spec's file relative to this folder,
   /// or no path if the option is empty.
-  std::optional<std::filesystem::path> folder;
+  std::optional<std::filesystem::path> folder = {};
   /// Name of the file in `folder` that will contain Recipe::snapshot, if the recipe has a snapshot.
   std::string snapshot_file = {};
 };
