@@ -47,10 +47,9 @@ ExitStatus InspectSpec(const InspectOptions& options, Console& console) {
   const std::optional<forge::Recipe> recipe = LoadRecipe(options.what, options.spec, console);
   forge::Variant variant;
   if (recipe) {
-    forge::Options generation;
-    generation.seed = options.spec.seed;
-    generation.place_seed = options.spec.place_seed;
-    generation.validation = forge::Validation::kNone;
+    const forge::Options generation = {.seed = options.spec.seed,
+                                       .place_seed = options.spec.place_seed,
+                                       .validation = forge::Validation::kNone};
     forge::Generator(*recipe, console.sources, generation).Make(options.index, variant);
     console.findings.Append(variant.findings);
   }
@@ -86,7 +85,9 @@ ExitStatus Inspect(const InspectOptions& options, Console& console) {
   const bool is_file = !manifest && IsMjcf(options.what);
   if (manifest && (options.sweep || !options.contains.empty()))
     return WrongUsage("--sweep and --contains take one object, not a batch", "inspect");
-  const std::string wrong = manifest || is_file ? RefuseSpecOptions(options) : "";
+  const std::string wrong = manifest || is_file ? RefuseSpecOptions(options.what, options.spec,
+                                                                    options.index > 0, "--index")
+                                                : "";
   if (!wrong.empty()) return WrongUsage(wrong, "inspect");
   if (manifest) return InspectBatch(*manifest, options.json, console);
   return RunInChild(options.what, options.time_limit, console, [&] {

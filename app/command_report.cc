@@ -22,11 +22,6 @@ using Path = std::filesystem::path;
 
 constexpr std::size_t kMaxSuggestions = 3;  // largest number of manifests in a hint
 
-bool IsFile(const Path& file) {
-  std::error_code ignored;
-  return std::filesystem::is_regular_file(file, ignored);
-}
-
 // Returns the complete and partial manifests in the folder, and the manifests of its subfolders.
 std::vector<std::string> ManifestsNear(const Path& folder) {
   std::vector<std::string> found;
@@ -34,7 +29,7 @@ std::vector<std::string> ManifestsNear(const Path& folder) {
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
     const bool is_folder = entry.is_directory(ignored);
     const Path file = is_folder ? entry.path() / "manifest.jsonl" : entry.path();
-    if (IsManifest(file.filename().string()) && IsFile(file)) found.push_back(file.string());
+    if (IsManifest(file.filename().string()) && bytes::IsFile(file)) found.push_back(file.string());
   }
   std::sort(found.begin(), found.end());
   return found;
@@ -54,27 +49,20 @@ std::string Suggestion(const std::vector<std::string>& manifests) {
 // Returns the path of the manifest of a batch. `what` names the manifest, the folder or an archive.
 // Returns nullopt, after adding a finding, if a folder has no manifest or `what` is something else.
 std::optional<Path> FindBatch(const std::string& what, diag::Findings& findings) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(what, ignored)) {
-    Path manifest = Path(what) / "manifest.jsonl";
-    if (IsFile(manifest)) return manifest;
+  const std::optional<Path> manifest = ManifestOf(what);
+  const bool is_folder = bytes::IsFolder(what);
+  if (manifest && (!is_folder || bytes::IsFile(*manifest))) return manifest;
+  if (is_folder) {
     findings.Add(diag::Code::kOutputBadManifest, {},
                  fmt::format("'{}' is not the folder of a batch: it has no manifest.jsonl", what),
                  Suggestion(ManifestsNear(what)));
-    return std::nullopt;
+  } else if (bytes::Exists(what)) {
+    const Path folder = Path(what).parent_path();
+    findings.Add(diag::Code::kOutputBadManifest, {}, fmt::format("'{}' is not a manifest", what),
+                 Suggestion(ManifestsNear(folder.empty() ? "." : folder)));
+  } else {
+    findings.AddCannotRead(what, "No such file or directory");
   }
-  if (IsManifest(what)) return what;
-  std::string why_not;
-  const auto destination = output::ParseDestination(what, 1, why_not);
-  if (destination && destination->PacksVariants()) return destination->Manifest({});
-  if (!std::filesystem::exists(what, ignored)) {
-    findings.Add(diag::Code::kYamlCannotRead, {},
-                 fmt::format("cannot read '{}': No such file or directory", what));
-    return std::nullopt;
-  }
-  const Path folder = Path(what).parent_path();
-  findings.Add(diag::Code::kOutputBadManifest, {}, fmt::format("'{}' is not a manifest", what),
-               Suggestion(ManifestsNear(folder.empty() ? "." : folder)));
   return std::nullopt;
 }
 
@@ -83,10 +71,10 @@ std::optional<Path> FindBatch(const std::string& what, diag::Findings& findings)
 Path PageOf(const Path& manifest) {
   constexpr std::string_view kManifest = "manifest";
   std::string name = manifest.filename().string();
-  if (name.ends_with(".part")) name.resize(name.size() - 5);
   if (name.starts_with('.')) name.erase(0, 1);
-  if (name.ends_with(".zst")) name.resize(name.size() - 4);
-  if (name.ends_with(".jsonl")) name.resize(name.size() - 6);
+  for (const std::string_view ending : {".part", ".zst", ".jsonl"}) {
+    if (name.ends_with(ending)) name.resize(name.size() - ending.size());
+  }
   if (const std::size_t at = name.rfind(kManifest); at != name.npos) {
     name.replace(at, kManifest.size(), "report");
   } else {

@@ -135,10 +135,9 @@ ExitStatus ViewFile(const std::string& file, Console& console) {
 ExitStatus ViewVariant(const ObjectOptions& options, Console& console) {
   const std::optional<forge::Recipe> recipe = LoadRecipe(options.what, options.spec, console);
   if (!recipe) return ExitStatus::kFindings;
-  forge::Options generation;
-  generation.seed = options.spec.seed;
-  generation.place_seed = options.spec.place_seed;
-  generation.target = mjcf::Target::kScene;
+  const forge::Options generation = {.seed = options.spec.seed,
+                                     .place_seed = options.spec.place_seed,
+                                     .target = mjcf::Target::kScene};
   forge::Variant variant;
   forge::Generator(*recipe, console.sources, generation).Make(options.index, variant);
   console.findings.Append(variant.findings);
@@ -159,7 +158,9 @@ Action AddView(CLI::App& command) {
   AddObjectOptions(command, *options, "A spec or a FILE.xml");
   return [options](Console& console) {
     const bool is_file = options->what.ends_with(".xml");
-    const std::string wrong = is_file ? RefuseSpecOptions(*options) : "";
+    const std::string wrong =
+        is_file ? RefuseSpecOptions(options->what, options->spec, options->index > 0, "--index")
+                : "";
     if (!wrong.empty()) return WrongUsage(wrong, "view");
     const ExitStatus status =
         is_file ? ViewFile(options->what, console) : ViewVariant(*options, console);

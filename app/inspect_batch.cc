@@ -174,17 +174,11 @@ std::string AsJson(const ManifestSummary& batch, const BatchStructures& structur
 }  // namespace
 
 std::optional<std::filesystem::path> FindManifest(const std::string& what) {
-  if (IsManifest(what)) return what;
-  std::error_code ignored;
-  std::string why_not;
-  const auto archive = output::ParseDestination(what, 1, why_not);
-  if (archive && archive->PacksVariants()) {  // the manifest is in the archive's folder
-    const std::filesystem::path manifest = archive->Manifest({});
-    if (std::filesystem::exists(manifest, ignored)) return manifest;
-  }
-  if (!std::filesystem::is_directory(what, ignored)) return std::nullopt;
-  if (!what.ends_with('/') && IsSpecName(what)) return std::nullopt;
-  return std::filesystem::path(what) / "manifest.jsonl";
+  const bool is_folder = bytes::IsFolder(what);
+  if (is_folder && !what.ends_with('/') && IsSpecName(what)) return std::nullopt;
+  const std::optional<std::filesystem::path> manifest = ManifestOf(what);
+  const bool is_batch = manifest && (is_folder || IsManifest(what) || bytes::Exists(*manifest));
+  return is_batch ? manifest : std::nullopt;
 }
 
 ExitStatus InspectBatch(const std::filesystem::path& manifest, bool json, Console& console) {

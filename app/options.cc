@@ -59,25 +59,20 @@ CLI::Option* AddChoice(CLI::App& command, const std::string& flag,
       ->option_text("WORD");
 }
 
-template <typename Value>
-CLI::Option* AddRequired(CLI::App& command, const std::string& name, Value& value,
-                         const std::string& doc, const std::string& offered) {
-  return command.add_option(name, value, doc)
-      ->required()
-      ->option_text(std::is_same_v<Value, std::string> ? " " : "...")
-      ->check(Offers(offered));
+void Require(CLI::Option* option, const std::string& text, const std::string& offered) {
+  option->required()->option_text(text)->check(Offers(offered));
 }
 
 }  // namespace
 
 void AddArgument(CLI::App& command, const std::string& name, std::string& value,
                  const std::string& doc, const std::string& offered) {
-  AddRequired(command, name, value, doc, offered);
+  Require(command.add_option(name, value, doc), " ", offered);
 }
 
 void AddArguments(CLI::App& command, const std::string& name, std::vector<std::string>& values,
                   const std::string& doc, const std::string& offered) {
-  AddRequired(command, name, values, doc, offered);
+  Require(command.add_option(name, values, doc), "...", offered);
 }
 
 void AddSettings(CLI::App& command, std::vector<std::string>& settings, const std::string& doc) {
@@ -137,18 +132,28 @@ bool IsMjcf(const std::string& what) {
   return first != std::string::npos && (*text)[first] == '<';
 }
 
+std::optional<std::filesystem::path> ManifestOf(const std::string& what) {
+  if (bytes::IsFolder(what)) return std::filesystem::path(what) / "manifest.jsonl";
+  if (IsManifest(what)) return what;
+  std::string why_not;
+  const auto destination = output::ParseDestination(what, 1, why_not);
+  if (destination && destination->PacksVariants()) return destination->Manifest({});
+  return std::nullopt;
+}
+
 void AddObjectOptions(CLI::App& command, ObjectOptions& options, const std::string& doc) {
   AddArgument(command, "WHAT", options.what, doc, kSpecs + " .xml"s);
   AddWholeNumber(command, "--index", options.index, "The variant to show");
   AddSpecOptions(command, options.spec);
 }
 
-std::string RefuseSpecOptions(const ObjectOptions& options) {
-  if (!options.spec.given() && options.index == 0) return {};
+std::string RefuseSpecOptions(const std::string& what, const SpecOptions& options, bool has_number,
+                              std::string_view numbers) {
+  if (!options.given() && !has_number) return {};
   return fmt::format(
-      "'{}' is shown as it is: --seed, --place-seed, --index, --set, --root, --start and --params "
-      "take a spec",
-      options.what);
+      "'{}' is shown as it is: --seed, --place-seed, {}, --set, --root, --start and --params take "
+      "a spec",
+      what, numbers);
 }
 
 CLI::Option* AddTimeLimit(CLI::App& command, Seconds& limit, const std::string& doc) {

@@ -49,6 +49,10 @@ inline bool IsManifest(std::string_view name) {
   return output::IsManifestName(name);
 }
 
+/// Returns the manifest of the batch that `what` names by its folder, its manifest, or an archive
+/// or family; nullopt if `what` cannot be the name of a batch.
+std::optional<std::filesystem::path> ManifestOf(const std::string& what);
+
 /// Options of commands for one object: a variant of a spec, or an MJCF file.
 struct ObjectOptions {
   std::string what;
@@ -56,9 +60,11 @@ struct ObjectOptions {
   SpecOptions spec;
 };
 void AddObjectOptions(CLI::App& command, ObjectOptions& options, const std::string& doc);
-/// Returns the error message for options of a spec that were given for a file or a batch, which is
-/// shown as it is; an empty text if there are none.
-std::string RefuseSpecOptions(const ObjectOptions& options);
+/// Returns the error message for options of a spec that were given for a file or a batch, `what`,
+/// which is shown as it is; an empty text if there are none. `numbers` names the command's options
+/// for indices and counts of variants; `has_number` is true if one of them was given.
+std::string RefuseSpecOptions(const std::string& what, const SpecOptions& options, bool has_number,
+                              std::string_view numbers);
 
 /// Options of commands for many variants of specs.
 struct BatchOptions {

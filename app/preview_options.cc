@@ -101,14 +101,8 @@ std::string FindConflict(const PreviewOptions& options) {
   if (std::string wrong = CheckFileName(options); !wrong.empty()) return wrong;
   if (options.whats.size() > 1) return FindNoFile(options.whats);
   if (!options.is_file) return {};
-  if (options.count > 1 || options.first > 0)
-    return fmt::format("'{}' is one object: -n and --first take a spec", options.what);
-  if (options.spec.given())
-    return fmt::format(
-        "'{}' is drawn as it is: --seed, --place-seed, --set, --root, --start and "
-        "--params take a spec",
-        options.what);
-  return {};
+  return RefuseSpecOptions(options.what, options.spec, options.count > 1 || options.first > 0,
+                           "-n, --first");
 }
 
 // Sets the size of the picture, or the default size. Returns an error message, or an empty text.

@@ -303,11 +303,11 @@ TEST_CASE_METHOD(PreviewTest, "options of preview that contradict each other are
     CHECK(result.status == 2);
     return result.err.substr(0, result.err.find('\n'));
   };
-  CHECK(error({"preview", "chest.xml", "-n", "2"}) ==
-        "mjforge: error: 'chest.xml' is one object: -n and --first take a spec");
-  CHECK(error({"preview", "chest.xml", "--seed", "7"}) ==
-        "mjforge: error: 'chest.xml' is drawn as it is: --seed, --place-seed, --set, --root, "
-        "--start and --params take a spec");
+  for (const std::string option : {"-n", "--first", "--seed"}) {
+    CHECK(error({"preview", "chest.xml", option, "7"}) ==
+          "mjforge: error: 'chest.xml' is shown as it is: --seed, --place-seed, -n, --first, "
+          "--set, --root, --start and --params take a spec");
+  }
   CHECK(error({"preview", "crate.yaml", "-n", "401"}) ==
         "mjforge: error: -n 401: a sheet holds at most 400 variants");
   CHECK(error({"preview", "crate.yaml", "--size", "9x9"}) ==
