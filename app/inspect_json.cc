@@ -22,7 +22,7 @@ void WriteParameters(diag::Json& json, const forge::Recipe& recipe, const forge:
 
 void WritePose(diag::Json& json, const model::Pose& pose) {
   json.Member("pos", pose.p);
-  json.Member("quat", Eigen::Vector4d(pose.q.w(), pose.q.x(), pose.q.y(), pose.q.z()));
+  json.Member("quat", model::Wxyz(pose.q));
 }
 
 void WriteParts(diag::Json& json, const model::Body& body) {
@@ -67,11 +67,7 @@ void WriteRegions(diag::Json& json, const model::Body& body) {
       json.Member("corners", corners);
     }
     WritePose(json, region.X_BR);
-    if (std::isinf(region.height)) {
-      json.Member("height", nullptr);
-    } else {
-      json.Member("height", region.height);
-    }
+    json.Member("height", region.height);  // null if it is not limited
     json.Member("margin", region.margin);
     json.Member("clear", region.clear);
     json.Member("walls", region.has_walls);

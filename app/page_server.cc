@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <bit>
 #include <boost/asio/ip/address_v4.hpp>
-#include <charconv>
 #include <cstring>
 #include <utility>
 
 #include "mjforge/customize/customize.h"
+#include "mjforge/output/output.h"
 
 namespace mjforge::app {
 namespace {
@@ -155,9 +155,7 @@ void PageServer::Answer(const Request& request, const Respond& respond) {
 
 void PageServer::AnswerGet(std::string_view name, std::string_view query, const Respond& respond) {
   if (name == "events") {
-    const std::string_view text = QueryValue(query, "revision");
-    std::uint64_t revision = 0;
-    std::from_chars(text.data(), text.data() + text.size(), revision);
+    const auto revision = output::ReadIndex(QueryValue(query, "revision")).value_or(0);
     waiting_.push_back({revision, std::chrono::steady_clock::now() + kLongestWait, respond});
     return;
   }
@@ -188,17 +186,11 @@ PageServer::Response PageServer::AnswerOf(const RequestQueue::Outcome& outcome) 
     return MakeResponse(http::status::ok, kType, BodyOf(json, {}));
   }
   std::string_view text = outcome.text;
-  std::vector<std::filesystem::path> files;
   while (text.front() != kEnd) {
-    files.emplace_back(text.substr(0, text.find(kEnd)));
+    watched_.Add(text.substr(0, text.find(kEnd)));
     text.remove_prefix(text.find(kEnd) + 1);
   }
-  if (!files.empty()) Watch(files);
   return MakeResponse(http::status::ok, kType, std::string(text.substr(1)));
-}
-
-void PageServer::Watch(const std::vector<std::filesystem::path>& files) {
-  for (const std::filesystem::path& file : files) watched_.Add(file);
 }
 
 // Checks the files for changes, and answers the pages that wait for a change.

@@ -59,7 +59,6 @@ class PageServer {
   void AnswerPost(std::string_view name, std::string_view query, const std::string& body,
                   const Respond& respond);
   Response AnswerOf(const RequestQueue::Outcome& outcome);
-  void Watch(const std::vector<std::filesystem::path>& files);
   void Tick();
 
   boost::asio::io_context& io_;

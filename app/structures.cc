@@ -71,40 +71,44 @@ class FieldComparison {
   void Add(const structure::Structure& first, const structure::Structure& other,
            std::size_t number) {
     for (structure::Difference& difference : structure::DifferencesOf(first, other)) {
-      auto found = std::ranges::find(fields_, difference.field, &DifferingField::name);
+      auto found = std::ranges::find(fields_, difference.field,
+                                     [](const ComparedField& field) { return field.shown.name; });
       if (found == fields_.end()) {
-        const std::string example = structure::Describe(difference);
-        found = fields_.insert(fields_.end(), {difference.field,
-                                               std::move(difference.elements),
-                                               example,
-                                               difference.is_coincidence,
-                                               0,
-                                               {}});
-        groups_.emplace_back(structures_.size(), 0);
-        contents_.emplace_back();
+        found = fields_.emplace(found);
+        found->shown.name = difference.field;
+        found->shown.example = structure::Describe(difference);
+        found->shown.elements = std::move(difference.elements);
+        found->shown.is_coincidence = difference.is_coincidence;
+        found->groups.resize(structures_.size());
       }
-      const auto at = static_cast<std::size_t>(found - fields_.begin());
-      found->variants += structures_[number].variants;
-      const auto group = static_cast<int>(contents_[at].size()) + 1;
-      groups_[at][number] = contents_[at].emplace(difference.contents, group).first->second;
+      found->shown.variants += structures_[number].variants;
+      const auto group = static_cast<int>(found->contents.size()) + 1;
+      found->groups[number] = found->contents.emplace(difference.contents, group).first->second;
     }
   }
 
   // Returns the fields that differ. For each field, structures that differ from the first structure
   // in the same way form a group; structures from index `compared` on belong to no group.
   std::vector<DifferingField> Take(std::size_t compared) {
-    for (std::size_t i = 0; i < fields_.size(); ++i) {
-      std::fill(groups_[i].begin() + static_cast<std::ptrdiff_t>(compared), groups_[i].end(), -1);
-      fields_[i].separators = SeparatorsOf(structures_, groups_[i]);
+    std::vector<DifferingField> fields;
+    for (ComparedField& field : fields_) {
+      field.groups.resize(compared);
+      field.groups.resize(structures_.size(), -1);
+      field.shown.separators = SeparatorsOf(structures_, field.groups);
+      fields.push_back(std::move(field.shown));
     }
-    return std::move(fields_);
+    return fields;
   }
 
  private:
+  struct ComparedField {
+    DifferingField shown;
+    std::vector<int> groups;              // the group of each structure
+    std::map<std::string, int> contents;  // the group of each text of a difference
+  };
+
   const std::vector<StructureTally>& structures_;
-  std::vector<DifferingField> fields_;
-  std::vector<std::vector<int>> groups_;              // by field: the group of each structure
-  std::vector<std::map<std::string, int>> contents_;  // by field: the group of a difference's text
+  std::vector<ComparedField> fields_;
 };
 
 std::string SeparatorsText(const std::vector<Separator>& separators) {

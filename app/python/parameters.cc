@@ -42,10 +42,7 @@ void WriteBounds(diag::Json& json, const Value& value) {
 // itself (an expression, for example).
 void WriteDistribution(diag::Json& json, const Value& value) {
   const auto* draw = std::get_if<spec::Draw>(&value.form);
-  if (draw == nullptr) {
-    json.Value(nullptr);
-    return;
-  }
+  if (draw == nullptr) return json.Value(nullptr);
   json.Value(
       std::ranges::find(spec::Distributions(), draw->distribution, &spec::DistributionInfo::id)
           ->key);
