@@ -3,8 +3,11 @@
 #include "mjforge/spec/fields.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace mjforge::spec {
 namespace {
@@ -106,6 +109,27 @@ constexpr FieldInfo RefersTo(std::string_view kind, FieldInfo row) {
 }
 constexpr FieldInfo Contact(const FieldInfo& row) { return On(Applies::kCollision, row); }
 
+constexpr std::span<const FieldInfo, 1> RowsOf(const FieldInfo& row) {
+  return std::span<const FieldInfo, 1>(&row, 1);
+}
+template <std::size_t count>
+constexpr std::span<const FieldInfo, count> RowsOf(const std::array<FieldInfo, count>& rows) {
+  return rows;
+}
+
+// Rows of the table for one element. An item of the list from which it is made is a row, or a group
+// of rows that several elements share.
+template <std::size_t count>
+struct Table : std::array<FieldInfo, count> {
+  template <typename... Items>
+  constexpr Table(const Items&... items) {
+    auto* end = this->data();
+    (..., (end = std::ranges::copy(RowsOf(items), end).out));
+  }
+};
+template <typename... Items>
+Table(const Items&...) -> Table<(decltype(RowsOf(std::declval<Items>()))::extent + ...)>;
+
 constexpr FieldInfo kObjectFields[] = {
     Required(Row("mjforge", FieldKind::kFormat, "Version of the format: 1.")),
     Required(Row({"name", Key::kName}, FieldKind::kPlainText,
@@ -162,8 +186,7 @@ constexpr FieldInfo kObjectFields[] = {
         "Thresholds of the physical checks, and the findings to ignore."),
     Row("view", FieldKind::kView,
         "How pictures show the object: from where, and in which pose. The MJCF file does not "
-        "depend "
-        "on it."),
+        "depend on it."),
 };
 
 constexpr FieldInfo kParameterFields[] = {
@@ -177,37 +200,40 @@ constexpr FieldInfo kParameterFields[] = {
         "together."),
 };
 
-// Fields that several elements share.
+// Fields and groups of fields that several elements share.
 constexpr FieldInfo kName =
     Row({"name", Key::kName}, FieldKind::kText,
         "Unique name: a letter, then letters, digits and underscores; `${...}` is filled in.");
-constexpr FieldInfo kIf = Row({"if", Key::kIf}, FieldKind::kCondition,
-                              "The entry exists only where this condition holds.");
-constexpr FieldInfo kFor = Row({"for", Key::kFor}, FieldKind::kLoops,
-                               "Repeats the entry: `{i: 8}` runs i from 0 to 7; several variables "
-                               "give all combinations, the last varying fastest.");
-constexpr FieldInfo kLet =
+constexpr Table kRepetition = {
+    Row({"if", Key::kIf}, FieldKind::kCondition,
+        "The entry exists only where this condition holds."),
+    Row({"for", Key::kFor}, FieldKind::kLoops,
+        "Repeats the entry: `{i: 8}` runs i from 0 to 7; several variables give all combinations, "
+        "the last varying fastest."),
     Row("let", FieldKind::kLocals,
-        "Values for this entry and what is in it, drawn or computed for each "
-        "repetition; each may use those before it.");
+        "Values for this entry and what is in it, drawn or computed for each repetition; each may "
+        "use those before it."),
+};
+constexpr Table kNamedEntry = {Required(kName), kRepetition};
 constexpr FieldInfo kSubstitutes =
     Row({"materials", Key::kMaterials}, FieldKind::kSubstitutes,
         "Materials of that spec, by name: the name of the one of this spec to use in its place.");
 constexpr FieldInfo kPos =
     Numbers({"pos", Key::kPos}, {3, 3}, "m", kAnyNumber, "0 0 0", "Position.");
-constexpr FieldInfo kQuat = Numbers(
-    {"quat", Key::kQuat}, {4, 4}, "", kAnyNumber, "1 0 0 0",
-    "Orientation as a quaternion w x y z (normalised for you), `random`, or `{about: axis}`.");
-constexpr FieldInfo kEuler = Numbers({"euler", Key::kEuler}, {3, 3}, "rad", kAnyNumber, "",
-                                     "Orientation as rotations about the moving x, y and z axes.");
-constexpr FieldInfo kAxisAngle =
+constexpr Table kOrientation = {
+    Numbers(
+        {"quat", Key::kQuat}, {4, 4}, "", kAnyNumber, "1 0 0 0",
+        "Orientation as a quaternion w x y z (normalised for you), `random`, or `{about: axis}`."),
+    Numbers({"euler", Key::kEuler}, {3, 3}, "rad", kAnyNumber, "",
+            "Orientation as rotations about the moving x, y and z axes."),
     Numbers({"axisangle", Key::kAxisAngle}, {4, 4}, "any one, any one, any one, rad", kAnyNumber,
-            "", "Orientation as an axis x y z and an angle.");
-constexpr FieldInfo kXyAxes = Numbers({"xyaxes", Key::kXyAxes}, {6, 6}, "any one", kAnyNumber, "",
-                                      "Orientation as the directions of the x and y axes.");
-constexpr FieldInfo kZAxis =
+            "", "Orientation as an axis x y z and an angle."),
+    Numbers({"xyaxes", Key::kXyAxes}, {6, 6}, "any one", kAnyNumber, "",
+            "Orientation as the directions of the x and y axes."),
     Numbers({"zaxis", Key::kZAxis}, {3, 3}, "any one", kAnyNumber, "",
-            "Orientation as the direction of the z axis, reached by the smallest rotation.");
+            "Orientation as the direction of the z axis, reached by the smallest rotation."),
+};
+constexpr Table kPose = {kPos, kOrientation};
 constexpr FieldInfo kMaterialName = Row({"material", Key::kMaterial}, FieldKind::kText,
                                         "Name of a material of this spec or of an import.");
 constexpr FieldInfo kRgba =
@@ -219,18 +245,18 @@ constexpr FieldInfo kUser =
 constexpr FieldInfo kDensity =
     Number({"density", Key::kDensity}, "kg/m^3", AtLeast(0), "1000",
            "Density. Not together with `mass`. 0 only for what is only seen or only collides.");
-constexpr FieldInfo kFriction =
+constexpr Table kSurface = {
     Contact(Numbers("friction", {1, 3}, "1, m, m", AtLeast(0), "1 0.005 0.0001",
-                    "Sliding, torsional and rolling friction."));
-constexpr FieldInfo kSolref = Contact(Numbers("solref", {1, 2}, "s, 1", kAnyNumber, "0.02 1",
-                                              "Contact solver: time constant and damping ratio."));
-constexpr FieldInfo kSolimp =
+                    "Sliding, torsional and rolling friction.")),
+    Contact(Numbers("solref", {1, 2}, "s, 1", kAnyNumber, "0.02 1",
+                    "Contact solver: time constant and damping ratio.")),
     Contact(Numbers("solimp", {1, 5}, "1, 1, m, 1, 1", AtLeast(0), "0.9 0.95 0.001 0.5 2",
-                    "Contact solver: impedance dmin, dmax, width, midpoint, power."));
-constexpr FieldInfo kCondim = Contact(
-    Integer("condim", Between(1, 6), "3", "Dimensions of the contact space: 1, 3, 4 or 6."));
+                    "Contact solver: impedance dmin, dmax, width, midpoint, power.")),
+    Contact(
+        Integer("condim", Between(1, 6), "3", "Dimensions of the contact space: 1, 3, 4 or 6.")),
+};
 
-constexpr FieldInfo kMaterialFields[] = {
+constexpr Table kMaterialFields = {
     kRgba,
     Number("specular", "", Between(0, 1), "0.5", "Specular reflection of lights."),
     Number("shininess", "", Between(0, 1), "0.5", "How small highlights are."),
@@ -243,10 +269,7 @@ constexpr FieldInfo kMaterialFields[] = {
     Row("texture", FieldKind::kTexture,
         "A texture: `{builtin: checker, rgb1: ..., rgb2: ...}` or `{file: wood.png}`."),
     kDensity,
-    kFriction,
-    kSolref,
-    kSolimp,
-    kCondim,
+    kSurface,
     Row({"doc", Key::kDoc}, FieldKind::kPlainText,
         "What the material is, with the source of its numbers."),
 };
@@ -268,23 +291,16 @@ constexpr FieldInfo kTextureFields[] = {
             "Pixels of a generated texture; a cube's is its width."),
 };
 
-constexpr FieldInfo kPartFields[] = {
+constexpr Table kPartFields = {
     kName,
-    kIf,
-    kFor,
-    kLet,
+    kRepetition,
     Word({"type", Key::kType}, "box sphere cylinder capsule ellipsoid prism lathe tube hull mesh",
          "", "The shape."),
     Numbers({"size", Key::kSize}, {1, 3}, "m", Above(0), "",
             "Half sizes as in MuJoCo: box x y z, sphere radius, cylinder and capsule radius and "
             "half length, ellipsoid three radii; with `fromto` only the radius (box, ellipsoid: "
             "the two across)."),
-    kPos,
-    kQuat,
-    kEuler,
-    kAxisAngle,
-    kXyAxes,
-    kZAxis,
+    kPose,
     Numbers({"fromto", Key::kFromTo}, {6, 6}, "m", kAnyNumber, "",
             "Two end points in place of a pose (capsule, cylinder, box, ellipsoid): the part's z "
             "axis points from the second to the first, turned the shortest way from +z."),
@@ -347,10 +363,7 @@ constexpr FieldInfo kPartFields[] = {
     kRgba,
     On(Applies::kVisual, Integer({"group", Key::kGroup}, Between(0, 5), "",
                                  "Group of the visual geom in place of the target's.")),
-    kFriction,
-    kSolref,
-    kSolimp,
-    kCondim,
+    kSurface,
     Contact(Number("solmix", "", AtLeast(0), "1",
                    "Weight of this geom when contact parameters are mixed.")),
     Contact(Integer("priority", kAnyNumber, "0",
@@ -374,33 +387,20 @@ constexpr FieldInfo kPartFields[] = {
     Row({"parts", Key::kParts}, FieldKind::kParts, "The parts that a frame moves."),
 };
 
-constexpr FieldInfo kFrameFields[] = {kPos, kQuat, kEuler, kAxisAngle, kXyAxes, kZAxis};
-
-constexpr FieldInfo kSiteFields[] = {
-    Required(kName),
-    kIf,
-    kFor,
-    kLet,
+constexpr Table kSiteFields = {
+    kNamedEntry,
     Word({"type", Key::kType}, "sphere capsule ellipsoid cylinder box", "sphere",
          "The shape that it is drawn as."),
     Numbers({"size", Key::kSize}, {1, 3}, "m", Above(0), "0.005", "Half sizes, as for parts."),
-    kPos,
-    kQuat,
-    kEuler,
-    kAxisAngle,
-    kXyAxes,
-    kZAxis,
+    kPose,
     kMaterialName,
     kRgba,
     Integer("group", Between(0, 5), "0", "Group that viewers show or hide together."),
     kUser,
 };
 
-constexpr FieldInfo kRegionFields[] = {
-    Required(kName),
-    kIf,
-    kFor,
-    kLet,
+constexpr Table kRegionFields = {
+    kNamedEntry,
     Word({"type", Key::kType}, "box disc polygon auto", "box",
          "Its shape; `auto` finds level upper faces of the body's colliding parts: NAME, NAME_1, "
          "..., from the largest."),
@@ -408,12 +408,7 @@ constexpr FieldInfo kRegionFields[] = {
             "Half lengths x and y of a box; radius of a disc."),
     Points({"polygon", Key::kPolygon}, {2, 2}, "Corners x, y of a convex polygon."),
     Number({"area", Key::kArea}, "m^2", Above(0), "0.0025", "Least area that `auto` takes."),
-    kPos,
-    kQuat,
-    kEuler,
-    kAxisAngle,
-    kXyAxes,
-    kZAxis,
+    kPose,
     Number({"height", Key::kHeight}, "m", Above(0), "unlimited; for `auto` 3cm",
            "Free height above; for `auto` the least."),
     Number({"margin", Key::kMargin}, "m", AtLeast(0), "0",
@@ -430,31 +425,20 @@ constexpr FieldInfo kMode = Word("mode", "fixed track trackcom targetbody target
 constexpr FieldInfo kTarget =
     RefersTo("body", Row("target", FieldKind::kText, "The body that it looks at."));
 
-constexpr FieldInfo kCameraFields[] = {
-    Required(kName),
-    kIf,
-    kFor,
-    kLet,
+constexpr Table kCameraFields = {
+    kNamedEntry,
     Number("fovy", "rad", Between(0, std::numbers::pi), "45deg",
            "Angle that it sees from top to bottom; MJCF has it in degrees."),
     Number("ipd", "m", AtLeast(0), "0.068",
            "Distance between the eyes, for stereoscopic pictures."),
-    kPos,
-    kQuat,
-    kEuler,
-    kAxisAngle,
-    kXyAxes,
-    kZAxis,
+    kPose,
     kMode,
     kTarget,
     kUser,
 };
 
-constexpr FieldInfo kLightFields[] = {
-    Required(kName),
-    kIf,
-    kFor,
-    kLet,
+constexpr Table kLightFields = {
+    kNamedEntry,
     kPos,
     Numbers({"dir", Key::kAxis}, {3, 3}, "any one", kAnyNumber, "0 0 -1",
             "The direction of the light."),
@@ -473,11 +457,8 @@ constexpr FieldInfo kLightFields[] = {
     kTarget,
 };
 
-constexpr FieldInfo kJointFields[] = {
-    Required(kName),
-    kIf,
-    kFor,
-    kLet,
+constexpr Table kJointFields = {
+    kNamedEntry,
     Word({"type", Key::kType}, "free ball slide hinge", "hinge", "The motion it allows."),
     Numbers({"pos", Key::kPos}, {3, 3}, "m", kAnyNumber, "0 0 0", "Position in the body."),
     Numbers({"axis", Key::kAxis}, {3, 3}, "any one", kAnyNumber, "0 0 1",
@@ -511,12 +492,10 @@ constexpr FieldInfo kJointFields[] = {
             "0.9 0.95 0.001 0.5 2", "Solver parameters of the dry friction."),
     Number({"detent", Key::kDetent}, "Nm or N", Above(0), "",
            "The torque or force that holds the joint at either end of its `range`, and that a push "
-           "must "
-           "exceed: past the middle, or past `springref`, the joint snaps to the other end."),
+           "must exceed: past the middle, or past `springref`, the joint snaps to the other end."),
     Row("screw", FieldKind::kScrew,
         "In place of `type`, `axis` and `range`: a thread. Makes the joints NAME_rise, a slide, "
-        "and "
-        "NAME_turn, a hinge with the other keys, and the equality NAME."),
+        "and NAME_turn, a hinge with the other keys, and the equality NAME."),
     Row("couple", FieldKind::kCouple,
         "The joint that this hinge or slide follows. Makes an equality NAME of the two."),
     kUser,
@@ -555,21 +534,15 @@ constexpr FieldInfo kCoupleFields[] = {
     kCouplingSolimp,
 };
 
-constexpr FieldInfo kStartFields[] = {
+constexpr Table kStartFields = {
     Row({"joint", Key::kName}, FieldKind::kText,
         "Name of the joint; of one in the body BODY of another spec or file, BODY_JOINT."),
     Row({"actuator", Key::kName}, FieldKind::kText, "In place of a joint: name of the actuator."),
-    kIf,
-    kFor,
-    kLet,
+    kRepetition,
     Position({"value", Key::kValue}, "", "Position of a hinge, slide or ball joint, as in qpos."),
     Numbers({"pos", Key::kPos}, {3, 3}, "m", kAnyNumber, "that of the body",
             "Position of a free body, in place of `pos` of the body."),
-    kQuat,
-    kEuler,
-    kAxisAngle,
-    kXyAxes,
-    kZAxis,
+    kOrientation,
     Numbers({"velocity", Key::kVelocity}, {1, 6}, "rad/s or m/s", kAnyNumber, "0",
             "Velocity of the joint, as in qvel: of a free joint the velocity x y z in the frame of "
             "`pos`, then the angular velocity x y z in the frame of the body."),
@@ -581,11 +554,8 @@ constexpr FieldInfo kStartFields[] = {
                    "Activation at the start, of an actuator that has one.")),
 };
 
-constexpr FieldInfo kBodyFields[] = {
-    Required(kName),
-    kIf,
-    kFor,
-    kLet,
+constexpr Table kBodyFields = {
+    kNamedEntry,
     Row({"parent", Key::kParent}, FieldKind::kText, "the root body",
         "Name of its parent, a body of an earlier entry: BODY, or BODY_INNER for a body inside the "
         "spec or file of BODY."),
@@ -598,12 +568,7 @@ constexpr FieldInfo kBodyFields[] = {
         "An MJCF file in place of parts, relative to the spec: one of its bodies and everything "
         "below it."),
     Row({"body", Key::kBody}, FieldKind::kText, "the first", "Which body of the MJCF file."),
-    kPos,
-    kQuat,
-    kEuler,
-    kAxisAngle,
-    kXyAxes,
-    kZAxis,
+    kPose,
     Row("place", FieldKind::kPlace,
         "In place of a pose and a parent: where it stands. Without joints it is fixed to the body "
         "that it stands on."),
@@ -699,20 +664,16 @@ constexpr FieldInfo kContactFields[] = {
         "its root body."),
 };
 
-constexpr FieldInfo kExcludeFields[] = {
+constexpr Table kExcludeFields = {
     kName,
-    kIf,
-    kFor,
-    kLet,
+    kRepetition,
     Required(Row("bodies", FieldKind::kBodyPair,
                  "The names of the two bodies: BODY, or BODY_INNER for a body inside the spec or "
                  "file of BODY.")),
 };
 
-constexpr FieldInfo kExpectationFields[] = {
-    kIf,
-    kFor,
-    kLet,
+constexpr Table kExpectationFields = {
+    kRepetition,
     Row({"that", Key::kThat}, FieldKind::kCondition,
         "A condition on parameters, `mass`, `bounds.x` and the properties of bodies."),
     Row({"gap", Key::kGap}, FieldKind::kBodyPair,
@@ -767,10 +728,8 @@ constexpr FieldInfo kSettlingFields[] = {
     Number("turned", "rad", AtLeast(0), "2deg", "How far a free body may have turned."),
 };
 
-constexpr FieldInfo kFittingFields[] = {
-    kIf,
-    kFor,
-    kLet,
+constexpr Table kFittingFields = {
+    kRepetition,
     Required(
         Row("hole", FieldKind::kText, "", "A site at the hole's mouth; its z axis is the way in.")),
     Numbers("peg", {1, 2}, "m", AtLeast(0.0005), "",
@@ -781,10 +740,8 @@ constexpr FieldInfo kFittingFields[] = {
     Required(Number("depth", "m", Above(0), "", "How far in it must get.")),
 };
 
-constexpr FieldInfo kJointCheckFields[] = {
-    kIf,
-    kFor,
-    kLet,
+constexpr Table kJointCheckFields = {
+    kRepetition,
     Required(Row({"joint", Key::kJoint}, FieldKind::kNames,
                  "The joint; or several, which are driven at the same time.")),
     Row("at", FieldKind::kPositions,
@@ -813,10 +770,8 @@ constexpr FieldInfo kGraspingFields[] = {
     Integer("tries", Between(1, 100), "3", "How many ways to hold it are tried at each site."),
 };
 
-constexpr FieldInfo kPartCheckFields[] = {
-    kIf,
-    kFor,
-    kLet,
+constexpr Table kPartCheckFields = {
+    kRepetition,
     Required(Row({"part", Key::kPart}, FieldKind::kNames,
                  "The part; or several. A part `a` of a spec that is used as `in` is `in_a`.")),
     Numbers("density", {2, 2}, "kg/m^3", AtLeast(0), "", "In place of `density`."),
@@ -918,7 +873,7 @@ const ElementInfo kTextureElement = {"texture", "A picture or a generated patter
 const ElementInfo kPartElement = {
     "part", "A solid of the body, written as MJCF geoms; or a frame, or another spec welded in.",
     kPartFields};
-const ElementInfo kFrameElement = {"frame", "A rigid offset in the body's frame.", kFrameFields};
+const ElementInfo kFrameElement = {"frame", "A rigid offset in the body's frame.", kPose};
 const ElementInfo kSiteElement = {"site", "A named place on the body.", kSiteFields};
 const ElementInfo kRegionElement = {
     "region", "A level place on the body where other bodies can stand; z points up.",
