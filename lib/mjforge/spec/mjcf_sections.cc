@@ -14,15 +14,15 @@
 namespace mjforge::spec {
 namespace {
 
-// An MJCF element: its name, then its attributes. Suffixes give the type of an attribute: `#`
-// numbers, `#1,2` numbers with these defaults, `?` true or false, `=kind` the name of an element of
-// this kind; without a suffix, the attribute is text. Following lines of greater depth are elements
-// allowed inside this element. The attribute `class` is left out, because generated files have no
-// defaults.
+// MJCF elements with the same attributes: their names, then the attributes. Suffixes give the type
+// of an attribute: `#` numbers, `#1,2` numbers with these defaults, `?` true or false, `=kind` the
+// name of an element of this kind; without a suffix, the attribute is text. Following lines of
+// greater depth are elements allowed inside these elements. The attribute `class` is left out,
+// because generated files have no defaults.
 struct SchemaLine {
   std::string_view section;  // empty: that of the line before
   int depth;
-  std::string_view element;
+  std::string_view elements;
   std::string_view attributes;
 };
 
@@ -35,7 +35,6 @@ struct SchemaLine {
   "joint=joint jointinparent=joint tendon=tendon slidersite=site cranksite=site "
 #define MJFORGE_ACTUATOR MJFORGE_TRANSMISSION "site=site refsite=site ctrllimited? "
 #define MJFORGE_SENSED " cutoff# noise# user#"
-#define MJFORGE_FRAME "name objtype objname=@objtype reftype refname=@reftype" MJFORGE_SENSED
 
 constexpr SchemaLine kLines[] = {
     {"option", 0, "option",
@@ -94,41 +93,18 @@ constexpr SchemaLine kLines[] = {
      MJFORGE_TRANSMISSION
      "ctrllimited? timeconst# range# force# scale# lmin# lmax# vmax# fpmax# fvmax#"},
     {"", 0, "adhesion", "name group# forcelimited? ctrlrange# forcerange# user# body=body gain#"},
-    {"sensor", 0, "touch", "name site=site" MJFORGE_SENSED},
-    {"", 0, "accelerometer", "name site=site" MJFORGE_SENSED},
-    {"", 0, "velocimeter", "name site=site" MJFORGE_SENSED},
-    {"", 0, "gyro", "name site=site" MJFORGE_SENSED},
-    {"", 0, "force", "name site=site" MJFORGE_SENSED},
-    {"", 0, "torque", "name site=site" MJFORGE_SENSED},
-    {"", 0, "magnetometer", "name site=site" MJFORGE_SENSED},
-    {"", 0, "rangefinder", "name site=site" MJFORGE_SENSED},
-    {"", 0, "jointpos", "name joint=joint" MJFORGE_SENSED},
-    {"", 0, "jointvel", "name joint=joint" MJFORGE_SENSED},
-    {"", 0, "tendonpos", "name tendon=tendon" MJFORGE_SENSED},
-    {"", 0, "tendonvel", "name tendon=tendon" MJFORGE_SENSED},
-    {"", 0, "actuatorpos", "name actuator=actuator" MJFORGE_SENSED},
-    {"", 0, "actuatorvel", "name actuator=actuator" MJFORGE_SENSED},
-    {"", 0, "actuatorfrc", "name actuator=actuator" MJFORGE_SENSED},
-    {"", 0, "ballquat", "name joint=joint" MJFORGE_SENSED},
-    {"", 0, "ballangvel", "name joint=joint" MJFORGE_SENSED},
-    {"", 0, "jointlimitpos", "name joint=joint" MJFORGE_SENSED},
-    {"", 0, "jointlimitvel", "name joint=joint" MJFORGE_SENSED},
-    {"", 0, "jointlimitfrc", "name joint=joint" MJFORGE_SENSED},
-    {"", 0, "tendonlimitpos", "name tendon=tendon" MJFORGE_SENSED},
-    {"", 0, "tendonlimitvel", "name tendon=tendon" MJFORGE_SENSED},
-    {"", 0, "tendonlimitfrc", "name tendon=tendon" MJFORGE_SENSED},
-    {"", 0, "framepos", MJFORGE_FRAME},
-    {"", 0, "framequat", MJFORGE_FRAME},
-    {"", 0, "framexaxis", MJFORGE_FRAME},
-    {"", 0, "frameyaxis", MJFORGE_FRAME},
-    {"", 0, "framezaxis", MJFORGE_FRAME},
-    {"", 0, "framelinvel", MJFORGE_FRAME},
-    {"", 0, "frameangvel", MJFORGE_FRAME},
-    {"", 0, "framelinacc", "name objtype objname=@objtype" MJFORGE_SENSED},
-    {"", 0, "frameangacc", "name objtype objname=@objtype" MJFORGE_SENSED},
-    {"", 0, "subtreecom", "name body=body" MJFORGE_SENSED},
-    {"", 0, "subtreelinvel", "name body=body" MJFORGE_SENSED},
-    {"", 0, "subtreeangmom", "name body=body" MJFORGE_SENSED},
+    {"sensor", 0, "touch accelerometer velocimeter gyro force torque magnetometer rangefinder",
+     "name site=site" MJFORGE_SENSED},
+    {"", 0, "jointpos jointvel", "name joint=joint" MJFORGE_SENSED},
+    {"", 0, "tendonpos tendonvel", "name tendon=tendon" MJFORGE_SENSED},
+    {"", 0, "actuatorpos actuatorvel actuatorfrc", "name actuator=actuator" MJFORGE_SENSED},
+    {"", 0, "ballquat ballangvel jointlimitpos jointlimitvel jointlimitfrc",
+     "name joint=joint" MJFORGE_SENSED},
+    {"", 0, "tendonlimitpos tendonlimitvel tendonlimitfrc", "name tendon=tendon" MJFORGE_SENSED},
+    {"", 0, "framepos framequat framexaxis frameyaxis framezaxis framelinvel frameangvel",
+     "name objtype objname=@objtype reftype refname=@reftype" MJFORGE_SENSED},
+    {"", 0, "framelinacc frameangacc", "name objtype objname=@objtype" MJFORGE_SENSED},
+    {"", 0, "subtreecom subtreelinvel subtreeangmom", "name body=body" MJFORGE_SENSED},
     {"", 0, "clock", "name" MJFORGE_SENSED},
     {"", 0, "user", "name objtype objname=@objtype datatype needstage dim#" MJFORGE_SENSED},
 };
@@ -147,7 +123,6 @@ constexpr SchemaLine kBodyLines[] = {
 #undef MJFORGE_TRANSMISSION
 #undef MJFORGE_ACTUATOR
 #undef MJFORGE_SENSED
-#undef MJFORGE_FRAME
 
 // Maximum length of a list of numbers. Only the attributes `data` and `user` may be so long.
 constexpr int kMostNumbers = 500;
@@ -181,7 +156,7 @@ class SchemaTable {
       const auto section =
           TakeUntil([](const SchemaLine& line) { return !line.section.empty(); }, lines);
       const SchemaLine& first = section.front();
-      sections_.push_back({first.section, first.section == first.element, ElementsOf(section, 0)});
+      sections_.push_back({first.section, first.section == first.elements, ElementsOf(section, 0)});
     }
   }
 
@@ -200,12 +175,12 @@ class SchemaTable {
   std::span<const ElementInfo> ElementsOf(std::span<const SchemaLine> lines, int depth) {
     std::vector<ElementInfo>& elements = elements_.emplace_back();
     while (!lines.empty()) {
-      const auto element =
+      const auto taken =
           TakeUntil([depth](const SchemaLine& line) { return line.depth == depth; }, lines);
-      elements.push_back({element.front().element,
-                          {},
-                          FieldsOf(element.front().attributes),
-                          ElementsOf(element.subspan(1), depth + 1)});
+      const auto fields = FieldsOf(taken.front().attributes);
+      const auto children = ElementsOf(taken.subspan(1), depth + 1);
+      for (const std::string_view name : expr::WordsOf(taken.front().elements))
+        elements.push_back({name, {}, fields, children});
     }
     return elements;
   }
