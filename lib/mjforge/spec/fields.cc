@@ -14,6 +14,48 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+// Structures that several fields take, or whose schema is long.
+namespace structures {
+constexpr Structure kFunctions = {
+    "name(arguments): expression",
+    R"("type": "object", "patternProperties": {"^[A-Za-z][A-Za-z0-9_]* *\\(.*\\)$": )"
+    R"({"anyOf": [{"type": "number"}, {"@expression"}]}}, "additionalProperties": false)"};
+constexpr Structure kConditions = {"list of conditions",
+                                   R"("anyOf": [{"@is condition"}, {"@list condition"}])"};
+constexpr Structure kCondition = {"condition", R"("@is condition")"};
+constexpr Structure kLoops = {"variable: count or list",
+                              R"("type": "object", "additionalProperties": )"
+                              R"({"anyOf": [{"@is number"}, {"@is list"}]})"};
+constexpr Structure kImports = {
+    "list of files",
+    R"("anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}])"};
+constexpr Structure kParts = {"list of parts", R"("@list part")"};
+constexpr Structure kSites = {"list of sites", R"("@list site")"};
+constexpr Structure kRegions = {"`auto`, or list of regions",
+                                R"("anyOf": [{"const": "auto"}, {"@list region"}])"};
+constexpr Structure kCameras = {"list of cameras", R"("@list camera")"};
+constexpr Structure kLights = {"list of lights", R"("@list light")"};
+constexpr Structure kOverrides = {
+    "name: value",
+    R"("type": "object", "patternProperties": {"^[A-Za-z][A-Za-z0-9_]*(\\.[A-Za-z][A-Za-z0-9_]*)?$": )"
+    R"({"@is value"}}, "additionalProperties": false)"};
+constexpr Structure kFacing = {
+    "name, or 2 or 3 numbers",
+    R"("anyOf": [{"@is text"}, {"@list number", "minItems": 2, "maxItems": 3}, )"
+    R"({"@is vector_draw"}])"};
+constexpr Structure kPositions = {"joint: position", R"("@is positions")"};
+constexpr Structure kStarts = {"joint: position, or list of starts",
+                               R"("anyOf": [{"@is positions"}, {"@list start"}])"};
+constexpr Structure kExcludes = {
+    "list of pairs", R"("type": "array", "items": {"anyOf": [{"@pair"}, {"@is exclude"}]})"};
+constexpr Structure kBodyPair = {"two names", R"("@pair")"};
+constexpr Structure kExpectations = {
+    "list of conditions and expectations",
+    R"("type": "array", "items": {"anyOf": [{"@is condition"}, {"@is expectation"}]})"};
+constexpr Structure kNames = {"name or list of names",
+                              R"("anyOf": [{"type": "string"}, {"@list text", "minItems": 1}])"};
+}  // namespace structures
+
 // The text of a key, and the enumerator of the key if the code interprets it.
 struct KeyName {
   std::string_view key;
@@ -45,6 +87,14 @@ constexpr FieldInfo Row(KeyName name, FieldKind kind, std::string_view default_t
 }
 constexpr FieldInfo Row(KeyName name, FieldKind kind, std::string_view doc) {
   return Row(name, kind, "", doc);
+}
+constexpr FieldInfo With(const Structure& structure, FieldInfo row) {
+  row.kind = FieldKind::kStructure;
+  row.structure = structure;
+  return row;
+}
+constexpr FieldInfo Row(KeyName name, const Structure& structure, std::string_view doc) {
+  return With(structure, Row(name, FieldKind::kStructure, doc));
 }
 constexpr FieldInfo Number(KeyName name, std::string_view unit, NumberBounds bounds,
                            std::string_view default_text, std::string_view doc) {
@@ -87,10 +137,6 @@ constexpr FieldInfo Word(KeyName name, std::string_view words, std::string_view 
   row.words = words;
   return row;
 }
-constexpr FieldInfo OfKind(FieldKind kind, FieldInfo row) {
-  row.kind = kind;
-  return row;
-}
 constexpr FieldInfo Required(FieldInfo row) {
   row.required = true;
   return row;
@@ -131,43 +177,44 @@ template <typename... Items>
 Table(const Items&...) -> Table<(decltype(RowsOf(std::declval<Items>()))::extent + ...)>;
 
 constexpr FieldInfo kObjectFields[] = {
-    Required(Row("mjforge", FieldKind::kFormat, "Version of the format: 1.")),
+    Required(Row("mjforge", {"1", R"("const": 1)"}, "Version of the format: 1.")),
     Required(Row({"name", Key::kName}, FieldKind::kPlainText,
                  "Name of the object and prefix of its elements' names: a letter, then letters, "
                  "digits and underscores.")),
     Row("description", FieldKind::kPlainText, "What the object is, for the catalogue."),
-    Row("import", FieldKind::kImports,
+    Row("import", structures::kImports,
         "YAML files whose `materials`, `defaults`, `params` and `functions` may be used here; they "
         "are found like specs."),
-    Row({"params", Key::kParams}, FieldKind::kParameters,
+    Row({"params", Key::kParams}, {"name: parameter", R"("@map parameter")"},
         "Parameters, drawn once per variant and visible to every expression, in any order."),
-    Row("functions", FieldKind::kFunctions,
+    Row("functions", structures::kFunctions,
         "Functions for every expression: `area(a, b): a * b`, of their arguments, the parameters "
         "and each other."),
-    Row("require", FieldKind::kConditions,
+    Row("require", structures::kConditions,
         "Conditions on the parameters; all parameters are redrawn until every condition holds."),
-    Row({"materials", Key::kMaterials}, FieldKind::kMaterials,
+    Row({"materials", Key::kMaterials}, {"name: material", R"("@map material")"},
         "Named materials: how parts look and what they are made of."),
-    Row("defaults", FieldKind::kDefaults,
+    Row("defaults", {"defaults", R"("@is defaults")"},
         "Values for the keys that parts, sites and joints leave out."),
-    Row({"parts", Key::kParts}, FieldKind::kParts, "The solid parts of the root body."),
-    Row("sites", FieldKind::kSites, "Sites of the root body."),
-    Row("regions", FieldKind::kRegions,
+    Row({"parts", Key::kParts}, structures::kParts, "The solid parts of the root body."),
+    Row("sites", structures::kSites, "Sites of the root body."),
+    Row("regions", structures::kRegions,
         "Places on the root body where other bodies can stand; `auto` finds them."),
-    Row("cameras", FieldKind::kCameras, "Cameras of the root body."),
-    Row("lights", FieldKind::kLights, "Lights of the root body."),
+    Row("cameras", structures::kCameras, "Cameras of the root body."),
+    Row("lights", structures::kLights, "Lights of the root body."),
     Word("joints", "free none", "free",
          "Joints of the root body: `free` (one free joint named joint0), `none`, or a list.",
          FieldKind::kJoints),
-    Row("bodies", FieldKind::kBodies,
+    Row("bodies", {"list of bodies", R"("@list body")"},
         "Further bodies: parts, other specs and MJCF files, each with its joints."),
-    Row("pose", FieldKind::kStarts,
+    Row("pose", structures::kStarts,
         "The start state: positions of joints by their names (m or rad, of a ball joint w, x, y, "
         "z), or a list with an entry for each joint or actuator."),
     Word({"start", Key::kStart}, "zero keyframe", "depends on the object and the target",
          "Where the file says how the object starts: in MuJoCo's zero configuration (qpos0), or in "
          "a keyframe."),
-    Row("contact", FieldKind::kContact, "Pairs of bodies that do not collide with each other."),
+    Row("contact", {"contact", R"("@is contacts")"},
+        "Pairs of bodies that do not collide with each other."),
     Row({"mjcf", Key::kMjcf}, FieldKind::kSections,
         "Any other MJCF section (sensor, actuator, tendon, equality, ...), element by element."),
     Number({"mass", Key::kMass}, "kg", Above(0), "",
@@ -180,11 +227,11 @@ constexpr FieldInfo kObjectFields[] = {
             "object's bounds in place of the computed ones."),
     Numbers({"front", Key::kFront}, {2, 2}, "any one", kAnyNumber, "0 -1",
             "Direction x, y of its front, for `beside` and `facing` of a `place`."),
-    Row("expect", FieldKind::kExpectations,
+    Row("expect", structures::kExpectations,
         "What must be true of every variant: conditions, and how bodies and parts lie."),
-    Row("checks", FieldKind::kChecks,
+    Row("checks", {"checks", R"("@is checks")"},
         "Thresholds of the physical checks, and the findings to ignore."),
-    Row("view", FieldKind::kView,
+    Row("view", {"view", R"("@is view")"},
         "How pictures show the object: from where, and in which pose. The MJCF file does not "
         "depend on it."),
 };
@@ -205,18 +252,18 @@ constexpr FieldInfo kName =
     Row({"name", Key::kName}, FieldKind::kText,
         "Unique name: a letter, then letters, digits and underscores; `${...}` is filled in.");
 constexpr Table kRepetition = {
-    Row({"if", Key::kIf}, FieldKind::kCondition,
+    Row({"if", Key::kIf}, structures::kCondition,
         "The entry exists only where this condition holds."),
-    Row({"for", Key::kFor}, FieldKind::kLoops,
+    Row({"for", Key::kFor}, structures::kLoops,
         "Repeats the entry: `{i: 8}` runs i from 0 to 7; several variables give all combinations, "
         "the last varying fastest."),
-    Row("let", FieldKind::kLocals,
+    Row("let", {"name: value", R"("@map value")"},
         "Values for this entry and what is in it, drawn or computed for each repetition; each may "
         "use those before it."),
 };
 constexpr Table kNamedEntry = {Required(kName), kRepetition};
 constexpr FieldInfo kSubstitutes =
-    Row({"materials", Key::kMaterials}, FieldKind::kSubstitutes,
+    Row({"materials", Key::kMaterials}, {"name: material's name", R"("@map text")"},
         "Materials of that spec, by name: the name of the one of this spec to use in its place.");
 constexpr FieldInfo kPos =
     Numbers({"pos", Key::kPos}, {3, 3}, "m", kAnyNumber, "0 0 0", "Position.");
@@ -266,7 +313,7 @@ constexpr Table kMaterialFields = {
             "How often the texture repeats along its two axes."),
     Row("texuniform", FieldKind::kBoolean, "false",
         "Whether texrepeat counts per metre instead of per object."),
-    Row("texture", FieldKind::kTexture,
+    Row("texture", {"texture", R"("@is texture")"},
         "A texture: `{builtin: checker, rgb1: ..., rgb2: ...}` or `{file: wood.png}`."),
     kDensity,
     kSurface,
@@ -380,11 +427,11 @@ constexpr Table kPartFields = {
     kUser,
     Row({"spec", Key::kSpec}, FieldKind::kPlainText,
         "Another spec whose parts are welded in at this pose; a path or a bundled spec's name."),
-    Row({"params", Key::kParams}, FieldKind::kOverrides, "Parameters set for the welded spec."),
+    Row({"params", Key::kParams}, structures::kOverrides, "Parameters set for the welded spec."),
     kSubstitutes,
-    Row({"frame", Key::kFrame}, FieldKind::kPose,
+    Row({"frame", Key::kFrame}, {"frame", R"("@is frame")"},
         "A rigid offset (pos and an orientation) for the `parts` of this entry."),
-    Row({"parts", Key::kParts}, FieldKind::kParts, "The parts that a frame moves."),
+    Row({"parts", Key::kParts}, structures::kParts, "The parts that a frame moves."),
 };
 
 constexpr Table kSiteFields = {
@@ -493,10 +540,10 @@ constexpr Table kJointFields = {
     Number({"detent", Key::kDetent}, "Nm or N", Above(0), "",
            "The torque or force that holds the joint at either end of its `range`, and that a push "
            "must exceed: past the middle, or past `springref`, the joint snaps to the other end."),
-    Row("screw", FieldKind::kScrew,
+    Row({"screw", Key::kScrew}, {"thread", R"("@is screw")"},
         "In place of `type`, `axis` and `range`: a thread. Makes the joints NAME_rise, a slide, "
         "and NAME_turn, a hinge with the other keys, and the equality NAME."),
-    Row("couple", FieldKind::kCouple,
+    Row({"couple", Key::kCouple}, {"coupling", R"("@is couple")"},
         "The joint that this hinge or slide follows. Makes an equality NAME of the two."),
     kUser,
 };
@@ -559,17 +606,17 @@ constexpr Table kBodyFields = {
     Row({"parent", Key::kParent}, FieldKind::kText, "the root body",
         "Name of its parent, a body of an earlier entry: BODY, or BODY_INNER for a body inside the "
         "spec or file of BODY."),
-    Row({"parts", Key::kParts}, FieldKind::kParts, "The solid parts of the body."),
+    Row({"parts", Key::kParts}, structures::kParts, "The solid parts of the body."),
     Row({"spec", Key::kSpec}, FieldKind::kPlainText,
         "Another spec in place of parts, with all its bodies; a path or a bundled spec's name."),
-    Row({"params", Key::kParams}, FieldKind::kOverrides, "Parameters set for that spec."),
+    Row({"params", Key::kParams}, structures::kOverrides, "Parameters set for that spec."),
     kSubstitutes,
     Row({"mjcf", Key::kMjcf}, FieldKind::kText,
         "An MJCF file in place of parts, relative to the spec: one of its bodies and everything "
         "below it."),
     Row({"body", Key::kBody}, FieldKind::kText, "the first", "Which body of the MJCF file."),
     kPose,
-    Row("place", FieldKind::kPlace,
+    Row("place", {"place", R"("@is place")"},
         "In place of a pose and a parent: where it stands. Without joints it is fixed to the body "
         "that it stands on."),
     Row({"fewer", Key::kFewer}, FieldKind::kBoolean, "false",
@@ -579,15 +626,15 @@ constexpr Table kBodyFields = {
          "starts where its parent has it. Top-level joints that a spec or an MJCF file brings are "
          "removed.",
          FieldKind::kJoints),
-    Row("chain", FieldKind::kChain,
+    Row("chain", {"links", R"("@is chain")"},
         "Repeats the body as the links NAME_0, NAME_1, ... of a chain, each at the end of the one "
         "before; `joints` and the pose are those of the first link."),
-    Row("sites", FieldKind::kSites, "Sites of the body."),
-    Row("regions", FieldKind::kRegions,
+    Row("sites", structures::kSites, "Sites of the body."),
+    Row("regions", structures::kRegions,
         "Places on the body where other bodies can stand; `auto` finds them. Not beside `spec`, "
         "which has its own."),
-    Row("cameras", FieldKind::kCameras, "Cameras of the body."),
-    Row("lights", FieldKind::kLights, "Lights of the body."),
+    Row("cameras", structures::kCameras, "Cameras of the body."),
+    Row("lights", structures::kLights, "Lights of the body."),
     Number({"mass", Key::kMass}, "kg", Above(0), "",
            "Mass of the body with everything that a spec or an MJCF file brings; the parts are "
            "scaled to it."),
@@ -622,15 +669,15 @@ constexpr FieldInfo kPlaceFields[] = {
         "along that side."),
     Row({"by", Key::kBy}, FieldKind::kText, "its own frame",
         "A site of this body, NAME or INNER.NAME, whose frame is laid on that of the site `at`."),
-    Row("beside", FieldKind::kBeside, "An earlier body that it stands next to."),
+    Row("beside", {"side of a body", R"("@is beside")"}, "An earlier body that it stands next to."),
     Number({"yaw", Key::kYaw}, "rad", Between(-2 * std::numbers::pi, 2 * std::numbers::pi),
            "drawn uniformly; at a site or with `facing` or `beside` 0",
            "Turn about the vertical: from the axes of the region or site, from where it faces, or "
            "from the direction of the body that it is beside."),
-    OfKind(FieldKind::kFacing,
-           Numbers({"facing", Key::kFacing}, {2, 3}, "", kAnyNumber, "",
-                   "What its front is turned to: an earlier body, a point x, y of the root frame, "
-                   "or a direction x, y, 0.")),
+    With(structures::kFacing,
+         Numbers({"facing", Key::kFacing}, {2, 3}, "", kAnyNumber, "",
+                 "What its front is turned to: an earlier body, a point x, y of the root frame, "
+                 "or a direction x, y, 0.")),
     Row({"lying", Key::kLying}, FieldKind::kText, "upright",
         "How it stands: `upright`, as its spec has it or, if it is not stable so, in the nearest "
         "stable way; by the name of another such way (`on_left`, `upside_down`); `any`: drawn from "
@@ -639,7 +686,7 @@ constexpr FieldInfo kPlaceFields[] = {
            "Least distance to everything else; the region may ask for more."),
     Number({"overhang", Key::kOverhang}, "", Between(0, 1), "0",
            "Share of its footprint that may lie outside of the region."),
-    Row({"pile", Key::kPile}, FieldKind::kPile,
+    Row("pile", {"order and time", R"("@is pile")"},
         "The bodies of this entry are released above the region and come to rest on each other, in "
         "a simulation."),
 };
@@ -659,7 +706,7 @@ constexpr FieldInfo kBesideFields[] = {
 };
 
 constexpr FieldInfo kContactFields[] = {
-    Row("exclude", FieldKind::kExcludes,
+    Row("exclude", structures::kExcludes,
         "Pairs [BODY, BODY] of bodies that may touch without colliding; the object's name means "
         "its root body."),
 };
@@ -667,25 +714,25 @@ constexpr FieldInfo kContactFields[] = {
 constexpr Table kExcludeFields = {
     kName,
     kRepetition,
-    Required(Row("bodies", FieldKind::kBodyPair,
+    Required(Row("bodies", structures::kBodyPair,
                  "The names of the two bodies: BODY, or BODY_INNER for a body inside the spec or "
                  "file of BODY.")),
 };
 
 constexpr Table kExpectationFields = {
     kRepetition,
-    Row({"that", Key::kThat}, FieldKind::kCondition,
+    Row({"that", Key::kThat}, structures::kCondition,
         "A condition on parameters, `mass`, `bounds.x` and the properties of bodies."),
-    Row({"gap", Key::kGap}, FieldKind::kBodyPair,
+    Row({"gap", Key::kGap}, structures::kBodyPair,
         "The distance between two, from `min` to `max`; below 0 they are in each other."),
-    Row({"touch", Key::kTouch}, FieldKind::kBodyPair, "Two that touch, or are in each other."),
-    Row({"apart", Key::kApart}, FieldKind::kBodyPair,
+    Row({"touch", Key::kTouch}, structures::kBodyPair, "Two that touch, or are in each other."),
+    Row({"apart", Key::kApart}, structures::kBodyPair,
         "Two that are not in each other; they may touch."),
-    Row({"inside", Key::kInside}, FieldKind::kBodyPair,
+    Row({"inside", Key::kInside}, structures::kBodyPair,
         "The first one is in the convex hull of the second one."),
     Number({"min", Key::kMin}, "m", kAnyNumber, "", "The smallest gap."),
     Number({"max", Key::kMax}, "m", kAnyNumber, "", "The largest gap."),
-    Row("at", FieldKind::kPositions,
+    Row("at", structures::kPositions,
         "Where joints stand: m or rad, of a ball joint w, x, y, z; the others as in `pose`."),
     Row({"doc", Key::kDoc}, FieldKind::kPlainText, "Why it must be so; shown when it is not."),
 };
@@ -717,7 +764,7 @@ constexpr FieldInfo kViewFields[] = {
            "Viewing direction about z: 0 is along x, 90deg along y."),
     Number("elevation", "rad", Between(-std::numbers::pi / 2, std::numbers::pi / 2), "-30deg",
            "Tilt of the viewing direction: -90deg is straight down."),
-    Row("pose", FieldKind::kPositions,
+    Row("pose", structures::kPositions,
         "Positions of joints (m or rad) that are not at their start in pictures."),
 };
 
@@ -742,9 +789,9 @@ constexpr Table kFittingFields = {
 
 constexpr Table kJointCheckFields = {
     kRepetition,
-    Required(Row({"joint", Key::kJoint}, FieldKind::kNames,
+    Required(Row({"joint", Key::kJoint}, structures::kNames,
                  "The joint; or several, which are driven at the same time.")),
-    Row("at", FieldKind::kPositions,
+    Row("at", structures::kPositions,
         "Where other joints stand meanwhile: m or rad, of a ball joint w, x, y, z; the rest as in "
         "`pose`. A drawer behind a door is driven with the door open."),
     Number("overshoot", "", AtLeast(0), "", "In place of `joint_overshoot`."),
@@ -759,7 +806,7 @@ constexpr Table kJointCheckFields = {
 };
 
 constexpr FieldInfo kGraspingFields[] = {
-    Row("sites", FieldKind::kNames,
+    Row("sites", structures::kNames,
         "Where it is to be held; by default at the sites whose names begin with `grasp`, or, if "
         "there is none, wherever it can be."),
     Number("width", "m", Between(0.001, 2), "8cm", "How far apart the jaws can be."),
@@ -772,7 +819,7 @@ constexpr FieldInfo kGraspingFields[] = {
 
 constexpr Table kPartCheckFields = {
     kRepetition,
-    Required(Row({"part", Key::kPart}, FieldKind::kNames,
+    Required(Row({"part", Key::kPart}, structures::kNames,
                  "The part; or several. A part `a` of a spec that is used as `in` is `in_a`.")),
     Numbers("density", {2, 2}, "kg/m^3", AtLeast(0), "", "In place of `density`."),
     Number("thickness", "m", AtLeast(0), "", "In place of `thickness`."),
@@ -803,17 +850,17 @@ constexpr FieldInfo kChecksFields[] = {
     Number("sink", "m", AtLeast(0), "1mm", "How deep contacts may be when it has settled."),
     Number("energy_gain", "", AtLeast(0), "0.02",
            "How much energy the object may gain, as a share of mass * gravity * size."),
-    Row("holds", FieldKind::kHolding,
+    Row("holds", {"balls", R"("@is holds")"},
         "Balls of glass that are dropped into the object: they must stay inside for 3 s."),
-    Row("settled", FieldKind::kSettling,
+    Row("settled", {"limits", R"("@is settled")"},
         "Free bodies must stay where they start: on a table, in a box, on each other."),
-    Row("fits", FieldKind::kFittings, "",
+    Row("fits", {"list of fits", R"("@list fit")"},
         "Pegs, and bodies of the object, that must go into holes: the site's z axis is turned "
         "downwards, all else is held, and they drop in."),
-    Row("grasps", FieldKind::kGrasping, "",
+    Row("grasps", {"jaws", R"("@is grasps")"},
         "Jaws that close on the object, lift and shake it: they must hold it, in at least one way "
         "at each site."),
-    Row("joints", FieldKind::kJointChecks,
+    Row("joints", {"list of drives", R"("@list drive")"},
         "Joints that are driven in another way, or by other thresholds, than the rest."),
     Row("drive", FieldKind::kBoolean, "true", "Whether joints are driven at all."),
     Number("joint_overshoot", "", AtLeast(0), "0.05",
@@ -835,7 +882,7 @@ constexpr FieldInfo kChecksFields[] = {
     Number("slide_range", "", AtLeast(0), "3",
            "Longest range of a slide that nothing is coupled to, as a multiple of the object's "
            "longest side."),
-    Row({"parts", Key::kParts}, FieldKind::kPartChecks,
+    Row({"parts", Key::kParts}, {"list of limits", R"("@list limit")"},
         "Parts for which other limits hold than for the rest."),
     Numbers("density", {2, 2}, "kg/m^3", AtLeast(0), "20 22000",
             "Lowest and highest density of a part."),

@@ -25,58 +25,22 @@ enum class FieldKind {
   kOutlines,   // a list of outlines, each a list of points
   kPosition,   // a position of a joint: a number, or the 4 numbers of a quaternion
   kPlainText,  // text without ${...}
-  kFormat,     // the number 1, the version of the format
-  // Structures, and values in other forms, which the readers of the sections read.
-  kParameters,
-  kFunctions,
-  kConditions,
-  kCondition,
-  kLoops,
-  kLocals,
-  kMaterials,
-  kDefaults,
-  kImports,
-  kParts,
-  kSites,
-  kRegions,
-  kCameras,
-  kLights,
-  kJoints,
-  kScrew,
-  kCouple,
-  kChain,
-  kPose,
-  kTexture,
-  kOverrides,
-  kSubstitutes,
-  kFields,
-  kBodies,
-  kPlace,
-  kBeside,
-  kPile,
-  kFacing,
-  kPositions,
-  kStarts,
-  kContact,
-  kExcludes,
-  kBodyPair,
-  kExpectations,
-  kSections,
-  kChecks,
-  kView,
-  kHolding,
-  kSettling,
-  kJointChecks,
-  kFittings,
-  kGrasping,
-  kPartChecks,
-  kNames,
-  kSilence,
+  kStructure,  // a structure, or a value in another form; FieldInfo::structure describes it
+  kJoints,     // a word from `words`, or a list of joints
+  kFields,     // values for the fields of the element with the name of the key
+  kSections,   // sections of MJCF
+  kSilence,    // codes of findings with reasons
   kAnything,
 };
 /// Returns true for kinds of fields that contain a value, which may be drawn or computed, and which
 /// ValueReader::Read() reads.
 constexpr bool HoldsValue(FieldKind kind) { return kind <= FieldKind::kPosition; }
+
+/// The form of a structure that the reader of a section reads.
+struct Structure {
+  std::string_view takes = {};   // "list of parts"
+  std::string_view schema = {};  // members of its JSON Schema, with markers (see schema.cc)
+};
 
 /// Geoms of a part that get the MJCF attribute of a field: the collision geom, the visual geom, or
 /// both.
@@ -90,6 +54,7 @@ struct FieldInfo {
   std::string_view key;
   Key id = Key::kAttribute;
   FieldKind kind = FieldKind::kNumber;
+  Structure structure = {};  // only of a field of kind kStructure
   int min_count = 1;
   int max_count = 1;
   /// Unit of the field: "m"; "rad or m" for a hinge or a slide; "s, 1" for the first and the second

@@ -70,6 +70,8 @@ enum class Key {
   kRange,
   kLimited,
   kDetent,
+  kScrew,
+  kCouple,
   kLead,
   kTurns,
   kRatio,
@@ -100,7 +102,6 @@ enum class Key {
   kFacing,
   kLying,
   kOverhang,
-  kPile,
   kOrder,
   kTime,
   // Keys of materials and textures.

@@ -36,10 +36,10 @@ void ReadMaterial(const YamlNode::Pair& pair, const std::filesystem::path& folde
 }
 
 // Keys that cannot have defaults, because their values are different for each entry: name,
-// condition, repetition, content, end points, outline.
-constexpr Key kWithoutDefault[] = {Key::kName,   Key::kIf,        Key::kFor,    Key::kSpec,
-                                   Key::kParams, Key::kMaterials, Key::kFrame,  Key::kParts,
-                                   Key::kFromTo, Key::kUp,        Key::kPolygon};
+// condition, repetition, content, end points, outline, coupling.
+constexpr Key kWithoutDefault[] = {
+    Key::kName,  Key::kIf,     Key::kFor, Key::kSpec,    Key::kParams, Key::kMaterials, Key::kFrame,
+    Key::kParts, Key::kFromTo, Key::kUp,  Key::kPolygon, Key::kScrew,  Key::kCouple};
 
 void MergeDefaults(const ElementInfo& element, const YamlNode& node, std::vector<Field>& into,
                    Context& context) {
@@ -48,8 +48,7 @@ void MergeDefaults(const ElementInfo& element, const YamlNode& node, std::vector
   for (const auto& pair : node.pairs) {
     const FieldInfo* info = element.Find(pair.key);
     if (info == nullptr) continue;
-    const bool couples = info->kind == FieldKind::kScrew || info->kind == FieldKind::kCouple;
-    if (couples || std::ranges::find(kWithoutDefault, info->id) != std::end(kWithoutDefault)) {
+    if (std::ranges::find(kWithoutDefault, info->id) != std::end(kWithoutDefault)) {
       context.findings.Add(Code::kSpecConflict, pair.mark,
                            fmt::format("'{}' cannot be a default", pair.key));
       return;

@@ -10,6 +10,7 @@ namespace mjforge::spec {
 namespace {
 
 std::string TakenBy(const FieldInfo& field) {
+  if (field.kind == FieldKind::kStructure) return std::string(field.structure.takes);
   const std::string_view takes = InfoOf(field.kind).takes;
   if (!field.words.empty()) {
     return fmt::format("{}{}{}", fmt::join(expr::WordsOf(field.words), ", "),

@@ -173,6 +173,8 @@ std::string Taken(const FieldInfo& field) {
       return SectionProperties();
     case FieldKind::kSilence:
       return Silence();
+    case FieldKind::kStructure:
+      return std::string(field.structure.schema);
     default:
       return std::string(InfoOf(field.kind).schema);
   }
