@@ -82,7 +82,7 @@ ProgramBuilder::OptionalOperand ProgramBuilder::ResolveName(const Token& token, 
   if (const SymbolTable::Variable* variable = names_.Find(token.text)) {
     if (variable->is_list()) return Fail(WholeList(token));
     if (variable->components > 1) return Fail(WrongComponent(token, *variable, {}));
-    return AddInput(token, *variable, 0);
+    return AddVariable(*variable, 0, at_ - 1);
   }
   if (const Constant* constant = FindConstant(token.text)) {
     return Literal(constant->value, constant->is_boolean ? Type::kBoolean : Type::kNumber,
@@ -105,27 +105,24 @@ ProgramBuilder::OptionalOperand ProgramBuilder::AddComponent(const Token& token,
       static_cast<int>(index) >= vector.components) {
     return Fail(WrongComponent(token, vector, component));
   }
-  return AddInput(token, vector, static_cast<int>(index));
+  return AddVariable(vector, static_cast<int>(index), at_ - 1);
 }
 
-TypedOperand ProgramBuilder::AddInput(const Token& token, const SymbolTable::Variable& variable,
-                                      int component) {
-  const int slot = variable.slot + component;
-  RecordInput(token.text, variable, slot);
-  return {parsed_.program.Variable(slot), variable.type, at_ - 1,
+TypedOperand ProgramBuilder::AddVariable(const SymbolTable::Variable& variable, int component,
+                                         std::size_t token) {
+  RecordInput(variable, component);
+  return {parsed_.program.Variable(variable.slot + component), variable.type, token,
           DimensionAt(variable.dimensions, static_cast<std::size_t>(component))};
 }
 
-void ProgramBuilder::RecordInput(std::string_view name, const SymbolTable::Variable& variable,
-                                 int slot) {
-  if (std::ranges::find(parsed_.inputs, slot, &Expression::Input::slot) == parsed_.inputs.end())
-    parsed_.inputs.push_back({std::string(name), slot, variable.type, variable.list});
-}
-
-void ProgramBuilder::RecordItem(const SymbolTable::Variable& variable, int item) {
+void ProgramBuilder::RecordInput(const SymbolTable::Variable& variable, int component) {
+  const int slot = variable.slot + component;
+  if (std::ranges::find(parsed_.inputs, slot, &Expression::Input::slot) != parsed_.inputs.end())
+    return;
   std::string name = variable.name;
-  if (!variable.is_list() && item < 4) name += {'.', kComponents[static_cast<std::size_t>(item)]};
-  RecordInput(name, variable, variable.slot + item);
+  if (variable.components > 1 && component < 4)
+    name += {'.', kComponents[static_cast<std::size_t>(component)]};
+  parsed_.inputs.push_back({name, slot, variable.type, variable.list});
 }
 
 bool ProgramBuilder::IsListAt(std::size_t token) const {
@@ -135,7 +132,7 @@ bool ProgramBuilder::IsListAt(std::size_t token) const {
 }
 
 ListSource ProgramBuilder::AddList(const SymbolTable::Variable& variable) {
-  for (int i = 0; i < variable.components; ++i) RecordItem(variable, i);
+  for (int i = 0; i < variable.components; ++i) RecordInput(variable, i);
   return {.slot = variable.slot,
           .list = variable.list,
           .components = variable.is_list() ? 0 : variable.components};
@@ -153,10 +150,7 @@ ProgramBuilder::OptionalOperand ProgramBuilder::AddElement(const Token& list,
   if (const bool is_known = !variable.is_list() && index.value.step < 0; is_known) {
     const double number = index.value.constant;
     for (int i = 0; i < variable.components; ++i) {
-      if (i != number) continue;
-      RecordItem(variable, i);
-      return TypedOperand{parsed_.program.Variable(variable.slot + i), variable.type, token,
-                          DimensionAt(variable.dimensions, static_cast<std::size_t>(i))};
+      if (i == number) return AddVariable(variable, i, token);
     }
     return Fail(NoSuchElement(list, number, variable.components));
   }
@@ -167,9 +161,7 @@ ProgramBuilder::OptionalOperand ProgramBuilder::AddElement(const Token& list,
 ProgramBuilder::OptionalOperand ProgramBuilder::AddTorque(const Token& joint) {
   const SymbolTable::Variable* torque = names_.Find(TorqueVariable(joint.text));
   if (torque == nullptr) return Fail(UnknownJoint(joint, names_));
-  RecordInput(torque->name, *torque, torque->slot);
-  return TypedOperand{.value = parsed_.program.Variable(torque->slot),
-                      .dimension = DimensionAt(torque->dimensions, 0)};
+  return AddVariable(*torque, 0, at_ - 1);
 }
 
 const SymbolTable::Variable* ProgramBuilder::FindPoint(const Token& name) {
@@ -190,13 +182,8 @@ ProgramBuilder::OptionalOperand ProgramBuilder::AddDistance(const Token& a, cons
   };
   OptionalOperand sum;
   for (int i = 0; i < 3; ++i) {
-    const auto component = [&](const SymbolTable::Variable& point) {
-      RecordItem(point, i);
-      return TypedOperand{.value = parsed_.program.Variable(point.slot + i),
-                          .dimension = DimensionAt(point.dimensions, static_cast<std::size_t>(i))};
-    };
-    const TypedOperand start = component(*from);
-    const OptionalOperand side = call(Operator("-"), start, component(*to));
+    const TypedOperand start = AddVariable(*from, i, at_ - 1);
+    const OptionalOperand side = call(Operator("-"), start, AddVariable(*to, i, at_ - 1));
     if (!side) return side;
     const OptionalOperand square = call(Operator("*"), *side, *side);
     sum = sum ? call(Operator("+"), *sum, *square) : square;

@@ -60,13 +60,14 @@ class ProgramBuilder : protected TokenCursor {
  private:
   OptionalOperand AddComponent(const Token& token, const SymbolTable::Variable& vector,
                                std::string_view component);
-  TypedOperand AddInput(const Token& token, const SymbolTable::Variable& variable, int component);
+  /// Adds the step that reads a component of a variable; component 0 of a variable with only one is
+  /// its value. `token` is the index of the token that names the variable.
+  TypedOperand AddVariable(const SymbolTable::Variable& variable, int component, std::size_t token);
   /// Returns the variable of a site's position, or of a vector of three components. Returns null,
   /// and sets an error, for other names.
   const SymbolTable::Variable* FindPoint(const Token& name);
   ListSource AddList(const SymbolTable::Variable& variable);
-  void RecordItem(const SymbolTable::Variable& variable, int item);
-  void RecordInput(std::string_view name, const SymbolTable::Variable& variable, int slot);
+  void RecordInput(const SymbolTable::Variable& variable, int component);
 
   Arguments arguments_;  // operands for the arguments of the function whose body is parsed
 };
