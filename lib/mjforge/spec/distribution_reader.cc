@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <ranges>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "mjforge/spec/field_kinds.h"
 #include "mjforge/spec/value_reader.h"
@@ -47,15 +49,6 @@ bool IsOption(std::string_view key, std::string_view main) {
   return key == kCount && (main == kEach || main == kSample);
 }
 
-std::string KnownDistributions() {
-  std::string text = "the distributions are";
-  for (const DistributionInfo& info : Distributions()) {
-    text += &info == &Distributions().front() ? " " : ", ";
-    text += info.key;
-  }
-  return text;
-}
-
 std::vector<std::string_view> KnownKeys(std::span<const std::string_view> extra_keys,
                                         const DistributionInfo* main) {
   std::vector<std::string_view> keys(extra_keys.begin(), extra_keys.end());
@@ -70,6 +63,21 @@ std::vector<std::string_view> KnownKeys(std::span<const std::string_view> extra_
   return keys;
 }
 
+// Returns true if a field accepts the vector form `key`: a rotation or a colour, which have four
+// numbers, or a point on a sphere.
+bool TakesVectorForm(const FieldInfo& expected, std::string_view key) {
+  const int count = key == kOnSphere ? 3 : 4;
+  return expected.kind == FieldKind::kAnything ||
+         (expected.kind == FieldKind::kNumbers && expected.min_count <= count &&
+          count <= expected.max_count);
+}
+
+std::string KnownDistributions() {
+  return fmt::format(
+      "the distributions are {}",
+      fmt::join(Distributions() | std::views::transform(&DistributionInfo::key), ", "));
+}
+
 }  // namespace
 
 bool IsDrawKey(std::string_view key) {
@@ -77,19 +85,10 @@ bool IsDrawKey(std::string_view key) {
          key == kHsv;
 }
 
-bool ValueReader::IsVectorForm(std::string_view key, const ExpectedForm& expected) const {
-  const bool anything = expected.kind == FieldKind::kAnything;
-  const auto allows = [&](int count) {
-    return anything || (expected.kind == FieldKind::kNumbers && expected.min_count <= count &&
-                        count <= expected.max_count);
-  };
-  return ((key == kAbout || key == kHsv) && allows(4)) || (key == kOnSphere && allows(3));
-}
-
 // Reports the form `hsv` (a colour) in a field other than `rgba`, and the form `about` (a random
 // rotation) in a field that is not a quaternion. Values of parameters, which have no key, accept
 // both forms.
-void ValueReader::CheckMeaning(bool is_color, const ExpectedForm& expected, const YamlNode& node) {
+void ValueReader::CheckMeaning(bool is_color, const FieldInfo& expected, const YamlNode& node) {
   const std::string_view key = expected.key;
   if (key.empty() || (is_color ? key == "rgba" : key.ends_with("quat"))) return;
   findings_.Add(Code::kSpecWrongType, node.mark,
@@ -98,12 +97,12 @@ void ValueReader::CheckMeaning(bool is_color, const ExpectedForm& expected, cons
                          : "a random rotation is a quaternion, as for 'quat'");
 }
 
-Value ValueReader::ReadVectorForm(std::string_view key, const ExpectedForm& expected,
+Value ValueReader::ReadVectorForm(std::string_view key, const FieldInfo& expected,
                                   const YamlNode& node) {
   Value value{.mark = node.mark,
               .components = key == kOnSphere ? 3 : 4,
               .dimensions = {expr::Dimension::Count()}};
-  if (!IsVectorForm(key, expected)) {
+  if (!TakesVectorForm(expected, key)) {
     findings_.Add(
         Code::kSpecWrongType, node.mark,
         fmt::format("'{}' draws {} numbers, but {} {} expected here", key, value.components,
@@ -150,7 +149,7 @@ void ValueReader::ReportUnknownKey(const YamlNode::Pair& pair,
                 fmt::format("unknown key '{}' in a distribution", pair.key), std::move(hint));
 }
 
-Value ValueReader::ReadMapping(const ExpectedForm& expected, const YamlNode& node,
+Value ValueReader::ReadMapping(const FieldInfo& expected, const YamlNode& node,
                                std::span<const std::string_view> extra_keys) {
   const YamlNode::Pair* main = nullptr;
   for (const auto& pair : node.pairs) {
@@ -181,7 +180,7 @@ Value ValueReader::ReadMapping(const ExpectedForm& expected, const YamlNode& nod
   return ReadVectorForm(main->key, expected, main->value);
 }
 
-Value ValueReader::ReadDraw(const DistributionInfo& info, const ExpectedForm& expected,
+Value ValueReader::ReadDraw(const DistributionInfo& info, const FieldInfo& expected,
                             const YamlNode& map) {
   const YamlNode& node = *map.Find(info.key);
   Value value = SubstituteFor(map);
@@ -271,7 +270,7 @@ void ValueReader::ReadExact(const YamlNode& node, Draw& draw) {
   }
 }
 
-void ValueReader::ReadOptions(const ExpectedForm& expected, const YamlNode& list, Draw& draw,
+void ValueReader::ReadOptions(const FieldInfo& expected, const YamlNode& list, Draw& draw,
                               Value& value) {
   if (list.kind != YamlNode::Kind::kList || list.items.empty()) {
     Wrong(list, "a list of values to choose from");
@@ -287,7 +286,7 @@ void ValueReader::ReadOptions(const ExpectedForm& expected, const YamlNode& list
   Value kind;
   kind.is_list = expected.kind == FieldKind::kAnything && std::ranges::any_of(list.items, is_list);
   for (const YamlNode& item : list.items)
-    draw.arguments.push_back(kind.is_list ? ReadLike(kind, item) : Read(expected, item));
+    draw.arguments.push_back(kind.is_list ? ReadLike(kind, item) : ReadForm(expected, item));
   const Value& first = draw.arguments.front();
   value.type = first.type;
   value.components = first.components;

@@ -51,7 +51,7 @@ enum class Applies { kBoth, kCollision, kVisual };
 enum class Motion { kAny, kTurn, kSlide };
 
 struct FieldInfo {
-  std::string_view key;
+  std::string_view key = {};
   Key id = Key::kAttribute;
   FieldKind kind = FieldKind::kNumber;
   Structure structure = {};  // only of a field of kind kStructure

@@ -91,7 +91,7 @@ std::shared_ptr<const Value> ValueReader::ReadCount(const YamlNode& node) {
   return std::make_shared<const Value>(std::move(count));
 }
 
-Value ValueReader::ReadListForm(const ExpectedForm& expected, const YamlNode& map,
+Value ValueReader::ReadListForm(const FieldInfo& expected, const YamlNode& map,
                                 const YamlNode::Pair& main) {
   if (expected.kind == FieldKind::kAnything)
     return main.key == "each" ? ReadEach(map) : ReadArrangement(main.key, map);

@@ -39,7 +39,7 @@ Value ValueReader::ReadPointLoop(const YamlNode& map, std::string_view key, Read
   return value;
 }
 
-Value ValueReader::ReadOutlines(const ExpectedForm& expected, const YamlNode& node) {
+Value ValueReader::ReadOutlines(const FieldInfo& expected, const YamlNode& node) {
   if (node.kind != YamlNode::Kind::kList) return Wrong(node, "a list of outlines");
   Value value{.mark = node.mark, .components = static_cast<int>(node.items.size())};
   const auto read = [&](const YamlNode& points) { return ReadPoints(expected, points); };
@@ -55,7 +55,7 @@ Value ValueReader::ReadOutlines(const ExpectedForm& expected, const YamlNode& no
   return value;
 }
 
-Value ValueReader::ReadAxisOutlines(const ExpectedForm& expected, const YamlNode& map) {
+Value ValueReader::ReadAxisOutlines(const FieldInfo& expected, const YamlNode& map) {
   AllowKeys(map, {"axis", "outlines"}, "holes along an axis");
   for (const std::string_view key : {"axis", "outlines"}) {
     if (map.Find(key) != nullptr) continue;
@@ -81,7 +81,7 @@ Value ValueReader::ReadAxisOutlines(const ExpectedForm& expected, const YamlNode
   return value;
 }
 
-Value ValueReader::ReadPoints(const ExpectedForm& expected, const YamlNode& node) {
+Value ValueReader::ReadPoints(const FieldInfo& expected, const YamlNode& node) {
   if (node.kind != YamlNode::Kind::kList)
     return Wrong(
         node, expected.min_count == 2 ? "a list of points [x, y]" : "a list of points [x, y, z]");
@@ -97,14 +97,14 @@ Value ValueReader::ReadPoints(const ExpectedForm& expected, const YamlNode& node
   return value;
 }
 
-Value ValueReader::ReadPoint(const ExpectedForm& expected, const YamlNode& node) {
+Value ValueReader::ReadPoint(const FieldInfo& expected, const YamlNode& node) {
   return ReadVector({.kind = FieldKind::kNumbers,
                      .min_count = expected.min_count,
                      .max_count = expected.max_count},
                     node);
 }
 
-Value ValueReader::ReadArc(const ExpectedForm& expected, const YamlNode& map) {
+Value ValueReader::ReadArc(const FieldInfo& expected, const YamlNode& map) {
   const bool in_space = expected.min_count == 3;
   const YamlNode& node = *map.Find("arc");
   const bool has_center = node.items.size() == 4;

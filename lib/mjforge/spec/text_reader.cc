@@ -111,7 +111,7 @@ Value ValueReader::ReadText(const YamlNode& node) {
   return value;
 }
 
-Value ValueReader::ReadWord(const ExpectedForm& expected, const YamlNode& node) {
+Value ValueReader::ReadWord(const FieldInfo& expected, const YamlNode& node) {
   if (node.kind == YamlNode::Kind::kMap) return ReadMapping(expected, node, {});
   Value value = ReadText(node);
   const auto* text = std::get_if<Text>(&value.form);

@@ -210,7 +210,7 @@ Dimensions ValueReader::Agree(std::string_view what, std::span<const Value> valu
   return common;
 }
 
-Dimensions ValueReader::DimensionsOfDraw(const DistributionInfo& info, const ExpectedForm& expected,
+Dimensions ValueReader::DimensionsOfDraw(const DistributionInfo& info, const FieldInfo& expected,
                                          const Draw& draw) {
   for (const Value& weight : draw.weights) CheckPlain("a weight", weight);
   Dimensions limits = Agree(fmt::format("the numbers of '{}'", info.option), draw.limits);

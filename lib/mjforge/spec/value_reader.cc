@@ -122,8 +122,7 @@ Value ValueReader::SubstituteFor(const YamlNode& node) {
 
 Value ValueReader::Read(const FieldInfo& field, const YamlNode& node, Motion motion) {
   if (field.kind == FieldKind::kPosition) return ReadPosition(field, node, motion);
-  Value value = Read(
-      ExpectedForm{field.kind, field.min_count, field.max_count, field.words, field.key}, node);
+  Value value = ReadForm(field, node);
   CheckBounds(field, value, 0);
   CheckUnits(field, value, 0, motion);
   if (field.key == "material") NoteMaterials(value);
@@ -140,7 +139,7 @@ void ValueReader::NoteMaterials(const Value& value) {
   }
 }
 
-Value ValueReader::Read(const ExpectedForm& expected, const YamlNode& node) {
+Value ValueReader::ReadForm(const FieldInfo& expected, const YamlNode& node) {
   switch (expected.kind) {
     case FieldKind::kNumber:
     case FieldKind::kInteger:
@@ -297,7 +296,7 @@ Value ValueReader::Reference(const expr::SymbolTable::Variable& variable, const 
                .form = VariableReference{variable.name, variable.slot, variable.list}};
 }
 
-Value ValueReader::ReadVector(const ExpectedForm& expected, const YamlNode& node) {
+Value ValueReader::ReadVector(const FieldInfo& expected, const YamlNode& node) {
   if (node.kind == YamlNode::Kind::kMap) return ReadMapping(expected, node, {});
   if (node.kind == YamlNode::Kind::kList) return ReadList(expected, node);
   if (node.kind == YamlNode::Kind::kScalar && !node.quoted && node.text == "random" &&
@@ -324,7 +323,7 @@ Value ValueReader::ReadVector(const ExpectedForm& expected, const YamlNode& node
   return value;
 }
 
-Value ValueReader::ReadList(const ExpectedForm& expected, const YamlNode& node) {
+Value ValueReader::ReadList(const FieldInfo& expected, const YamlNode& node) {
   Value value{.mark = node.mark, .components = static_cast<int>(node.items.size())};
   const bool cut = std::ranges::any_of(node.items, IsCutAtComma);
   if (!cut && (value.components < expected.min_count || value.components > expected.max_count)) {
@@ -373,7 +372,7 @@ Value ValueReader::ReadAnything(const YamlNode& node,
       if (node.items.size() == 1) return ReadNumber(node.items.front());
       return ReadList({.kind = FieldKind::kNumbers, .min_count = 2, .max_count = 4}, node);
     case YamlNode::Kind::kMap:
-      return ReadMapping({}, node, extra_keys);
+      return ReadMapping({.kind = FieldKind::kAnything}, node, extra_keys);
   }
   return {};
 }

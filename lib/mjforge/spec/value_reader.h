@@ -98,27 +98,21 @@ class ValueReader {
   std::string ReadPlainText(std::string_view what, const YamlNode& node);
 
  private:
-  // The form of value that a field accepts.
-  struct ExpectedForm {
-    FieldKind kind = FieldKind::kAnything;
-    int min_count = 1;
-    int max_count = 1;
-    std::string_view words = {};
-    std::string_view key = {};  // key of the field; empty for parameters and items
-  };
-  Value Read(const ExpectedForm& expected, const YamlNode& node);
+  // Reads a value of the form that a field accepts, without checking bounds and units. `expected`
+  // has no key if the value belongs to a parameter or is an item of a list.
+  Value ReadForm(const FieldInfo& expected, const YamlNode& node);
   Value ReadBoolean(const YamlNode& node);
-  Value ReadWord(const ExpectedForm& expected, const YamlNode& node);
-  Value ReadVector(const ExpectedForm& expected, const YamlNode& node);
-  Value ReadList(const ExpectedForm& expected, const YamlNode& node);
-  Value ReadOutlines(const ExpectedForm& expected, const YamlNode& node);
-  Value ReadAxisOutlines(const ExpectedForm& expected, const YamlNode& map);
-  Value ReadPoints(const ExpectedForm& expected, const YamlNode& node);
-  Value ReadPoint(const ExpectedForm& expected, const YamlNode& node);
+  Value ReadWord(const FieldInfo& expected, const YamlNode& node);
+  Value ReadVector(const FieldInfo& expected, const YamlNode& node);
+  Value ReadList(const FieldInfo& expected, const YamlNode& node);
+  Value ReadOutlines(const FieldInfo& expected, const YamlNode& node);
+  Value ReadAxisOutlines(const FieldInfo& expected, const YamlNode& map);
+  Value ReadPoints(const FieldInfo& expected, const YamlNode& node);
+  Value ReadPoint(const FieldInfo& expected, const YamlNode& node);
   // Reads {for: loops, KEY: value} with the key `key`; calls `read` for the node of the value.
   template <typename Reader>
   Value ReadPointLoop(const YamlNode& map, std::string_view key, Reader&& read);
-  Value ReadArc(const ExpectedForm& expected, const YamlNode& map);
+  Value ReadArc(const FieldInfo& expected, const YamlNode& map);
   std::vector<Value> ReadArcMeasures(const YamlNode& arc);  // radius, start angle, end angle
   /// Reads the key `axis` of the mapping: x, y or z (default), as 0, 1 or 2. `what` names the
   /// mapping in findings.
@@ -129,23 +123,22 @@ class ValueReader {
   expr::Type ItemType(const YamlNode& list) const;
   bool IsText(const YamlNode& node) const;
   bool IsBoolean(const YamlNode& node) const;
-  Value ReadListForm(const ExpectedForm& expected, const YamlNode& map, const YamlNode::Pair& main);
+  Value ReadListForm(const FieldInfo& expected, const YamlNode& map, const YamlNode::Pair& main);
   Value ReadEach(const YamlNode& map);
   Value ReadArrangement(std::string_view key, const YamlNode& map);
   std::shared_ptr<const Value> ReadCount(const YamlNode& node);
   Value ReadAnyScalar(const YamlNode& node);
-  Value ReadMapping(const ExpectedForm& expected, const YamlNode& node,
+  Value ReadMapping(const FieldInfo& expected, const YamlNode& node,
                     std::span<const std::string_view> extra_keys);
   void ReportUnknownKey(const YamlNode::Pair& pair, const std::vector<std::string_view>& known,
                         bool lost);
-  Value ReadDraw(const DistributionInfo& info, const ExpectedForm& expected, const YamlNode& map);
+  Value ReadDraw(const DistributionInfo& info, const FieldInfo& expected, const YamlNode& map);
   bool ReadArguments(const DistributionInfo& info, const YamlNode& node, Draw& draw);
-  void ReadOptions(const ExpectedForm& expected, const YamlNode& list, Draw& draw, Value& value);
+  void ReadOptions(const FieldInfo& expected, const YamlNode& list, Draw& draw, Value& value);
   void ReadDrawOption(const DistributionInfo& info, const YamlNode& node, Draw& draw);
   void ReadExact(const YamlNode& node, Draw& draw);
-  bool IsVectorForm(std::string_view key, const ExpectedForm& expected) const;
-  void CheckMeaning(bool is_color, const ExpectedForm& expected, const YamlNode& node);
-  Value ReadVectorForm(std::string_view key, const ExpectedForm& expected, const YamlNode& node);
+  void CheckMeaning(bool is_color, const FieldInfo& expected, const YamlNode& node);
+  Value ReadVectorForm(std::string_view key, const FieldInfo& expected, const YamlNode& node);
   Value ReadRange(const YamlNode& node, std::size_t dots);
   Value ReadExpression(const YamlNode& node, expr::Expression::Result result = {});
   std::optional<expr::Expression> Compile(const YamlNode& node, std::size_t begin,
@@ -158,7 +151,7 @@ class ValueReader {
   // an empty list, which means unknown dimensions.
   expr::Dimensions Agree(std::string_view what, std::span<const Value> values);
   // Returns the dimensions of the values that a draw produces.
-  expr::Dimensions DimensionsOfDraw(const DistributionInfo& info, const ExpectedForm& expected,
+  expr::Dimensions DimensionsOfDraw(const DistributionInfo& info, const FieldInfo& expected,
                                     const Draw& draw);
   void CheckRangeOrder(const Value& lo, const Value& hi, diag::SourceMark mark);
   void CheckBounds(const FieldInfo& field, const Value& value, int position);
