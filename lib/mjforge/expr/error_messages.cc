@@ -2,8 +2,10 @@
 #include "mjforge/expr/error_messages.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <ranges>
 
 #include "mjforge/expr/builtins.h"
 
@@ -147,16 +149,12 @@ Error NotAFunction(const Token& token, const SymbolTable& names) {
 }
 
 Error UnknownUnit(const Token& token, const SymbolTable& names) {
-  std::vector<std::string_view> candidates;
-  std::string list;
-  for (const Unit& unit : Units()) {
-    candidates.push_back(unit.name);
-    list += fmt::format(" {}", unit.name);
-  }
   const std::string_view digits = token.text.substr(0, token.text.size() - token.unit.size());
-  std::string hint = diag::DidYouMean(token.unit, candidates);
+  std::string hint = diag::DidYouMean(token.unit, Units(), &Unit::name);
   if (names.Find(token.unit) != nullptr) hint = fmt::format("write {} * {}", digits, token.unit);
-  if (hint.empty()) hint = fmt::format("the units are{}", list);
+  if (hint.empty())
+    hint = fmt::format("the units are {}",
+                       fmt::join(Units() | std::views::transform(&Unit::name), " "));
   return {Code::kExprUnknownUnit, token.offset + digits.size(),
           fmt::format("unknown unit '{}'", token.unit), std::move(hint)};
 }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "mjforge/sample/sample.h"
 
@@ -17,13 +19,9 @@ constexpr std::string_view kLeftOutHint = "it was left out by 'if', or is placed
 
 // Returns the first numbers of a list as text: "[0.01, 0.02, 0.03, ...]".
 std::string ListText(const std::vector<double>& numbers) {
-  constexpr std::size_t kShown = 8;
-  std::string text = "[";
-  for (std::size_t i = 0; i < std::min(numbers.size(), kShown); ++i) {
-    if (i > 0) text += ", ";
-    expr::AppendNumber(text, numbers[i]);
-  }
-  return text + (numbers.size() > kShown ? ", ...]" : "]");
+  constexpr int kShown = 8;
+  const auto shown = numbers | std::views::take(kShown) | std::views::transform(expr::NumberText);
+  return fmt::format("[{}{}]", fmt::join(shown, ", "), std::ssize(numbers) > kShown ? ", ..." : "");
 }
 
 std::optional<bool> ToBoolean(double number) {

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <ranges>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace mjforge::sample {
 namespace {
@@ -89,11 +91,8 @@ std::string Grid::Text() const {
                            ? std::string("more than 10^19 points")
                            : fmt::format("{} point{}", points_, points_ == 1 ? "" : "s");
   if (axes_.size() < 2) return points;
-  std::string text;
-  for (const Axis& axis : axes_) {
-    text += fmt::format("{}{}", text.empty() ? "" : " x ", axis.levels);
-  }
-  return fmt::format("{} = {}", text, points);
+  return fmt::format("{} = {}", fmt::join(axes_ | std::views::transform(&Axis::levels), " x "),
+                     points);
 }
 
 }  // namespace mjforge::sample

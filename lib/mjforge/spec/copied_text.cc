@@ -134,10 +134,7 @@ class TextCopier {
     const auto is_plain = [](unsigned char c) {
       return std::isalnum(c) != 0 || c == '_' || c == '.' || c == '/' || c == '-';
     };
-    if (std::ranges::all_of(text, is_plain)) return text;
-    std::string quoted = "'";
-    for (const char c : text) quoted.append(c == '\'' ? 2 : 1, c);
-    return quoted + "'";
+    return std::ranges::all_of(text, is_plain) ? text : SingleQuoted(text);
   }
 
   std::string text_;

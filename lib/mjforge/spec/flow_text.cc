@@ -1,8 +1,9 @@
-// Conversion of YAML nodes to YAML flow text.
+// Conversion of YAML nodes to YAML flow text, and of texts to quoted scalars.
 
-#include <algorithm>
+#include <ranges>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "mjforge/expr/expr.h"
 #include "mjforge/spec/yaml.h"
@@ -21,36 +22,32 @@ bool NeedsQuotes(std::string_view text) {
 
 std::string FlowScalar(const YamlNode& node) {
   const bool special = NeedsQuotes(node.text) && !expr::ParseNumber(node.text);
-  if (!node.quoted && !special) return node.text;
-  std::string out = "'";
-  for (const char c : node.text) out.append(c == '\'' ? 2 : 1, c);
-  out += '\'';
-  return out;
+  return node.quoted || special ? SingleQuoted(node.text) : node.text;
 }
 
 }  // namespace
 
+std::string SingleQuoted(std::string_view text) {
+  std::string out = "'";
+  for (const char c : text) out.append(c == '\'' ? 2 : 1, c);
+  return out + '\'';
+}
+
 std::string FlowText(const YamlNode& node) {
-  std::string out;
+  const auto member = [](const YamlNode::Pair& pair) {
+    return pair.key + ": " + FlowText(pair.value);
+  };
   switch (node.kind) {
     case YamlNode::Kind::kNull:
       return "null";
     case YamlNode::Kind::kScalar:
       return FlowScalar(node);
     case YamlNode::Kind::kList:
-      for (const YamlNode& item : node.items) {
-        out += out.empty() ? "" : ", ";
-        out += FlowText(item);
-      }
-      return fmt::format("[{}]", out);
+      return fmt::format("[{}]", fmt::join(node.items | std::views::transform(FlowText), ", "));
     case YamlNode::Kind::kMap:
-      for (const auto& pair : node.pairs) {
-        out += out.empty() ? "" : ", ";
-        out += pair.key + ": " + FlowText(pair.value);
-      }
-      return fmt::format("{{{}}}", out);
+      return fmt::format("{{{}}}", fmt::join(node.pairs | std::views::transform(member), ", "));
   }
-  return out;
+  return {};
 }
 
 }  // namespace mjforge::spec

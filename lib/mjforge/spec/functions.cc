@@ -1,6 +1,7 @@
 // Reader of `functions:`, named expressions with arguments.
 
 #include <algorithm>
+#include <ranges>
 #include <set>
 
 #include <fmt/format.h>
@@ -86,12 +87,11 @@ void LimitCallDepth(Context& context) {
   const Dependencies uses = UsesOf(all);
   std::set<std::size_t> broken;
   const auto order = TopologicalOrder(uses, [&](const std::vector<std::size_t>& path) {
-    std::vector<std::string_view> circle;
-    circle.reserve(path.size());
-    for (const std::size_t i : path) circle.push_back(all[i]->name);
+    const auto name = [&](std::size_t i) { return std::string_view(all[i]->name); };
     broken.insert(path.begin(), path.end());
     context.findings.Add(Code::kSpecCycle, MarkOf(*all[path[0]], context),
-                         fmt::format("functions call each other: {}", fmt::join(circle, " -> ")));
+                         fmt::format("functions call each other: {}",
+                                     fmt::join(path | std::views::transform(name), " -> ")));
   });
   std::vector<int> chain(all.size(), 0);
   for (const std::size_t at : order) {

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <ranges>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "mjforge/spec/value_reader.h"
 
@@ -95,9 +97,7 @@ std::string DegreesHint(const FieldInfo& field, double number) {
 }  // namespace
 
 std::string UnitText(const Dimensions& dimensions) {
-  std::string text;
-  for (const Dimension& one : dimensions) text += (text.empty() ? "" : ", ") + one.Text();
-  return text;
+  return fmt::format("{}", fmt::join(dimensions | std::views::transform(&Dimension::Text), ", "));
 }
 
 bool IsMeasured(const Dimensions& dimensions) {

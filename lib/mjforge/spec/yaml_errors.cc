@@ -8,6 +8,7 @@
 
 #include "mjforge/expr/expr.h"
 #include "mjforge/spec/value_reader.h"
+#include "mjforge/spec/yaml.h"
 
 namespace mjforge::spec {
 namespace {
@@ -42,11 +43,9 @@ std::string_view LineValue(std::string_view line, std::size_t column) {
 // the value also contains double quotes or a backslash, uses single quotes, and doubles the single
 // quotes in the value.
 std::string Quoted(std::string_view value) {
-  if (value.find('\'') == value.npos) return fmt::format("'{}'", value);
-  if (value.find_first_of("\"\\") == value.npos) return fmt::format("\"{}\"", value);
-  std::string doubled;
-  for (const char c : value) doubled += c == '\'' ? "''" : std::string(1, c);
-  return fmt::format("'{}'", doubled);
+  const bool prefers_double =
+      value.find('\'') != value.npos && value.find_first_of("\"\\") == value.npos;
+  return prefers_double ? fmt::format("\"{}\"", value) : SingleQuoted(value);
 }
 
 std::string QuoteHint(std::string_view value) {
