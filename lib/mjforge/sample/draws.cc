@@ -76,9 +76,7 @@ double Evaluator::DrawNumber(const spec::Draw& draw, SourceMark mark, StreamId p
 
 const spec::Draw* Evaluator::ChoiceOf(const spec::Value& value) {
   const auto* draw = std::get_if<spec::Draw>(&value.form);
-  const bool is_choice = draw != nullptr && (draw->distribution == Distribution::kChoice ||
-                                             draw->distribution == Distribution::kCycle);
-  return is_choice ? draw : nullptr;
+  return draw != nullptr && draw->is_choice() ? draw : nullptr;
 }
 
 const spec::Value* Evaluator::ChooseRow(const spec::Draw& draw, SourceMark mark, StreamId& path) {

@@ -34,9 +34,7 @@ bool WriteConstant(diag::Json& json, const Value& value) {
 
 std::optional<std::string> ConstantChoices(const Value& value) {
   const auto* draw = std::get_if<Draw>(&value.form);
-  if (draw == nullptr ||
-      (draw->distribution != Distribution::kChoice && draw->distribution != Distribution::kCycle))
-    return std::nullopt;
+  if (draw == nullptr || !draw->is_choice()) return std::nullopt;
   diag::Json choices(expr::AppendExactNumber);
   choices.StartArray();
   for (const Value& option : draw->arguments) {

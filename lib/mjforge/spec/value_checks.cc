@@ -141,7 +141,7 @@ void ValueReader::CheckBounds(const FieldInfo& field, const Value& value, int po
 // Reports options of a choice or cycle, and ends of a uniform range, that are out of bounds,
 // because some variant would draw an invalid value.
 void ValueReader::CheckDrawBounds(const FieldInfo& field, const Draw& draw, int position) {
-  if (draw.distribution == Distribution::kChoice || draw.distribution == Distribution::kCycle) {
+  if (draw.is_choice()) {
     for (const Value& option : draw.arguments) CheckBounds(field, option, position);
   } else if (draw.distribution == Distribution::kUniform) {
     // Allows ends of the range that equal an exclusive lower bound of the field.
@@ -175,8 +175,7 @@ void ValueReader::CheckUnits(const FieldInfo& field, const Value& value, int pos
   } else if (list != nullptr) {
     int at = position;
     for (const Value& item : list->items) CheckUnits(field, item, at++, motion);
-  } else if (draw != nullptr && (draw->distribution == Distribution::kChoice ||
-                                 draw->distribution == Distribution::kCycle)) {
+  } else if (draw != nullptr && draw->is_choice()) {
     for (const Value& option : draw->arguments) CheckUnits(field, option, position, motion);
   } else {
     for (int i = 0; i < value.components; ++i) {

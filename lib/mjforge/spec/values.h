@@ -84,6 +84,11 @@ struct Draw {
   /// record's key, which is in slot `key_slot`.
   std::shared_ptr<const RecordRows> rows;
   int key_slot = 0;
+
+  /// Returns true for a choice and a cycle, whose `arguments` are options.
+  bool is_choice() const {
+    return distribution == Distribution::kChoice || distribution == Distribution::kCycle;
+  }
 };
 
 struct RandomRotation {};  // quat: random
@@ -161,8 +166,7 @@ struct Loop {
 /// of items of the same type.
 bool IsSameKind(const Value& a, const Value& b);
 
-/// Returns the units of the dimensions, "s, 1"; an empty text for an empty list (unknown
-/// dimensions).
+/// Returns the units of the dimensions, "s, 1"; an empty text if the dimensions are unknown.
 std::string UnitText(const expr::Dimensions& dimensions);
 /// Returns true if any of the dimensions is known and differs from that of a plain number.
 bool IsMeasured(const expr::Dimensions& dimensions);
@@ -180,12 +184,10 @@ bool HasDraw(const Value& value);
 /// Returns the number of a literal or of an expression without variables; nullopt for all other
 /// values.
 std::optional<double> ConstantOf(const Value& value);
-
 /// Returns the text if it has no interpolation; nullopt for other values.
 std::optional<std::string_view> LiteralText(const Value& value);
 
-/// Returns the kind of a parameter or a value for messages: "a number", "3 numbers", "text", "true
-/// or false", "a list of texts".
+/// Returns the kind of a parameter or a value for messages: "3 numbers", "a list of texts".
 std::string KindText(expr::Type type, std::size_t components);
 std::string KindText(const Value& value);
 
