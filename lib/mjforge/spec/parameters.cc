@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <ranges>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,8 +19,7 @@ using diag::Code;
 constexpr std::array<std::string_view, 4> kLongFormKeys = {"value", "doc", "unit", "section"};
 
 bool IsLongForm(const YamlNode& node) {
-  return node.kind == YamlNode::Kind::kMap &&
-         std::ranges::any_of(kLongFormKeys,
+  return std::ranges::any_of(kLongFormKeys,
                              [&](std::string_view key) { return node.Find(key) != nullptr; });
 }
 
@@ -216,9 +216,7 @@ void ReadOne(Parameter& parameter, const ParameterNode& declared, const Paramete
 // is not an option. Otherwise parts with a condition on the text would be left out without a
 // message.
 bool CheckPinnedChoice(const YamlNode& own, const YamlNode& pinned, Context& context) {
-  const YamlNode* value = own.kind == YamlNode::Kind::kMap ? own.Find("value") : nullptr;
-  const YamlNode& bare = value != nullptr ? *value : own;
-  const YamlNode* options = bare.kind == YamlNode::Kind::kMap ? bare.Find("choice") : nullptr;
+  const YamlNode* options = WithoutLongForm(own).Find("choice");
   if (options == nullptr || pinned.kind != YamlNode::Kind::kScalar) return true;
   if (pinned.text.find("${") != std::string::npos) return true;  // a text that is not known yet
   std::vector<std::string> words;
@@ -374,16 +372,15 @@ void ReadParameters(const YamlNode* params, const YamlNode* require,
 
   std::vector<bool> in_cycle(declared.size());
   const auto on_cycle = [&](const std::vector<std::size_t>& path) {
-    std::vector<std::string_view> circle;
+    const auto name = [&](std::size_t i) { return std::string_view(parameters[i].name); };
     diag::SourceMark mark = parameters[path[0]].mark;
     for (const std::size_t i : path) {
       in_cycle[i] = true;
-      circle.push_back(parameters[i].name);
       if (is_set[i]) mark = declared[i].value.mark;
     }
-    context.findings.Add(
-        Code::kSpecCycle, mark,
-        fmt::format("parameters depend on each other: {}", fmt::join(circle, " -> ")));
+    context.findings.Add(Code::kSpecCycle, mark,
+                         fmt::format("parameters depend on each other: {}",
+                                     fmt::join(path | std::views::transform(name), " -> ")));
   };
   for (const std::size_t at : TopologicalOrder(UsesOf(declared, spec.names), on_cycle)) {
     spec.evaluation_order.push_back(static_cast<int>(first + at));

@@ -20,11 +20,6 @@ namespace {
 using diag::Code;
 using diag::SourceMark;
 
-const YamlNode& WithoutLongForm(const YamlNode& node) {
-  const YamlNode* value = node.kind == YamlNode::Kind::kMap ? node.Find("value") : nullptr;
-  return value != nullptr ? *value : node;
-}
-
 // Returns the pair with the options of a record (`choice`, `cycle` or `rows`); null if the
 // parameter is not a record.
 const YamlNode::Pair* OptionsOf(const YamlNode& node) {
@@ -41,11 +36,9 @@ const YamlNode::Pair* OptionsOf(const YamlNode& node) {
 }
 
 YamlNode ChoiceOf(std::vector<YamlNode> options, SourceMark mark) {
-  YamlNode choice;
-  choice.kind = YamlNode::Kind::kMap;
-  choice.mark = mark;
-  choice.pairs.push_back({"choice", mark, YamlNode::List(std::move(options), mark)});
-  return choice;
+  return {.kind = YamlNode::Kind::kMap,
+          .mark = mark,
+          .pairs = {{"choice", mark, YamlNode::List(std::move(options), mark)}}};
 }
 
 class RecordParameterReader {
@@ -195,6 +188,11 @@ class RecordParameterReader {
 };
 
 }  // namespace
+
+const YamlNode& WithoutLongForm(const YamlNode& node) {
+  const YamlNode* value = node.Find("value");
+  return value != nullptr ? *value : node;
+}
 
 std::optional<std::vector<ParameterNode>> ReadRecord(const YamlNode::Pair& parameter,
                                                      Context& context) {

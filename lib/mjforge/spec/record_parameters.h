@@ -26,6 +26,9 @@ struct ParameterNode {
   bool is_key() const { return !record.empty(); }
 };
 
+/// Returns the node of `value:` if a parameter has the long form with this key; otherwise `node`.
+const YamlNode& WithoutLongForm(const YamlNode& node);
+
 /// Returns a ParameterNode for each column of a record, the key first: `style: {choice: [{name:
 /// modern, leg: 3cm}, ...]}`, `cup: {rows: cups.csv}`. Returns nullopt if the parameter is not a
 /// record. Returns an empty list, after adding a finding, if the record is wrong.

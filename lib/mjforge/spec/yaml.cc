@@ -53,9 +53,8 @@ class TreeBuilder : public YAML::EventHandler {
   void OnDocumentEnd() override {}
 
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
-    YamlNode node;
-    node.mark = AtKeyOr(mark);
-    Finish(std::move(node), anchor);
+    const bool has_key = !open_.empty() && open_.back().has_key;
+    Finish({.mark = has_key ? open_.back().key_mark : At(mark)}, anchor);
   }
 
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
@@ -111,20 +110,15 @@ class TreeBuilder : public YAML::EventHandler {
     bool flow = false;  // true for a list in brackets
     bool has_key = false;
     bool keep = true;  // false: the key is repeated, and its value is dropped
-    std::string key;
-    SourceMark key_mark;
-    std::map<std::string, SourceMark, std::less<>> keys;
+    std::string key = {};
+    SourceMark key_mark = {};
+    std::map<std::string, SourceMark, std::less<>> keys = {};
   };
 
   [[noreturn]] void Fail(Code code, const YAML::Mark& mark, std::string message,
                          std::string hint = {}) {
     findings_.Add(code, At(mark), std::move(message), std::move(hint));
     throw Stop{};
-  }
-
-  SourceMark AtKeyOr(const YAML::Mark& mark) const {
-    if (!open_.empty() && open_.back().has_key) return open_.back().key_mark;
-    return At(mark);
   }
 
   void CheckTag(const YAML::Mark& mark, const std::string& tag, const std::string& value) {
@@ -138,12 +132,7 @@ class TreeBuilder : public YAML::EventHandler {
 
   void Open(YamlNode::Kind kind, const YAML::Mark& mark, YAML::anchor_t anchor, bool flow) {
     if (ExpectsKey()) Fail(Code::kYamlSyntax, mark, "a key must be a plain word");
-    OpenNode open;
-    open.node.kind = kind;
-    open.node.mark = At(mark);
-    open.anchor = anchor;
-    open.flow = flow;
-    open_.push_back(std::move(open));
+    open_.push_back({.node = {.kind = kind, .mark = At(mark)}, .anchor = anchor, .flow = flow});
   }
 
   void Close() {
@@ -259,16 +248,13 @@ bool IsParseable(std::uint32_t file, const diag::Sources& sources, diag::Finding
   return true;
 }
 
+// Gives the text to the builder. If the text has no document, the builder's root remains kNull.
 bool RunParser(std::uint32_t file, const diag::Sources& sources, TreeBuilder& builder,
                diag::Findings& findings) {
   std::istringstream stream(sources.Text(file));
   try {
     YAML::Parser parser(stream);
-    if (!parser.HandleNextDocument(builder)) {
-      findings.Add(Code::kYamlEmpty, SourceMark{file, 1, 1}, "file is empty",
-                   "start with `mjforge: 1` and a `name:`");
-      return false;
-    }
+    if (!parser.HandleNextDocument(builder)) return true;  // the file is empty
     TreeBuilder second(file, findings);
     if (parser.HandleNextDocument(second)) {
       findings.Add(Code::kYamlSyntax, SourceMark{file, 1, 1}, "file holds more than one document",
@@ -290,19 +276,11 @@ bool RunParser(std::uint32_t file, const diag::Sources& sources, TreeBuilder& bu
 }  // namespace
 
 YamlNode YamlNode::Scalar(std::string text, SourceMark mark) {
-  YamlNode node;
-  node.kind = Kind::kScalar;
-  node.mark = mark;
-  node.text = std::move(text);
-  return node;
+  return {.kind = Kind::kScalar, .mark = mark, .text = std::move(text)};
 }
 
 YamlNode YamlNode::List(std::vector<YamlNode> items, SourceMark mark) {
-  YamlNode node;
-  node.kind = Kind::kList;
-  node.mark = mark;
-  node.items = std::move(items);
-  return node;
+  return {.kind = Kind::kList, .mark = mark, .items = std::move(items)};
 }
 
 const YamlNode::Pair* YamlNode::FindPair(std::string_view key) const {
