@@ -29,17 +29,14 @@ class BodyEntryReader {
     BodyEntry body;
     body.head = entries_.Begin(kBodyElement, map, map, EntryReader::Naming::kRequired);
     CheckContents(map);
-    if (const YamlNode* parts = map.Find("parts"))
-      body.parts = ReadEntries(kPartElement, *parts, context_);
+    body.parts = ReadEntries(kPartElement, map.Find("parts"), context_);
     if (const YamlNode* spec = map.Find("spec")) entries_.ReadNested(map, *spec, body.head);
     // Declares the properties of the body before reading its fields, sites, views and joints, whose
     // expressions can use the properties.
     DeclareProperties(body);
     body.head.fields = ReadFields(kBodyElement, map, context_);
-    if (const YamlNode* sites = map.Find("sites"))
-      body.sites = ReadEntries(kSiteElement, *sites, context_);
-    if (const YamlNode* regions = map.Find("regions"))
-      body.regions = ReadRegions(*regions, context_);
+    body.sites = ReadEntries(kSiteElement, map.Find("sites"), context_);
+    body.regions = ReadRegions(map.Find("regions"), context_);
     body.views = ReadViews(map, context_);
     if (const YamlNode* joints = map.Find("joints")) BeginJoints(*joints, body);
     body.place = ReadPlace(map, context_);
@@ -65,7 +62,7 @@ class BodyEntryReader {
     for (const JointList& list : lists_) {
       BodyEntry& body = context_.spec.bodies[list.body];
       for (const auto& variable : list.variables) context_.spec.names.Restore(variable);
-      body.joints = ReadEntries(kJointElement, *list.joints, context_);
+      body.joints = ReadEntries(kJointElement, list.joints, context_);
       entries_.End(body.head);
     }
   }

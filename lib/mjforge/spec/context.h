@@ -113,11 +113,11 @@ void ReadMaterials(const YamlNode& materials, const std::filesystem::path& folde
                    Context& context);
 void ReadDefaults(const YamlNode& defaults, Context& context);
 
-/// Reads a list of parts, sites, regions, cameras, lights or joints. Reports repeated names among
-/// entries that exist in every variant.
-std::vector<Entry> ReadEntries(const ElementInfo& element, const YamlNode& list, Context& context);
-/// Reads `regions:` of an object or a body: a list of regions, or the word `auto`.
-std::vector<Entry> ReadRegions(const YamlNode& regions, Context& context);
+/// Reads a list of parts, sites, regions, cameras, lights or joints; `list` may be null. Reports
+/// repeated names among entries that exist in every variant.
+std::vector<Entry> ReadEntries(const ElementInfo& element, const YamlNode* list, Context& context);
+/// Reads `regions:` of an object or a body: a list of regions, or the word `auto`; may be null.
+std::vector<Entry> ReadRegions(const YamlNode* regions, Context& context);
 /// Reads `cameras:` and `lights:` of an object or a body.
 std::vector<Entry> ReadViews(const YamlNode& map, Context& context);
 void ReadJoints(const YamlNode& joints, Context& context);

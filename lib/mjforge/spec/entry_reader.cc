@@ -276,34 +276,34 @@ void EntryReader::CheckMaterial(const Value& value) {
                         fmt::format("no material '{}'", *name), std::move(hint));
 }
 
-std::vector<Entry> ReadEntries(const ElementInfo& element, const YamlNode& list, Context& context) {
-  std::vector<Entry> entries = EntryReader(context).ReadList(element, list);
+std::vector<Entry> ReadEntries(const ElementInfo& element, const YamlNode* list, Context& context) {
+  if (list == nullptr) return {};
+  std::vector<Entry> entries = EntryReader(context).ReadList(element, *list);
   std::map<std::string_view, diag::SourceMark> seen;
   CollectSure(element.name, entries, seen, context);
   return entries;
 }
 
-std::vector<Entry> ReadRegions(const YamlNode& regions, Context& context) {
-  if (regions.kind != YamlNode::Kind::kScalar) return ReadEntries(kRegionElement, regions, context);
-  if (regions.text != "auto") {
-    context.findings.Add(Code::kSpecBadValue, regions.mark,
-                         fmt::format("'{}' is neither 'auto' nor a list of regions", regions.text));
+std::vector<Entry> ReadRegions(const YamlNode* regions, Context& context) {
+  if (regions == nullptr || regions->kind != YamlNode::Kind::kScalar)
+    return ReadEntries(kRegionElement, regions, context);
+  if (regions->text != "auto") {
+    context.findings.Add(
+        Code::kSpecBadValue, regions->mark,
+        fmt::format("'{}' is neither 'auto' nor a list of regions", regions->text));
     return {};
   }
-  YamlNode only;
-  only.kind = YamlNode::Kind::kMap;
-  only.mark = regions.mark;
+  YamlNode only{.kind = YamlNode::Kind::kMap, .mark = regions->mark};
   for (const auto& [key, text] : {std::pair("name", "surface"), std::pair("type", "auto")})
-    only.pairs.push_back({key, regions.mark, YamlNode::Scalar(text, regions.mark)});
-  return ReadEntries(kRegionElement, YamlNode::List({only}, regions.mark), context);
+    only.pairs.push_back({key, regions->mark, YamlNode::Scalar(text, regions->mark)});
+  const YamlNode list = YamlNode::List({only}, regions->mark);
+  return ReadEntries(kRegionElement, &list, context);
 }
 
 std::vector<Entry> ReadViews(const YamlNode& map, Context& context) {
-  std::vector<Entry> views;
-  if (const YamlNode* cameras = map.Find("cameras"))
-    views = ReadEntries(kCameraElement, *cameras, context);
-  if (const YamlNode* lights = map.Find("lights"))
-    std::ranges::move(ReadEntries(kLightElement, *lights, context), std::back_inserter(views));
+  std::vector<Entry> views = ReadEntries(kCameraElement, map.Find("cameras"), context);
+  std::ranges::move(ReadEntries(kLightElement, map.Find("lights"), context),
+                    std::back_inserter(views));
   return views;
 }
 
@@ -324,7 +324,7 @@ void ReadJoints(const YamlNode& joints, Context& context) {
     return;
   }
   context.spec.root_joints = RootJoints::kList;
-  context.spec.joints = ReadEntries(kJointElement, joints, context);
+  context.spec.joints = ReadEntries(kJointElement, &joints, context);
 }
 
 }  // namespace mjforge::spec

@@ -93,12 +93,9 @@ class SpecLoader : public NestedLoader {
     }
     if (const YamlNode* defaults = root.Find("defaults")) ReadDefaults(*defaults, context);
     for (const ImportedFile& from : imports) ReadImported(from, context);
-    if (const YamlNode* parts = root.Find("parts"))
-      spec.parts = ReadEntries(kPartElement, *parts, context);
-    if (const YamlNode* sites = root.Find("sites"))
-      spec.sites = ReadEntries(kSiteElement, *sites, context);
-    if (const YamlNode* regions = root.Find("regions"))
-      spec.regions = ReadRegions(*regions, context);
+    spec.parts = ReadEntries(kPartElement, root.Find("parts"), context);
+    spec.sites = ReadEntries(kSiteElement, root.Find("sites"), context);
+    spec.regions = ReadRegions(root.Find("regions"), context);
     spec.views = ReadViews(root, context);
     ReadMotion(root, settings, context);
     if (const YamlNode* contact = root.Find("contact")) ReadContact(*contact, context);
