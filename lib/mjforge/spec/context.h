@@ -75,6 +75,10 @@ Entry* ReadChild(const ElementInfo& element, const YamlNode& map, Entry& entry, 
 /// and density, pos and fromto.
 bool ExcludeEachOther(const FieldInfo& a, const FieldInfo& b);
 
+/// Returns the type of a joint ("hinge") from its field `type`, which may be null; an empty text if
+/// the type is drawn or computed.
+std::string_view JointType(const Field* type);
+
 /// Returns the field with this key; null if there is none.
 const Field* FindField(std::span<const Field> fields, Key id);
 

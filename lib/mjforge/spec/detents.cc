@@ -21,8 +21,7 @@ void CheckDetent(const YamlNode& joint, const Entry& entry, Context& context) {
   if (joint.Find("detent") != nullptr)
     RejectBeside("detent", kExcludedByDetent, joint, "a detent is a spring between two ends",
                  context);
-  const Field* type = entry.Find(Key::kType);
-  const std::string_view motion = type == nullptr ? "hinge" : LiteralText(type->value).value_or("");
+  const std::string_view motion = JointType(entry.Find(Key::kType));
   if (motion == "free" || motion == "ball") {
     context.findings.Add(Code::kSpecConflict, detent->mark,
                          fmt::format("'detent' has no meaning for a {} joint", motion),

@@ -64,14 +64,16 @@ Motion MotionOf(const ElementInfo& element, const YamlNode& map, const Context& 
   if (&element != &kJointElement) return Motion::kAny;
   const YamlNode* own = map.Find("type");
   const Field* fallback = FindField(context.spec.defaults.joint, Key::kType);
-  const std::string_view type = own != nullptr        ? std::string_view(own->text)
-                                : fallback != nullptr ? LiteralText(fallback->value).value_or("")
-                                                      : "hinge";
+  const std::string_view type = own != nullptr ? std::string_view(own->text) : JointType(fallback);
   if (type == "slide") return Motion::kSlide;
   return type == "hinge" || type == "ball" ? Motion::kTurn : Motion::kAny;
 }
 
 }  // namespace
+
+std::string_view JointType(const Field* type) {
+  return type == nullptr ? "hinge" : LiteralText(type->value).value_or("");
+}
 
 const Field* FindField(std::span<const Field> fields, Key id) {
   const auto found =

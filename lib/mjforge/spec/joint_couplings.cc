@@ -18,8 +18,7 @@ constexpr std::string_view kOfScrew[] = {"type", "axis",  "range", "limited",
 // Reports a joint whose motion cannot be coupled to another joint by an MJCF equality, and `lead`
 // for a hinge.
 void CheckMotion(const Entry& joint, const Entry& couple, Context& context) {
-  const Field* type = joint.Find(Key::kType);
-  const std::string_view motion = type == nullptr ? "hinge" : LiteralText(type->value).value_or("");
+  const std::string_view motion = JointType(joint.Find(Key::kType));
   if (motion == "free" || motion == "ball") {
     context.findings.Add(Code::kSpecConflict, couple.mark,
                          fmt::format("'couple' has no meaning for a {} joint", motion),

@@ -22,18 +22,13 @@ constexpr std::string_view kGeometry[] = {"type", "pos", "axis", "for", "if", "l
 // Types of joints whose torque(NAME) expressions can use.
 constexpr std::string_view kTurning[] = {"hinge", "ball"};
 
-// Returns the default type of joints: the literal in `defaults:`, or "hinge" if there is none; an
-// empty text if the type is drawn or computed.
-std::string_view DefaultType(const Context& context) {
-  const Field* type = FindField(context.spec.defaults.joint, Key::kType);
-  return type == nullptr ? "hinge" : LiteralText(type->value).value_or("");
-}
-
 void DeclareTorque(const YamlNode& joint, Context& context) {
   const YamlNode* name = joint.Find("name");
   const YamlNode* type = joint.Find("type");
   if (name == nullptr || !expr::IsName(name->text) || joint.Find("screw") != nullptr) return;
-  const std::string_view word = type == nullptr ? DefaultType(context) : type->text;
+  const Field* fallback = FindField(context.spec.defaults.joint, Key::kType);
+  const std::string_view word =
+      type != nullptr ? std::string_view(type->text) : JointType(fallback);
   if (std::ranges::find(kTurning, word) == std::end(kTurning)) return;
   expr::SymbolTable& names = context.spec.names;
   const std::string torque = expr::TorqueVariable(name->text);
