@@ -19,42 +19,34 @@ bool IsTurn(const YamlNode& position) {
          position.text == "random";
 }
 
-class StartReader {
- public:
-  explicit StartReader(Context& context) : context_(context), entries_(context) {}
-
-  Entry Read(const YamlNode& map) {
-    CheckKeys(kStartElement, map, context_);
-    const YamlNode::Pair* actuator = map.FindPair("actuator");
-    if (actuator != nullptr && map.Find("joint") != nullptr) {
-      context_.findings.Add(Code::kSpecConflict, actuator->mark,
-                            "'actuator' together with 'joint': an entry has only one of the two");
-    }
-    const std::string_view kind = actuator == nullptr ? "joint" : "actuator";
-    Entry entry = entries_.Begin(kStartElement, map, map, EntryReader::Naming::kRequired, kind);
-    entry.fields = ReadFields(kStartElement, map, context_);
-    if (actuator != nullptr) {
-      entries_.RejectKeys(map, {"actuator", "joint", "for", "if", "let", "ctrl", "act"},
-                          kStartElement, "an actuator");
-    } else {
-      entries_.RejectKeys(map,
-                          {"joint", "for", "if", "let", "value", "pos", "quat", "euler",
-                           "axisangle", "xyaxes", "zaxis", "velocity"},
-                          kStartElement, "a joint");
-    }
-    if (entry.fields.empty()) {
-      context_.findings.Add(Code::kSpecMissingKey, map.mark,
-                            actuator == nullptr ? "start of a joint without a 'value'"
-                                                : "start of an actuator without 'ctrl' or 'act'");
-    }
-    entries_.End(entry);
-    return entry;
+Entry ReadStart(const YamlNode& map, Context& context) {
+  EntryReader entries(context);
+  CheckKeys(kStartElement, map, context);
+  const YamlNode::Pair* actuator = map.FindPair("actuator");
+  if (actuator != nullptr && map.Find("joint") != nullptr) {
+    context.findings.Add(Code::kSpecConflict, actuator->mark,
+                         "'actuator' together with 'joint': an entry has only one of the two");
   }
-
- private:
-  Context& context_;
-  EntryReader entries_;
-};
+  const std::string_view kind = actuator == nullptr ? "joint" : "actuator";
+  Entry entry = entries.Begin(kStartElement, map, map, EntryReader::Naming::kRequired, kind);
+  entry.fields = ReadFields(kStartElement, map, context);
+  if (actuator != nullptr) {
+    entries.RejectKeys(map, {"actuator", "joint", "for", "if", "let", "ctrl", "act"}, kStartElement,
+                       "an actuator");
+  } else {
+    entries.RejectKeys(map,
+                       {"joint", "for", "if", "let", "value", "pos", "quat", "euler", "axisangle",
+                        "xyaxes", "zaxis", "velocity"},
+                       kStartElement, "a joint");
+  }
+  if (entry.fields.empty()) {
+    context.findings.Add(Code::kSpecMissingKey, map.mark,
+                         actuator == nullptr ? "start of a joint without a 'value'"
+                                             : "start of an actuator without 'ctrl' or 'act'");
+  }
+  entries.End(entry);
+  return entry;
+}
 
 }  // namespace
 
@@ -102,9 +94,8 @@ std::vector<Entry> ReadStarts(const YamlNode& pose, Context& context) {
     }
     return starts;
   }
-  StartReader reader(context);
   for (const YamlNode& item : pose.items) {
-    if (IsMap(item, "a start's keys", context)) starts.push_back(reader.Read(item));
+    if (IsMap(item, "a start's keys", context)) starts.push_back(ReadStart(item, context));
   }
   return starts;
 }
