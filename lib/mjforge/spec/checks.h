@@ -41,16 +41,12 @@ struct Checks {
     std::string reason;
   };
   std::vector<Silence> silenced;
-  struct Holding {
+  struct Group {
     std::vector<Field> fields;
     diag::SourceMark mark;
   };
-  std::optional<Holding> holds;
-  struct Settling {
-    std::vector<Field> fields;
-    diag::SourceMark mark;
-  };
-  std::optional<Settling> settled;
+  std::optional<Group> holds;
+  std::optional<Group> settled;
   struct JointCheck {
     Entry entry;                // keys `if`, `for`, `let`; `fields` contains the thresholds
     std::vector<Value> joints;  // texts: names of joints

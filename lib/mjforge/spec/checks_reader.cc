@@ -67,14 +67,14 @@ void RequireKey(std::string_view key, std::string_view hint, const YamlNode& map
 void ReadHolding(const YamlNode& holds, Context& context) {
   if (!IsMap(holds, "what is dropped into the object", context)) return;
   context.spec.checks.holds =
-      Checks::Holding{ReadThresholds(kHoldingElement, holds, context), holds.mark};
+      Checks::Group{ReadThresholds(kHoldingElement, holds, context), holds.mark};
   RequireKey("ball", "it is the balls' diameter: {ball: 8mm}", holds, context);
 }
 
 void ReadSettling(const YamlNode& settled, Context& context) {
   if (!IsMap(settled, "how far bodies may move", context)) return;
   context.spec.checks.settled =
-      Checks::Settling{ReadThresholds(kSettlingElement, settled, context), settled.mark};
+      Checks::Group{ReadThresholds(kSettlingElement, settled, context), settled.mark};
 }
 
 // Reads the names in a text or a list of texts; `names` may be null.
