@@ -9,6 +9,8 @@
 namespace mjforge::spec {
 namespace {
 
+bool WriteConstants(diag::Json& json, const std::vector<Value>& values);
+
 // Writes a value that is the same in all variants. For any other value, returns false, possibly
 // after writing a part of the value.
 bool WriteConstant(diag::Json& json, const Value& value) {
@@ -18,16 +20,17 @@ bool WriteConstant(diag::Json& json, const Value& value) {
     json.Value(*text);
   } else if (const auto* flag = std::get_if<bool>(&value.form)) {
     json.Value(*flag);
-  } else if (const auto* list = std::get_if<List>(&value.form)) {
-    json.StartArray();
-    for (const Value& item : list->items) {
-      if (!WriteConstant(json, item)) return false;
-    }
-    json.EndArray();
   } else {
-    return false;
+    const auto* list = std::get_if<List>(&value.form);
+    return list != nullptr && WriteConstants(json, list->items);
   }
   return true;
+}
+
+bool WriteConstants(diag::Json& json, const std::vector<Value>& values) {
+  bool is_good = true;
+  json.List(values, [&](const Value& value) { is_good = is_good && WriteConstant(json, value); });
+  return is_good;
 }
 
 }  // namespace
@@ -36,11 +39,7 @@ std::optional<std::string> ConstantChoices(const Value& value) {
   const auto* draw = std::get_if<Draw>(&value.form);
   if (draw == nullptr || !draw->is_choice()) return std::nullopt;
   diag::Json choices(expr::AppendExactNumber);
-  choices.StartArray();
-  for (const Value& option : draw->arguments) {
-    if (!WriteConstant(choices, option)) return std::nullopt;
-  }
-  choices.EndArray();
+  if (!WriteConstants(choices, draw->arguments)) return std::nullopt;
   return choices.Take();
 }
 

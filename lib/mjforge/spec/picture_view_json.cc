@@ -6,17 +6,13 @@
 namespace mjforge::spec {
 
 std::string ViewJson(const PictureView& view) {
-  diag::Json json(expr::AppendExactNumber);
-  json.StartObject();
-  if (view.azimuth) json.Member("azimuth", *view.azimuth);
-  if (view.elevation) json.Member("elevation", *view.elevation);
-  json.Key("pose");
-  json.StartObject();
-  for (const PictureView::Position& position : view.pose)
-    json.Member(position.joint, position.value);
-  json.EndObject();
-  json.EndObject();
-  return json.Take();
+  return diag::JsonObject(expr::AppendExactNumber, [&](diag::Json& json) {
+    if (view.azimuth) json.Member("azimuth", *view.azimuth);
+    if (view.elevation) json.Member("elevation", *view.elevation);
+    json.Object("pose", [&] {
+      for (const auto& position : view.pose) json.Member(position.joint, position.value);
+    });
+  });
 }
 
 }  // namespace mjforge::spec

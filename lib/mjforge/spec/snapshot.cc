@@ -42,10 +42,9 @@ bool ReadTexts(const rapidjson::Value& list, Texts& texts) {
 }
 
 void WriteTexts(diag::Json& json, std::string_view key, const Texts& texts) {
-  json.Key(key);
-  json.StartArray();
-  for (const auto& [file, text] : texts) json.Value(std::vector<std::string>{file.string(), text});
-  json.EndArray();
+  json.List(key, texts, [&](const auto& file) {
+    json.Value(std::vector<std::string>{file.first.string(), file.second});
+  });
 }
 
 // Reads the members of the JSON object into the snapshot. Returns false if a member is missing or
@@ -84,15 +83,12 @@ std::string SnapshotText(const Snapshot& snapshot) {
   json.Member("spec", snapshot.spec);
   json.Member("text_name", snapshot.text_name);
   json.Member("folder", folder.string());
-  json.Key("search_path");
-  json.StartArray();
-  for (const fs::path& searched : snapshot.search_path) json.Value((folder / searched).string());
-  json.EndArray();
-  json.Key("found");
-  json.StartArray();
-  for (const auto& [key, file] : snapshot.found)
+  json.List("search_path", snapshot.search_path,
+            [&](const fs::path& searched) { json.Value((folder / searched).string()); });
+  json.List("found", snapshot.found, [&](const auto& found) {
+    const auto& [key, file] = found;
     json.Value(std::vector<std::string>{key.first.string(), key.second, file.string()});
-  json.EndArray();
+  });
   WriteTexts(json, "texts", snapshot.texts);
   WriteTexts(json, "parameter_texts", snapshot.parameter_texts);
   json.EndObject();
