@@ -36,18 +36,16 @@ Value ValueReader::ReadBoolean(const YamlNode& node) {
   if (node.kind == YamlNode::Kind::kMap)
     return ReadMapping({.kind = FieldKind::kBoolean}, node, {});
   if (node.kind != YamlNode::Kind::kScalar) return Wrong(node, "true or false");
-  if (IsBooleanWord(node)) {
-    return Value{.mark = node.mark, .type = Type::kBoolean, .form = node.text == "true"};
-  }
+  Value value{.mark = node.mark, .type = Type::kBoolean, .form = node.text == "true"};
+  if (IsBooleanWord(node)) return value;
   if (const auto known = names_.Find(node.text);
       !known &&
       (node.text == "yes" || node.text == "no" || node.text == "on" || node.text == "off")) {
     findings_.Add(Code::kSpecWrongType, node.mark,
                   fmt::format("expected true or false, got the text '{}'", node.text),
                   "YAML 1.2 writes booleans as true and false");
-    return Value{.mark = node.mark, .type = Type::kBoolean, .form = false};
+    return value;
   }
-  Value value{.mark = node.mark, .type = Type::kBoolean, .form = false};
   if (auto expression = ReadCondition(node)) value.form = std::move(*expression);
   return value;
 }
