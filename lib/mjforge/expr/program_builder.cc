@@ -24,11 +24,24 @@ Dimension DimensionOfItems(const SymbolTable::Variable& variable) {
 
 ProgramBuilder::ProgramBuilder(std::string_view text, std::vector<Token> tokens, ParseState& state,
                                Arguments arguments)
-    : TokenCursor(text, std::move(tokens)),
+    : tokens_(std::move(tokens)),
       names_(state.names),
       parsed_(state.parsed),
       error_(state.error),
+      text_(text),
       arguments_(std::move(arguments)) {}
+
+bool ProgramBuilder::AtComparison() const {
+  static constexpr std::array<std::string_view, 6> kSigns = {"<", "<=", ">", ">=", "==", "!="};
+  return Now().kind == Token::Kind::kSign && std::ranges::find(kSigns, Now().text) != kSigns.end();
+}
+
+std::string_view ProgramBuilder::Source(std::size_t begin, std::size_t end) const {
+  const std::size_t from = tokens_[begin].offset;
+  std::string_view source = text_.substr(from, tokens_[end].offset - from);
+  while (source.ends_with(' ') || source.ends_with('\n')) source.remove_suffix(1);
+  return source;
+}
 
 ProgramBuilder::OptionalOperand ProgramBuilder::Fail(Error error) {
   error_ = std::move(error);

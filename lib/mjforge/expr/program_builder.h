@@ -1,5 +1,5 @@
-// Semantic actions of the parser: add steps for names, literals and calls to a program. Private to
-// lib/mjforge/expr.
+// Cursor through the tokens of an expression, and semantic actions of the parser, which add steps
+// for names, literals and calls to a program. Private to lib/mjforge/expr.
 #pragma once
 
 #include <cstddef>
@@ -10,17 +10,31 @@
 #include <vector>
 
 #include "mjforge/expr/parser.h"
-#include "mjforge/expr/token_cursor.h"
+#include "mjforge/expr/tokens.h"
 
 namespace mjforge::expr {
 
-class ProgramBuilder : protected TokenCursor {
+class ProgramBuilder {
  protected:
   using OptionalOperand = std::optional<TypedOperand>;  // nullopt after an error
   using Arguments = std::map<std::string_view, TypedOperand>;
 
   ProgramBuilder(std::string_view text, std::vector<Token> tokens, ParseState& state,
                  Arguments arguments);
+
+  /// Returns the token that is read next.
+  const Token& Now() const { return tokens_[at_]; }
+  /// Reads the next token if it is this sign; otherwise returns false.
+  bool Take(std::string_view sign) {
+    if (!Now().IsSign(sign)) return false;
+    ++at_;
+    return true;
+  }
+  /// Returns true if the next token is the sign of a comparison.
+  bool AtComparison() const;
+  /// Returns the source text from the start of token `begin` to the start of token `end`, without
+  /// blanks at its end.
+  std::string_view Source(std::size_t begin, std::size_t end) const;
 
   OptionalOperand Fail(Error error);
   OptionalOperand FailText(const TypedOperand& operand);
@@ -53,6 +67,8 @@ class ProgramBuilder : protected TokenCursor {
   /// three components. `offset` is the offset of the function's name.
   OptionalOperand AddDistance(const Token& a, const Token& b, std::size_t offset);
 
+  std::vector<Token> tokens_;
+  std::size_t at_ = 0;  // index of the token that is read next
   const SymbolTable& names_;
   ParsedExpression& parsed_;
   Error& error_;
@@ -69,6 +85,7 @@ class ProgramBuilder : protected TokenCursor {
   ListSource AddList(const SymbolTable::Variable& variable);
   void RecordInput(const SymbolTable::Variable& variable, int component);
 
+  std::string_view text_;
   Arguments arguments_;  // operands for the arguments of the function whose body is parsed
 };
 
