@@ -114,13 +114,12 @@ Error Unexpected(std::span<const Token> tokens, std::size_t at, const SymbolTabl
 }
 
 Error UnknownName(const Token& token, const SymbolTable& names, bool beside_text) {
-  if (const std::string_view usage = UsageOf(token.text); usage.find('(') != usage.npos) {
+  std::string usage(UsageOf(token.text));
+  const SpecFunction* function = names.FindFunction(token.text);
+  if (usage.empty() && function != nullptr) usage = function->Usage();
+  if (usage.find('(') != usage.npos) {
     return Syntax(token, fmt::format("'{}' is a function", token.text),
                   fmt::format("write {}", usage));
-  }
-  if (const SpecFunction* function = names.FindFunction(token.text)) {
-    return Syntax(token, fmt::format("'{}' is a function", token.text),
-                  fmt::format("write {}", function->Usage()));
   }
   std::string hint = ClosestName(token.text, names);
   if (beside_text && hint.empty()) hint = fmt::format("put text in quotes: '{}'", token.text);
