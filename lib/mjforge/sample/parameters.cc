@@ -28,24 +28,25 @@ std::string KindText(const ParameterValue& value) {
   return spec::KindText(Type::kNumber, numbers ? numbers->size() : 1);
 }
 
-std::vector<double> KeysOf(const std::vector<std::string>& texts) {
-  std::vector<double> keys(texts.size());
-  std::ranges::transform(texts, keys.begin(), expr::TextKey);
-  return keys;
-}
-
 // Returns the numbers that represent the items of a list in expressions.
 std::vector<double> NumbersOf(const ParameterValue& list) {
-  if (const auto* texts = std::get_if<std::vector<std::string>>(&list)) return KeysOf(*texts);
+  if (const auto* texts = std::get_if<std::vector<std::string>>(&list)) {
+    std::vector<double> keys(texts->size());
+    std::ranges::transform(*texts, keys.begin(), expr::TextKey);
+    return keys;
+  }
   if (const auto* booleans = std::get_if<std::vector<bool>>(&list))
     return std::vector<double>(booleans->begin(), booleans->end());
   return std::get<std::vector<double>>(list);
 }
 
-std::vector<bool> BooleansOf(const std::vector<double>& numbers) {
-  std::vector<bool> booleans;
-  booleans.reserve(numbers.size());
-  for (const double number : numbers) booleans.push_back(number != 0);
+// Returns a list of items of this type as the value of a parameter.
+ParameterValue ValueOf(Type type, Items items) {
+  if (type == Type::kText) return std::move(items.texts);
+  if (type == Type::kNumber) return std::move(items.numbers);
+  std::vector<bool> booleans(items.numbers.size());
+  std::transform(items.numbers.begin(), items.numbers.end(), booleans.begin(),
+                 [](double number) { return number != 0; });
   return booleans;
 }
 
@@ -189,9 +190,7 @@ std::optional<ParameterValue> Evaluator::Any(const spec::Value& value, StreamId 
   if (value.is_list) {
     std::optional<Items> items = List(value, path);
     if (!items) return std::nullopt;
-    if (value.type == Type::kText) return std::move(items->texts);
-    if (value.type == Type::kBoolean) return BooleansOf(items->numbers);
-    return std::move(items->numbers);
+    return ValueOf(value.type, *std::move(items));
   }
   if (value.type == Type::kText) return Text(value, path);
   if (value.type == Type::kBoolean) return Boolean(value, path);
@@ -205,15 +204,13 @@ std::optional<ParameterValue> Evaluator::Any(const spec::Value& value, StreamId 
 ParameterValue Evaluator::Parameter(std::size_t i) const {
   const spec::Parameter& parameter = spec_.parameters[i];
   const auto slot = static_cast<std::size_t>(parameter.slot);
-  const bool is_text = parameter.value.type == Type::kText;
+  const Type type = parameter.value.type;
   if (parameter.value.is_list) {
     const auto list = static_cast<std::size_t>(parameter.list);
-    if (is_text) return list_texts_[list];
-    if (parameter.value.type == Type::kBoolean) return BooleansOf(lists_[list].numbers());
-    return lists_[list].numbers();
+    return ValueOf(type, {lists_[list].numbers(), list_texts_[list]});
   }
-  if (is_text) return texts_[slot];
-  if (parameter.value.type == Type::kBoolean) return variables_[slot] != 0;
+  if (type == Type::kText) return texts_[slot];
+  if (type == Type::kBoolean) return variables_[slot] != 0;
   if (!IsVector(parameter.value)) return variables_[slot];
   const auto first = variables_.begin() + parameter.slot;
   return std::vector<double>(first, first + parameter.value.components);
