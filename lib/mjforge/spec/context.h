@@ -52,9 +52,6 @@ void CheckNeeds(std::string_view key, std::string_view other, const YamlNode& ma
 void RejectBeside(std::string_view key, std::span<const std::string_view> keys, const YamlNode& map,
                   std::string_view reason, Context& context);
 
-/// Reports required fields of the element that the mapping does not have.
-void RequireKeys(const ElementInfo& element, const YamlNode& map, Context& context);
-
 /// Returns true if the node is a mapping. Otherwise adds a finding, in which `what` describes the
 /// expected content ("a part's keys").
 bool IsMap(const YamlNode& node, std::string_view what, Context& context);
@@ -66,6 +63,11 @@ bool IsList(const YamlNode& node, std::string_view what, Context& context);
 /// structures, such as a list of parts. Reports keys that exclude each other (two orientations,
 /// density and mass).
 std::vector<Field> ReadFields(const ElementInfo& element, const YamlNode& map, Context& context);
+
+/// Reads the fields of an element, as ReadFields() does. Also reports unknown keys, and required
+/// fields that the mapping does not have.
+std::vector<Field> ReadElementFields(const ElementInfo& element, const YamlNode& map,
+                                     Context& context);
 
 /// Reads the mapping under the key `element.name` of `map` into a child of `entry`, and returns the
 /// child; null if there is no such mapping.

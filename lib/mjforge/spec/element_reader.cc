@@ -161,13 +161,16 @@ void RejectBeside(std::string_view key, std::span<const std::string_view> keys, 
   }
 }
 
-void RequireKeys(const ElementInfo& element, const YamlNode& map, Context& context) {
+std::vector<Field> ReadElementFields(const ElementInfo& element, const YamlNode& map,
+                                     Context& context) {
+  CheckKeys(element, map, context);
   for (const FieldInfo& field : element.fields) {
     if (!field.required || map.Find(field.key) != nullptr) continue;
     context.findings.Add(Code::kSpecMissingKey, map.mark,
                          fmt::format("'{}' without '{}'", element.name, field.key),
                          std::string(field.doc));
   }
+  return ReadFields(element, map, context);
 }
 
 Entry* ReadChild(const ElementInfo& element, const YamlNode& map, Entry& entry, Context& context) {
@@ -175,12 +178,10 @@ Entry* ReadChild(const ElementInfo& element, const YamlNode& map, Entry& entry, 
   if (pair == nullptr ||
       !IsMap(pair->value, fmt::format("the keys of '{}'", element.name), context))
     return nullptr;
-  CheckKeys(element, pair->value, context);
-  RequireKeys(element, pair->value, context);
   Entry& child = entry.children.emplace_back();
   child.element = &element;
   child.mark = pair->mark;
-  child.fields = ReadFields(element, pair->value, context);
+  child.fields = ReadElementFields(element, pair->value, context);
   return &child;
 }
 

@@ -174,8 +174,7 @@ void EntryReader::ReadFrame(const YamlNode& map, const YamlNode& frame, Entry& e
   entry.is_frame = true;
   RejectKeys(map, {"name", "if", "for", "let", "frame", "parts"}, kPartElement, "a frame");
   if (IsMap(frame, "a pose", context_)) {
-    CheckKeys(kFrameElement, frame, context_);
-    entry.fields = ReadFields(kFrameElement, frame, context_);
+    entry.fields = ReadElementFields(kFrameElement, frame, context_);
   }
   const bool drawn =
       std::ranges::any_of(entry.fields, [](const Field& field) { return HasDraw(field.value); });

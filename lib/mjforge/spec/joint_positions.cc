@@ -21,7 +21,6 @@ bool IsTurn(const YamlNode& position) {
 
 Entry ReadStart(const YamlNode& map, Context& context) {
   EntryReader entries(context);
-  CheckKeys(kStartElement, map, context);
   const YamlNode::Pair* actuator = map.FindPair("actuator");
   if (actuator != nullptr && map.Find("joint") != nullptr) {
     context.findings.Add(Code::kSpecConflict, actuator->mark,
@@ -29,7 +28,7 @@ Entry ReadStart(const YamlNode& map, Context& context) {
   }
   const std::string_view kind = actuator == nullptr ? "joint" : "actuator";
   Entry entry = entries.Begin(kStartElement, map, map, EntryReader::Naming::kRequired, kind);
-  entry.fields = ReadFields(kStartElement, map, context);
+  entry.fields = ReadElementFields(kStartElement, map, context);
   if (actuator != nullptr) {
     entries.RejectKeys(map, {"actuator", "joint", "for", "if", "let", "ctrl", "act"}, kStartElement,
                        "an actuator");

@@ -13,8 +13,7 @@ using diag::Code;
 
 std::vector<Field> ReadTexture(const YamlNode& node, Context& context) {
   if (!IsMap(node, "a texture's keys", context)) return {};
-  CheckKeys(kTextureElement, node, context);
-  std::vector<Field> fields = ReadFields(kTextureElement, node, context);
+  std::vector<Field> fields = ReadElementFields(kTextureElement, node, context);
   if (!FindField(fields, Key::kBuiltin) && !FindField(fields, Key::kFile)) {
     context.findings.Add(Code::kSpecMissingKey, node.mark, "a texture needs 'builtin' or 'file'");
   }
@@ -25,10 +24,9 @@ void ReadMaterial(const YamlNode::Pair& pair, const std::filesystem::path& folde
                   Context& context) {
   CheckName("material", pair.key, pair.mark, context.findings);
   if (!IsMap(pair.value, "a material's keys", context)) return;
-  CheckKeys(kMaterialElement, pair.value, context);
   Material material{
       .name = pair.key, .mark = pair.mark, .fields = {}, .texture = {}, .folder = folder};
-  material.fields = ReadFields(kMaterialElement, pair.value, context);
+  material.fields = ReadElementFields(kMaterialElement, pair.value, context);
   if (const YamlNode* texture = pair.value.Find("texture")) {
     material.texture = ReadTexture(*texture, context);
   }

@@ -53,20 +53,16 @@ std::optional<PlaceEntry> ReadPlace(const YamlNode& body, Context& context) {
   const YamlNode* map = body.Find("place");
   if (map == nullptr || !IsMap(*map, "where the body stands", context)) return std::nullopt;
   RejectBeside("place", kOtherPlaces, body, "'place' decides where the body is", context);
-  CheckKeys(kPlaceElement, *map, context);
-  RequireKeys(kPlaceElement, *map, context);
   PlaceEntry place;
   place.mark = map->mark;
-  place.fields = ReadFields(kPlaceElement, *map, context);
+  place.fields = ReadElementFields(kPlaceElement, *map, context);
   if (const YamlNode::Pair* facing = map->FindPair("facing"))
     ReadFacing(*facing, place.fields, context);
   if (map->Find("by") != nullptr)
     RejectBeside("by", kNotWithSites, *map, "the two sites decide the place", context);
   const YamlNode* beside = map->Find("beside");
   if (beside != nullptr && IsMap(*beside, "a body and its side", context)) {
-    CheckKeys(kBesideElement, *beside, context);
-    RequireKeys(kBesideElement, *beside, context);
-    place.beside = ReadFields(kBesideElement, *beside, context);
+    place.beside = ReadElementFields(kBesideElement, *beside, context);
   }
   const YamlNode* pile = map->Find("pile");
   if (pile == nullptr || !IsMap(*pile, "how a pile is made", context)) return place;
@@ -75,8 +71,7 @@ std::optional<PlaceEntry> ReadPlace(const YamlNode& body, Context& context) {
     context.findings.Add(Code::kSpecConflict, fewer->mark,
                          "'fewer' together with 'pile': a pile has room for every body");
   }
-  CheckKeys(kPileElement, *pile, context);
-  place.pile = ReadFields(kPileElement, *pile, context);
+  place.pile = ReadElementFields(kPileElement, *pile, context);
   const YamlNode* joints = body.Find("joints");
   if (joints == nullptr || joints->text != "free") {
     context.findings.Add(Code::kSpecConflict, map->FindPair("pile")->mark,

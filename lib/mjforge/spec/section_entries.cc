@@ -122,8 +122,7 @@ class SectionEntryReader {
       ReadChild(*child, inner, entry);
       return true;
     });
-    CheckKeys(element, own, context_);
-    entry.fields = ReadFields(element, own, context_);
+    entry.fields = ReadElementFields(element, own, context_);
     SectionOf(info).entries.push_back(std::move(entry));
   }
 
@@ -132,8 +131,7 @@ class SectionEntryReader {
     Entry entry;
     entry.element = &element;
     entry.mark = pair.mark;
-    CheckKeys(element, pair.value, context_);
-    entry.fields = ReadFields(element, pair.value, context_);
+    entry.fields = ReadElementFields(element, pair.value, context_);
     parent.children.push_back(std::move(entry));
   }
 
@@ -170,8 +168,7 @@ class SectionEntryReader {
       return true;
     });
     RejectRepetition(own);
-    CheckKeys(element, own, context_);
-    entry.fields = ReadFields(element, own, context_);
+    entry.fields = ReadElementFields(element, own, context_);
     if (found->value.Find("name") == nullptr) RejectDraws(entry);
     entries_.End(entry);
     SectionOf(info).entries.push_back(std::move(entry));

@@ -30,9 +30,8 @@ std::optional<double> FixedNumber(std::string_view name, diag::SourceMark mark, 
 
 void ReadView(const YamlNode& view, Context& context) {
   if (!IsMap(view, "azimuth, elevation and pose", context)) return;
-  CheckKeys(kViewElement, view, context);
   PictureView& shown = context.spec.view;
-  for (const Field& field : ReadFields(kViewElement, view, context)) {
+  for (const Field& field : ReadElementFields(kViewElement, view, context)) {
     const auto number = FixedNumber(field.info->key, field.mark, field.value, context);
     if (!number) continue;
     (field.info->key == "azimuth" ? shown.azimuth : shown.elevation) =
