@@ -38,9 +38,7 @@ Value ValueReader::ReadBoolean(const YamlNode& node) {
   if (node.kind != YamlNode::Kind::kScalar) return Wrong(node, "true or false");
   Value value{.mark = node.mark, .type = Type::kBoolean, .form = node.text == "true"};
   if (IsBooleanWord(node)) return value;
-  if (const auto known = names_.Find(node.text);
-      !known &&
-      (node.text == "yes" || node.text == "no" || node.text == "on" || node.text == "off")) {
+  if (names_.Find(node.text) == nullptr && expr::HasWord("yes no on off", node.text)) {
     findings_.Add(Code::kSpecWrongType, node.mark,
                   fmt::format("expected true or false, got the text '{}'", node.text),
                   "YAML 1.2 writes booleans as true and false");

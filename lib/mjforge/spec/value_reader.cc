@@ -17,8 +17,7 @@ using expr::Type;
 bool IsYamlNotFinite(std::string_view text) {
   const std::string_view bare =
       text.starts_with('-') || text.starts_with('+') ? text.substr(1) : text;
-  return bare == ".inf" || bare == ".Inf" || bare == ".INF" || bare == ".nan" || bare == ".NaN" ||
-         bare == ".NAN";
+  return expr::HasWord(".inf .Inf .INF .nan .NaN .NAN", bare);
 }
 
 // Returns true if the node is a piece of an expression that YAML split at a comma: `[max(a, b), 0]`
