@@ -53,8 +53,8 @@ class TreeBuilder : public YAML::EventHandler {
   void OnDocumentEnd() override {}
 
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
-    const bool has_key = !open_.empty() && open_.back().has_key;
-    Finish({.mark = has_key ? open_.back().key_mark : At(mark)}, anchor);
+    const bool has_key = !open_.empty() && open_.back().pair;
+    Finish({.mark = has_key ? open_.back().pair->mark : At(mark)}, anchor);
   }
 
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
@@ -107,11 +107,9 @@ class TreeBuilder : public YAML::EventHandler {
   struct OpenNode {
     YamlNode node;
     YAML::anchor_t anchor = 0;
-    bool flow = false;  // true for a list in brackets
-    bool has_key = false;
+    bool flow = false;                        // true for a list in brackets
+    std::optional<YamlNode::Pair> pair = {};  // a key that was read, before its value is read
     bool keep = true;  // false: the key is repeated, and its value is dropped
-    std::string key = {};
-    SourceMark key_mark = {};
     std::map<std::string, SourceMark, std::less<>> keys = {};
   };
 
@@ -142,8 +140,7 @@ class TreeBuilder : public YAML::EventHandler {
   }
 
   bool ExpectsKey() const {
-    return !open_.empty() && open_.back().node.kind == YamlNode::Kind::kMap &&
-           !open_.back().has_key;
+    return !open_.empty() && open_.back().node.kind == YamlNode::Kind::kMap && !open_.back().pair;
   }
 
   void Finish(YamlNode node, YAML::anchor_t anchor) {
@@ -152,12 +149,13 @@ class TreeBuilder : public YAML::EventHandler {
       root_ = std::move(node);
     } else if (open_.back().node.kind == YamlNode::Kind::kList) {
       open_.back().node.items.push_back(std::move(node));
-    } else if (!open_.back().has_key) {
+    } else if (!open_.back().pair) {
       TakeKey(std::move(node));
     } else {
       OpenNode& map = open_.back();
-      if (map.keep) map.node.pairs.push_back({std::move(map.key), map.key_mark, std::move(node)});
-      map.has_key = false;
+      map.pair->value = std::move(node);
+      if (map.keep) map.node.pairs.push_back(*std::move(map.pair));
+      map.pair.reset();
     }
   }
 
@@ -169,10 +167,8 @@ class TreeBuilder : public YAML::EventHandler {
           .Add(Code::kYamlDuplicateKey, key.mark, fmt::format("key '{}' appears twice", key.text))
           .notes.push_back({first->second, "first here"});
     }
-    map.has_key = true;
     map.keep = is_new;
-    map.key = std::move(key.text);
-    map.key_mark = key.mark;
+    map.pair = YamlNode::Pair{std::move(key.text), key.mark, {}};
   }
 
   std::uint32_t file_;
@@ -183,18 +179,19 @@ class TreeBuilder : public YAML::EventHandler {
   std::size_t alias_nodes_ = 0;
 };
 
+// Returns the position of the byte at `offset`.
+SourceMark MarkAt(std::uint32_t file, std::string_view text, std::size_t offset) {
+  const std::string_view before = text.substr(0, offset);
+  const std::size_t line_start = before.rfind('\n') + 1;  // 0 if there is no line end
+  return {file, static_cast<std::uint32_t>(std::ranges::count(before, '\n') + 1),
+          static_cast<std::uint32_t>(offset - line_start + 1)};
+}
+
 // Returns the position of the first byte that is NUL or not UTF-8; nullopt if there is none.
 std::optional<SourceMark> FirstBadByte(std::uint32_t file, std::string_view text) {
-  SourceMark mark{file, 1, 1};
   for (std::size_t i = 0; i < text.size();) {
     const diag::Utf8Char character = diag::DecodeUtf8(text.substr(i));
-    if (!character.valid || text[i] == '\0') return mark;
-    if (text[i] == '\n') {
-      ++mark.line;
-      mark.column = 1;
-    } else {
-      mark.column += static_cast<std::uint32_t>(character.length);
-    }
+    if (!character.valid || text[i] == '\0') return MarkAt(file, text, i);
     i += character.length;
   }
   return std::nullopt;
@@ -204,17 +201,11 @@ std::optional<SourceMark> FirstBadByte(std::uint32_t file, std::string_view text
 // is none. The limit of yaml-cpp does not count brackets that are never closed.
 std::optional<SourceMark> FirstTooDeep(std::uint32_t file, std::string_view text) {
   constexpr int kMaxDepth = 200;
-  SourceMark mark{file, 1, 0};
   int depth = 0;
-  for (const char c : text) {
-    ++mark.column;
-    if (c == '\n') {
-      ++mark.line;
-      mark.column = 0;
-    }
-    if (c == '[' || c == '{') ++depth;
-    if (c == ']' || c == '}') --depth;
-    if (depth > kMaxDepth) return mark;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '[' || text[i] == '{') ++depth;
+    if (text[i] == ']' || text[i] == '}') --depth;
+    if (depth > kMaxDepth) return MarkAt(file, text, i);
   }
   return std::nullopt;
 }
