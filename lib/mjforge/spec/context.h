@@ -59,6 +59,10 @@ bool IsMap(const YamlNode& node, std::string_view what, Context& context);
 /// expected content ("pairs of bodies").
 bool IsList(const YamlNode& node, std::string_view what, Context& context);
 
+/// Returns the items of a list, or the node itself if it is a single value. Otherwise returns no
+/// items, and adds a finding as IsList() does.
+std::span<const YamlNode> OneOrMore(const YamlNode& node, std::string_view what, Context& context);
+
 /// Reads the fields of a mapping whose kind is a value (HoldsValue()), except `name`; skips
 /// structures, such as a list of parts. Reports keys that exclude each other (two orientations,
 /// density and mass).

@@ -130,6 +130,11 @@ bool IsList(const YamlNode& node, std::string_view what, Context& context) {
   return false;
 }
 
+std::span<const YamlNode> OneOrMore(const YamlNode& node, std::string_view what, Context& context) {
+  if (node.kind == YamlNode::Kind::kScalar) return {&node, 1};
+  return IsList(node, what, context) ? node.items : std::span<const YamlNode>();
+}
+
 std::vector<Field> ReadFields(const ElementInfo& element, const YamlNode& map, Context& context) {
   std::vector<Field> fields;
   const Motion motion = MotionOf(element, map, context);

@@ -207,11 +207,8 @@ class SpecLoader : public NestedLoader {
   // otherwise be read 2^n times.
   void CollectImports(const YamlNode& import, const fs::path& folder,
                       std::vector<ImportedFile>& files, Context& context) {
-    if (import.kind == YamlNode::Kind::kScalar) {
-      CollectImport(import, folder, files, context);
-    } else if (IsList(import, "files", context)) {
-      for (const YamlNode& item : import.items) CollectImport(item, folder, files, context);
-    }
+    for (const YamlNode& item : OneOrMore(import, "files", context))
+      CollectImport(item, folder, files, context);
   }
 
   void CollectImport(const YamlNode& node, const fs::path& folder, std::vector<ImportedFile>& files,

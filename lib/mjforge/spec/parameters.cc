@@ -297,15 +297,9 @@ void AddShared(const YamlNode* params, Context& context) {
 }
 
 void ReadRequirements(const YamlNode& require, Context& context) {
-  const auto add = [&context](const YamlNode& node) {
-    if (auto condition = context.values.ReadCondition(node)) {
+  for (const YamlNode& node : OneOrMore(require, "conditions", context)) {
+    if (auto condition = context.values.ReadCondition(node))
       context.spec.requirements.push_back({std::move(*condition), node.mark});
-    }
-  };
-  if (require.kind == YamlNode::Kind::kScalar) {
-    add(require);
-  } else if (IsList(require, "conditions", context)) {
-    for (const YamlNode& item : require.items) add(item);
   }
 }
 
