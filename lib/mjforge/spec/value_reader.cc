@@ -34,11 +34,6 @@ expr::Dimensions MeasureOf(const expr::Expression& expression) {
   return is_plain ? expr::Dimensions() : expr::Dimensions{expression.dimension()};
 }
 
-std::string CountText(int min_count, int max_count) {
-  if (min_count == max_count) return fmt::format("{}", min_count);
-  return fmt::format("{} to {}", min_count, max_count);
-}
-
 }  // namespace
 
 void UsedNames::Add(const UsedNames& other) {
@@ -313,23 +308,24 @@ Value ValueReader::ReadVector(const FieldInfo& expected, const YamlNode& node) {
   } else {
     value = ReadNumber(node);
   }
-  if (value.components == 0) return value;
-  if (value.components < expected.min_count || value.components > expected.max_count) {
-    findings_.Add(Code::kSpecWrongLength, node.mark,
-                  fmt::format("expected {} numbers, got {}",
-                              CountText(expected.min_count, expected.max_count), value.components));
-  }
+  if (value.components != 0) CheckCount(expected, value);
   return value;
+}
+
+void ValueReader::CheckCount(const FieldInfo& expected, const Value& value) {
+  const int min = expected.min_count;
+  const int max = expected.max_count;
+  if (min <= value.components && value.components <= max) return;
+  findings_.Add(Code::kSpecWrongLength, value.mark,
+                fmt::format("expected {} numbers, got {}",
+                            min == max ? fmt::format("{}", min) : fmt::format("{} to {}", min, max),
+                            value.components));
 }
 
 Value ValueReader::ReadList(const FieldInfo& expected, const YamlNode& node) {
   Value value{.mark = node.mark, .components = static_cast<int>(node.items.size())};
   const bool cut = std::ranges::any_of(node.items, IsCutAtComma);
-  if (!cut && (value.components < expected.min_count || value.components > expected.max_count)) {
-    findings_.Add(Code::kSpecWrongLength, node.mark,
-                  fmt::format("expected {} numbers, got {}",
-                              CountText(expected.min_count, expected.max_count), value.components));
-  }
+  if (!cut) CheckCount(expected, value);
   List list;
   bool reported_cut = false;
   for (const YamlNode& item : node.items) {

@@ -153,6 +153,8 @@ class ValueReader {
   // Returns the dimensions of the values that a draw produces.
   expr::Dimensions DimensionsOfDraw(const DistributionInfo& info, const FieldInfo& expected,
                                     const Draw& draw);
+  // Reports a vector with fewer or more numbers than expected.
+  void CheckCount(const FieldInfo& expected, const Value& value);
   void CheckRangeOrder(const Value& lo, const Value& hi, diag::SourceMark mark);
   void CheckBounds(const FieldInfo& field, const Value& value, int position);
   void CheckDrawBounds(const FieldInfo& field, const Draw& draw, int position);
