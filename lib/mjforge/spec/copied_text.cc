@@ -1,15 +1,14 @@
 // Texts of new specs: copies of a spec that refer to the same files, and the starter spec.
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <map>
-#include <span>
 #include <string>
 #include <string_view>
 
 #include "mjforge/bytes/bytes.h"
 #include "mjforge/diag/diag.h"
+#include "mjforge/expr/expr.h"
 #include "mjforge/spec/locate.h"
 #include "mjforge/spec/snapshot.h"
 #include "mjforge/spec/spec.h"
@@ -25,11 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // Keys whose values are names or paths of specs, and keys whose values are paths of other files.
-constexpr std::array<std::string_view, 2> kSpecKeys = {"import", "spec"};
-constexpr std::array<std::string_view, 3> kFileKeys = {"file", "mjcf", "rows"};
-bool Has(std::span<const std::string_view> keys, std::string_view key) {
-  return std::ranges::find(keys, key) != keys.end();
-}
+constexpr std::string_view kSpecKeys = "import spec";
+constexpr std::string_view kFileKeys = "file mjcf rows";
 
 // Collects replacements for the file references in the text of a spec, and applies them.
 class TextCopier {
@@ -49,8 +45,8 @@ class TextCopier {
   void Visit(const YamlNode& node) {
     for (const YamlNode& item : node.items) Visit(item);
     for (const YamlNode::Pair& pair : node.pairs) {
-      const bool is_spec = Has(kSpecKeys, pair.key);
-      if (is_spec || Has(kFileKeys, pair.key)) {
+      const bool is_spec = expr::HasWord(kSpecKeys, pair.key);
+      if (is_spec || expr::HasWord(kFileKeys, pair.key)) {
         VisitReference(pair.value, is_spec);
         for (const YamlNode& item : pair.value.items) VisitReference(item, is_spec);
       }
