@@ -95,9 +95,8 @@ Interval Support(Distribution distribution, std::span<const double> arguments,
     case Distribution::kUniform:
     case Distribution::kLogUniform:
     case Distribution::kInteger:
-      return {a[0], a[1]};
     case Distribution::kTriangular:
-      return {a[0], a[2]};
+      return {a.front(), a.back()};
     case Distribution::kNormal:
       return a[1] == 0 ? Interval{a[0], a[0]} : within;
     case Distribution::kLogNormal:
