@@ -1,6 +1,5 @@
 // Copies actuators of the compiled model (mjModel) into an attachment, a body of an MJCF file for
 // use in a spec.
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -9,11 +8,6 @@
 
 namespace mjforge::attach {
 namespace {
-
-template <typename Type>
-std::string WordOf(int number) {
-  return std::string(engine::WordOf(static_cast<Type>(number)));
-}
 
 /// Returns the numbers without zeros at the end, which are MuJoCo's defaults. Keeps the first
 /// number, because its default is 1 in `dynprm` and `gainprm`.
@@ -36,9 +30,9 @@ void ReadActuators(SectionReader& sections) {
     Attributes& attributes = actuator->attributes;
     if (first == "cranksite") attributes.Number("cranklength", m.actuator_cranklength[i]);
     attributes.Read(m, mjOBJ_ACTUATOR, i);
-    attributes.Text("dyntype", WordOf<mjtDyn>(m.actuator_dyntype[i]));
-    attributes.Text("gaintype", WordOf<mjtGain>(m.actuator_gaintype[i]));
-    attributes.Text("biastype", WordOf<mjtBias>(m.actuator_biastype[i]));
+    attributes.Text("dyntype", engine::WordOf(static_cast<mjtDyn>(m.actuator_dyntype[i])));
+    attributes.Text("gaintype", engine::WordOf(static_cast<mjtGain>(m.actuator_gaintype[i])));
+    attributes.Text("biastype", engine::WordOf(static_cast<mjtBias>(m.actuator_biastype[i])));
     attributes.Numbers("dynprm", WithoutZeros(Row(m.actuator_dynprm, i, mjNDYN)));
     attributes.Numbers("gainprm", WithoutZeros(Row(m.actuator_gainprm, i, mjNGAIN)));
     attributes.Numbers("biasprm", WithoutZeros(Row(m.actuator_biasprm, i, mjNBIAS)));

@@ -35,8 +35,6 @@ void Attributes::Read(const mjModel& m, std::span<const compiled::ArrayField> fi
   }
 }
 
-void Attributes::Text(std::string_view key, std::string text) { Add(key).text = std::move(text); }
-
 void CopyAttributes(const XmlElement& element, std::span<const std::string_view> names,
                     std::vector<model::Attribute>& out) {
   for (const std::string_view name : names) {

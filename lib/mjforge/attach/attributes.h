@@ -30,7 +30,7 @@ class Attributes {
   /// Appends the attributes `fields` of the compiled element `id`, read from the arrays of mjModel.
   void Read(const mjModel& m, std::span<const compiled::ArrayField> fields, int id);
   void Read(const mjModel& m, mjtObj kind, int id) { Read(m, compiled::ArrayFields(kind), id); }
-  void Text(std::string_view key, std::string text);
+  void Text(std::string_view key, std::string_view text) { Add(key).text = text; }
 
  private:
   model::Attribute& Add(std::string_view key);

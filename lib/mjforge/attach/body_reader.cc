@@ -141,7 +141,7 @@ class BodyReader {
     element.tag = info.name;
     scope_.Label(kind, id, element);
     Attributes attributes(info, element.attributes);
-    if (mode != 0) attributes.Text("mode", std::string(kModes[static_cast<std::size_t>(mode)]));
+    if (mode != 0) attributes.Text("mode", kModes[static_cast<std::size_t>(mode)]);
     if (target >= 0) attributes.Text("target", scope_.Name(mjOBJ_BODY, target));
     attributes.Read(m_, kind, id);
   }

@@ -1,7 +1,6 @@
 // Copies sensors of the compiled model (mjModel) into an attachment, a body of an MJCF file for use
 // in a spec.
 #include <algorithm>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -77,8 +76,8 @@ void ReadSensors(SectionReader& sections) {
     if (!added) continue;
     Attributes& attributes = added->attributes;
     if (sensor->type == mjSENS_USER) {
-      attributes.Text("datatype", std::string(kDataTypes[m.sensor_datatype[i]]));
-      attributes.Text("needstage", std::string(kStages[m.sensor_needstage[i]]));
+      attributes.Text("datatype", kDataTypes[m.sensor_datatype[i]]);
+      attributes.Text("needstage", kStages[m.sensor_needstage[i]]);
       attributes.Number("dim", m.sensor_dim[i]);
     }
     attributes.Read(m, mjOBJ_SENSOR, i);
