@@ -20,6 +20,7 @@
 #include "mjforge/engine/memory_files.h"
 #include "mjforge/engine/mujoco_error.h"
 #include "mjforge/engine/referenced_files.h"
+#include "mjforge/engine/sensor_types.h"
 
 namespace mjforge::engine {
 

@@ -85,43 +85,11 @@ constexpr std::array<int, 5> kDynamics = {mjDYN_NONE, mjDYN_INTEGRATOR, mjDYN_FI
 constexpr std::array<int, 4> kGains = {mjGAIN_FIXED, mjGAIN_AFFINE, mjGAIN_MUSCLE, mjGAIN_USER};
 constexpr std::array<int, 4> kBiases = {mjBIAS_NONE, mjBIAS_AFFINE, mjBIAS_MUSCLE, mjBIAS_USER};
 // Enumerators of mjtSensor in MuJoCo 2.2.2, in order.
-constexpr std::array<int, 37> kSensors = {mjSENS_TOUCH,
-                                          mjSENS_ACCELEROMETER,
-                                          mjSENS_VELOCIMETER,
-                                          mjSENS_GYRO,
-                                          mjSENS_FORCE,
-                                          mjSENS_TORQUE,
-                                          mjSENS_MAGNETOMETER,
-                                          mjSENS_RANGEFINDER,
-                                          mjSENS_JOINTPOS,
-                                          mjSENS_JOINTVEL,
-                                          mjSENS_TENDONPOS,
-                                          mjSENS_TENDONVEL,
-                                          mjSENS_ACTUATORPOS,
-                                          mjSENS_ACTUATORVEL,
-                                          mjSENS_ACTUATORFRC,
-                                          mjSENS_BALLQUAT,
-                                          mjSENS_BALLANGVEL,
-                                          mjSENS_JOINTLIMITPOS,
-                                          mjSENS_JOINTLIMITVEL,
-                                          mjSENS_JOINTLIMITFRC,
-                                          mjSENS_TENDONLIMITPOS,
-                                          mjSENS_TENDONLIMITVEL,
-                                          mjSENS_TENDONLIMITFRC,
-                                          mjSENS_FRAMEPOS,
-                                          mjSENS_FRAMEQUAT,
-                                          mjSENS_FRAMEXAXIS,
-                                          mjSENS_FRAMEYAXIS,
-                                          mjSENS_FRAMEZAXIS,
-                                          mjSENS_FRAMELINVEL,
-                                          mjSENS_FRAMEANGVEL,
-                                          mjSENS_FRAMELINACC,
-                                          mjSENS_FRAMEANGACC,
-                                          mjSENS_SUBTREECOM,
-                                          mjSENS_SUBTREELINVEL,
-                                          mjSENS_SUBTREEANGMOM,
-                                          mjSENS_CLOCK,
-                                          mjSENS_USER};
+constexpr auto kSensors = [] {
+  std::array<mjtSensor, std::size(engine::kSensorTypes)> types{};
+  std::ranges::transform(engine::kSensorTypes, types.begin(), &engine::SensorType::type);
+  return types;
+}();
 // Object types that a frame sensor can have. All other object types get the same number, because
 // they follow from the type of the sensor.
 constexpr std::array<int, 6> kTargets = {mjOBJ_UNKNOWN, mjOBJ_BODY, mjOBJ_XBODY,
