@@ -67,12 +67,11 @@ void Sections::Add(Scope& scope, bool outermost) {
   for (const spec::Section& section : spec.sections) {
     const sample::StreamId path = sample::Child(mjcf, section.info->name);
     if (section.info->is_element && !outermost) {
-      diag::Finding& finding = findings_.Add(
+      findings_.Warn(
           Code::kAttachNotCarried, section.entries.front().mark,
           fmt::format("'{}' of spec '{}' is left out: it would apply to the whole object",
                       section.info->name, spec.name),
           "write it in the outermost spec");
-      finding.severity = diag::Severity::kWarning;
       continue;
     }
     for (const spec::Entry& entry : section.entries) {

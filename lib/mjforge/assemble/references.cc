@@ -105,12 +105,10 @@ bool References::DropIfRemoved(const NameReference& reference) {
   const model::Element& element = found->elements[position];
   removed_[std::string(section->name)].emplace(
       element.name, fmt::format("it is left out because {}", removed->second));
-  diag::Finding& finding =
-      findings_.Add(Code::kAttachNotCarried, reference.mark,
-                    fmt::format("{} '{}' is left out: its {} '{}' is gone: {}",
-                                section->name == "equality" ? section->name : element.tag,
-                                element.name, reference.kind, reference.shown, removed->second));
-  finding.severity = diag::Severity::kWarning;
+  findings_.Warn(Code::kAttachNotCarried, reference.mark,
+                 fmt::format("{} '{}' is left out: its {} '{}' is gone: {}",
+                             section->name == "equality" ? section->name : element.tag,
+                             element.name, reference.kind, reference.shown, removed->second));
   return true;
 }
 

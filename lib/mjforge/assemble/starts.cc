@@ -152,11 +152,9 @@ void Assembly::ReportLostStarts() {
     } else if (why.empty()) {
       ReportUnknownJoint(start.key, position);
     } else {
-      findings_
-          .Add(
-              Code::kAttachNotCarried, position.mark,
-              fmt::format("{} of joint {} is left out: {}", start.key, Quoted(position.shown), why))
-          .severity = diag::Severity::kWarning;
+      findings_.Warn(
+          Code::kAttachNotCarried, position.mark,
+          fmt::format("{} of joint {} is left out: {}", start.key, Quoted(position.shown), why));
     }
   }
 }

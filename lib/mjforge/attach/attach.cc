@@ -36,9 +36,8 @@ struct Result {
 /// Adds copies of findings about a file at `mark`, the place in the spec that attaches the file.
 void AddAt(const diag::Findings& stored, diag::SourceMark mark, diag::Findings& findings) {
   for (const diag::Finding& finding : stored) {
-    diag::Finding& shown = finding.severity == diag::Severity::kError
-                               ? findings.Add(finding.code, mark, finding.message, finding.hint)
-                               : findings.Warn(finding.code, mark, finding.message, finding.hint);
+    diag::Finding& shown = findings.Add(finding.code, mark, finding.message, finding.hint);
+    shown.severity = finding.severity;
     shown.notes = finding.notes;
   }
 }
