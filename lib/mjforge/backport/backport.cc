@@ -28,25 +28,16 @@ namespace {
 
 using diag::Code;
 
-/// Returns the reason, for a warning, why a feature can be removed; an empty text if removal would
-/// change the model.
-std::string_view ReasonOf(Effect effect) {
-  switch (effect) {
-    case Effect::kLooks:
-      return "it changes only what is seen";
-    case Effect::kSpeed:
-      return "it changes only how the same is computed";
-    case Effect::kSimulation:
-      return "it changes only how the whole model is simulated";
-    case Effect::kReading:
-      return "it only reads, and acts on nothing";
-    case Effect::kExpansion:
-    case Effect::kInclusion:
-    case Effect::kMeaning:
-      break;
-  }
-  return {};
-}
+/// Reasons, for warnings, why features can be removed, in the order of Effect; an empty text if
+/// removal would change the model.
+constexpr std::string_view kReasons[] = {"it changes only what is seen",
+                                         "it changes only how the same is computed",
+                                         "it changes only how the whole model is simulated",
+                                         "it only reads, and acts on nothing",
+                                         "",
+                                         "",
+                                         ""};
+static_assert(std::size(kReasons) == static_cast<std::size_t>(Effect::kMeaning) + 1);
 
 /// Returns true if `value` is the neutral value of the attribute that `feature` describes. Without
 /// an attribute that has its neutral value, the model is the same.
@@ -140,9 +131,8 @@ class Backporter {
       for (const auto& [name, value] : child.attributes) {
         const auto refusal = FindRefusal(parent.tag, child.tag, name, value, version_);
         if (!refusal || !IsNew(child, name)) continue;
-        findings_.Warn(
-            Code::kMujocoLaterRefuses, MarkOf(child, name),
-            fmt::format("{} {}", child.Description(), RefusalText(*refusal, name, value)));
+        findings_.Warn(Code::kMujocoLaterRefuses, MarkOf(child, name),
+                       fmt::format("{} {}", child.Description(), *refusal));
       }
       if (child.tag == "inertial" && child.Find("fullinertia") && child.Find("diaginertia") &&
           version_ < 324 && IsNew(child, "diaginertia")) {
@@ -239,7 +229,7 @@ class Backporter {
   /// replaced.
   void ReportRemoval(const xml::XmlElement& element, const std::string& attribute,
                      const std::string& value, const MjcfFeature& feature, bool in_default) {
-    std::string_view reason = ReasonOf(feature.effect);
+    std::string_view reason = kReasons[static_cast<std::size_t>(feature.effect)];
     if (const auto replaced = replacements_->Find(&element, attribute)) {
       if (replaced->empty()) return;
       reason = *replaced;
@@ -250,26 +240,19 @@ class Backporter {
     }
     if (reason.empty()) return ReportMissing(element, attribute, feature);
     if (!IsNew(element, attribute)) return;
-    const std::string version = VersionText(feature.since);
-    findings_.Warn(Code::kMujocoLater, MarkOf(element, attribute),
-                   attribute.empty() ? fmt::format("{} is left out: {} (MuJoCo {})",
-                                                   element.Description(), reason, version)
-                                     : fmt::format("'{}' of {} is left out: {} (MuJoCo {})",
-                                                   Shown(element, attribute, feature),
-                                                   element.Description(), reason, version));
+    findings_.Warn(
+        Code::kMujocoLater, MarkOf(element, attribute),
+        fmt::format("{} is left out: {} (MuJoCo {})", Description(element, attribute, feature),
+                    reason, VersionText(feature.since)));
   }
 
   void ReportMissing(const xml::XmlElement& element, const std::string& attribute,
                      const MjcfFeature& feature) {
     if (!IsNew(element, attribute)) return;
-    const std::string version = VersionText(feature.since);
-    findings_.Add(
-        Code::kMujocoLater, MarkOf(element, attribute),
-        attribute.empty()
-            ? fmt::format("{} needs MuJoCo {}", element.Description(), version)
-            : fmt::format("'{}' of {} needs MuJoCo {}", Shown(element, attribute, feature),
-                          element.Description(), version),
-        HintFor(feature));
+    findings_.Add(Code::kMujocoLater, MarkOf(element, attribute),
+                  fmt::format("{} needs MuJoCo {}", Description(element, attribute, feature),
+                              VersionText(feature.since)),
+                  HintFor(feature));
   }
 
   std::string HintFor(const MjcfFeature& feature) {
@@ -303,12 +286,15 @@ class Backporter {
         file, file.substr(0, file.rfind('.')));
   }
 
-  /// Returns the attribute's name for messages, with its value if only this value is new.
-  static std::string Shown(const xml::XmlElement& element, const std::string& attribute,
-                           const MjcfFeature& feature) {
-    const std::string* value = element.Find(attribute);
-    const bool only_value = feature.names.find('=') != std::string_view::npos && value != nullptr;
-    return only_value ? attribute + "=" + *value : attribute;
+  /// Returns an element for messages or, if `attribute` is not empty, the attribute of the element,
+  /// with its value if only this value is new: "'type=sdf' of geom 'head'".
+  static std::string Description(const xml::XmlElement& element, const std::string& attribute,
+                                 const MjcfFeature& feature) {
+    if (attribute.empty()) return element.Description();
+    const bool only_value = feature.names.find('=') != std::string_view::npos;
+    const std::string* value = only_value ? element.Find(attribute) : nullptr;
+    return fmt::format("'{}{}' of {}", attribute, value == nullptr ? "" : "=" + *value,
+                       element.Description());
   }
 
   /// Returns true if no attribute of this name was reported before in the element's file, and

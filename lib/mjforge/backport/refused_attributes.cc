@@ -90,52 +90,37 @@ bool IsAccepted(Accepted accepted, std::string_view value) {
   return true;
 }
 
-std::string_view Wanted(Accepted accepted) {
-  switch (accepted) {
-    case Accepted::kNone:
-      break;
-    case Accepted::kInteger:
-      return "an integer";
-    case Accepted::kAtLeastMinusOne:
-      return "an integer of at least -1";
-    case Accepted::kUpToTwo:
-      return "0 or 1";  // 2 is accepted, too, but has no meaning
-    case Accepted::kPositive:
-      return "a number above 0";
-    case Accepted::kNonzero:
-      return "a quaternion other than zero";
-    case Accepted::kMain:
-      return "the name 'main'";
-  }
-  return {};
-}
+// Accepted values, for messages, in the order of Accepted. For kUpToTwo, 2 is left out, because it
+// has no meaning.
+constexpr std::string_view kWanted[] = {"",
+                                        "an integer",
+                                        "an integer of at least -1",
+                                        "0 or 1",
+                                        "a number above 0",
+                                        "a quaternion other than zero",
+                                        "the name 'main'"};
+static_assert(std::size(kWanted) == static_cast<std::size_t>(Accepted::kMain) + 1);
 
 }  // namespace
 
-std::optional<AttributeRefusal> FindRefusal(std::string_view parent, std::string_view tag,
-                                            std::string_view attribute, std::string_view value,
-                                            int version) {
-  std::optional<AttributeRefusal> found;
+std::optional<std::string> FindRefusal(std::string_view parent, std::string_view tag,
+                                       std::string_view attribute, std::string_view value,
+                                       int version) {
+  const Row* found = nullptr;
   for (const Row& row : kRows) {
-    if (row.since <= version || (found && found->since <= row.since)) continue;
+    if (row.since <= version || (found != nullptr && found->since <= row.since)) continue;
     if (!HasAttribute(row.names, attribute, value) || !IsAt(row.where, parent, tag)) continue;
-    if (IsAccepted(row.accepted, value)) continue;
-    found = AttributeRefusal{.since = row.since,
-                             .wanted = std::string(Wanted(row.accepted)),
-                             .is_about_value = row.names.find('=') != row.names.npos};
+    if (!IsAccepted(row.accepted, value)) found = &row;
   }
-  return found;
-}
-
-std::string RefusalText(const AttributeRefusal& refusal, std::string_view attribute,
-                        std::string_view value) {
-  const std::string release = VersionText(refusal.since);
-  if (refusal.wanted.empty()) {
-    return fmt::format("has '{}{}', which MuJoCo {} and later reject", attribute,
-                       refusal.is_about_value ? fmt::format("={}", value) : "", release);
+  if (found == nullptr) return std::nullopt;
+  const std::string release = VersionText(found->since);
+  if (found->accepted != Accepted::kNone) {
+    return fmt::format("has '{}={}'; MuJoCo {} and later require {}", attribute, value, release,
+                       kWanted[static_cast<std::size_t>(found->accepted)]);
   }
-  return fmt::format("has '{}={}'; MuJoCo {} and later require {}", attribute, value, release,
-                     refusal.wanted);
+  const bool is_about_value = found->names.find('=') != std::string_view::npos;
+  return fmt::format("has '{}{}', which MuJoCo {} and later reject", attribute,
+                     is_about_value ? fmt::format("={}", value) : "", release);
 }
 
 }  // namespace mjforge::backport

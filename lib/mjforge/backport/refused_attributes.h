@@ -10,22 +10,12 @@
 
 namespace mjforge::backport {
 
-/// The reason why later releases reject an attribute.
-struct AttributeRefusal {
-  int since = 0;                // first release that rejects the attribute, as mjVERSION_HEADER
-  std::string wanted;           // accepted values ("an integer"); empty: none
-  bool is_about_value = false;  // true: only this value is rejected
-};
-
-/// Returns the reason why releases after `version` reject an attribute with this value; nullopt if
-/// they accept it. `parent` is the tag of the parent element.
-std::optional<AttributeRefusal> FindRefusal(std::string_view parent, std::string_view tag,
-                                            std::string_view attribute, std::string_view value,
-                                            int version);
-
-/// Returns the part of a warning that follows the name of the element: "has 'znear=0'; MuJoCo 2.3.0
-/// and later require ...".
-std::string RefusalText(const AttributeRefusal& refusal, std::string_view attribute,
-                        std::string_view value);
+/// Returns the reason why releases after `version` reject an attribute with this value, as the part
+/// of a warning that follows the name of the element: "has 'znear=0'; MuJoCo 2.3.0 and later
+/// require
+/// ...". Returns nullopt if they accept it. `parent` is the tag of the parent element.
+std::optional<std::string> FindRefusal(std::string_view parent, std::string_view tag,
+                                       std::string_view attribute, std::string_view value,
+                                       int version);
 
 }  // namespace mjforge::backport

@@ -118,8 +118,7 @@ void CheckAttributes(std::string_view parent, const model::Element& element,
         backport::FindRefusal(parent, element.tag, attribute.name, value, mjVERSION_HEADER);
     if (refusal)
       findings.Add(Code::kMujocoLaterRefuses, element.mark,
-                   fmt::format("{} {}", element.tag,
-                               backport::RefusalText(*refusal, attribute.name, value)));
+                   fmt::format("{} {}", element.tag, *refusal));
   }
   for (const model::Element& child : element.children)
     CheckAttributes(element.tag, child, findings);
