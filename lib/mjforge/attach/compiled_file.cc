@@ -173,13 +173,8 @@ void CompiledFile::MapElements() {
         composites_.push_back(&element);
         return;
       }
-      std::string name = element.generated_name.empty() ? element.Name() : element.generated_name;
-      const std::string* file = element.Find("file");
-      // Names an asset without a name like MuJoCo: by the file name without folders and extension.
-      if (name.empty() && file != nullptr) {
-        name = file->substr(file->find_last_of("/\\") + 1);
-        name.erase(std::min(name.find_last_of('.'), name.size()));
-      }
+      const std::string name =
+          element.generated_name.empty() ? element.AssetName() : element.generated_name;
       if (!name.empty()) elements_.emplace(std::pair(static_cast<int>(kind), name), &element);
     });
   }

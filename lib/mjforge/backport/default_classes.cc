@@ -17,14 +17,6 @@ bool HasNoDefaults(std::string_view parent, std::string_view tag) {
 
 }  // namespace
 
-std::string MeshName(const xml::XmlElement& mesh) {
-  std::string name = mesh.Name();
-  const std::string* file = mesh.Find("file");
-  if (!name.empty() || file == nullptr) return name;
-  name = file->substr(file->find_last_of("/\\") + 1);
-  return name.erase(std::min(name.find_last_of('.'), name.size()));
-}
-
 DefaultClasses::DefaultClasses(xml::XmlElement& root) {
   for (xml::XmlElement& section : root.children) {
     if (section.tag != "default") continue;

@@ -18,9 +18,6 @@ struct ClassedElement {
   std::string default_class;  // empty for the main class
 };
 
-/// Returns the name of a mesh asset; MuJoCo names a mesh without a name after its file.
-std::string MeshName(const xml::XmlElement& mesh);
-
 /// The elements of a file outside of `<default>`, and lookup of their attributes, including those
 /// inherited from default classes. Valid as long as no element is added to the tree or removed from
 /// it.

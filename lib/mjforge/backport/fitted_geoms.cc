@@ -115,7 +115,7 @@ class GeomFitter {
     }
     for (const ClassedElement* mesh : elements_.In("mesh")) {
       const auto uses = [&](const xml::XmlElement& geom) {
-        return *geom.Find("mesh") == MeshName(*mesh->element);
+        return *geom.Find("mesh") == mesh->element->AssetName();
       };
       if (mesh->parent->tag == "asset" && std::ranges::any_of(world.children, uses))
         assets.children.push_back(WithDefaults(*mesh));

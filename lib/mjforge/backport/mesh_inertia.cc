@@ -128,7 +128,7 @@ class MeshInertia {
 
   static MeshInertiaKind KindOf(DefaultClasses& elements, const std::string& name) {
     for (const ClassedElement* mesh : elements.In("mesh")) {
-      if (MeshName(*mesh->element) == name)
+      if (mesh->element->AssetName() == name)
         return KindNamed(elements.Get(*mesh, kInertia, "legacy"))
             .value_or(MeshInertiaKind::kLegacy);
     }

@@ -110,7 +110,7 @@ void Replacements::ReplaceColorLayer(ClassedElement& material) {
 void Replacements::ReplaceMeshInertia(ClassedElement& mesh) {
   const std::string* inertia = FindMissing(mesh, "inertia");
   if (inertia == nullptr) return;
-  const std::string name = MeshName(*mesh.element);
+  const std::string name = mesh.element->AssetName();
   if (!HasMass(name)) return MarkReplaced(mesh, "inertia", "no mass is computed from the mesh");
   if (!KindNamed(*inertia) || !CanComputeMasses(name)) return;
   mesh.element->Set("inertia", std::string(*inertia));

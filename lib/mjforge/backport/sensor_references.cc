@@ -34,7 +34,7 @@ bool AddNames(const xml::XmlElement& parent, std::string_view kind, Names& names
     if (std::ranges::find(kExpanded, child.tag) != std::end(kExpanded)) return false;
     std::string_view element_kind = ElementKindOf(parent.tag, child.tag);
     if (element_kind == "freejoint") element_kind = "joint";
-    if (element_kind == kind) names.insert(MeshName(child));
+    if (element_kind == kind) names.insert(child.AssetName());
     if (!AddNames(child, kind, names)) return false;
   }
   return true;

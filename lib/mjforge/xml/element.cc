@@ -40,6 +40,14 @@ std::string XmlElement::Name() const {
   return name == nullptr ? "" : *name;
 }
 
+std::string XmlElement::AssetName() const {
+  std::string name = Name();
+  const std::string* file = Find("file");
+  if (!name.empty() || file == nullptr) return name;
+  name = file->substr(file->find_last_of("/\\") + 1);
+  return name.erase(std::min(name.find_last_of('.'), name.size()));
+}
+
 std::string XmlElement::Description() const {
   const std::string name = Name();
   return name.empty() ? fmt::format("the {} on line {}", tag, mark.line)

@@ -25,6 +25,8 @@ struct XmlElement {
   void Remove(std::string_view attribute);
   /// Returns the element's name in the file; an empty text if the element has no name.
   std::string Name() const;
+  /// Returns Name() or, if it is empty, the name that MuJoCo gives an asset: that of its file.
+  std::string AssetName() const;
   /// Returns "geom 'head'", or "the geom on line 7" if the element has no name.
   std::string Description() const;
 };
