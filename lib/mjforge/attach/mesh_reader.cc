@@ -18,18 +18,12 @@ constexpr std::string_view kData[] = {"refpos",   "refquat", "vertex",      "nor
                                       "texcoord", "face",    "smoothnormal"};
 constexpr const char* kMain = "main";
 
-XmlElement& AddChild(XmlElement& parent, std::string_view tag) {
-  XmlElement& child = parent.children.emplace_back();
-  child.tag = tag;
-  return child;
-}
-
 /// Copies only the meshes of a file, with all attributes on which the meshes' frames depend.
 /// Besides `scale`, these include the default density, because it determines when MuJoCo's
 /// iteration that diagonalizes the inertia stops.
 void CopyMeshes(const XmlElement& from, XmlElement& to) {
   const auto copy = [&](const XmlElement& child, std::string_view attribute) {
-    XmlElement& copied = AddChild(to, child.tag);
+    XmlElement& copied = to.children.emplace_back(XmlElement{.tag = child.tag});
     if (const std::string* text = child.Find(attribute)) copied.Set(attribute, *text);
   };
   to.tag = from.tag;
@@ -78,9 +72,9 @@ void MeshReader::FindFrames(diag::Findings& findings) {
   if (used.empty()) return;
   XmlElement probe;
   CopyMeshes(file_.root(), probe);
-  XmlElement& world = AddChild(probe, "worldbody");
+  XmlElement& world = probe.children.emplace_back(XmlElement{.tag = "worldbody"});
   for (const int mesh : used) {
-    XmlElement& geom = AddChild(world, "geom");
+    XmlElement& geom = world.children.emplace_back(XmlElement{.tag = "geom"});
     geom.Set("type", "mesh");
     geom.Set("mesh", m.names + m.name_meshadr[mesh]);
     geom.Set("mass", "0");  // because MuJoCo cannot compute the mass of every mesh

@@ -98,15 +98,15 @@ class GeomFitter {
   /// Returns a model for computing the bounding boxes of the meshes: each fitted geom becomes a
   /// massless geom of type mesh at the same pose, in the world body.
   xml::XmlElement MeshModel() {
-    xml::XmlElement model = Element("mujoco");
-    xml::XmlElement assets = Element("asset");
-    xml::XmlElement world = Element("worldbody");
+    xml::XmlElement model = {.tag = "mujoco"};
+    xml::XmlElement assets = {.tag = "asset"};
+    xml::XmlElement world = {.tag = "worldbody"};
     for (const ClassedElement* compiler : elements_.In("compiler")) {
       model.children.push_back(*compiler->element);
       model.children.back().Remove("discardvisual");
     }
     for (std::size_t i = 0; i < fitted_.size(); ++i) {
-      xml::XmlElement& geom = world.children.emplace_back(Element("geom"));
+      xml::XmlElement& geom = world.children.emplace_back(xml::XmlElement{.tag = "geom"});
       geom.Set("name", NameOf(i));
       geom.Set("type", "mesh");
       for (const char* name : {"mass", "contype", "conaffinity"}) geom.Set(name, "0");
@@ -123,12 +123,6 @@ class GeomFitter {
     model.children.push_back(std::move(assets));
     model.children.push_back(std::move(world));
     return model;
-  }
-
-  static xml::XmlElement Element(const char* tag) {
-    xml::XmlElement element;
-    element.tag = tag;
-    return element;
   }
 
   void CopyTo(xml::XmlElement& copy, const ClassedElement& geom, std::string_view name) const {

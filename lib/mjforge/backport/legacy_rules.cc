@@ -38,9 +38,7 @@ bool ImplyLimits(xml::XmlElement& root) {
   if (!NeedsLimits(root)) return false;
   auto compiler = std::ranges::find_if(root.children, is_compiler);
   if (compiler == root.children.end()) {
-    compiler = root.children.emplace(root.children.begin());
-    compiler->tag = "compiler";
-    compiler->mark = root.mark;
+    compiler = root.children.insert(root.children.begin(), {.tag = "compiler", .mark = root.mark});
   }
   compiler->Set("autolimits", "true");
   return true;

@@ -139,12 +139,11 @@ class MeshInertia {
   /// null, meshes have no mass. If `meshes` is the compiled model of such a copy, boxes of the same
   /// inertia replace the meshes.
   xml::XmlElement Copy(const mjModel* meshes) const {
-    xml::XmlElement copy;
-    copy.tag = root_.tag;
+    xml::XmlElement copy = {.tag = root_.tag};
     for (const xml::XmlElement& section : root_.children) {
       if (section.tag == "compiler") copy.children.push_back(CopyCompiler(section, meshes));
-      if (section.tag == "default") copy.children.push_back(CopyShapes(section));
-      if (section.tag == "asset") copy.children.push_back(CopyShapes(section));
+      if (section.tag == "default" || section.tag == "asset")
+        copy.children.push_back(CopyShapes(section));
       if (section.tag == "worldbody") copy.children.push_back(CopyBody(section, meshes));
     }
     return copy;
@@ -160,9 +159,7 @@ class MeshInertia {
 
   static xml::XmlElement CopyShapes(const xml::XmlElement& section) {
     constexpr std::string_view kKept[] = {"default", "mesh", "hfield", "geom", "joint"};
-    xml::XmlElement copy;
-    copy.tag = section.tag;
-    copy.attributes = section.attributes;
+    xml::XmlElement copy = {.tag = section.tag, .attributes = section.attributes};
     copy.Remove("material");
     copy.Remove(kInertia);
     for (const xml::XmlElement& child : section.children) {
@@ -174,14 +171,10 @@ class MeshInertia {
 
   xml::XmlElement CopyBody(const xml::XmlElement& body, const mjModel* meshes) const {
     constexpr std::string_view kOmitted[] = {"site", "camera", "light", "composite"};
-    xml::XmlElement copy;
-    copy.tag = body.tag;
-    copy.attributes = body.attributes;
+    xml::XmlElement copy = {.tag = body.tag, .attributes = body.attributes};
     copy.Remove("name");
     const auto weighed = bodies_.find(&body);
-    if (weighed != bodies_.end()) {
-      copy.Set("name", weighed->second);
-    }
+    if (weighed != bodies_.end()) copy.Set("name", weighed->second);
     // MuJoCo rejects a moving body without a mass. Add a mass if meshes, which are massless in the
     // first copy, or a composite, which neither copy contains, would give the body its mass.
     const bool has_mass = weighed == bodies_.end() || meshes != nullptr;
@@ -233,10 +226,9 @@ class MeshInertia {
 
   static xml::XmlElement Inertial(const std::string& mass, const std::string& pos,
                                   const std::string& quat, const std::string& diagonal) {
-    xml::XmlElement inertial;
-    inertial.tag = "inertial";
-    inertial.attributes = {{"mass", mass}, {"pos", pos}, {"quat", quat}, {"diaginertia", diagonal}};
-    return inertial;
+    return {
+        .tag = "inertial",
+        .attributes = {{"mass", mass}, {"pos", pos}, {"quat", quat}, {"diaginertia", diagonal}}};
   }
 
   void AddInertials(xml::XmlElement& body, const mjModel& m) {

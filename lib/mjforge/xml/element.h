@@ -12,12 +12,12 @@ namespace mjforge::xml {
 
 /// An element of an MJCF file or of a file that it includes.
 struct XmlElement {
-  std::string tag;
-  std::vector<std::pair<std::string, std::string>> attributes;
-  std::vector<XmlElement> children;
-  diag::SourceMark mark;
+  std::string tag = {};
+  std::vector<std::pair<std::string, std::string>> attributes = {};
+  std::vector<XmlElement> children = {};
+  diag::SourceMark mark = {};
   /// Unique name that is added for MuJoCo if the element has no name in the file; otherwise empty.
-  std::string generated_name;
+  std::string generated_name = {};
 
   /// Returns the value of an attribute; null if the element does not have the attribute.
   const std::string* Find(std::string_view attribute) const;
