@@ -44,16 +44,6 @@ void ReportObstacles(std::vector<start::Obstacle> obstacles, bool is_asked,
   }
 }
 
-bool StartsMoving(const model::Joint& joint) { return !joint.start_velocity.empty(); }
-
-// Returns true if the start state has velocities or setpoints.
-bool HasMotion(const model::Object& object) {
-  return !object.setpoints.empty() ||
-         std::ranges::any_of(object.bodies, [](const model::Body& body) {
-           return std::ranges::any_of(body.joints, StartsMoving);
-         });
-}
-
 // Warns of velocities and setpoints, because a simulation that begins at the zero configuration
 // ignores them: they are only in the keyframe.
 void WarnOfMotion(const model::Object& object, diag::Findings& findings) {
@@ -64,7 +54,7 @@ void WarnOfMotion(const model::Object& object, diag::Findings& findings) {
   };
   for (const model::Body& body : object.bodies) {
     for (const model::Joint& joint : body.joints) {
-      if (!StartsMoving(joint)) continue;
+      if (!HasStartVelocity(joint)) continue;
       warn(joint.mark ? joint.mark : body.mark,
            fmt::format("joint '{}' has no velocity in the zero configuration", joint.name));
     }
@@ -102,7 +92,7 @@ void DropStart(bool is_zero, model::Object& object, const TargetRules& rules,
   for (model::Body& body : object.bodies) {
     for (model::Joint& joint : body.joints) {
       const bool loses_pose = !is_zero && !joint.start.empty();
-      const bool loses_velocity = StartsMoving(joint);
+      const bool loses_velocity = HasStartVelocity(joint);
       joint.start.clear();
       joint.start_velocity.clear();
       if (!loses_pose && !loses_velocity) continue;
@@ -120,8 +110,10 @@ void DropStart(bool is_zero, model::Object& object, const TargetRules& rules,
 
 void AdaptStart(model::Object& object, const TargetRules& rules, diag::Findings& findings) {
   const bool is_zero = MoveZero(object, rules, findings);
+  const bool has_motion =
+      !object.setpoints.empty() || model::AnyJoint(object, model::HasStartVelocity);
   const bool keeps_keyframe =
-      rules.supports_sections && (!is_zero || rules.repeats_start || HasMotion(object));
+      rules.supports_sections && (!is_zero || rules.repeats_start || has_motion);
   if (!keeps_keyframe) DropStart(is_zero, object, rules, findings);
 }
 

@@ -17,16 +17,6 @@ void AddPose(const model::Pose& pose, double lift, std::vector<double>& out) {
   out.insert(out.end(), quat.begin(), quat.end());
 }
 
-bool HasStart(const model::Joint& joint) { return !joint.start.empty(); }
-bool HasVelocity(const model::Joint& joint) { return !joint.start_velocity.empty(); }
-
-// Returns true if `has` is true for any joint of the object.
-bool AnyJoint(const model::Object& object, bool (*has)(const model::Joint&)) {
-  return std::ranges::any_of(object.bodies, [&](const model::Body& body) {
-    return std::ranges::any_of(body.joints, has);
-  });
-}
-
 void AddPositions(const model::Body& body, double lift, std::vector<double>& qpos) {
   for (const model::Joint& joint : body.joints) {
     if (joint.type == "free") {
@@ -67,8 +57,9 @@ void AddSetpoints(const model::Object& object, StartState& start) {
 StartState StartStateOf(const model::Object& object, double lift) {
   StartState start;
   AddSetpoints(object, start);
-  const bool moves = AnyJoint(object, HasVelocity);
-  if (!moves && !AnyJoint(object, HasStart) && start.act.empty() && start.ctrl.empty())
+  const bool moves = model::AnyJoint(object, model::HasStartVelocity);
+  if (!moves && !model::AnyJoint(object, model::HasStart) && start.act.empty() &&
+      start.ctrl.empty())
     return start;
   for (const int i : DepthFirstOrder(object)) {
     const model::Body& body = object.bodies[static_cast<std::size_t>(i)];

@@ -2,6 +2,7 @@
 // joints.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -19,6 +20,16 @@ sample::Numbers ZeroPosition(const Joint& joint);
 
 /// Returns the number of a joint's values in qvel.
 std::size_t VelocityCount(const Joint& joint);
+
+inline bool HasStart(const Joint& joint) { return !joint.start.empty(); }
+inline bool HasStartVelocity(const Joint& joint) { return !joint.start_velocity.empty(); }
+
+/// Returns true if `test` returns true for any joint of the object.
+template <typename Test>
+bool AnyJoint(const Object& object, const Test& test) {
+  return std::ranges::any_of(
+      object.bodies, [&](const Body& body) { return std::ranges::any_of(body.joints, test); });
+}
 
 /// Returns the joint with this name; null if there is none.
 const Joint* FindJoint(const Object& object, std::string_view name);

@@ -143,9 +143,7 @@ bool Moves(const Joint& joint) { return joint.type != "free"; }
 Box3 SweptBounds(const Object& object) {
   const std::vector<Body>& bodies = object.bodies;
   Box3 swept = object.bounds.aabb;
-  if (std::ranges::none_of(
-          bodies, [](const Body& body) { return std::ranges::any_of(body.joints, Moves); }))
-    return swept;
+  if (!AnyJoint(object, Moves)) return swept;
   const auto collides = [](const Part& part) { return part.role != Role::kVisual; };
   const bool some_collide = std::ranges::any_of(
       bodies, [&](const Body& body) { return std::ranges::any_of(body.parts, collides); });

@@ -20,13 +20,6 @@ std::string_view PartOf(std::string_view geom) {
   return geom;
 }
 
-template <typename Test>
-bool AnyJoint(const model::Object& object, const Test& test) {
-  return std::ranges::any_of(object.bodies, [&](const model::Body& body) {
-    return std::ranges::any_of(body.joints, test);
-  });
-}
-
 }  // namespace
 
 sample::Numbers PolynomialOf(const model::Element& equality) {
@@ -36,13 +29,9 @@ sample::Numbers PolynomialOf(const model::Element& equality) {
   return c;
 }
 
-bool HasStart(const model::Object& object) {
-  return AnyJoint(object, [](const model::Joint& joint) { return !joint.start.empty(); });
-}
-
 bool IsMoved(const model::Object& object) {
-  return AnyJoint(object, [](const model::Joint& joint) {
-    return !joint.start.empty() && joint.start != model::ZeroPosition(joint);
+  return model::AnyJoint(object, [](const model::Joint& joint) {
+    return HasStart(joint) && joint.start != model::ZeroPosition(joint);
   });
 }
 

@@ -27,8 +27,6 @@ sample::Numbers NumbersOf(const Attributes& attributes, std::string_view name) {
 /// each coefficient that is missing.
 sample::Numbers PolynomialOf(const model::Element& equality);
 
-/// Returns true if any joint of the object has a start position.
-bool HasStart(const model::Object& object);
 /// Returns true if the start position of any joint differs from the joint's zero position.
 bool IsMoved(const model::Object& object);
 /// Returns true if the rotation is not the identity.

@@ -94,7 +94,7 @@ class ViolationFinder {
 
 void CheckEqualities(const model::Object& object, diag::Findings& findings) {
   const std::span<const Element> equalities = model::ElementsOf(object, "equality");
-  if (equalities.empty() || !HasStart(object)) return;
+  if (equalities.empty() || !model::AnyJoint(object, model::HasStart)) return;
   const Configurations configurations(object);
   ViolationFinder finder(configurations, findings);
   for (const Element& equality : equalities) finder.Check(equality);

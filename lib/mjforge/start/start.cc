@@ -106,9 +106,7 @@ bool MoveZeroToStart(model::Object& object) {
   RewriteViews(configurations, object);
   ConvertPositions(BallChanges(object), object);
   for (Body& body : object.bodies) {
-    const bool is_moved =
-        std::ranges::any_of(body.joints, [](const Joint& joint) { return !joint.start.empty(); });
-    if (is_moved) MoveZero(body);
+    if (std::ranges::any_of(body.joints, model::HasStart)) MoveZero(body);
   }
   return true;
 }
