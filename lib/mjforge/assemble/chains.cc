@@ -2,6 +2,7 @@
 
 #include "mjforge/assemble/chains.h"
 
+#include <initializer_list>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@ namespace {
 // Impedance (solimplimit) of the joints' limits, in place of MuJoCo's default "0.9 0.95 ...".
 // MuJoCo chooses the softness of a limit by the inertia of one link, but the limit also carries all
 // links below.
-constexpr double kLimitImpedance[] = {0.99, 0.999, 0.001, 0.5, 2};
+constexpr std::initializer_list<double> kLimitImpedance = {0.99, 0.999, 0.001, 0.5, 2};
 
 }  // namespace
 
@@ -52,10 +53,7 @@ std::vector<model::Joint> JointsOfLink(const Chain& chain, const std::string& li
   joint.attributes = chain.attributes;
   if (chain.range) {
     joint.range = Eigen::Vector2d(chain.is_ball ? 0 : -*chain.range, *chain.range);
-    joint.attributes.push_back(
-        {.name = "solimplimit",
-         .numbers = sample::Numbers(std::begin(kLimitImpedance), std::end(kLimitImpedance)),
-         .text = {}});
+    joint.attributes.push_back({.name = "solimplimit", .numbers = kLimitImpedance});
   }
   if (chain.is_ball) return {joint};
   std::vector<model::Joint> hinges(2, joint);

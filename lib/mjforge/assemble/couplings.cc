@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 #include <utility>
 
@@ -19,19 +20,11 @@ using spec::Key;
 
 // Impedance (solimp) of linear couplings, in place of MuJoCo's default "0.9 0.95 ...", because
 // gears and threads hardly yield.
-constexpr double kImpedance[] = {0.99, 0.999, 0.001, 0.5, 2};
+constexpr std::initializer_list<double> kImpedance = {0.99, 0.999, 0.001, 0.5, 2};
 // Impedance of nonlinear couplings: the largest values that MuJoCo uses (mjMAXIMP). EqualityOf()
 // cannot swap the joints of a nonlinear coupling, and MuJoCo makes the equality far too soft if
 // joint 2 is light.
-constexpr double kImpedanceOfCurve[] = {0.9999, 0.9999, 0.001, 0.5, 2};
-
-model::Attribute TextAttribute(std::string_view name, std::string text) {
-  return {.name = name, .numbers = {}, .text = std::move(text), .refers = "joint"};
-}
-
-bool IsLinear(const sample::Numbers& c) {
-  return std::all_of(c.begin() + 2, c.end(), [](double x) { return x == 0; });
-}
+constexpr std::initializer_list<double> kImpedanceOfCurve = {0.9999, 0.9999, 0.001, 0.5, 2};
 
 // Returns the equality that keeps `follower` at c[0] + c[1] x + ... when `leader` is at x. If the
 // polynomial is linear, the joint that moves farther becomes joint 1. The reason is that MuJoCo
@@ -39,7 +32,7 @@ bool IsLinear(const sample::Numbers& c) {
 // (mj_diagApprox in src/engine/engine_core_constraint.c). If joint 2 is light and the slope is
 // below 1, the sum is too large, and the equality too soft.
 model::Element EqualityOf(std::string follower, std::string leader, sample::Numbers c) {
-  const bool is_linear = IsLinear(c);
+  const bool is_linear = std::all_of(c.begin() + 2, c.end(), [](double x) { return x == 0; });
   const bool is_small = std::abs(c[1]) < 1 && std::isfinite(1 / c[1]) && std::isfinite(c[0] / c[1]);
   if (is_linear && is_small) {
     std::swap(follower, leader);
@@ -48,14 +41,10 @@ model::Element EqualityOf(std::string follower, std::string leader, sample::Numb
   }
   model::Element equality;
   equality.tag = "joint";
-  equality.attributes.push_back(TextAttribute("joint1", std::move(follower)));
-  equality.attributes.push_back(TextAttribute("joint2", std::move(leader)));
-  equality.attributes.push_back({.name = "polycoef", .numbers = std::move(c), .text = {}});
-  const auto& impedance = is_linear ? kImpedance : kImpedanceOfCurve;
-  equality.attributes.push_back(
-      {.name = "solimp",
-       .numbers = sample::Numbers(std::begin(impedance), std::end(impedance)),
-       .text = {}});
+  equality.attributes = {{.name = "joint1", .text = std::move(follower), .refers = "joint"},
+                         {.name = "joint2", .text = std::move(leader), .refers = "joint"},
+                         {.name = "polycoef", .numbers = std::move(c)},
+                         {.name = "solimp", .numbers = is_linear ? kImpedance : kImpedanceOfCurve}};
   return equality;
 }
 

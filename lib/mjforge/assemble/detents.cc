@@ -3,6 +3,7 @@
 #include "mjforge/assemble/detents.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <utility>
 
 #include <fmt/format.h>
@@ -22,8 +23,8 @@ constexpr double kSnapTime = 0.03;
 constexpr double kPeriod = 0.02;
 // Parameters (solreflimit, solimplimit) of limits that hardly yield under the spring: as stiff as
 // the usual timestep allows, with the impedance of couplings.
-constexpr double kEndReference[] = {0.004, 1};
-constexpr double kEndImpedance[] = {0.99, 0.999, 0.001, 0.5, 2};
+constexpr std::initializer_list<double> kEndReference = {0.004, 1};
+constexpr std::initializer_list<double> kEndImpedance = {0.99, 0.999, 0.001, 0.5, 2};
 
 // Returns true if a spring or a screw in the entry itself replaces a detent from the defaults.
 bool HasOwnSpring(const spec::Entry& entry, const spec::Field& detent) {
@@ -52,7 +53,7 @@ bool ReadDetent(FieldReader& reader, const spec::Entry& entry, model::Joint& joi
     return false;
   }
   const auto add = [&](std::string_view name, sample::Numbers numbers) {
-    AddUnlessPresent({.name = name, .numbers = std::move(numbers), .text = {}}, joint.attributes);
+    AddUnlessPresent({.name = name, .numbers = std::move(numbers)}, joint.attributes);
   };
   const double lower = joint.range->x(), upper = joint.range->y();
   add("springref", {(lower + upper) / 2});
@@ -73,8 +74,8 @@ bool ReadDetent(FieldReader& reader, const spec::Entry& entry, model::Joint& joi
   add("stiffness", {-stiffness});
   add("damping", {stiffness * kSnapTime});
   add("armature", {stiffness * kPeriod * kPeriod});
-  add("solreflimit", {std::begin(kEndReference), std::end(kEndReference)});
-  add("solimplimit", {std::begin(kEndImpedance), std::end(kEndImpedance)});
+  add("solreflimit", kEndReference);
+  add("solimplimit", kEndImpedance);
   return true;
 }
 

@@ -34,7 +34,7 @@ void SetLimited(const spec::ElementInfo& info, std::vector<model::Attribute>& at
   for (const LimitAttributes& limit : kLimits) {
     const spec::FieldInfo* limited = info.Find(limit.limited);
     if (limited == nullptr || !has(limit.range) || has(limit.limited)) continue;
-    attributes.push_back({.name = limited->key, .numbers = {}, .text = "true"});
+    attributes.push_back({.name = limited->key, .text = "true"});
   }
 }
 

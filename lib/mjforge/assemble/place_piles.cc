@@ -36,7 +36,7 @@ void AddOptions(std::vector<model::Section>& sections) {
     flag = option.children.emplace(option.children.end());
     flag->tag = "flag";
   }
-  AddUnlessPresent({.name = "multiccd", .numbers = {}, .text = "enable"}, flag->attributes);
+  AddUnlessPresent({.name = "multiccd", .text = "enable"}, flag->attributes);
 }
 
 }  // namespace

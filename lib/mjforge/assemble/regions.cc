@@ -163,7 +163,7 @@ void AddRegionTo(model::Body& body, model::Region region) {
     site.type = model::GeomType::kBox;
     site.size = {half.x(), half.y(), kHalfThickness};
   }
-  site.attributes.push_back({.name = "group", .numbers = {model::kRegionGroup}, .text = {}});
+  site.attributes.push_back({.name = "group", .numbers = {model::kRegionGroup}});
   body.regions.push_back(std::move(region));
 }
 

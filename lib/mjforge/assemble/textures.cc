@@ -20,7 +20,7 @@ constexpr double kPixels = 64;
 void FillInPixels(model::Texture& texture) {
   const double pixels = NumberOf(texture, "width", 0, kPixels);
   for (const std::string_view name : {"width", "height"})
-    AddUnlessPresent({.name = name, .numbers = {pixels}, .text = {}}, texture.attributes);
+    AddUnlessPresent({.name = name, .numbers = {pixels}}, texture.attributes);
 }
 
 }  // namespace

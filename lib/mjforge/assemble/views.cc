@@ -79,7 +79,7 @@ void Assembly::AddView(Scope& scope, const spec::Entry& entry, sample::StreamId 
     const bool is_root = target->text == scope.values.spec().name;
     target->text = is_root ? object_.bodies[static_cast<std::size_t>(scope.body)].name
                            : scope.outer_prefix() + target->text;
-    AddUnlessPresent({.name = "mode", .numbers = {}, .text = "targetbody"}, view.attributes);
+    AddUnlessPresent({.name = "mode", .text = "targetbody"}, view.attributes);
   }
   body().elements.push_back(std::move(view));
 }

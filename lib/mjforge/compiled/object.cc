@@ -33,7 +33,7 @@ void SetStart(const mjModel& m, int id, model::Body& body) {
     joint.start.assign(start + at, start + at + 4);
   } else {
     joint.start = {start[at]};
-    joint.attributes.push_back({.name = "ref", .numbers = {m.qpos0[at]}, .text = {}});
+    joint.attributes.push_back({.name = "ref", .numbers = {m.qpos0[at]}});
   }
 }
 
@@ -116,7 +116,7 @@ model::Object ObjectOf(const mjModel& m, diag::SourceMark mark, Nameless nameles
       std::optional<model::Part> part = PartOf(m, i);
       if (!part) continue;
       set_name(*part, mjOBJ_GEOM, i);
-      part->attributes = {{.name = "group", .numbers = {double(m.geom_group[i])}, .text = {}}};
+      part->attributes = {{.name = "group", .numbers = {double(m.geom_group[i])}}};
       if (part->mesh >= 0) {
         part->shape.mesh = &object.meshes[static_cast<std::size_t>(part->mesh)]->mesh;
       }

@@ -18,16 +18,12 @@ namespace {
 
 using diag::Code;
 
-model::Attribute MakeAttribute(std::string_view name, std::initializer_list<double> numbers) {
-  return {name, model::Applies::kBoth, numbers, {}};
-}
-
 // Makes an invisible site at a bound of the object, like the sites of robosuite's own objects.
 model::Site MakeBoundsSite(std::string name, const Eigen::Vector3d& pos, diag::SourceMark mark) {
   model::Site site;
   site.name = std::move(name);
   site.X_BS.p = pos;
-  site.attributes.push_back(MakeAttribute("rgba", {0, 0, 0, 0}));
+  site.attributes.push_back({.name = "rgba", .numbers = {0, 0, 0, 0}});
   site.mark = mark;
   return site;
 }
@@ -56,8 +52,10 @@ void AddRegionGeom(std::string_view name, const model::Shape& shape, const model
   part.as_is = true;
   part.shape = shape;
   part.X_BG = X_BG;
-  part.attributes = {MakeAttribute("contype", {0}), MakeAttribute("conaffinity", {0}),
-                     MakeAttribute("group", {1}), MakeAttribute("rgba", {0, 1, 0, 0})};
+  part.attributes = {{.name = "contype", .numbers = {0}},
+                     {.name = "conaffinity", .numbers = {0}},
+                     {.name = "group", .numbers = {1}},
+                     {.name = "rgba", .numbers = {0, 1, 0, 0}}};
   part.mark = mark;
   body.parts.push_back(std::move(part));
 }

@@ -46,7 +46,7 @@ void SetGroup(Part& part, const TargetRules& rules, AffectedParts& affected) {
   }
   if (!part.as_is) return;  // WriteMjcf adds the group
   const int number = part.role == Role::kVisual ? rules.visual_group : rules.collision_group;
-  part.attributes.push_back({"group", Applies::kBoth, {static_cast<double>(number)}, {}});
+  part.attributes.push_back({.name = "group", .numbers = {static_cast<double>(number)}});
 }
 
 void DropMargins(Part& part, AffectedParts& affected) {
@@ -76,7 +76,7 @@ void SplitRoles(std::vector<Part>& parts) {
     second.mass = second.density = 0.0;
     if (first.material < 0 && model::FindAttribute(first.attributes, "rgba") == nullptr) {
       first.attributes.push_back(
-          {"rgba", Applies::kBoth, {0.5, 0.5, 0.5, 1}, {}});  // MuJoCo's default color
+          {.name = "rgba", .numbers = {0.5, 0.5, 0.5, 1}});  // MuJoCo's default color
     }
     split.push_back(std::move(second));
   }

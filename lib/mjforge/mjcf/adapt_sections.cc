@@ -171,17 +171,11 @@ void DropTextureSides(model::Texture& texture, const TargetRules& rules, diag::F
                             rules.name, texture.name));
   std::erase_if(texture.files, is_side);
   if (!texture.files.empty()) return;
-  const auto word = [](std::string_view name, std::string text) {
-    return Attribute{name, model::Applies::kBoth, {}, std::move(text)};
-  };
-  const auto number = [](std::string_view name, double value) {
-    return Attribute{name, model::Applies::kBoth, {value}, {}};
-  };
-  texture.attributes = {word("type", "cube"),
-                        word("builtin", "flat"),
-                        number("width", 8),
-                        number("height", 8),
-                        {"rgb1", model::Applies::kBoth, {0.8, 0.8, 0.8}, {}}};
+  texture.attributes = {{.name = "type", .text = "cube"},
+                        {.name = "builtin", .text = "flat"},
+                        {.name = "width", .numbers = {8}},
+                        {.name = "height", .numbers = {8}},
+                        {.name = "rgb1", .numbers = {0.8, 0.8, 0.8}}};
 }
 
 }  // namespace

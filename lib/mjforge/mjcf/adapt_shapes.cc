@@ -196,7 +196,7 @@ class RoundShapeReplacer {
       for (const std::string_view bits : {"contype", "conaffinity"}) {
         std::erase_if(copy.attributes,
                       [&](const model::Attribute& attribute) { return attribute.name == bits; });
-        copy.attributes.push_back({bits, model::Applies::kBoth, {0}, {}});
+        copy.attributes.push_back({.name = bits, .numbers = {0}});
       }
       visual_copies_.emplace(name, copy.name);
     } else {

@@ -59,8 +59,8 @@ class AttributeNumbers {
 struct Attribute {
   std::string_view name;  // view of a string in static storage
   Applies applies = Applies::kBoth;
-  AttributeNumbers numbers;
-  std::string text;
+  AttributeNumbers numbers = {};
+  std::string text = {};
   std::string_view refers = {};  // kind of element that `text` names; see KindOf(); empty: none
 
   bool operator==(const Attribute&) const = default;

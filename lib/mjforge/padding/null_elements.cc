@@ -39,7 +39,7 @@ constexpr double kNullGap = 1000;
 void Set(std::string_view name, sample::Numbers numbers,
          std::vector<model::Attribute>& attributes) {
   std::erase_if(attributes, [&](const model::Attribute& one) { return one.name == name; });
-  attributes.push_back({.name = name, .numbers = std::move(numbers), .text = {}});
+  attributes.push_back({.name = name, .numbers = std::move(numbers)});
 }
 
 }  // namespace
