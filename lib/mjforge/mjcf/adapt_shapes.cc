@@ -109,10 +109,7 @@ class RoundShapeReplacer {
  public:
   explicit RoundShapeReplacer(model::Object& object) : object_(object) {
     for (const auto& mesh : object.meshes) mesh_names_.insert(mesh->name);
-    for (const model::Section& section : object.sections) {
-      if (section.info->name == "contact") continue;
-      for (const model::Element& element : section.elements) FindReferences(element);
-    }
+    ForEachGeomReference([&](const std::string& name) { referenced_geoms_.insert(name); });
   }
 
   void Run() {
@@ -134,10 +131,12 @@ class RoundShapeReplacer {
       body.explicit_inertial = true;
     }
     if (visual_copies_.empty()) return;
-    for (model::Section& section : object_.sections) {
-      if (section.info->name == "contact") continue;
-      for (model::Element& element : section.elements) Redirect(element);
-    }
+    // Makes references to a replaced geom refer to its visual copy, because tendons wrap around the
+    // true shape and sensors measure in the frame of the true shape.
+    ForEachGeomReference([&](std::string& name) {
+      const auto copy = visual_copies_.find(name);
+      if (copy != visual_copies_.end()) name = copy->second;
+    });
   }
 
   int cylinders = 0;
@@ -145,22 +144,17 @@ class RoundShapeReplacer {
   diag::SourceMark first_mark;  // mark of the first replaced part
 
  private:
-  void FindReferences(const model::Element& element) {
-    for (const model::Attribute& attribute : element.attributes) {
-      if (model::KindOf(attribute, element) == "geom") referenced_geoms_.insert(attribute.text);
+  // Calls `visit` with each name of a geom in elements that are not in <contact>.
+  template <typename Visit>
+  void ForEachGeomReference(const Visit& visit) {
+    for (model::Section& section : object_.sections) {
+      if (section.info->name == "contact") continue;
+      for (model::Element& element : section.elements) {
+        model::ForEachReference(element, [&](std::string_view kind, std::string& name) {
+          if (kind == "geom") visit(name);
+        });
+      }
     }
-    for (const model::Element& child : element.children) FindReferences(child);
-  }
-
-  // Makes references to a replaced geom refer to its visual copy, because tendons wrap around the
-  // true shape and sensors measure in the frame of the true shape.
-  void Redirect(model::Element& element) {
-    for (model::Attribute& attribute : element.attributes) {
-      if (model::KindOf(attribute, element) != "geom") continue;
-      const auto copy = visual_copies_.find(attribute.text);
-      if (copy != visual_copies_.end()) attribute.text = copy->second;
-    }
-    for (model::Element& child : element.children) Redirect(child);
   }
 
   void Replace(Part part, std::vector<Part>& parts) {

@@ -115,13 +115,23 @@ Eigen::Vector3d VectorOf(const Element& element, std::string_view name,
 /// Returns the attribute `quat`; the identity if it is missing or has fewer than four numbers.
 Eigen::Quaterniond QuaternionOf(const Element& element);
 
-/// Returns an element's name as written in the spec: `name` without the prefix "OBJECT_", where
-/// OBJECT is the object's name; `name` itself if it does not have this prefix.
-std::string_view OwnName(std::string_view name, std::string_view object);
-
 /// Returns the kind of element ("joint", "body") that an attribute of `element` names: `refers` or,
 /// if `refers` begins with "@", the text of another attribute of `element` ("@objtype": objtype).
 std::string_view KindOf(const Attribute& attribute, const Element& element);
+
+/// Calls `visit` with the kind and the text of each attribute of an element and its descendants
+/// that names another element.
+template <typename AnyElement, typename Visit>
+void ForEachReference(AnyElement& element, const Visit& visit) {
+  for (auto& attribute : element.attributes) {
+    if (!attribute.refers.empty()) visit(KindOf(attribute, element), attribute.text);
+  }
+  for (auto& child : element.children) ForEachReference(child, visit);
+}
+
+/// Returns an element's name as written in the spec: `name` without the prefix "OBJECT_", where
+/// OBJECT is the object's name; `name` itself if it does not have this prefix.
+std::string_view OwnName(std::string_view name, std::string_view object);
 
 /// The elements of one section of MJCF (contact, sensor, ...).
 struct Section {

@@ -62,17 +62,6 @@ std::string NewName(const std::string& name, std::string_view type, std::set<std
   return chosen;
 }
 
-using Renamed = std::map<std::pair<std::string_view, std::string>, std::string>;
-
-// Updates the references of an element and its children to renamed elements.
-void Redirect(const Renamed& renamed, model::Element& element) {
-  for (model::Attribute& attribute : element.attributes) {
-    const auto found = renamed.find({model::KindOf(attribute, element), attribute.text});
-    if (found != renamed.end()) attribute.text = found->second;
-  }
-  for (model::Element& child : element.children) Redirect(renamed, child);
-}
-
 }  // namespace
 
 template <typename Element>
@@ -143,7 +132,12 @@ class Superset::Completion {
       for (Part& part : body.parts) FindMesh(part);
     }
     for (model::Section& section : object_.sections) {
-      for (model::Element& element : section.elements) Redirect(renamed_, element);
+      for (model::Element& element : section.elements) {
+        model::ForEachReference(element, [&](std::string_view kind, std::string& name) {
+          const auto found = renamed_.find({kind, name});
+          if (found != renamed_.end()) name = found->second;
+        });
+      }
     }
   }
 
@@ -260,7 +254,8 @@ class Superset::Completion {
   const Superset& superset_;
   model::Object& object_;
   std::map<const model::TriangleMesh*, std::unique_ptr<model::MeshAsset>> own_meshes_;
-  Renamed renamed_;
+  /// New names, by kind and old name.
+  std::map<std::pair<std::string_view, std::string>, std::string> renamed_;
 };
 
 void Superset::Complete(model::Object& object) const { Completion(*this, object)(); }

@@ -78,11 +78,9 @@ int Owners::Find(std::string_view kind, const std::string& name) const {
 
 int Owners::Of(const model::Element& element) const {
   int owner = kAnyOwner;
-  for (const model::Attribute& attribute : element.attributes) {
-    if (!attribute.refers.empty())
-      owner = Join(owner, Find(model::KindOf(attribute, element), attribute.text));
-  }
-  for (const model::Element& child : element.children) owner = Join(owner, Of(child));
+  model::ForEachReference(element, [&](std::string_view kind, const std::string& name) {
+    owner = Join(owner, Find(kind, name));
+  });
   return owner;
 }
 
