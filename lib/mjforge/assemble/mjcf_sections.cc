@@ -55,12 +55,6 @@ void SetLength(const spec::FieldInfo& info, model::AttributeNumbers& numbers) {
 
 }  // namespace
 
-std::vector<model::Element>& Sections::ElementsOf(const spec::SectionInfo& info) {
-  const auto found = std::ranges::find(object_.sections, &info, &model::Section::info);
-  if (found != object_.sections.end()) return found->elements;
-  return object_.sections.emplace_back(model::Section{&info, {}}).elements;
-}
-
 void Sections::Add(Scope& scope, bool outermost) {
   const spec::ObjectSpec& spec = scope.values.spec();
   const sample::StreamId mjcf = sample::Child(scope.values.root(), "mjcf");

@@ -23,7 +23,9 @@ class Sections {
   void Add(Scope& scope, bool outermost);
   /// Returns the elements of a section. Adds the section to the object if the object does not have
   /// it.
-  std::vector<model::Element>& ElementsOf(const spec::SectionInfo& info);
+  std::vector<model::Element>& ElementsOf(const spec::SectionInfo& info) {
+    return model::ElementsOf(info, object_.sections);
+  }
 
  private:
   void AddElement(Scope& scope, const spec::SectionInfo& section, const spec::Entry& entry,

@@ -20,17 +20,12 @@ using spec::Key;
 // iterations, they creep by some millimetres per second. Without multiccd, which is the default
 // only from MuJoCo 3.8 on, a convex piece may rest on a single contact point.
 void AddOptions(std::vector<model::Section>& sections) {
-  const spec::SectionInfo* info = spec::FindSection("option");
-  auto found = std::ranges::find(sections, info, &model::Section::info);
-  if (found == sections.end()) {
-    found = sections.emplace(sections.end());
-    found->info = info;
-  }
-  if (found->elements.empty()) found->elements.emplace_back().tag = info->name;
-  model::Element& option = found->elements.front();
-  AddUnlessPresent({.name = "cone", .numbers = {}, .text = "elliptic"}, option.attributes);
-  AddUnlessPresent({.name = "impratio", .numbers = {10}, .text = {}}, option.attributes);
-  AddUnlessPresent({.name = "noslip_iterations", .numbers = {20}, .text = {}}, option.attributes);
+  std::vector<model::Element>& options = model::ElementsOf(*spec::FindSection("option"), sections);
+  if (options.empty()) options.emplace_back().tag = "option";
+  model::Element& option = options.front();
+  AddUnlessPresent({.name = "cone", .text = "elliptic"}, option.attributes);
+  AddUnlessPresent({.name = "impratio", .numbers = {10}}, option.attributes);
+  AddUnlessPresent({.name = "noslip_iterations", .numbers = {20}}, option.attributes);
   auto flag = std::ranges::find(option.children, "flag", &model::Element::tag);
   if (flag == option.children.end()) {
     flag = option.children.emplace(option.children.end());

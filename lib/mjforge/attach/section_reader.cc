@@ -24,11 +24,7 @@ std::optional<SectionReader::Added> SectionReader::Add(std::string_view section,
   if (!IsCarried(kind, id, references)) return std::nullopt;
   scope_.Add(kind, id);
   const spec::SectionInfo* info = spec::FindSection(section);
-  auto place = std::ranges::find(out_.sections, info, &model::Section::info);
-  if (place == out_.sections.end()) {
-    place = out_.sections.insert(place, model::Section{info, {}});
-  }
-  model::Element& element = place->elements.emplace_back();
+  model::Element& element = model::ElementsOf(*info, out_.sections).emplace_back();
   const spec::ElementInfo& element_info = *info->Find(tag);
   element.tag = element_info.name;
   scope_.Label(kind, id, element);

@@ -139,4 +139,7 @@ struct Section {
   std::vector<Element> elements;
 };
 
+/// Returns the elements of a section; adds the section if it is missing.
+std::vector<Element>& ElementsOf(const spec::SectionInfo& info, std::vector<Section>& sections);
+
 }  // namespace mjforge::model

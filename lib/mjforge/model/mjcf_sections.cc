@@ -42,6 +42,12 @@ std::span<const Element> ElementsOf(const Object& object, std::string_view secti
   return {};
 }
 
+std::vector<Element>& ElementsOf(const spec::SectionInfo& info, std::vector<Section>& sections) {
+  const auto found = std::ranges::find(sections, &info, &Section::info);
+  return found != sections.end() ? found->elements
+                                 : sections.emplace_back(Section{&info, {}}).elements;
+}
+
 std::string_view OwnName(std::string_view name, std::string_view object) {
   const bool has_prefix = name.starts_with(object) && name.substr(object.size()).starts_with('_');
   return has_prefix ? name.substr(object.size() + 1) : name;
