@@ -45,14 +45,6 @@ Eigen::Vector3d UnitInertia(const Shape& shape) {
   return Eigen::Vector3d::Zero();
 }
 
-// Returns the mean M of the vertices. Sums over tetrahedra with the apex M have smaller rounding
-// errors than sums with a distant apex.
-Eigen::Vector3d Middle(const TriangleMesh& mesh) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& vertex : mesh.vertices) sum += vertex;
-  return mesh.vertices.empty() ? sum : Eigen::Vector3d(sum / double(mesh.vertices.size()));
-}
-
 // Divisors in the formulas for an element of a mesh: a tetrahedron of a solid (corners 0, a, b, c)
 // or a triangle of a shell (corners a, b, c). An element with the weight w and the density 1 has
 // the mass w / `mass`, the centre of mass s / `first` with s = a + b + c, and the matrix of second
@@ -68,7 +60,9 @@ struct Divisors {
 template <typename WeightOf>
 MassProperties SumOf(const TriangleMesh& mesh, double density, const Divisors& divisors,
                      const WeightOf& weight_of) {
-  const Eigen::Vector3d p_GM = Middle(mesh);
+  // Sums over tetrahedra with the apex M have smaller rounding errors than sums with a distant
+  // apex.
+  const Eigen::Vector3d p_GM = MeanVertex(mesh);
   double weight = 0;
   Eigen::Vector3d first = Eigen::Vector3d::Zero();
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
@@ -107,6 +101,12 @@ Eigen::Matrix3d PointInertia(double mass, const Eigen::Vector3d& r) {
 }
 
 }  // namespace
+
+Eigen::Vector3d MeanVertex(const TriangleMesh& mesh) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& vertex : mesh.vertices) sum += vertex;
+  return mesh.vertices.empty() ? sum : Eigen::Vector3d(sum / double(mesh.vertices.size()));
+}
 
 double Volume(const Shape& shape) {
   const Eigen::Vector3d& s = shape.size;

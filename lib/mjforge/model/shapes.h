@@ -40,6 +40,9 @@ struct MassProperties {
   Eigen::Matrix3d I_Cm_F = Eigen::Matrix3d::Zero();  // about p_FCm, along the axes of F, kg m^2
 };
 
+/// Returns the mean of a mesh's vertices; zero if there are none.
+Eigen::Vector3d MeanVertex(const TriangleMesh& mesh);
+
 double Volume(const Shape& shape);  // m^3
 
 /// Returns the mass properties in the shape's frame for a uniform density, kg/m^3. Uses a closed

@@ -14,17 +14,11 @@ namespace {
 constexpr double kNullSize = 1e-6;
 constexpr double kNullMeshSize = 2e-4;
 
-Eigen::Vector3d MeanVertex(const model::TriangleMesh& mesh) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& vertex : mesh.vertices) sum += vertex;
-  return sum / static_cast<double>(std::max<std::size_t>(mesh.vertices.size(), 1));
-}
-
 // Returns a point inside a part with a convex shape, in the body's frame: the centre of the shape,
 // or the mean vertex of a mesh.
 Eigen::Vector3d CenterOf(const model::Part& part) {
   if (part.shape.type != model::GeomType::kMesh) return part.X_BG.p;
-  return part.X_BG * MeanVertex(*part.shape.mesh);
+  return part.X_BG * model::MeanVertex(*part.shape.mesh);
 }
 
 // Margin and gap, m, with which null geoms have no contact force in any release of MuJoCo. Releases
@@ -70,7 +64,7 @@ std::unique_ptr<model::MeshAsset> NullMesh(const model::MeshAsset& mesh) {
 void MakeNull(const Eigen::Vector3d& center, model::Part& part) {
   part.X_BG = {};
   if (part.shape.type == model::GeomType::kMesh) {
-    part.X_BG.p = center - MeanVertex(*part.shape.mesh);
+    part.X_BG.p = center - model::MeanVertex(*part.shape.mesh);
   } else {
     part.X_BG.p = center;
     part.shape.size.head(model::SizeCount(part.shape.type)).setConstant(kNullSize);
