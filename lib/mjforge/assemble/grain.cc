@@ -25,16 +25,12 @@ PartTexture TextureOf(const model::Object& object, int material) {
   if (its.texture < 0) return texture;
   const model::Texture& image = object.textures[static_cast<std::size_t>(its.texture)];
   // Skips cube textures, whose coordinates MuJoCo computes itself.
-  const auto is_2d = [](const model::Attribute& a) { return a.name == "type" && a.text == "2d"; };
-  if (std::ranges::none_of(image.attributes, is_2d)) return texture;
+  if (TextOf(image, "type") != "2d") return texture;
   texture.is_turned = model::FindAttribute(image.attributes, "builtin") != nullptr;
-  texture.mapping.unit = Unit::kWhole;
-  for (const model::Attribute& attribute : its.attributes) {
-    if (attribute.name == "texuniform" && attribute.text == "true")
-      texture.mapping.unit = Unit::kMetre;
-    if (attribute.name != "texrepeat") continue;
-    const std::size_t last = attribute.numbers.size() - 1;
-    texture.mapping.repeat = {attribute.numbers[0], attribute.numbers[last]};
+  texture.mapping.unit = TextOf(its, "texuniform") == "true" ? Unit::kMetre : Unit::kWhole;
+  if (const auto* repeat = model::FindAttribute(its.attributes, "texrepeat")) {
+    const std::size_t last = repeat->numbers.size() - 1;
+    texture.mapping.repeat = {repeat->numbers[0], repeat->numbers[last]};
   }
   // On primitive geoms, MuJoCo repeats textures with `texuniform` half as often as `texrepeat`
   // says. The division makes meshes look the same.

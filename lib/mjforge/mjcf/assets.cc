@@ -117,14 +117,11 @@ class AssetWriter {
   // Writes a reference to a generated file. Names the file after the texture's pattern, not after
   // the texture, because several textures may share one image.
   void WriteGeneratedTexture(std::size_t index) {
-    std::string_view type = "cube";
-    std::string_view pattern;
-    for (const model::Attribute& attribute : object_.textures[index].attributes) {
-      if (attribute.name == "type") type = attribute.text;
-      if (attribute.name == "builtin") pattern = attribute.text;
-    }
+    const model::Texture& texture = object_.textures[index];
+    const std::string_view type = TextOf(texture, "type", "cube");
     writer_.WriteText("type", type);
-    WriteGeneratedFile({.kind = GeneratedFile::Kind::kTexture, .index = index}, pattern, ".png");
+    WriteGeneratedFile({.kind = GeneratedFile::Kind::kTexture, .index = index},
+                       TextOf(texture, "builtin"), ".png");
     // MuJoCo generates the six sides of a cube one below the other.
     if (type != "2d") writer_.WriteRaw(" gridsize=\"6 1\" gridlayout=\"RLUDFB\"");
   }

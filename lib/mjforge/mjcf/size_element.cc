@@ -128,8 +128,7 @@ bool AreNearInFrameOf(const PlacedGeom& a, const PlacedGeom& b) {
 bool HasMultipleContacts(const model::Object& object) {
   for (const model::Element& option : model::ElementsOf(object, "option")) {
     for (const model::Element& flag : option.children) {
-      const model::Attribute* multiccd = model::FindAttribute(flag.attributes, "multiccd");
-      if (multiccd != nullptr && multiccd->text == "enable") return true;
+      if (TextOf(flag, "multiccd") == "enable") return true;
     }
   }
   return false;

@@ -95,6 +95,13 @@ double NumberOf(const Owner& owner, std::string_view name, std::size_t position,
   return has_number ? attribute->numbers[position] : usual;
 }
 
+/// Returns the text of an attribute; `usual` if `owner` does not have the attribute.
+template <typename Owner>
+std::string_view TextOf(const Owner& owner, std::string_view name, std::string_view usual = {}) {
+  const Attribute* attribute = FindAttribute(owner.attributes, name);
+  return attribute == nullptr ? usual : std::string_view(attribute->text);
+}
+
 /// An MJCF element that is copied without interpretation, such as a sensor or a camera.
 struct Element {
   std::string_view tag;  // view of a string in the table of sections (spec/mjcf_sections.cc)
@@ -103,9 +110,6 @@ struct Element {
   std::vector<Element> children;
   diag::SourceMark mark;
 };
-
-/// Returns the text of an attribute; `usual` if the element does not have the attribute.
-std::string_view TextOf(const Element& element, std::string_view name, std::string_view usual = {});
 
 /// Returns the first three numbers of an attribute; `usual` if the element does not have the
 /// attribute or the attribute has fewer numbers.

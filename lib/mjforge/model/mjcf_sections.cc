@@ -10,11 +10,6 @@ void AddUnlessPresent(Attribute attribute, std::vector<Attribute>& attributes) {
     attributes.push_back(std::move(attribute));
 }
 
-std::string_view TextOf(const Element& element, std::string_view name, std::string_view usual) {
-  const Attribute* attribute = FindAttribute(element.attributes, name);
-  return attribute == nullptr ? usual : std::string_view(attribute->text);
-}
-
 Eigen::Vector3d VectorOf(const Element& element, std::string_view name,
                          const Eigen::Vector3d& usual) {
   const Attribute* attribute = FindAttribute(element.attributes, name);
@@ -31,8 +26,7 @@ Eigen::Quaterniond QuaternionOf(const Element& element) {
 
 std::string_view KindOf(const Attribute& attribute, const Element& element) {
   if (!attribute.refers.starts_with('@')) return attribute.refers;
-  const Attribute* kind = FindAttribute(element.attributes, attribute.refers.substr(1));
-  return kind == nullptr ? attribute.refers : std::string_view(kind->text);
+  return TextOf(element, attribute.refers.substr(1), attribute.refers);
 }
 
 std::span<const Element> ElementsOf(const Object& object, std::string_view section) {
