@@ -16,8 +16,7 @@ Eigen::Quaterniond QuaternionOf(const sample::Numbers& wxyz) {
 sample::Numbers ZeroPosition(const Joint& joint) {
   if (joint.type == "free") return {};
   if (joint.type == "ball") return {1, 0, 0, 0};
-  const Attribute* ref = FindAttribute(joint.attributes, "ref");
-  return {ref == nullptr ? 0.0 : ref->numbers.front()};
+  return {NumberOf(joint, "ref", 0, 0)};
 }
 
 std::size_t VelocityCount(const Joint& joint) {

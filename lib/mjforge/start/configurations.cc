@@ -128,8 +128,7 @@ double Configurations::Length(const model::Element& tendon, const Poses& X_WB) c
   const Site* last = nullptr;
   for (const model::Element& child : tendon.children) {
     if (child.tag == "pulley") {
-      const sample::Numbers number = NumbersOf(child.attributes, "divisor");
-      if (!number.empty()) divisor = number[0];
+      divisor = NumberOf(child, "divisor", 0, divisor);
       last = nullptr;
       continue;
     }
@@ -148,8 +147,7 @@ double Configurations::LengthChange(const model::Element& tendon) const {
   if (tendon.tag != "fixed") return Length(tendon, start_) - Length(tendon, zero_);
   double change = 0;
   for (const model::Element& child : tendon.children) {
-    const sample::Numbers coefficient = NumbersOf(child.attributes, "coef");
-    change += (coefficient.empty() ? 0 : coefficient[0]) * Displacement(TextOf(child, "joint"));
+    change += NumberOf(child, "coef", 0, 0) * Displacement(TextOf(child, "joint"));
   }
   return change;
 }

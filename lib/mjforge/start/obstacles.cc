@@ -62,8 +62,7 @@ class ObstacleFinder {
           fmt::format("{} of ball joint '{}' is measured from its zero", what, Shown(joint.name)));
     };
     if (is_turned && joint.range) add(joint.mark, "the range");
-    const sample::Numbers stiffness = NumbersOf(joint.attributes, "stiffness");
-    if (is_turned && !stiffness.empty() && stiffness[0] > 0) add(joint.mark, "the spring");
+    if (is_turned && NumberOf(joint, "stiffness", 0, 0) > 0) add(joint.mark, "the spring");
     if (!is_turned && !is_followed) return;
     for (const Element& actuator : model::ElementsOf(object_, "actuator")) {
       if (TextOf(actuator, "joint") == joint.name ||

@@ -6,10 +6,8 @@ namespace mjforge::start {
 // Compares the tendon's path at qpos_spring before and after the move of zero. MuJoCo takes the
 // rest length at qpos_spring, which depends on qpos0 only for ball and free joints.
 bool ChangesSpring(const Configurations& configurations, const model::Element& tendon) {
-  const sample::Numbers stiffness = NumbersOf(tendon.attributes, "stiffness");
-  const sample::Numbers rest = NumbersOf(tendon.attributes, "springlength");
-  if (stiffness.empty() || stiffness[0] == 0 || (!rest.empty() && rest[0] >= 0)) return false;
-  return tendon.tag == "spatial" &&
+  return tendon.tag == "spatial" && NumberOf(tendon, "stiffness", 0, 0) != 0 &&
+         !(NumberOf(tendon, "springlength", 0, -1) >= 0) &&
          configurations.ChangesPath(tendon, configurations.Springs(/*balls_start=*/false),
                                     configurations.Springs(/*balls_start=*/true));
 }
