@@ -43,79 +43,69 @@ bool IsSame(const Pose& a, const Pose& b) {
   return X_AB.p.norm() <= kRounding && !IsTurned(X_AB.q);
 }
 
-class EqualityRewriter {
- public:
-  explicit EqualityRewriter(const Configurations& configurations)
-      : configurations_(configurations) {}
+double LengthChange(const Configurations& configurations, std::string_view name) {
+  const Element* tendon = configurations.FindTendon(name);
+  if (tendon == nullptr) return 0;
+  const bool changes =
+      tendon->tag == "fixed" ||
+      configurations.ChangesPath(*tendon, configurations.zero(), configurations.start());
+  return changes ? configurations.LengthChange(*tendon) : 0;
+}
 
-  void Rewrite(Element& equality) const {
-    if (equality.tag == "joint") RewriteJoints(equality);
-    if (equality.tag == "tendon") RewriteTendons(equality);
-    if (equality.tag == "weld") RewriteWeld(equality);
-    if (equality.tag == "connect") RewriteConnect(equality);
+void RewriteJointEquality(const Configurations& configurations, Element& equality) {
+  const std::string_view second = TextOf(equality, "joint2");
+  ShiftPolynomial(!second.empty(), configurations.Displacement(second),
+                  configurations.Displacement(TextOf(equality, "joint1")), equality);
+}
+
+void RewriteTendonEquality(const Configurations& configurations, Element& equality) {
+  const std::string_view second = TextOf(equality, "tendon2");
+  ShiftPolynomial(!second.empty(), LengthChange(configurations, second),
+                  LengthChange(configurations, TextOf(equality, "tendon1")), equality);
+}
+
+// Writes `relpose` of a weld if it is missing or its quaternion is zero, because MuJoCo then
+// takes the relative pose at zero. The position in `relpose` is that of the anchor in body 1,
+// whereas `anchor` is in body 2.
+void RewriteWeld(const Configurations& configurations, Element& weld) {
+  const sample::Numbers given = NumbersOf(weld.attributes, "relpose");
+  if (given.size() == 7 &&
+      std::any_of(given.begin() + 3, given.end(), [](double number) { return number != 0; })) {
+    return;
   }
+  const Pose X_12 = configurations.RelativePose(weld, configurations.zero());
+  if (IsSame(X_12, configurations.RelativePose(weld, configurations.start()))) return;
+  SetRelativePose(X_12 * VectorOf(weld, "anchor"), X_12.q, weld);
+}
 
- private:
-  void RewriteJoints(Element& equality) const {
-    const std::string_view second = TextOf(equality, "joint2");
-    ShiftPolynomial(!second.empty(), configurations_.Displacement(second),
-                    configurations_.Displacement(TextOf(equality, "joint1")), equality);
-  }
+// Turns a connect that is open at the start into a weld with torquescale 0. MuJoCo computes the
+// second anchor of a connect from the zero configuration, but a weld states both anchors.
+void RewriteConnect(const Configurations& configurations, Element& connect) {
+  const Eigen::Vector3d p_1A = VectorOf(connect, "anchor");
+  const Pose X_12 = configurations.RelativePose(connect, configurations.zero());
+  const Eigen::Vector3d p_2A = X_12.Inverse() * p_1A;
+  const Eigen::Vector3d gap =
+      configurations.RelativePose(connect, configurations.start()) * p_2A - p_1A;
+  if (gap.norm() <= kRounding) return;
+  connect.tag = "weld";
+  SetNumbers(connect.attributes, "anchor", p_2A);
+  SetRelativePose(p_1A, X_12.q, connect);
+  SetNumbers(connect.attributes, "torquescale", {0.0});
+}
 
-  void RewriteTendons(Element& equality) const {
-    const std::string_view second = TextOf(equality, "tendon2");
-    ShiftPolynomial(!second.empty(), LengthChange(second),
-                    LengthChange(TextOf(equality, "tendon1")), equality);
-  }
-
-  double LengthChange(std::string_view name) const {
-    const Element* tendon = configurations_.FindTendon(name);
-    if (tendon == nullptr) return 0;
-    const bool changes =
-        tendon->tag == "fixed" ||
-        configurations_.ChangesPath(*tendon, configurations_.zero(), configurations_.start());
-    return changes ? configurations_.LengthChange(*tendon) : 0;
-  }
-
-  // Writes `relpose` of a weld if it is missing or its quaternion is zero, because MuJoCo then
-  // takes the relative pose at zero. The position in `relpose` is that of the anchor in body 1,
-  // whereas `anchor` is in body 2.
-  void RewriteWeld(Element& weld) const {
-    const sample::Numbers given = NumbersOf(weld.attributes, "relpose");
-    if (given.size() == 7 &&
-        std::any_of(given.begin() + 3, given.end(), [](double number) { return number != 0; })) {
-      return;
-    }
-    const Pose X_12 = configurations_.RelativePose(weld, configurations_.zero());
-    if (IsSame(X_12, configurations_.RelativePose(weld, configurations_.start()))) return;
-    SetRelativePose(X_12 * VectorOf(weld, "anchor"), X_12.q, weld);
-  }
-
-  // Turns a connect that is open at the start into a weld with torquescale 0. MuJoCo computes the
-  // second anchor of a connect from the zero configuration, but a weld states both anchors.
-  void RewriteConnect(Element& connect) const {
-    const Eigen::Vector3d p_1A = VectorOf(connect, "anchor");
-    const Pose X_12 = configurations_.RelativePose(connect, configurations_.zero());
-    const Eigen::Vector3d p_2A = X_12.Inverse() * p_1A;
-    const Eigen::Vector3d gap =
-        configurations_.RelativePose(connect, configurations_.start()) * p_2A - p_1A;
-    if (gap.norm() <= kRounding) return;
-    connect.tag = "weld";
-    SetNumbers(connect.attributes, "anchor", p_2A);
-    SetRelativePose(p_1A, X_12.q, connect);
-    SetNumbers(connect.attributes, "torquescale", {0.0});
-  }
-
-  const Configurations& configurations_;
-};
+void RewriteEquality(const Configurations& configurations, Element& equality) {
+  if (equality.tag == "joint") RewriteJointEquality(configurations, equality);
+  if (equality.tag == "tendon") RewriteTendonEquality(configurations, equality);
+  if (equality.tag == "weld") RewriteWeld(configurations, equality);
+  if (equality.tag == "connect") RewriteConnect(configurations, equality);
+}
 
 }  // namespace
 
 void RewriteEqualities(const Configurations& configurations, model::Object& object) {
-  const EqualityRewriter rewriter(configurations);
   for (model::Section& section : object.sections) {
     if (section.info->name != "equality") continue;
-    for (Element& equality : section.elements) rewriter.Rewrite(equality);
+    for (Element& equality : section.elements) RewriteEquality(configurations, equality);
   }
 }
 

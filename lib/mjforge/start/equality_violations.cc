@@ -22,73 +22,68 @@ double DistanceOf(const Pose& a, const Pose& b, const Eigen::Vector3d& point) {
   return (a * point - b * point).norm();
 }
 
-class ViolationFinder {
- public:
-  ViolationFinder(const Configurations& configurations, diag::Findings& findings)
-      : configurations_(configurations), findings_(findings) {}
+void ReportViolation(const Element& equality, double amount, bool is_length, std::string hint,
+                     diag::Findings& findings) {
+  if (amount <= (is_length ? kLengthTolerance : kAngleTolerance)) return;
+  const std::string text = is_length ? expr::RoundedText(1000 * amount, 3) + " mm"
+                                     : expr::RoundedText(amount, 3) + " rad";
+  findings.Add(diag::Code::kModelBadStart, equality.mark,
+               fmt::format("the start violates equality '{}' by {}", equality.name, text),
+               std::move(hint));
+}
 
-  void Check(const Element& equality) {
-    if (TextOf(equality, "active") == "false") return;
-    if (equality.tag == "joint") CheckJoint(equality);
-    if (equality.tag == "connect" || equality.tag == "weld") CheckBodies(equality);
-  }
+void CheckJointEquality(const Configurations& configurations, const Element& equality,
+                        diag::Findings& findings) {
+  const Joint* first = configurations.FindJoint(TextOf(equality, "joint1"));
+  const Joint* second = configurations.FindJoint(TextOf(equality, "joint2"));
+  const bool is_started =
+      (first != nullptr && HasStart(*first)) || (second != nullptr && HasStart(*second));
+  if (first == nullptr || first->type == "ball" || !is_started) return;
+  const sample::Numbers c = PolynomialOf(equality);
+  const double x = configurations.Displacement(TextOf(equality, "joint2"));
+  double wanted = 0;
+  for (std::size_t i = second == nullptr ? 1 : c.size(); i-- > 0;) wanted = wanted * x + c[i];
+  const double amount = std::abs(configurations.Displacement(first->name) - wanted);
+  ReportViolation(equality, amount, first->type == "slide",
+                  fmt::format("joint '{}' belongs at {} {}", first->name,
+                              expr::NumberText(model::ZeroPosition(*first)[0] + wanted),
+                              first->type == "slide" ? "m" : "rad"),
+                  findings);
+}
 
- private:
-  void CheckJoint(const Element& equality) {
-    const Joint* first = configurations_.FindJoint(TextOf(equality, "joint1"));
-    const Joint* second = configurations_.FindJoint(TextOf(equality, "joint2"));
-    const bool is_started = (first != nullptr && !first->start.empty()) ||
-                            (second != nullptr && !second->start.empty());
-    if (first == nullptr || first->type == "ball" || !is_started) return;
-    const sample::Numbers c = PolynomialOf(equality);
-    const double x = configurations_.Displacement(TextOf(equality, "joint2"));
-    double wanted = 0;
-    for (std::size_t i = second == nullptr ? 1 : c.size(); i-- > 0;) wanted = wanted * x + c[i];
-    const double amount = std::abs(configurations_.Displacement(first->name) - wanted);
-    Report(equality, amount, first->type == "slide",
-           fmt::format("joint '{}' belongs at {} {}", first->name,
-                       expr::NumberText(model::ZeroPosition(*first)[0] + wanted),
-                       first->type == "slide" ? "m" : "rad"));
-  }
-
-  // Reports a connect or weld that the start violates. The anchor of a connect is a point of body
-  // 1, that of a weld a point of body 2; a weld also fixes the orientation.
-  void CheckBodies(const Element& equality) {
-    const Pose X_12 = configurations_.RelativePose(equality, configurations_.start());
-    const Pose zero = configurations_.RelativePose(equality, configurations_.zero());
-    Pose wanted = zero;
-    Eigen::Vector3d anchor = VectorOf(equality, "anchor");
-    const sample::Numbers relpose = NumbersOf(equality.attributes, "relpose");
-    if (equality.tag == "connect") {
-      anchor = zero.Inverse() * anchor;
-    } else if (relpose.size() == 7) {
-      const Eigen::Quaterniond q(relpose[3], relpose[4], relpose[5], relpose[6]);
-      // The position in `relpose` is that of the anchor in body 1.
-      if (q.norm() > 0) {
-        wanted.q = q.normalized();
-        wanted.p = Eigen::Vector3d(relpose.data()) - wanted.q * anchor;
-      }
+// Reports a connect or weld that the start violates. The anchor of a connect is a point of body
+// 1, that of a weld a point of body 2; a weld also fixes the orientation.
+void CheckBodies(const Configurations& configurations, const Element& equality,
+                 diag::Findings& findings) {
+  const Pose X_12 = configurations.RelativePose(equality, configurations.start());
+  const Pose zero = configurations.RelativePose(equality, configurations.zero());
+  Pose wanted = zero;
+  Eigen::Vector3d anchor = VectorOf(equality, "anchor");
+  const sample::Numbers relpose = NumbersOf(equality.attributes, "relpose");
+  if (equality.tag == "connect") {
+    anchor = zero.Inverse() * anchor;
+  } else if (relpose.size() == 7) {
+    const Eigen::Quaterniond q(relpose[3], relpose[4], relpose[5], relpose[6]);
+    // The position in `relpose` is that of the anchor in body 1.
+    if (q.norm() > 0) {
+      wanted.q = q.normalized();
+      wanted.p = Eigen::Vector3d(relpose.data()) - wanted.q * anchor;
     }
-    if (DistanceOf(X_12, zero, anchor) + X_12.q.angularDistance(zero.q) < kUnmoved) return;
-    const sample::Numbers torque = NumbersOf(equality.attributes, "torquescale");
-    const std::string hint = "give the joints of both bodies their starts";
-    Report(equality, DistanceOf(X_12, wanted, anchor), true, hint);
-    if (equality.tag == "weld" && (torque.empty() || torque[0] > 0))
-      Report(equality, X_12.q.angularDistance(wanted.q), false, hint);
   }
+  if (DistanceOf(X_12, zero, anchor) + X_12.q.angularDistance(zero.q) < kUnmoved) return;
+  const std::string hint = "give the joints of both bodies their starts";
+  ReportViolation(equality, DistanceOf(X_12, wanted, anchor), true, hint, findings);
+  if (equality.tag == "weld" && NumberOf(equality, "torquescale", 0, 1) > 0)
+    ReportViolation(equality, X_12.q.angularDistance(wanted.q), false, hint, findings);
+}
 
-  void Report(const Element& equality, double amount, bool is_length, std::string hint) {
-    if (amount <= (is_length ? kLengthTolerance : kAngleTolerance)) return;
-    const std::string text = is_length ? expr::RoundedText(1000 * amount, 3) + " mm"
-                                       : expr::RoundedText(amount, 3) + " rad";
-    findings_.Add(diag::Code::kModelBadStart, equality.mark,
-                  fmt::format("the start violates equality '{}' by {}", equality.name, text),
-                  std::move(hint));
-  }
-
-  const Configurations& configurations_;
-  diag::Findings& findings_;
-};
+void CheckEquality(const Configurations& configurations, const Element& equality,
+                   diag::Findings& findings) {
+  if (TextOf(equality, "active") == "false") return;
+  if (equality.tag == "joint") CheckJointEquality(configurations, equality, findings);
+  if (equality.tag == "connect" || equality.tag == "weld")
+    CheckBodies(configurations, equality, findings);
+}
 
 }  // namespace
 
@@ -96,8 +91,7 @@ void CheckEqualities(const model::Object& object, diag::Findings& findings) {
   const std::span<const Element> equalities = model::ElementsOf(object, "equality");
   if (equalities.empty() || !model::AnyJoint(object, model::HasStart)) return;
   const Configurations configurations(object);
-  ViolationFinder finder(configurations, findings);
-  for (const Element& equality : equalities) finder.Check(equality);
+  for (const Element& equality : equalities) CheckEquality(configurations, equality, findings);
 }
 
 }  // namespace mjforge::start
