@@ -30,6 +30,26 @@ constexpr auto kNeedsEscape = [] {
 
 bool NeedsEscape(char c) { return kNeedsEscape[static_cast<unsigned char>(c)]; }
 
+std::string Escaped(std::string_view value) {
+  std::string out;
+  for (const char c : value) {
+    if (!NeedsEscape(c)) {
+      out += c;
+    } else if (c == '&') {
+      out += "&amp;";
+    } else if (c == '<') {
+      out += "&lt;";
+    } else if (c == '>') {
+      out += "&gt;";
+    } else if (c == '"') {
+      out += "&quot;";
+    } else {
+      out += fmt::format("&#{};", static_cast<int>(c));
+    }
+  }
+  return out;
+}
+
 char* WriteInteger(char* out, int number) {
   return std::to_chars(out, out + expr::kLongestNumber, number).ptr;
 }
@@ -93,12 +113,7 @@ void ElementWriter::FinishLine(std::string_view end) {
 void ElementWriter::WriteText(std::string_view name, std::string_view value,
                               std::string_view suffix) {
   if (std::ranges::any_of(value, NeedsEscape)) {
-    Append(" ");
-    Append(name);
-    Append("=\"");
-    AppendEscaped(value);
-    Append(suffix);
-    Append("\"");
+    WriteUnescaped(name, Escaped(value), suffix);
   } else {
     WriteUnescaped(name, value, suffix);
   }
@@ -114,24 +129,6 @@ void ElementWriter::WriteUnescaped(std::string_view name, std::string_view value
   out = std::ranges::copy(value, out).out;
   out = std::ranges::copy(suffix, out).out;
   *out = '"';
-}
-
-void ElementWriter::AppendEscaped(std::string_view value) {
-  for (const char c : value) {
-    if (!NeedsEscape(c)) {
-      Append({&c, 1});
-    } else if (c == '&') {
-      Append("&amp;");
-    } else if (c == '<') {
-      Append("&lt;");
-    } else if (c == '>') {
-      Append("&gt;");
-    } else if (c == '"') {
-      Append("&quot;");
-    } else {
-      Append(fmt::format("&#{};", static_cast<int>(c)));
-    }
-  }
 }
 
 void ElementWriter::WriteNumbers(std::string_view name, std::span<const double> values,

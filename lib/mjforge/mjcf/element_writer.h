@@ -36,9 +36,8 @@ class ElementWriter {
   /// Writes the end tag of an element that has content.
   void EndElement(std::string_view tag);
 
-  void WriteText(std::string_view name, std::string_view value) { WriteText(name, value, {}); }
   /// Writes `value` followed by `suffix`, which needs no escaping.
-  void WriteText(std::string_view name, std::string_view value, std::string_view suffix);
+  void WriteText(std::string_view name, std::string_view value, std::string_view suffix = {});
   /// Writes attributes without escaping: ` group="3"`.
   void WriteRaw(std::string_view attributes) { Append(attributes); }
   void WriteNumber(std::string_view name, double value) { WriteNumbers(name, {&value, 1}); }
@@ -80,7 +79,6 @@ class ElementWriter {
   void WriteUnescaped(std::string_view name, std::string_view value, std::string_view suffix);
   void Indent();
   void FinishLine(std::string_view end);
-  void AppendEscaped(std::string_view value);
   /// Writes an attribute of numbers, separated by spaces. `write` writes a number as text and
   /// returns the end of the text.
   template <typename T, typename Write>
