@@ -195,12 +195,11 @@ std::size_t CountConstraints(const model::Object& object) {
 /// Returns the number of degrees of freedom, including a free joint that a host may add to the
 /// root.
 double CountDofs(const model::Object& object) {
-  int dofs = 6;
+  std::size_t dofs = 6;
   for (const model::Body& body : object.bodies) {
-    for (const model::Joint& joint : body.joints)
-      dofs += joint.type == "free" ? 6 : joint.type == "ball" ? 3 : 1;
+    for (const model::Joint& joint : body.joints) dofs += model::VelocityCount(joint);
   }
-  return dofs;
+  return static_cast<double>(dofs);
 }
 
 /// Returns the largest multiple of four for njmax with which MuJoCo 2.2 accepts a model with `dofs`

@@ -3,6 +3,7 @@
 #include "mjforge/mjcf/targets.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace mjforge::mjcf {
 namespace {
@@ -88,13 +89,9 @@ constexpr TargetRules kTargets[] = {
      .unsupported = kMjxUnsupported},
 };
 
-constexpr bool IsInOrder() {
-  for (std::size_t i = 0; i < std::size(kTargets); ++i) {
-    if (static_cast<std::size_t>(kTargets[i].target) != i) return false;
-  }
-  return true;
-}
-static_assert(IsInOrder());
+static_assert(std::ranges::all_of(kTargets, [](const TargetRules& rules) {
+  return &rules - kTargets == static_cast<std::ptrdiff_t>(rules.target);
+}));
 
 }  // namespace
 

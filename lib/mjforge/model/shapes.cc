@@ -38,19 +38,8 @@ std::string_view GeomTypeName(GeomType type) {
 }
 
 int SizeCount(GeomType type) {
-  switch (type) {
-    case GeomType::kSphere:
-      return 1;
-    case GeomType::kCapsule:
-    case GeomType::kCylinder:
-      return 2;
-    case GeomType::kEllipsoid:
-    case GeomType::kBox:
-      return 3;
-    case GeomType::kMesh:
-      return 0;
-  }
-  return 0;
+  constexpr std::array<int, 6> kCounts = {1, 2, 3, 2, 3, 0};
+  return kCounts[static_cast<std::size_t>(type)];
 }
 
 // Source of Support() and SupportPoint(): Ericson, "Real-Time Collision Detection", 2005, 9.5.
