@@ -59,10 +59,9 @@ bool ReadTurns(FieldReader& reader, const spec::Entry& screw,
   if (turns.size() == 1) turns.insert(turns.begin(), 0.0);
   range = Eigen::Vector2d(turns[0], turns[1]);
   if (turns[0] < turns[1]) return true;
-  reader.Report(Code::kModelBadValue, *field,
-                fmt::format("is {} .. {}; it must go from a smaller to a larger number",
-                            expr::NumberText(turns[0]), expr::NumberText(turns[1])));
-  return false;
+  return reader.Report(Code::kModelBadValue, *field,
+                       fmt::format("is {} .. {}; it must go from a smaller to a larger number",
+                                   expr::NumberText(turns[0]), expr::NumberText(turns[1])));
 }
 
 // Returns the travel of a screw per full turn, m; nullopt after adding a finding.

@@ -41,30 +41,24 @@ bool HasOwnSpring(const spec::Entry& entry, const spec::Field& detent) {
 bool ReadDetent(FieldReader& reader, const spec::Entry& entry, model::Joint& joint) {
   const spec::Field* field = entry.Find(Key::kDetent);
   if (field == nullptr || HasOwnSpring(entry, *field)) return true;
-  if (joint.type != "hinge" && joint.type != "slide") {
-    reader.Report(Code::kModelBadValue, *field,
-                  fmt::format("has no meaning for a {} joint", joint.type));
-    return false;
-  }
+  if (joint.type != "hinge" && joint.type != "slide")
+    return reader.Report(Code::kModelBadValue, *field,
+                         fmt::format("has no meaning for a {} joint", joint.type));
   const std::optional<double> holding = reader.Number(*field);
   if (!holding) return false;
-  if (!joint.range) {
-    reader.Report(Code::kModelBadValue, *field, "needs a range that is in force");
-    return false;
-  }
+  if (!joint.range)
+    return reader.Report(Code::kModelBadValue, *field, "needs a range that is in force");
   const auto add = [&](std::string_view name, sample::Numbers numbers) {
     AddUnlessPresent({.name = name, .numbers = std::move(numbers)}, joint.attributes);
   };
   const double lower = joint.range->x(), upper = joint.range->y();
   add("springref", {(lower + upper) / 2});
   const double centre = model::FindAttribute(joint.attributes, "springref")->numbers.front();
-  if (!(lower < centre && centre < upper)) {
-    reader.Report(
+  if (!(lower < centre && centre < upper))
+    return reader.Report(
         Code::kModelBadValue, *field,
         fmt::format("needs its dead centre, springref, between {} and {}; it is {}",
                     expr::NumberText(lower), expr::NumberText(upper), expr::NumberText(centre)));
-    return false;
-  }
   // At the end of the range that is farther from the dead centre, the spring holds the joint with
   // the force (N) or torque (Nm) `holding`. At the other end, the spring holds with less.
   const double stiffness = *holding / std::max(upper - centre, centre - lower);

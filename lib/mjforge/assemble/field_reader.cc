@@ -27,15 +27,17 @@ std::string FieldReader::Owner() const {
   return fmt::format("{} {}", element_, Quoted(name_));
 }
 
-void FieldReader::Report(Code code, const spec::Field& field, std::string_view what,
+bool FieldReader::Report(Code code, const spec::Field& field, std::string_view what,
                          std::string hint) {
   findings_.Add(code, field.value.mark, fmt::format("{} of {} {}", field.info->key, Owner(), what),
                 std::move(hint));
+  return false;
 }
 
-void FieldReader::ReportElement(Code code, diag::SourceMark mark, std::string_view what,
+bool FieldReader::ReportElement(Code code, diag::SourceMark mark, std::string_view what,
                                 std::string hint) {
   findings_.Add(code, mark, fmt::format("{} {}", Owner(), what), std::move(hint));
+  return false;
 }
 
 // Ignores numbers that are not finite, because they were already reported when they were computed.
@@ -78,9 +80,9 @@ bool FieldReader::Numbers(const spec::Field& field, sample::Numbers& out) {
   const int count = static_cast<int>(out.size());
   if (good && (count < lo || count > hi)) {
     const std::string wanted = lo == hi ? fmt::format("{}", lo) : fmt::format("{} to {}", lo, hi);
-    Report(Code::kModelBadValue, field,
-           fmt::format("has {} number{}; it must have {}", count, count == 1 ? "" : "s", wanted));
-    return false;
+    return Report(
+        Code::kModelBadValue, field,
+        fmt::format("has {} number{}; it must have {}", count, count == 1 ? "" : "s", wanted));
   }
   return good;
 }
@@ -88,10 +90,9 @@ bool FieldReader::Numbers(const spec::Field& field, sample::Numbers& out) {
 bool FieldReader::HasCount(const spec::Field& field, const sample::Numbers& numbers,
                            std::size_t count) {
   if (numbers.size() == count) return true;
-  Report(Code::kModelBadValue, field,
-         fmt::format("has {} number{}; it must have {}", numbers.size(),
-                     numbers.size() == 1 ? "" : "s", count));
-  return false;
+  return Report(Code::kModelBadValue, field,
+                fmt::format("has {} number{}; it must have {}", numbers.size(),
+                            numbers.size() == 1 ? "" : "s", count));
 }
 
 std::optional<sample::PointList> FieldReader::Points(const spec::Field& field) {

@@ -64,11 +64,11 @@ class FieldReader {
 
   /// Returns the element as messages name it: "part 'head'".
   std::string Owner() const;
-  /// Adds the finding "KEY of OWNER <what>".
-  void Report(diag::Code code, const spec::Field& field, std::string_view what,
+  /// Adds the finding "KEY of OWNER <what>". Returns false.
+  bool Report(diag::Code code, const spec::Field& field, std::string_view what,
               std::string hint = {});
-  /// Adds the finding "OWNER <what>".
-  void ReportElement(diag::Code code, diag::SourceMark mark, std::string_view what,
+  /// Adds the finding "OWNER <what>". Returns false.
+  bool ReportElement(diag::Code code, diag::SourceMark mark, std::string_view what,
                      std::string hint = {});
   diag::Findings& findings() { return findings_; }
 

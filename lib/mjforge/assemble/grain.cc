@@ -51,11 +51,10 @@ bool ReadGrain(FieldReader& reader, const spec::Entry& entry, std::string_view t
   texture.grain = static_cast<int>(std::string_view("xyz").find(*word));
   const bool has_holes = entry.Find(spec::Key::kHoles) != nullptr;
   if (*word != "z" || (type == "box" && !has_holes) || field->is_default) return true;
-  reader.Report(
+  return reader.Report(
       diag::Code::kModelBadValue, *field,
       fmt::format("is z; that of a {}{} is along x or y", type, has_holes ? " with holes" : ""),
       "its texture is laid on from above");
-  return false;
 }
 
 Eigen::Quaterniond TurnToGrain(const PartTexture& texture, Eigen::Vector3d& half) {

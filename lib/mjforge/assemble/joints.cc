@@ -46,18 +46,15 @@ bool ReadRange(FieldReader& reader, const spec::Entry& entry, model::Joint& join
       !reader.ReadOptional(entry, Key::kLimited, &FieldReader::Boolean, limited))
     return false;
   if (limited == false) return true;
-  if (limited && !range) {
-    reader.Report(Code::kModelBadValue, *entry.Find(Key::kLimited), "is true, but it has no range");
-    return false;
-  }
+  if (limited && !range)
+    return reader.Report(Code::kModelBadValue, *entry.Find(Key::kLimited),
+                         "is true, but it has no range");
   if (!range) return true;
   const std::string_view broken = BrokenRange(joint.type, *range);
-  if (!broken.empty()) {
-    reader.Report(Code::kModelBadValue, *entry.Find(Key::kRange),
-                  fmt::format("is {} .. {}; it {}", expr::NumberText((*range)(0)),
-                              expr::NumberText((*range)(1)), broken));
-    return false;
-  }
+  if (!broken.empty())
+    return reader.Report(Code::kModelBadValue, *entry.Find(Key::kRange),
+                         fmt::format("is {} .. {}; it {}", expr::NumberText((*range)(0)),
+                                     expr::NumberText((*range)(1)), broken));
   joint.range = range;
   return true;
 }

@@ -186,18 +186,14 @@ bool Assembly::ReadMass(FieldReader& reader, const spec::Entry& entry,
 
 // Sets the part's mass to `mass` or, if it is nullopt, computes the mass from the part's density.
 bool Assembly::SetMass(FieldReader& reader, const std::optional<double>& mass, model::Part& part) {
-  if (part.is_shell && !mass) {
-    reader.ReportElement(Code::kSpecMissingKey, part.mark, "is a shell and has no 'mass'",
-                         "a density does not say how thick a shell is");
-    return false;
-  }
+  if (part.is_shell && !mass)
+    return reader.ReportElement(Code::kSpecMissingKey, part.mark, "is a shell and has no 'mass'",
+                                "a density does not say how thick a shell is");
   const std::optional<model::MassProperties> unit =
       part.solid ? part.solid : assets_.UnitMassOf(part.shape, part.mesh);
-  if (!unit) {
-    reader.ReportElement(Code::kModelBadMesh, part.mark, "has mass but no closed surface",
-                         "leave `mass` and `density` out, or write `inertia: shell`");
-    return false;
-  }
+  if (!unit)
+    return reader.ReportElement(Code::kModelBadMesh, part.mark, "has mass but no closed surface",
+                                "leave `mass` and `density` out, or write `inertia: shell`");
   if (mass) part.density = 0;
   part.mass = mass ? *mass : part.density * unit->mass;
   return true;

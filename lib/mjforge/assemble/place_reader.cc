@@ -98,10 +98,9 @@ bool Placements::ReadTarget(const Request& request, FieldReader& reader, Trial& 
 
 bool Placements::ReadSites(const Request& request, FieldReader& reader, Trial& trial) {
   const spec::PlaceEntry& place = *request.entry.place;
-  if (const spec::Field* field = WithoutMeaningAtSites(place)) {
-    reader.Report(Code::kModelBadPlace, *field, "has no meaning at a site, which decides the pose");
-    return false;
-  }
+  if (const spec::Field* field = WithoutMeaningAtSites(place))
+    return reader.Report(Code::kModelBadPlace, *field,
+                         "has no meaning at a site, which decides the pose");
   if (!reader.ReadOptional(place, Key::kYaw, &FieldReader::Number, trial.where.yaw)) return false;
   trial.where.X_SupportSite = trial.target.X_BT();
   const spec::Field* by = place.Find(Key::kBy);
@@ -147,11 +146,10 @@ bool Placements::ReadPosition(const Request& request, FieldReader& reader, sampl
     where.uv = *position;
     constexpr double kRounding = 1e-9;
     if (!is_disc || where.beside || where.uv.norm() <= 1 + kRounding) return true;
-    reader.Report(Code::kModelBadValue, *uv,
-                  fmt::format("is {} from the centre of a disc; it must be at most 1",
-                              expr::NumberText(where.uv.norm())),
-                  "in polar form: [r * cos(a), r * sin(a)]");
-    return false;
+    return reader.Report(Code::kModelBadValue, *uv,
+                         fmt::format("is {} from the centre of a disc; it must be at most 1",
+                                     expr::NumberText(where.uv.norm())),
+                         "in polar form: [r * cos(a), r * sin(a)]");
   }
   if (where.beside) return true;
   trial.is_drawn = true;
@@ -207,8 +205,7 @@ bool Placements::ReadFacing(const Request& request, FieldReader& reader, model::
   if (!direction) return false;
   where.direction = (X_WB(scope_.body).q * (scope_.X_BS.q * *direction)).head<2>();
   if (!where.direction->isZero(1e-12)) return true;
-  reader.Report(Code::kModelBadRotation, *facing, "has no horizontal direction");
-  return false;
+  return reader.Report(Code::kModelBadRotation, *facing, "has no horizontal direction");
 }
 
 bool Placements::ReadLying(const Request& request, FieldReader& reader, sample::StreamId path,
@@ -233,10 +230,10 @@ bool Placements::ReadLying(const Request& request, FieldReader& reader, sample::
   std::vector<std::string_view> names = {"any"};
   std::ranges::transform(poses, std::back_inserter(names), &model::StablePose::name);
   const std::string hint = diag::DidYouMean(*name, std::span<const std::string_view>(names));
-  reader.Report(Code::kModelBadPlace, *field,
-                fmt::format("is {}, in which the body is not stable", Quoted(*name)),
-                hint.empty() ? fmt::format("stable ways: {}", fmt::join(names, ", ")) : hint);
-  return false;
+  return reader.Report(
+      Code::kModelBadPlace, *field,
+      fmt::format("is {}, in which the body is not stable", Quoted(*name)),
+      hint.empty() ? fmt::format("stable ways: {}", fmt::join(names, ", ")) : hint);
 }
 
 const std::vector<model::StablePose>& Placements::StablePosesOf(const Request& request) {

@@ -73,32 +73,26 @@ bool ReadPolygon(FieldReader& reader, const spec::Field& field, model::Region& r
   std::vector<Eigen::Vector2d>& corners = region.corners;
   for (std::size_t i = 0; i + 1 < points->numbers.size(); i += 2)
     corners.emplace_back(points->numbers[i], points->numbers[i + 1]);
-  if (corners.size() < 3) {
-    reader.Report(Code::kModelBadValue, field, "has fewer than three corners");
-    return false;
-  }
+  if (corners.size() < 3)
+    return reader.Report(Code::kModelBadValue, field, "has fewer than three corners");
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const std::size_t next = (i + 1) % corners.size();
     if (corners[i] != corners[next]) continue;
-    reader.Report(Code::kModelBadValue, field,
-                  fmt::format("has the same point at corners {} and {}", i + 1, next + 1),
-                  "the last corner is connected to the first");
-    return false;
+    return reader.Report(Code::kModelBadValue, field,
+                         fmt::format("has the same point at corners {} and {}", i + 1, next + 1),
+                         "the last corner is connected to the first");
   }
   const double diagonal = solid::BoxAround(corners).sizes().norm();
-  if (solid::AreaOf(solid::ConvexPolygonOf(corners)) <= kLeastAreaRatio * diagonal * diagonal) {
-    reader.Report(Code::kModelBadValue, field, "has no area: its corners are on a line");
-    return false;
-  }
+  if (solid::AreaOf(solid::ConvexPolygonOf(corners)) <= kLeastAreaRatio * diagonal * diagonal)
+    return reader.Report(Code::kModelBadValue, field, "has no area: its corners are on a line");
   const bool is_reversed = solid::AreaOf(corners) < 0;
   if (is_reversed) std::ranges::reverse(corners);
   const std::optional<std::size_t> concave = ConcaveCorner(corners);
   if (concave) {
     const std::size_t corner = is_reversed ? corners.size() - *concave : *concave + 1;
-    reader.Report(Code::kModelBadValue, field,
-                  fmt::format("is not convex at its corner {}", corner),
-                  "divide it into convex regions");
-    return false;
+    return reader.Report(Code::kModelBadValue, field,
+                         fmt::format("is not convex at its corner {}", corner),
+                         "divide it into convex regions");
   }
   return true;
 }
@@ -107,11 +101,9 @@ bool ReadExtent(FieldReader& reader, const spec::Entry& entry, std::string_view 
                 model::Region& region) {
   const Key key = ExtentKey(type);
   const spec::Field* field = entry.Find(key);
-  if (field == nullptr) {
-    reader.ReportElement(Code::kSpecMissingKey, entry.mark,
-                         fmt::format("has no '{}'", spec::kRegionElement.Find(key)->key));
-    return false;
-  }
+  if (field == nullptr)
+    return reader.ReportElement(Code::kSpecMissingKey, entry.mark,
+                                fmt::format("has no '{}'", spec::kRegionElement.Find(key)->key));
   if (type == "polygon") {
     region.type = model::RegionType::kPolygon;
     return ReadPolygon(reader, *field, region);

@@ -34,21 +34,17 @@ bool HasStrayKeys(FieldReader& reader, const spec::Entry& entry, std::string_vie
 bool ReadSize(FieldReader& reader, const spec::Entry& entry, std::string_view type,
               const std::optional<double>& half_length, model::Part& part) {
   const spec::Field* field = entry.Find(Key::kSize);
-  if (field == nullptr) {
-    reader.ReportElement(Code::kSpecMissingKey, part.mark, "has no 'size'");
-    return false;
-  }
+  if (field == nullptr)
+    return reader.ReportElement(Code::kSpecMissingKey, part.mark, "has no 'size'");
   sample::Numbers numbers;
   if (!reader.Numbers(*field, numbers)) return false;
   const int all = model::SizeCount(part.shape.type);
   const int wanted = half_length ? all - 1 : all;
-  if (static_cast<int>(numbers.size()) != wanted) {
-    reader.Report(Code::kModelBadValue, *field,
-                  fmt::format("has {} number{}; a {}{} takes {}", numbers.size(),
-                              numbers.size() == 1 ? "" : "s", type,
-                              half_length ? " with 'fromto'" : "", wanted));
-    return false;
-  }
+  if (static_cast<int>(numbers.size()) != wanted)
+    return reader.Report(Code::kModelBadValue, *field,
+                         fmt::format("has {} number{}; a {}{} takes {}", numbers.size(),
+                                     numbers.size() == 1 ? "" : "s", type,
+                                     half_length ? " with 'fromto'" : "", wanted));
   if (half_length) numbers.push_back(*half_length);
   numbers.resize(3);
   part.shape.size = Eigen::Vector3d(numbers.data());
