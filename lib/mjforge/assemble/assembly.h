@@ -141,12 +141,9 @@ class Assembly {
   /// Adds the part to the current body. If `pieces` (poses in the part's frame) is not empty, only
   /// the pieces collide: the part becomes visual, or is left out if it has `role: collision`.
   void AddWithPieces(model::Part part, std::vector<model::Part> pieces);
-  bool ReadMaterial(Scope& scope, FieldReader& reader, const spec::Entry& entry, model::Part& part,
-                    const MaterialState*& material);
   bool ReadMass(FieldReader& reader, const spec::Entry& entry, const MaterialState* material,
                 model::Part& part);
   bool SetMass(FieldReader& reader, const std::optional<double>& mass, model::Part& part);
-  bool SetDensity(FieldReader& reader, const spec::Field& field, double density, model::Part& part);
 
   // views.cc
   /// Adds cameras and lights to the current body; `path` is the random stream of the body.

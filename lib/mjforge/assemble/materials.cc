@@ -13,9 +13,13 @@ namespace mjforge::assemble {
 using diag::Code;
 using spec::Key;
 
-const MaterialState* Materials::Use(Scope& scope, FieldReader& reader, const spec::Field& field) {
-  const std::optional<std::string> name = reader.Text(field);
-  return name ? Find(scope, *name, field.value.mark) : nullptr;
+bool Materials::Read(Scope& scope, FieldReader& reader, const spec::Entry& entry,
+                     const MaterialState*& material) {
+  const spec::Field* field = entry.Find(Key::kMaterial);
+  if (field == nullptr) return true;
+  const std::optional<std::string> name = reader.Text(*field);
+  if (name) material = Find(scope, *name, field->value.mark);
+  return name && material != nullptr;
 }
 
 const MaterialState* Materials::Find(Scope& scope, const std::string& name, diag::SourceMark mark) {

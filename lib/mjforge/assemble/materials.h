@@ -16,9 +16,11 @@ class Materials {
   Materials(model::Object& object, Assets& assets, diag::Findings& findings)
       : object_(object), assets_(assets), findings_(findings) {}
 
-  /// Returns the evaluated material that a field names, or the material of the outer spec that
-  /// replaces it. Returns null, and adds a finding, if there is none.
-  const MaterialState* Use(Scope& scope, FieldReader& reader, const spec::Field& field);
+  /// Sets `material` to the evaluated material that an entry names, or to the material of the outer
+  /// spec that replaces it. Leaves `material` unchanged if the entry names none. Returns false, and
+  /// adds a finding, if the material does not exist.
+  bool Read(Scope& scope, FieldReader& reader, const spec::Entry& entry,
+            const MaterialState*& material);
   /// Returns the index of a material that equals `material` and is named `own_name` in its spec or
   /// file. Adds the material if there is none.
   int Share(const std::string& own_name, model::Material material);

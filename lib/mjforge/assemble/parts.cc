@@ -54,6 +54,14 @@ model::Box3 BoxOf(const model::Part& part, const std::vector<model::Part>& piece
   return box;
 }
 
+bool SetDensity(FieldReader& reader, const spec::Field& field, double density, model::Part& part) {
+  if (density == 0 && part.role == model::Role::kBoth)
+    return reader.Report(Code::kModelBadValue, field, "is 0; it must be greater than 0",
+                         "a part without mass has `role: visual` or `role: collision`");
+  part.density = density;
+  return true;
+}
+
 }  // namespace
 
 Eigen::Vector3d FromCorner(const Eigen::Vector3d& p, const Eigen::Vector3d& total_size,
@@ -91,7 +99,8 @@ void Assembly::AddPart(Scope& scope, const spec::Entry& entry, const model::Pose
   part.mark = entry.mark;
   bool good = ReadRole(reader, entry, part);
   const MaterialState* material = nullptr;
-  good &= ReadMaterial(scope, reader, entry, part, material);
+  good &= materials_.Read(scope, reader, entry, material);
+  if (material != nullptr) part.material = material->index;
   std::optional<ShapePlacement> placed =
       good ? ReadShape(reader, entry, scope.values.spec().folder, TextureOf(object_, part.material),
                        assets_, part)
@@ -137,28 +146,6 @@ void Assembly::AddWithPieces(model::Part part, std::vector<model::Part> pieces) 
   part.role = model::Role::kVisual;
   if (is_seen) parts.push_back(std::move(part));
   std::ranges::move(pieces, std::back_inserter(parts));
-}
-
-bool Assembly::ReadMaterial(Scope& scope, FieldReader& reader, const spec::Entry& entry,
-                            model::Part& part, const MaterialState*& material) {
-  const spec::Field* field = entry.Find(Key::kMaterial);
-  if (field == nullptr) return true;
-  material = materials_.Use(scope, reader, *field);
-  if (material == nullptr) return false;
-  part.material = material->index;
-  return true;
-}
-
-bool Assembly::SetDensity(FieldReader& reader, const spec::Field& field, double density,
-                          model::Part& part) {
-  const bool may_be_zero = part.role != model::Role::kBoth;
-  if (density == 0 && !may_be_zero) {
-    reader.Report(Code::kModelBadValue, field, "is 0; it must be greater than 0",
-                  "a part without mass has `role: visual` or `role: collision`");
-    return false;
-  }
-  part.density = density;
-  return true;
 }
 
 // Sets the mass from the first of the following that exists: the part's own mass or density, the

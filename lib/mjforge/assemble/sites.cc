@@ -40,11 +40,9 @@ void Assembly::AddSite(Scope& scope, const spec::Entry& entry, sample::StreamId 
   const std::optional<model::Pose> pose = ReadPose(reader, entry);
   if (pose) site.X_BS = scope.X_BS * *pose;
   good &= pose.has_value();
-  if (const spec::Field* field = entry.Find(Key::kMaterial)) {
-    const MaterialState* material = materials_.Use(scope, reader, *field);
-    if (material != nullptr) site.material = material->index;
-    good &= material != nullptr;
-  }
+  const MaterialState* material = nullptr;
+  good &= materials_.Read(scope, reader, entry, material);
+  if (material != nullptr) site.material = material->index;
   good &= ReadAttributes(reader, entry, site.attributes);
   if (good) body().sites.push_back(std::move(site));
 }
