@@ -57,90 +57,58 @@ bool AreUsed(const std::vector<spec::Entry>& entries) {
   return std::ranges::any_of(entries, [](const spec::Entry& entry) { return entry.slot >= 0; });
 }
 
-// Sets the variables for the properties of subtrees, sites and joints in one spec, whose bodies are
-// in `object`.
-class WholeProperties {
- public:
-  WholeProperties(Scope& scope, const model::Object& object, Repetition& repetition,
-                  diag::Findings& findings)
-      : scope_(scope), object_(object), repetition_(repetition), findings_(findings) {}
-
-  // Removes the values of all variables, because `if` may leave out bodies, sites and joints.
-  void Clear() {
-    const spec::ObjectSpec& spec = scope_.values.spec();
-    for (const spec::BodyEntry& body : spec.bodies) {
-      ClearSlots(body.first_subtree_property, spec::BodyPropertyNames().size(), scope_.values);
-      ClearEntries(body.sites, 3, scope_.values);
-      ClearEntries(body.joints, 1, scope_.values);
-    }
-    ClearEntries(spec.sites, 3, scope_.values);
-    ClearEntries(spec.joints, 1, scope_.values);
+// Removes the values of all variables, because `if` may leave out bodies, sites and joints.
+void ClearWholeProperties(const Scope& scope) {
+  const spec::ObjectSpec& spec = scope.values.spec();
+  for (const spec::BodyEntry& body : spec.bodies) {
+    ClearSlots(body.first_subtree_property, spec::BodyPropertyNames().size(), scope.values);
+    ClearEntries(body.sites, 3, scope.values);
+    ClearEntries(body.joints, 1, scope.values);
   }
+  ClearEntries(spec.sites, 3, scope.values);
+  ClearEntries(spec.joints, 1, scope.values);
+}
 
-  // Sets NAME.subtree_top and the other properties of subtrees. `bodies` maps full names to
-  // indices.
-  void SetSubtrees(const std::unordered_map<std::string, int>& bodies) {
-    for (const spec::BodyEntry& entry : scope_.values.spec().bodies) {
-      if (entry.first_subtree_property < 0) continue;
-      const auto name = spec::LiteralText(entry.head.name);
-      std::string full = scope_.prefix + std::string(name.value_or(""));
-      // The properties of a chain are those of its first link.
-      if (entry.head.FindChild(spec::kChainElement) != nullptr) full += "_0";
-      const auto found = bodies.find(full);
-      if (found == bodies.end()) continue;  // `if` left the body out
-      const auto index = static_cast<std::size_t>(found->second);
-      SetMeasures(model::SubtreeBounds(object_.bodies, index),
-                  model::SubtreeMass(object_.bodies, index).mass, entry.first_subtree_property,
-                  scope_.values);
-    }
+// Sets NAME.subtree_top and the other properties of subtrees. `bodies` maps full names to
+// indices.
+void SetSubtrees(const Scope& scope, const model::Object& object,
+                 const std::unordered_map<std::string, int>& bodies) {
+  for (const spec::BodyEntry& entry : scope.values.spec().bodies) {
+    if (entry.first_subtree_property < 0) continue;
+    const auto name = spec::LiteralText(entry.head.name);
+    std::string full = scope.prefix + std::string(name.value_or(""));
+    // The properties of a chain are those of its first link.
+    if (entry.head.FindChild(spec::kChainElement) != nullptr) full += "_0";
+    const auto found = bodies.find(full);
+    if (found == bodies.end()) continue;  // `if` left the body out
+    const auto index = static_cast<std::size_t>(found->second);
+    SetMeasures(model::SubtreeBounds(object.bodies, index),
+                model::SubtreeMass(object.bodies, index).mass, entry.first_subtree_property,
+                scope.values);
   }
+}
 
-  // Sets NAME.pos of sites, in the frame of the spec. `root` is the index of the body to which the
-  // spec's root elements belong.
-  void SetPositions(std::size_t root) {
-    const spec::ObjectSpec& spec = scope_.values.spec();
-    const auto uses_sites = [](const spec::BodyEntry& entry) { return AreUsed(entry.sites); };
-    if (!AreUsed(spec.sites) && std::ranges::none_of(spec.bodies, uses_sites)) return;
-    const std::vector<model::Pose> X_WB = model::ZeroPoses(object_.bodies);
-    const model::Pose X_SW = (X_WB[root] * scope_.X_BS).Inverse();
-    const auto set = [&](const std::vector<spec::Entry>& entries) {
-      for (const spec::Entry& entry : entries) {
-        const auto name = spec::LiteralText(entry.name);
-        if (entry.slot < 0 || !name) continue;
-        const auto [body, site] = FindSite(object_, scope_.prefix + std::string(*name));
-        if (site == nullptr || IsPlacedLater(object_, body, root)) continue;
-        const Eigen::Vector3d p_S = (X_SW * X_WB[body] * site->X_BS).p;
-        for (int i = 0; i < 3; ++i) scope_.values.SetVariable(entry.slot + i, p_S[i]);
-      }
-    };
-    set(spec.sites);
-    for (const spec::BodyEntry& entry : spec.bodies) set(entry.sites);
-  }
-
-  // Sets torque(NAME), the largest torque of gravity on the joint NAME, for the joints of a body.
-  // `joints` is the random stream of the joints.
-  void SetTorques(const std::vector<spec::Entry>& entries, std::size_t body,
-                  sample::StreamId joints) {
+// Sets NAME.pos of sites, in the frame of the spec. `root` is the index of the body to which the
+// spec's root elements belong.
+void SetPositions(const Scope& scope, const model::Object& object, std::size_t root) {
+  const spec::ObjectSpec& spec = scope.values.spec();
+  const auto uses_sites = [](const spec::BodyEntry& entry) { return AreUsed(entry.sites); };
+  if (!AreUsed(spec.sites) && std::ranges::none_of(spec.bodies, uses_sites)) return;
+  const std::vector<model::Pose> X_WB = model::ZeroPoses(object.bodies);
+  const model::Pose X_SW = (X_WB[root] * scope.X_BS).Inverse();
+  const auto set = [&](const std::vector<spec::Entry>& entries) {
     for (const spec::Entry& entry : entries) {
-      if (entry.slot < 0) continue;
-      repetition_.ForEach(entry, scope_.values, joints, [&] {
-        const std::string name = scope_.values.Text(entry.name, joints).value_or("");
-        FieldReader reader(scope_.values, findings_, "joint", name,
-                           sample::Child(joints, std::string_view(name)));
-        model::Joint joint;
-        if (!ReadJointGeometry(reader, entry, joint)) return;
-        const model::MassProperties subtree = model::SubtreeMass(object_.bodies, body);
-        scope_.values.SetVariable(entry.slot, GravityTorque(subtree, joint));
-      });
+      const auto name = spec::LiteralText(entry.name);
+      if (entry.slot < 0 || !name) continue;
+      const auto [body, site] = FindSite(object, scope.prefix + std::string(*name));
+      if (site == nullptr || IsPlacedLater(object, body, root)) continue;
+      const Eigen::Vector3d p_S = (X_SW * X_WB[body] * site->X_BS).p;
+      for (int i = 0; i < 3; ++i) scope.values.SetVariable(entry.slot + i, p_S[i]);
     }
-  }
-
- private:
-  Scope& scope_;
-  const model::Object& object_;
-  Repetition& repetition_;
-  diag::Findings& findings_;
-};
+  };
+  set(spec.sites);
+  for (const spec::BodyEntry& entry : spec.bodies) set(entry.sites);
+}
 
 }  // namespace
 
@@ -160,20 +128,35 @@ void SetMeasures(const model::Bounds& bounds, double mass, int slot, sample::Eva
 
 void Assembly::SetWholeProperties(Scope& scope) {
   const spec::ObjectSpec& spec = scope.values.spec();
-  WholeProperties whole(scope, object_, repetition_, findings_);
-  whole.Clear();
-  whole.SetSubtrees(bodies_);
-  whole.SetPositions(current_body_);
+  ClearWholeProperties(scope);
+  SetSubtrees(scope, object_, bodies_);
+  SetPositions(scope, object_, current_body_);
+  // Sets torque(NAME), the largest torque of gravity on the joint NAME, for the joints of a body.
+  const auto set_torques = [&](const std::vector<spec::Entry>& entries, std::size_t index,
+                               sample::StreamId joints) {
+    for (const spec::Entry& entry : entries) {
+      if (entry.slot < 0) continue;
+      repetition_.ForEach(entry, scope.values, joints, [&] {
+        const std::string name = scope.values.Text(entry.name, joints).value_or("");
+        FieldReader reader(scope.values, findings_, "joint", name,
+                           sample::Child(joints, std::string_view(name)));
+        model::Joint joint;
+        if (!ReadJointGeometry(reader, entry, joint)) return;
+        const model::MassProperties subtree = model::SubtreeMass(object_.bodies, index);
+        scope.values.SetVariable(entry.slot, GravityTorque(subtree, joint));
+      });
+    }
+  };
   if (AreUsed(spec.joints)) {
     assets_.SumMass(body());
-    whole.SetTorques(spec.joints, current_body_, sample::Child(scope.values.root(), "joints"));
+    set_torques(spec.joints, current_body_, sample::Child(scope.values.root(), "joints"));
   }
   const auto uses_torque = [](const Scope::Jointed& jointed) {
     return AreUsed(jointed.entry->joints);
   };
   if (std::ranges::none_of(scope.jointed, uses_torque)) return;
   ForEachJointed(scope, [&](const spec::BodyEntry& entry, std::size_t index) {
-    whole.SetTorques(entry.joints, index, JointsOf(scope, index));
+    set_torques(entry.joints, index, JointsOf(scope, index));
   });
 }
 
