@@ -90,19 +90,6 @@ std::optional<Eigen::Vector2d> ReadLimits(FieldReader& reader, const spec::Field
   return range;
 }
 
-void ReadCheck(const spec::Field& field, FieldReader& reader, model::Checks& checks) {
-  if (field.info->key == "profile") checks.simready = reader.Word(field) == "simready";
-  SetMember(kBooleans, &FieldReader::Boolean, reader, field, checks);
-  SetMember(kNumbers, &FieldReader::Number, reader, field, checks);
-  SetMember(kRanges, ReadLimits, reader, field, checks);
-}
-
-void ReadGrasping(const spec::Field& field, FieldReader& reader, model::GraspingCheck& grasps) {
-  SetMember(kGraspingNumbers, &FieldReader::Number, reader, field, grasps);
-  if (field.info->key == "tries")
-    grasps.tries = static_cast<int>(reader.Number(field).value_or(grasps.tries));
-}
-
 void ReadHolding(const spec::Field& field, FieldReader& reader, model::HoldingCheck& holds) {
   const std::string_view key = field.info->key;
   if (key == "ball") {
@@ -123,16 +110,6 @@ void ReadHolding(const spec::Field& field, FieldReader& reader, model::HoldingCh
   }
 }
 
-void ReadJointField(const spec::Field& field, FieldReader& reader, model::JointCheck& check) {
-  SetMember(kJointNumbers, &FieldReader::Number, reader, field, check);
-  if (field.info->key == "rests") check.rests = ReadLimits(reader, field);
-}
-
-void ReadPartField(const spec::Field& field, FieldReader& reader, model::PartCheck& check) {
-  if (field.info->key == "density") check.density = ReadLimits(reader, field);
-  SetMember(kPartNumbers, &FieldReader::Number, reader, field, check);
-}
-
 }  // namespace
 
 void Assembly::ReadJointCheck(Scope& scope, const spec::Checks::JointCheck& entry) {
@@ -143,7 +120,10 @@ void Assembly::ReadJointCheck(Scope& scope, const spec::Checks::JointCheck& entr
   for (const spec::Value& joint : entry.joints)
     check.joints.emplace_back(scope.values.Text(joint, root).value_or(""));
   FieldReader reader(scope.values, findings_, "joint check", check.joints.front(), root);
-  for (const spec::Field& field : entry.entry.fields) ReadJointField(field, reader, check);
+  for (const spec::Field& field : entry.entry.fields) {
+    SetMember(kJointNumbers, &FieldReader::Number, reader, field, check);
+    if (field.info->key == "rests") check.rests = ReadLimits(reader, field);
+  }
   for (const spec::JointPosition& at : entry.at) {
     sample::Numbers numbers;
     scope.values.Vector(at.value, root, numbers);
@@ -161,7 +141,10 @@ void Assembly::ReadPartCheck(Scope& scope, const spec::Checks::PartCheck& entry)
     check.parts.emplace_back(scope.values.Text(part, root).value_or(""));
   if (check.parts.empty()) return;
   FieldReader reader(scope.values, findings_, "limit", check.parts.front(), root);
-  for (const spec::Field& field : entry.entry.fields) ReadPartField(field, reader, check);
+  for (const spec::Field& field : entry.entry.fields) {
+    if (field.info->key == "density") check.density = ReadLimits(reader, field);
+    SetMember(kPartNumbers, &FieldReader::Number, reader, field, check);
+  }
 }
 
 void Assembly::ReadGrasps(Scope& scope, const spec::Checks::Grasping& entry) {
@@ -171,7 +154,11 @@ void Assembly::ReadGrasps(Scope& scope, const spec::Checks::Grasping& entry) {
   for (const spec::Value& site : entry.sites)
     grasps.sites.emplace_back(scope.values.Text(site, root).value_or(""));
   FieldReader reader(scope.values, findings_, "grasps", object_.name, root);
-  for (const spec::Field& field : entry.fields) ReadGrasping(field, reader, grasps);
+  for (const spec::Field& field : entry.fields) {
+    SetMember(kGraspingNumbers, &FieldReader::Number, reader, field, grasps);
+    if (field.info->key == "tries")
+      grasps.tries = static_cast<int>(reader.Number(field).value_or(grasps.tries));
+  }
 }
 
 void Assembly::ReadFitting(Scope& scope, const spec::Checks::Fitting& entry) {
@@ -192,7 +179,12 @@ void Assembly::ReadFitting(Scope& scope, const spec::Checks::Fitting& entry) {
 void Assembly::ReadChecks(Scope& scope) {
   const spec::Checks& checks = scope.values.spec().checks;
   FieldReader reader(scope.values, findings_, "checks", object_.name, scope.values.root());
-  for (const spec::Field& field : checks.fields) ReadCheck(field, reader, object_.checks);
+  for (const spec::Field& field : checks.fields) {
+    if (field.info->key == "profile") object_.checks.simready = reader.Word(field) == "simready";
+    SetMember(kBooleans, &FieldReader::Boolean, reader, field, object_.checks);
+    SetMember(kNumbers, &FieldReader::Number, reader, field, object_.checks);
+    SetMember(kRanges, ReadLimits, reader, field, object_.checks);
+  }
   if (checks.holds) {
     FieldReader in_holds(scope.values, findings_, "holds", object_.name, scope.values.root());
     model::HoldingCheck& holds = object_.checks.holds.emplace();
