@@ -184,7 +184,8 @@ void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const model::Pose
   Scope inner(*nested, scope.prefix + *name + "_", static_cast<int>(current_body_),
               corner ? model::Pose{.q = X_SW.q} : scope.X_BS * X_SW);
   SetSubstitutes(scope, entry, path, inner);
-  const ElementCounts before = CountElements();
+  const ElementCounts before = {body().parts.size(), body().sites.size(), body().regions.size(),
+                                body().elements.size(), object_.bodies.size()};
   AddSpec(inner);
   MarkRootJointsRemoved(inner);
   if (!corner) return;
@@ -195,11 +196,6 @@ void Assembly::AddWeld(Scope& scope, const spec::Entry& entry, const model::Pose
   if (box.empty()) return;
   Move(scope.X_BS * model::Pose{.p = FromCorner(X_SW.p, *scope.total_size, box.min)}, before,
        inner.body);
-}
-
-Assembly::ElementCounts Assembly::CountElements() {
-  return {body().parts.size(), body().sites.size(), body().regions.size(), body().elements.size(),
-          object_.bodies.size()};
 }
 
 void Assembly::Move(const model::Pose& X_BC, const ElementCounts& from, int parent) {

@@ -49,7 +49,6 @@ class Assembly {
   struct ElementCounts {
     std::size_t parts, sites, regions, views, bodies;
   };
-  ElementCounts CountElements();
   /// Multiplies poses by X_BC from the left. Applies to the elements added after the counts `from`:
   /// parts, sites, regions and views of the current body, and bodies whose parent is `parent`.
   void Move(const model::Pose& X_BC, const ElementCounts& from, int parent);

@@ -20,17 +20,6 @@ using Eigen::Vector2d;
 constexpr double kAnyArea = 1e-8;
 constexpr double kAnyHeight = 1e-5;
 
-// Adds the colliding ones of a body's parts `first` to `last` - 1, with poses in the root frame.
-void AddColliding(const model::Body& body, const model::Pose& X_RootB, std::size_t first,
-                  std::size_t last, std::vector<PlacedShape>& out) {
-  for (std::size_t i = first; i < std::min(last, body.parts.size()); ++i) {
-    const model::Part& part = body.parts[i];
-    if (part.role == model::Role::kVisual) continue;
-    const model::Pose X_RootG = X_RootB * part.X_BG;
-    out.push_back({part.shape, X_RootG, model::BoundsOf(part.shape, X_RootG), part.piece_of});
-  }
-}
-
 // Returns true if the body or one of its ancestors has a free joint or no place yet. Such a loose
 // body does not limit the regions of other bodies.
 bool IsLoose(const model::Object& object, std::size_t index) {
@@ -95,10 +84,17 @@ class FaceFinder {
   }
 
  private:
+  // Adds the colliding parts of a body, with poses in the root frame.
   void Add(std::size_t body, std::vector<PlacedShape>& shapes) const {
     const bool is_root = body == search_.root;
-    AddColliding(object_.bodies[body], poses_[body], is_root ? search_.first_part : 0,
-                 is_root ? search_.last_part : object_.bodies[body].parts.size(), shapes);
+    const std::vector<model::Part>& parts = object_.bodies[body].parts;
+    const std::size_t last = is_root ? std::min(search_.last_part, parts.size()) : parts.size();
+    for (std::size_t i = is_root ? search_.first_part : 0; i < last; ++i) {
+      if (parts[i].role == model::Role::kVisual) continue;
+      const model::Pose X_RootG = poses_[body] * parts[i].X_BG;
+      shapes.push_back(
+          {parts[i].shape, X_RootG, model::BoundsOf(parts[i].shape, X_RootG), parts[i].piece_of});
+    }
   }
 
   // Returns the edge vectors of a rectangle, first the edge whose direction is closer to the x

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -59,14 +58,6 @@ bool ReadRange(FieldReader& reader, const spec::Entry& entry, model::Joint& join
   return true;
 }
 
-// Returns the suffixes of the joints that an entry makes: two for a screw, otherwise an empty one.
-std::span<const std::string_view> JointEndings(bool is_screw) {
-  static constexpr std::string_view kOfScrew[] = {kRiseEnding, kTurnEnding};
-  static constexpr std::string_view kOfJoint[] = {""};
-  if (is_screw) return kOfScrew;
-  return kOfJoint;
-}
-
 }  // namespace
 
 bool ReadJointGeometry(FieldReader& reader, const spec::Entry& entry, model::Joint& joint) {
@@ -104,9 +95,11 @@ void Assembly::MarkRootJointsRemoved(Scope& scope) {
     repetition_.ForEach(entry, scope.values, scope.values.root(), [&] {
       const auto name = ReadName(scope, entry, scope.values.root(), findings_);
       if (!name) return;
-      const bool is_screw = entry.FindChild(spec::kScrewElement) != nullptr;
-      for (const std::string_view end : JointEndings(is_screw))
-        references_.MarkRemoved(scope.prefix + *name + std::string(end), origin);
+      const std::string joint = scope.prefix + *name;
+      if (entry.FindChild(spec::kScrewElement) == nullptr)
+        return references_.MarkRemoved(joint, origin);
+      for (const std::string_view end : {kRiseEnding, kTurnEnding})
+        references_.MarkRemoved(joint + std::string(end), origin);
     });
   }
 }

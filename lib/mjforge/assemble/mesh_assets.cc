@@ -67,13 +67,6 @@ std::string ShortStem(std::string stem) {
   return stem;
 }
 
-bool ReadInertia(FieldReader& reader, const spec::Entry& entry, model::Part& part) {
-  std::string word;
-  const bool good = reader.ReadOptional(entry, Key::kInertia, &FieldReader::Word, word);
-  part.is_shell = word == "shell";
-  return good;
-}
-
 }  // namespace
 
 std::optional<sample::Numbers> ReadScale(FieldReader& reader, const spec::Entry& entry,
@@ -148,7 +141,9 @@ bool Assets::ReadMesh(FieldReader& reader, const spec::Entry& entry,
         .files = {file.string()};
     return false;
   }
-  if (!ReadInertia(reader, entry, part)) return false;
+  std::string inertia;
+  if (!reader.ReadOptional(entry, Key::kInertia, &FieldReader::Word, inertia)) return false;
+  part.is_shell = inertia == "shell";
   if (content.surface_defect && !part.is_shell && part.role != model::Role::kVisual) {
     findings_.Add(
         Code::kModelBadMesh, field->value.mark,

@@ -51,13 +51,13 @@ class MeshBuilder {
     mesh_.triangles.push_back(triangle);
   }
 
-  std::optional<model::TriangleMesh> Finish(std::string& why_not) && {
+  std::optional<MeshFile> Finish(bool fit_for_mujoco, std::string& why_not) && {
     if (!finite_) {
       why_not = "a coordinate is not a finite number";
     } else if (mesh_.triangles.empty()) {
       why_not = "no triangles";
     } else {
-      return std::move(mesh_);
+      return MeshFile{std::move(mesh_), fit_for_mujoco};
     }
     return std::nullopt;
   }
@@ -124,9 +124,8 @@ std::optional<MeshFile> BuildObj(const tinyobj::ObjReader& reader, const Faces& 
         faces.polygon);
     return std::nullopt;
   }
-  std::optional<model::TriangleMesh> mesh = std::move(builder).Finish(why_not);
-  if (!mesh) return std::nullopt;
-  return MeshFile{std::move(*mesh), reader.GetShapes().size() == 1 && faces.polygon == 0};
+  const bool is_plain = reader.GetShapes().size() == 1 && faces.polygon == 0;
+  return std::move(builder).Finish(is_plain, why_not);
 }
 
 void AddBinaryStl(std::string_view content, MeshBuilder& builder) {
@@ -228,9 +227,7 @@ std::optional<MeshFile> ParseStl(std::string_view content, std::string& why_not)
     } else if (!AddTextStl(content, builder, why_not)) {
       return std::nullopt;
     }
-    std::optional<model::TriangleMesh> mesh = std::move(builder).Finish(why_not);
-    if (!mesh) return std::nullopt;
-    return MeshFile{std::move(*mesh), is_binary};
+    return std::move(builder).Finish(is_binary, why_not);
   };
   return CatchExceptions(parse, why_not);
 }

@@ -114,9 +114,7 @@ bool ReadExtent(FieldReader& reader, const spec::Entry& entry, std::string_view 
     if (radius) region.half_size.setConstant((*radius)(0));
     return radius.has_value();
   }
-  const auto half_size = reader.Vector<2>(*field);
-  if (half_size) region.half_size = *half_size;
-  return half_size.has_value();
+  return reader.ReadOptional(entry, key, &FieldReader::Vector<2>, region.half_size);
 }
 
 }  // namespace

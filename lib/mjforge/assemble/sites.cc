@@ -26,10 +26,9 @@ void Assembly::AddSite(Scope& scope, const spec::Entry& entry, sample::StreamId 
   model::Site site;
   site.name = scope.prefix + *name;
   site.mark = entry.mark;
-  bool good = true;
-  std::optional<std::string> type;
-  good &= reader.ReadOptional(entry, Key::kType, &FieldReader::Word, type);
-  if (type) site.type = TypeOf(*type);
+  std::string type = "sphere";
+  bool good = reader.ReadOptional(entry, Key::kType, &FieldReader::Word, type);
+  site.type = TypeOf(type);
   if (const spec::Field* size = entry.Find(Key::kSize)) {
     sample::Numbers numbers;
     good &= reader.Numbers(*size, numbers);

@@ -21,10 +21,6 @@ constexpr model::GeomType kGeomTypes[] = {model::GeomType::kMesh, model::GeomTyp
                                           model::GeomType::kCapsule, model::GeomType::kCylinder,
                                           model::GeomType::kBox};
 
-model::MassProperties PropertiesOf(const solid::Mass& mass) {
-  return {.mass = mass.volume, .p_FCm = mass.center, .I_Cm_F = mass.inertia};
-}
-
 /// Assigns the extent of the solid (curves with the same convex hull, for exact bounds) to the part
 /// and to one of its pieces, and an empty extent to the other pieces. Prefers a piece whose pose
 /// equals the part's pose, because inverse poses have rounding errors.
@@ -54,7 +50,8 @@ std::vector<model::Part> Assets::AddSolid(const std::shared_ptr<const solid::Sol
     AddInline(solid.pieces.empty() ? solid.render_mesh : solid.pieces.back().mesh, part);
     return {};
   }
-  part.solid = PropertiesOf(solid.mass);
+  part.solid = model::MassProperties{
+      .mass = solid.mass.volume, .p_FCm = solid.mass.center, .I_Cm_F = solid.mass.inertia};
   if (part.role != model::Role::kCollision) AddInline(solid.render_mesh, part);
   std::vector<model::Part> pieces;
   if (part.role == model::Role::kVisual) {

@@ -60,17 +60,15 @@ void AddRegionGeom(std::string_view name, const model::Shape& shape, const model
   body.parts.push_back(std::move(part));
 }
 
-void AddRegionBox(model::Object& object) {
+// Adds a geom for the object's bounding box, and one for the space above each region, from which
+// robocasa reads the region: its area, extruded by its height. Polygons become boxes. robocasa
+// calls the region `inside` `int`.
+void AddRegionGeoms(model::Object& object, const TargetRules& rules, diag::Findings& findings) {
+  constexpr double kOpenHeight = 0.5;  // m, for regions without an upper limit
   const model::Box3& box = object.bounds.aabb;
   model::Body& root = object.bodies.front();
   AddRegionGeom("bbox", {model::GeomType::kBox, object.bounds.half_size(), nullptr},
                 {.p = (box.min + box.max) / 2}, root.mark, root);
-}
-
-// Adds a geom for the space above each region, from which robocasa reads the region: its area,
-// extruded by its height. Polygons become boxes. robocasa calls the region `inside` `int`.
-void AddRegionSpaces(model::Object& object, const TargetRules& rules, diag::Findings& findings) {
-  constexpr double kOpenHeight = 0.5;                   // m, for regions without an upper limit
   std::set<std::string, std::less<>> names = {"bbox"};  // names of robocasa's regions so far
   for (model::Body& body : object.bodies) {
     for (const model::Region& region : body.regions) {
@@ -152,10 +150,7 @@ void AdaptBodies(model::Object& object, const TargetRules& rules, diag::Findings
   if (!rules.root.empty() && !CheckSingleRoot(object, rules, findings)) return;
   if (!rules.has_free_joint) DropFreeJoint(object.bodies.front(), rules, findings);
   if (!rules.root.empty()) DropElementsTargetingRoot(object, rules, findings);
-  if (rules.has_region_geoms) {
-    AddRegionBox(object);
-    AddRegionSpaces(object, rules, findings);
-  }
+  if (rules.has_region_geoms) AddRegionGeoms(object, rules, findings);
   if (rules.has_outer_body) PutIntoOuterBody(object);
 }
 

@@ -123,9 +123,8 @@ class Superset::Completion {
 
   void operator()() {
     for (model::Body& body : object_.bodies) {
-      const std::vector<std::string> part_keys = KeysOf(body);
       const auto found = superset_.bodies_.find(body.name);
-      if (found != superset_.bodies_.end()) CompleteBody(found->second, part_keys, body);
+      if (found != superset_.bodies_.end()) CompleteBody(found->second, body);
     }
     TakeSharedMeshes();
     for (model::Body& body : object_.bodies) {
@@ -163,12 +162,6 @@ class Superset::Completion {
     for (std::size_t i = 0; i < found.size(); ++i)
       items.push_back(found[i] ? *std::move(found[i]) : make(slots.elements[i]));
     std::ranges::move(others, std::back_inserter(items));
-  }
-
-  std::vector<std::string> KeysOf(const model::Body& body) const {
-    std::vector<std::string> keys;
-    for (const Part& part : body.parts) keys.push_back(KeyOf(part, object_));
-    return keys;
   }
 
   // Gives a part a mesh that no other part uses.
@@ -223,9 +216,10 @@ class Superset::Completion {
     element.name = name;
   }
 
-  void CompleteBody(const BodySlots& slots, const std::vector<std::string>& part_keys,
-                    model::Body& body) {
+  void CompleteBody(const BodySlots& slots, model::Body& body) {
     const Eigen::Vector3d middle = MiddleOf(body);
+    std::vector<std::string> part_keys;
+    for (const Part& part : body.parts) part_keys.push_back(KeyOf(part, object_));
     Arrange(
         slots.parts, part_keys, body.parts,
         [&](const PartSlot& slot, Part& part) {

@@ -182,20 +182,15 @@ void ReportLeftOut(const Object& scene, const Owners& owners, diag::Findings& fi
   }
 }
 
-// Adds the finding that a scene cannot be divided.
-void ReportOneObject(const Object& scene, diag::Findings& findings) {
-  findings.Add(Code::kTargetOneObject, scene.bodies.front().mark,
-               fmt::format("'{}' is one object, not a scene of several", scene.name),
-               "write it without --each, or give bodies a `place:` or `joints: free`");
-}
-
 }  // namespace
 
 std::optional<std::vector<ScenePart>> Split(const Object& scene, const SplitOptions& options,
                                             diag::Findings& findings) {
   const Owners owners(scene);
   if (owners.roots() == std::vector{0}) {
-    ReportOneObject(scene, findings);
+    findings.Add(Code::kTargetOneObject, scene.bodies.front().mark,
+                 fmt::format("'{}' is one object, not a scene of several", scene.name),
+                 "write it without --each, or give bodies a `place:` or `joints: free`");
     return std::nullopt;
   }
   ReportLeftOut(scene, owners, findings);
