@@ -3,10 +3,7 @@
 #include "mjforge/picture/font.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <string>
-
-#include "mjforge/picture/gl_context.h"
 
 namespace mjforge::picture {
 namespace {
@@ -27,31 +24,20 @@ std::string ToAscii(std::string_view text) {
 }  // namespace
 
 // Uses MuJoCo's largest font size, which has the smoothest shapes; Draw scales the text down.
-Font::Font() : model_(engine::Engine().LoadText("<mujoco/>").model) {
-  if (!model_) throw std::runtime_error("MuJoCo refuses an empty model");
-  model_->vis.global.offwidth = kWidth;
-  model_->vis.global.offheight = kHeight;
-  model_->vis.quality.offsamples = 0;
-  model_->vis.quality.shadowsize = 0;
-  mjr_defaultContext(&context_);
-  const LeakCheckPause pause;
-  mjr_makeContext(model_.get(), &context_, mjFONTSCALE_300);
-}
-
-Font::~Font() { mjr_freeContext(&context_); }
+Font::Font() : context_(MakeBuffers(kWidth, kHeight, 0, mjFONTSCALE_300)) {}
 
 Image Font::Draw(std::string_view text, const Background::Color& color) {
   const std::string ascii = ToAscii(text);
   int width = 0;
-  for (const char c : ascii) width += context_.charWidth[static_cast<unsigned char>(c)];
+  for (const char c : ascii) width += context_->charWidth[static_cast<unsigned char>(c)];
   width = std::min(width + 4 * kFine, kWidth) / kFine * kFine;
-  const int height = std::min(context_.charHeight + kFine, kHeight) / kFine * kFine;
-  mjr_setBuffer(mjFB_OFFSCREEN, &context_);
+  const int height = std::min(context_->charHeight + kFine, kHeight) / kFine * kFine;
+  mjr_setBuffer(mjFB_OFFSCREEN, context_.get());
   const mjrRect line = {0, 0, width, height};
-  mjr_label(line, mjFONT_NORMAL, ascii.c_str(), 0, 0, 0, 1, 1, 1, 1, &context_);
+  mjr_label(line, mjFONT_NORMAL, ascii.c_str(), 0, 0, 0, 1, 1, 1, 1, context_.get());
   std::vector<unsigned char> drawn(static_cast<std::size_t>(width) *
                                    static_cast<std::size_t>(height) * 3);
-  mjr_readPixels(drawn.data(), nullptr, line, &context_);
+  mjr_readPixels(drawn.data(), nullptr, line, context_.get());
   Image image{width / kFine, height / kFine, {}};
   image.rgba.reserve(Index(image.width) * Index(image.height) * 4);
   for (int y = image.height - 1; y >= 0; --y) {

@@ -2,11 +2,9 @@
 
 #pragma once
 
-#include <mujoco/mujoco.h>
-
 #include <string_view>
 
-#include "mjforge/engine/engine.h"
+#include "mjforge/picture/model_context.h"
 #include "mjforge/picture/picture.h"
 
 namespace mjforge::picture {
@@ -16,17 +14,13 @@ namespace mjforge::picture {
 class Font {
  public:
   Font();
-  ~Font();
-  Font(const Font&) = delete;
-  Font& operator=(const Font&) = delete;
 
   /// Draws a line of text on a transparent background. Replaces characters other than printable
   /// ASCII by question marks, and cuts off lines that are longer than about 1,000 pixels.
   Image Draw(std::string_view text, const Background::Color& color);
 
  private:
-  engine::Model model_;
-  mjrContext context_;
+  RenderContext context_;
 };
 
 }  // namespace mjforge::picture

@@ -9,42 +9,50 @@
 #include "mjforge/picture/picture.h"
 
 namespace mjforge::picture {
+namespace {
 
-Buffers::Buffers(int width, int height, int shadow_size) : size_{width, height, shadow_size} {
+RenderContext MakeContext(const mjModel& model, mjtFontScale font) {
+  RenderContext context(new mjrContext);
+  mjr_defaultContext(context.get());
+  const LeakCheckPause pause;
+  mjr_makeContext(&model, context.get(), font);
+  return context;
+}
+
+}  // namespace
+
+void FreeContext::operator()(mjrContext* context) const {
+  mjr_freeContext(context);
+  delete context;
+}
+
+RenderContext MakeBuffers(int width, int height, int shadow_size, mjtFontScale font) {
   const engine::Model model = engine::Engine().LoadText("<mujoco/>").model;
   if (!model) throw std::runtime_error("MuJoCo refuses an empty model");
   model->vis.global.offwidth = width;
   model->vis.global.offheight = height;
   model->vis.quality.offsamples = 0;
   model->vis.quality.shadowsize = shadow_size;
-  mjr_defaultContext(&context_);
-  const LeakCheckPause pause;
-  mjr_makeContext(model.get(), &context_, mjFONTSCALE_50);
+  return MakeContext(*model, font);
 }
-
-Buffers::~Buffers() { mjr_freeContext(&context_); }
 
 // Makes the model's own buffers as small as possible, because MuJoCo requires them although
 // pictures use the shared buffers.
-ModelContext::ModelContext(mjModel& model, const Buffers& buffers) {
+ModelContext::ModelContext(mjModel& model, const mjrContext& buffers) {
   model.vis.global.offwidth = model.vis.global.offheight = kMinSize;
   model.vis.quality.offsamples = 0;
   model.vis.quality.shadowsize = 0;
   model.vis.quality.numslices = 48;
   model.vis.quality.numstacks = 24;
-  mjr_defaultContext(&own_);
-  const LeakCheckPause pause;
-  mjr_makeContext(&model, &own_, mjFONTSCALE_50);
-  context_ = own_;
-  context_.offFBO = (*buffers).offFBO;
-  context_.offWidth = (*buffers).offWidth;
-  context_.offHeight = (*buffers).offHeight;
-  context_.shadowFBO = (*buffers).shadowFBO;
-  context_.shadowTex = (*buffers).shadowTex;
-  context_.shadowSize = (*buffers).shadowSize;
+  own_ = MakeContext(model, mjFONTSCALE_50);
+  context_ = *own_;
+  context_.offFBO = buffers.offFBO;
+  context_.offWidth = buffers.offWidth;
+  context_.offHeight = buffers.offHeight;
+  context_.shadowFBO = buffers.shadowFBO;
+  context_.shadowTex = buffers.shadowTex;
+  context_.shadowSize = buffers.shadowSize;
   mjr_setBuffer(mjFB_OFFSCREEN, &context_);
 }
-
-ModelContext::~ModelContext() { mjr_freeContext(&own_); }
 
 }  // namespace mjforge::picture

@@ -5,42 +5,30 @@
 
 #include <mujoco/mujoco.h>
 
-#include <array>
+#include <memory>
 
 namespace mjforge::picture {
 
-/// Framebuffer and shadow map of the given sizes in pixels. Needs a current GlContext while it
-/// exists.
-class Buffers {
- public:
-  Buffers(int width, int height, int shadow_size);
-  ~Buffers();
-  Buffers(const Buffers&) = delete;
-  Buffers& operator=(const Buffers&) = delete;
-
-  bool HasSize(int width, int height, int shadow_size) const {
-    return size_ == std::array{width, height, shadow_size};
-  }
-  const mjrContext& operator*() const { return context_; }
-
- private:
-  std::array<int, 3> size_;
-  mjrContext context_;
+struct FreeContext {
+  void operator()(mjrContext* context) const;
 };
+/// OpenGL objects, which need a current GlContext while they exist.
+using RenderContext = std::unique_ptr<mjrContext, FreeContext>;
+
+/// Makes a framebuffer and a shadow map of the given sizes in pixels, and MuJoCo's font. Throws
+/// std::exception.
+RenderContext MakeBuffers(int width, int height, int shadow_size, mjtFontScale font);
 
 /// Meshes and textures of one model, for drawing into shared buffers. `buffers` must outlive this
 /// object.
 class ModelContext {
  public:
-  ModelContext(mjModel& model, const Buffers& buffers);
-  ~ModelContext();
-  ModelContext(const ModelContext&) = delete;
-  ModelContext& operator=(const ModelContext&) = delete;
+  ModelContext(mjModel& model, const mjrContext& buffers);
 
   mjrContext& operator*() { return context_; }
 
  private:
-  mjrContext own_;
+  RenderContext own_;
   mjrContext context_;  // copy of own_ that draws into the shared buffers
 };
 

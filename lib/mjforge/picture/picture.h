@@ -149,8 +149,6 @@ class Renderer {
   /// Makes the renderer. Returns null, and adds a finding, if neither library works.
   static std::unique_ptr<Renderer> Open(diag::Findings& findings);
   ~Renderer();
-  Renderer(const Renderer&) = delete;
-  Renderer& operator=(const Renderer&) = delete;
 
   /// Draws a subject, on a floor unless the model has a plane, a height field or other geoms fixed
   /// to the world. If nothing is visible, shows geoms of other groups or else sites, and adds a
@@ -158,16 +156,15 @@ class Renderer {
   /// options give equal bytes.
   std::optional<Image> Draw(Subject& subject, const Options& options, diag::Findings& findings);
 
+  using Images = std::optional<std::vector<Image>>;
   /// Draws the subject in each pose, with one camera that frames the subject in all poses.
-  std::optional<std::vector<Image>> DrawMotion(Subject& subject,
-                                               std::span<const JointPositions> poses,
-                                               const Options& options, diag::Findings& findings);
+  Images DrawMotion(Subject& subject, std::span<const JointPositions> poses, const Options& options,
+                    diag::Findings& findings);
 
   /// Draws the subject at each of these `positions` (MuJoCo's qpos), with one camera for all
   /// images.
-  std::optional<std::vector<Image>> DrawFilm(Subject& subject,
-                                             std::span<const std::vector<double>> positions,
-                                             const Options& options, diag::Findings& findings);
+  Images DrawFilm(Subject& subject, std::span<const std::vector<double>> positions,
+                  const Options& options, diag::Findings& findings);
 
   /// Draws a line of text in the given color, on a transparent background.
   Image DrawText(std::string_view text, const Background::Color& color);

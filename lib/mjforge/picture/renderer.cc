@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exception>
 #include <limits>
@@ -60,34 +61,31 @@ void Render(const mjrContext& context, mjvScene& scene, const mjrRect& viewport,
 }  // namespace
 
 struct Renderer::State {
-  std::unique_ptr<GlContext> gl;
+  std::unique_ptr<GlContext> gl;  // before `font` and `buffers`, which are freed first
   std::optional<Font> font;
-  std::optional<Buffers> buffers;
+  RenderContext buffers;
+  std::array<int, 3> buffer_sizes = {};  // width, height and size of the shadow map of `buffers`
   std::vector<std::uint8_t> colors;
   std::vector<std::uint8_t> translucent;
   std::vector<float> depths;
   int samples = kFewestSamples;  // number along each side of a pixel of the current picture
 
-  const Buffers& BuffersFor(const Options& options);
+  const mjrContext& BuffersFor(const Options& options);
   Image DrawScene(ModelContext& context, Scene& scene, const Camera& camera,
                   const Options& options);
   void DrawLabels(const Scene& scene, const Camera& camera, int height, Image& image);
   std::vector<PlacedText> DrawLegend(const Scene& scene, const Options& options);
   template <typename Positions>
-  std::optional<std::vector<Image>> DrawPoses(Subject& subject, std::span<const Positions> poses,
-                                              const Options& options, diag::Findings& findings);
+  Images DrawPoses(Subject& subject, std::span<const Positions> poses, const Options& options,
+                   diag::Findings& findings);
   template <typename Positions>
-  std::optional<std::vector<Image>> TryToDraw(Subject& subject, std::span<const Positions> poses,
-                                              const Options& options, diag::Findings& findings);
+  Images TryToDraw(Subject& subject, std::span<const Positions> poses, const Options& options,
+                   diag::Findings& findings);
 };
 
 Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
-// Frees the font and the buffers before the OpenGL context that they need.
-Renderer::~Renderer() {
-  state_->buffers.reset();
-  state_->font.reset();
-}
+Renderer::~Renderer() = default;
 
 std::unique_ptr<Renderer> Renderer::Open(diag::Findings& findings) {
   auto state = std::make_unique<State>();
@@ -112,13 +110,13 @@ Image Renderer::DrawText(std::string_view text, const Background::Color& color) 
 
 // Returns buffers of the size that the picture needs; reuses the buffers of the last picture if
 // they have this size.
-const Buffers& Renderer::State::BuffersFor(const Options& options) {
-  const int width = options.width * samples;
-  const int height = RowsOfBand(options, samples) * samples;
-  const int shadow_size = options.quick ? 0 : ShadowSize(options.width, options.height);
-  if (!buffers || !buffers->HasSize(width, height, shadow_size)) {
+const mjrContext& Renderer::State::BuffersFor(const Options& options) {
+  const std::array sizes = {options.width * samples, RowsOfBand(options, samples) * samples,
+                            options.quick ? 0 : ShadowSize(options.width, options.height)};
+  if (!buffers || buffer_sizes != sizes) {
     buffers.reset();
-    buffers.emplace(width, height, shadow_size);
+    buffers = MakeBuffers(sizes[0], sizes[1], sizes[2], mjFONTSCALE_50);
+    buffer_sizes = sizes;
   }
   return *buffers;
 }
@@ -199,25 +197,20 @@ std::optional<Image> Renderer::Draw(Subject& subject, const Options& options,
   return std::move(images->front());
 }
 
-std::optional<std::vector<Image>> Renderer::DrawMotion(Subject& subject,
-                                                       std::span<const JointPositions> poses,
-                                                       const Options& options,
-                                                       diag::Findings& findings) {
+Renderer::Images Renderer::DrawMotion(Subject& subject, std::span<const JointPositions> poses,
+                                      const Options& options, diag::Findings& findings) {
   return state_->TryToDraw(subject, poses, options, findings);
 }
 
-std::optional<std::vector<Image>> Renderer::DrawFilm(Subject& subject,
-                                                     std::span<const std::vector<double>> positions,
-                                                     const Options& options,
-                                                     diag::Findings& findings) {
+Renderer::Images Renderer::DrawFilm(Subject& subject,
+                                    std::span<const std::vector<double>> positions,
+                                    const Options& options, diag::Findings& findings) {
   return state_->TryToDraw(subject, positions, options, findings);
 }
 
 template <typename Positions>
-std::optional<std::vector<Image>> Renderer::State::TryToDraw(Subject& subject,
-                                                             std::span<const Positions> poses,
-                                                             const Options& options,
-                                                             diag::Findings& findings) {
+Renderer::Images Renderer::State::TryToDraw(Subject& subject, std::span<const Positions> poses,
+                                            const Options& options, diag::Findings& findings) {
   try {
     return DrawPoses(subject, poses, options, findings);
   } catch (const std::bad_alloc&) {
@@ -230,10 +223,8 @@ std::optional<std::vector<Image>> Renderer::State::TryToDraw(Subject& subject,
 }
 
 template <typename Positions>
-std::optional<std::vector<Image>> Renderer::State::DrawPoses(Subject& subject,
-                                                             std::span<const Positions> poses,
-                                                             const Options& options,
-                                                             diag::Findings& findings) {
+Renderer::Images Renderer::State::DrawPoses(Subject& subject, std::span<const Positions> poses,
+                                            const Options& options, diag::Findings& findings) {
   mjModel& model = *subject.state().model;
   Scene scene(model);
   PlacedShapes all;
