@@ -202,8 +202,7 @@ void DrawInertias(const Subject::State& state, const PlacedShapes& around, Scene
       half[axis] = std::sqrt(std::max(square, 0.0));
     }
     const Vector3d center = compiled::VectorAt(state.data->xipos, i);
-    const Matrix3d axes =
-        Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(state.data->ximat + 9 * i);
+    const Matrix3d axes = compiled::MatrixAt(state.data->ximat, i);
     scene.Add(mjGEOM_BOX, half, center, axes, kInertia);
     AddBall(center, 0.025 * radius, kMark, scene);
     scene.AddToFrame({.solid = {model::GeomType::kBox, half}, .p_WS = center, .R_WS = axes});
@@ -235,8 +234,7 @@ void DrawRegions(const Subject::State& state, const PlacedShapes& around, Scene&
     if (!is_box) size = {size[0], size[0], size[1]};
     Color color = MarkColor(number++);
     const Vector3d center = compiled::VectorAt(state.data->site_xpos, i);
-    const Matrix3d axes = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(
-        state.data->site_xmat + 9 * i);
+    const Matrix3d axes = compiled::MatrixAt(state.data->site_xmat, i);
     const double thick = 0.004 * RadiusOf(around);
     scene.AddLabel(center, fmt::format("{}", number));
     scene.AddToLegend(fmt::format("{} {}: {:.4g} x {:.4g} m", number, m.names + m.name_siteadr[i],

@@ -30,14 +30,11 @@ std::vector<std::uint8_t> WithoutAlpha(const Image& image) {
 }  // namespace
 
 std::string EncodePng(const Image& image, const Texts& texts) {
-  if (!IsOpaque(image)) {
-    return bytes::EncodePng(
-        {.width = image.width, .height = image.height, .colors = image.rgba, .has_alpha = true},
-        texts, bytes::PngEffort::kFast);
-  }
-  const std::vector<std::uint8_t> rgb = WithoutAlpha(image);
-  return bytes::EncodePng({.width = image.width, .height = image.height, .colors = rgb}, texts,
-                          bytes::PngEffort::kFast);
+  const bool has_alpha = !IsOpaque(image);
+  const std::vector<std::uint8_t> colors = has_alpha ? image.rgba : WithoutAlpha(image);
+  return bytes::EncodePng(
+      {.width = image.width, .height = image.height, .colors = colors, .has_alpha = has_alpha},
+      texts, bytes::PngEffort::kFast);
 }
 
 }  // namespace mjforge::picture

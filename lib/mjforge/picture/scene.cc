@@ -37,10 +37,6 @@ constexpr double kBelow = 0.003;   // gap below the object, as a share of the ob
 constexpr float kFloor = 0.85F;    // gray level of the floor
 constexpr float kOpaque = 0.995F;  // alpha from which MuJoCo draws a geom as opaque
 
-void SetColor(float* rgba, const std::array<float, 4>& color) {
-  std::copy(color.begin(), color.end(), rgba);
-}
-
 mjvOption VisibleOption() {
   mjvOption option;
   mjv_defaultOption(&option);
@@ -164,7 +160,7 @@ void Scene::CollectColliding(Subject::State& state) {
 void Scene::ColorGeoms() {
   int number = 0;
   for (mjvGeom& geom : Geoms()) {
-    SetColor(geom.rgba, DistinctColor(number++));
+    std::ranges::copy(DistinctColor(number++), geom.rgba);
     engine::RemoveTexture(geom);
     geom.emission = 0;
     geom.reflectance = 0;
@@ -328,13 +324,13 @@ void Scene::AddFloor(const Camera& camera, double height) {
   }
   mjvGeom* floor = AddPlane(half_sides, place, axes);
   if (floor == nullptr) return;
-  SetColor(floor->rgba, {kFloor, kFloor, kFloor, 1});
+  std::ranges::fill_n(floor->rgba, 3, kFloor);
   // Adds a black copy of the floor to the translucent geoms if these include marks (axes, boxes or
   // regions that a layer draws). The second rendering contains only translucent geoms; without the
   // copy, it would show marks below the floor.
   const auto is_mark = [](const mjvGeom& geom) { return geom.category == mjCAT_DECOR; };
   if (std::ranges::none_of(translucent_, is_mark)) return;
-  SetColor(translucent_.emplace_back(*floor).rgba, {0, 0, 0, 1});
+  std::ranges::fill_n(translucent_.emplace_back(*floor).rgba, 3, 0.0F);
 }
 
 // Adds the backdrop: a plane behind the object. The plane's emission makes its color independent of
