@@ -75,6 +75,7 @@ struct Box3 {
   Eigen::Vector3d max = Eigen::Vector3d::Constant(-std::numeric_limits<double>::infinity());
   bool empty() const { return min.x() > max.x(); }
   void Add(const Box3& other);
+  Eigen::AlignedBox3d ToEigen() const { return {min, max}; }
 };
 /// Return the exact axis-aligned bounding box of a shape, or of a solid's convex hull, at a pose.
 /// The box is empty if `extent` is an empty hull.

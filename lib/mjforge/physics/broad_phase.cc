@@ -52,8 +52,7 @@ void BroadPhase::ListBodies() {
     geoms_[Index(body)].push_back(geom);
     double& reach = reaches_[Index(body)];
     reach = std::max(reach, VectorAt(m_.geom_pos, geom).norm() + m_.geom_rbound[geom]);
-    const model::Box3 box = compiled::GeomBox(m_, geom, {});
-    if (!box.empty()) local_[Index(geom)] = Box(box.min, box.max);
+    local_[Index(geom)] = compiled::GeomBox(m_, geom, {}).ToEigen();
   }
   for (int body = 0; body < m_.nbody; ++body) {
     if (!geoms_[Index(body)].empty()) bodies_.push_back(body);

@@ -223,8 +223,8 @@ class Efforts {
     double lever = kShortestLever;
     for (int geom = 0; geom < m_.ngeom; ++geom) {
       if (!moved[Index(m_.geom_bodyid[geom])] || !compiled::Collides(m_, geom)) continue;
-      const model::Box3 bounds = compiled::GeomBox(m_, geom, compiled::GeomPose(d_, geom));
-      const Eigen::AlignedBox3d box(bounds.min, bounds.max);
+      const Eigen::AlignedBox3d box =
+          compiled::GeomBox(m_, geom, compiled::GeomPose(d_, geom)).ToEigen();
       for (int corner = 0; corner < 8; ++corner) {
         const Eigen::Vector3d point =
             box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner));

@@ -31,7 +31,7 @@ Box SweptBox(const mjModel& m, const mjData& d, const JointPath& path,
       at_start.Add(compiled::GeomBox(m, geom, compiled::GeomPose(d, geom)));
   }
   if (at_start.empty()) return {};
-  const Box box(at_start.min, at_start.max);
+  const Box box = at_start.ToEigen();
   const double back = path.low - path.push - path.start;
   const double forth = path.high + path.push - path.start;
   if (m.jnt_type[path.joint] == mjJNT_SLIDE) {

@@ -31,7 +31,7 @@ class UnsupportedLinks {
     std::ranges::copy(compiled::StartOf(m_), d_.qpos);
     mj_kinematics(&m_, &d_);
     for (int geom = 0; geom < m_.ngeom; ++geom)
-      boxes_.push_back(BoxAt(m_, geom, compiled::GeomPose(d_, geom)));
+      boxes_.push_back(compiled::GeomBox(m_, geom, compiled::GeomPose(d_, geom)).ToEigen());
   }
 
   void Check() {
@@ -45,11 +45,6 @@ class UnsupportedLinks {
 
  private:
   using Box = Eigen::AlignedBox3d;
-
-  static Box BoxAt(const mjModel& m, int geom, const model::Pose& X_WG) {
-    const model::Box3 box = compiled::GeomBox(m, geom, X_WG);
-    return box.empty() ? Box() : Box(box.min, box.max);
-  }
 
   bool HangsOnJoint(int body) const {
     for (int i = 0; i < m_.body_jntnum[body]; ++i) {
@@ -139,7 +134,7 @@ class UnsupportedLinks {
     double nearest = std::numeric_limits<double>::infinity();
     for (int geom = 0; geom < m_.ngeom; ++geom) {
       if (!moved[Index(m_.geom_bodyid[geom])] || boxes_[Index(geom)].isEmpty()) continue;
-      const Box box = BoxAt(m_, geom, motion * compiled::GeomPose(d_, geom));
+      const Box box = compiled::GeomBox(m_, geom, motion * compiled::GeomPose(d_, geom)).ToEigen();
       for (int other = 0; other < m_.ngeom; ++other) {
         const int body = m_.geom_bodyid[other];
         if (moved[Index(body)] || m_.body_rootid[body] != root || boxes_[Index(other)].isEmpty())
