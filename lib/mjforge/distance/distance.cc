@@ -247,9 +247,15 @@ Vector3d FarthestOfHull(std::span<const PlacedShape> shapes, const Vector3d& dir
 }  // namespace
 
 PlacedShape::PlacedShape(const model::Shape& of, const model::Pose& at)
-    : shape(of), X_WG(at), R_WG(at.q.toRotationMatrix()) {
-  const model::Box3 box = model::BoundsOf(of, at);
-  box_W = {box.min, box.max};
+    : shape(of),
+      X_WG(at),
+      R_WG(at.q.toRotationMatrix()),
+      box_W(model::BoundsOf(of, at).ToEigen()) {}
+
+Eigen::AlignedBox3d BoxAround(std::span<const PlacedShape> shapes) {
+  Eigen::AlignedBox3d box_W;
+  for (const PlacedShape& placed : shapes) box_W.extend(placed.box_W);
+  return box_W;
 }
 
 Vector3d FarthestPoint(const PlacedShape& placed, const Vector3d& direction_W) {
@@ -285,8 +291,7 @@ Vector3d FromHull(std::span<const PlacedShape> shapes, const Vector3d& p_W) {
   const auto difference = [&](const Vector3d& direction) {
     return Vector3d(p_W - FarthestOfHull(shapes, -direction));
   };
-  Eigen::AlignedBox3d box_W;
-  for (const PlacedShape& placed : shapes) box_W.extend(placed.box_W);
+  const Eigen::AlignedBox3d box_W = BoxAround(shapes);
   return NearestToOrigin(difference, p_W - box_W.center(), box_W.diagonal().norm());
 }
 

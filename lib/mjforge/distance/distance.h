@@ -21,6 +21,9 @@ struct PlacedShape {
   Eigen::AlignedBox3d box_W;  // bounding box
 };
 
+/// Returns the bounding box of all shapes.
+Eigen::AlignedBox3d BoxAround(std::span<const PlacedShape> shapes);
+
 /// Returns a point of the shape that is farthest in a direction.
 Eigen::Vector3d FarthestPoint(const PlacedShape& placed, const Eigen::Vector3d& direction_W);
 

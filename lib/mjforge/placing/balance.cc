@@ -77,9 +77,7 @@ double DistanceToHull(const Vector2d& p, std::vector<Vector2d> points) {
 
 bool IsBalanced(std::span<const distance::PlacedShape> shapes, std::span<const Contact> contacts,
                 const Vector3d& center_of_mass) {
-  Eigen::AlignedBox3d box;
-  for (const distance::PlacedShape& shape : shapes) box.extend(shape.box_W);
-  const double width = box.sizes().head<2>().norm();
+  const double width = distance::BoxAround(shapes).sizes().head<2>().norm();
   return DistanceToHull(center_of_mass.head<2>(), CarryingPoints(shapes, contacts)) <=
          kTolerance * width;
 }

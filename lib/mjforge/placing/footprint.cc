@@ -224,10 +224,7 @@ Polygon Footprint::Outline() const {
 
 Footprint FootprintOf(std::span<const distance::PlacedShape> shapes, double height) {
   if (shapes.empty()) return Footprint({Disc()});
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const distance::PlacedShape& placed : shapes)
-    lowest = std::min(lowest, placed.box_W.min().z());
-  Slicer slicer(lowest + height);
+  Slicer slicer(distance::BoxAround(shapes).min().z() + height);
   for (const distance::PlacedShape& placed : shapes) slicer.Add(placed);
   return Footprint(slicer.Discs());
 }

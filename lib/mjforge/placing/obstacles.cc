@@ -16,12 +16,6 @@ constexpr double kLengthRounding = 1e-9;  // m
 constexpr double kTouch = 1e-7;           // m; shapes within this distance touch
 constexpr int kMostSteps = 200;
 
-Eigen::AlignedBox3d BoxOf(std::span<const PlacedShape> shapes) {
-  Eigen::AlignedBox3d box_W;
-  for (const PlacedShape& placed : shapes) box_W.extend(placed.box_W);
-  return box_W;
-}
-
 // Returns true if the boxes are farther apart than a distance.
 inline bool AreFarther(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b,
                        double distance) {
@@ -111,7 +105,7 @@ PlacedShape MovedShapes::At(std::size_t index) const {
 void Obstacles::Add(const model::Object& object, int body, double clear) {
   const std::vector<BodyShape> shapes = ShapesBelow(object, body);
   const PlacedShapes placed = ShapesAt(shapes, PoseInWorld(object, body));
-  Group group{clear, BoxOf(placed), {}};
+  Group group{clear, distance::BoxAround(placed), {}};
   for (std::size_t i = 0; i < shapes.size(); ++i)
     group.obstacles.push_back({shapes[i].body, placed[i]});
   groups_.push_back(std::move(group));
@@ -161,7 +155,7 @@ double Obstacles::Drop(PlacedShapes shapes, const Vector3d& up_W, double most) c
     const Eigen::AlignedBox3d end = box_W.translated(Vector3d(-drop * up_W));
     return box_W.extend(end);
   };
-  const Eigen::AlignedBox3d box_W = BoxOf(shapes);
+  const Eigen::AlignedBox3d box_W = distance::BoxAround(shapes);
   for (const Group& group : groups_) {
     if (!group.box_W.intersects(swept(box_W))) continue;
     for (const auto& [body, obstacle] : group.obstacles) {
@@ -178,7 +172,7 @@ double Obstacles::Drop(PlacedShapes shapes, const Vector3d& up_W, double most) c
 std::vector<Contact> Obstacles::FindContacts(std::span<const PlacedShape> shapes,
                                              double within) const {
   std::vector<Contact> contacts;
-  const Eigen::AlignedBox3d box_W = BoxOf(shapes);
+  const Eigen::AlignedBox3d box_W = distance::BoxAround(shapes);
   for (const Group& group : groups_) {
     if (AreFarther(group.box_W, box_W, within)) continue;
     for (const auto& [body, obstacle] : group.obstacles) {

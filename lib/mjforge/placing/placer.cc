@@ -46,7 +46,6 @@ Vector2d DirectionAt(double angle) { return {std::sin(angle), -std::cos(angle)};
 // A body in one orientation, except for a rotation about the vertical. Frame L has the origin of
 // the body, and the z axis of L points up.
 struct Orientation {
-  int body;
   std::optional<Eigen::Quaterniond> asked;  // nullopt: as modelled, if stable
   Eigen::Quaterniond q_LB;
   std::vector<BodyShape> shapes;  // in the body's frame B
@@ -61,16 +60,14 @@ Orientation Oriented(const model::Object& object, int body, const Eigen::Quatern
   std::vector<BodyShape> shapes = ShapesBelow(object, body);
   PlacedShapes placed = ShapesAt(shapes, {Vector3d::Zero(), q_LB});
   Footprint footprint = FootprintOf(placed);
-  Orientation orientation{body,
-                          q_LB,
+  Orientation orientation{q_LB,
                           q_LB,
                           std::move(shapes),
                           std::move(placed),
                           std::move(footprint),
                           MassBelow(object, body).p_FCm};
-  Eigen::AlignedBox3d box;
-  for (const distance::PlacedShape& shape : orientation.placed) box.extend(shape.box_W);
   if (orientation.placed.empty()) return orientation;
+  const Eigen::AlignedBox3d box = distance::BoxAround(orientation.placed);
   orientation.bottom = box.min().z();
   orientation.height = box.sizes().z();
   return orientation;
@@ -115,6 +112,12 @@ Extent ExtentOf(std::span<const distance::PlacedShape> shapes, const Vector2d& d
     extent.high = std::max(extent.high, way.dot(distance::FarthestPoint(placed, way)));
   }
   return shapes.empty() ? Extent{0, 0} : extent;
+}
+
+void Block(const Blocker& by, PlaceResult& result) {
+  result.verdict = PlaceVerdict::kBlocked;
+  result.blocker = by.body;
+  result.distance = by.distance;
 }
 
 // The heading and position of a body in its region's frame R.
@@ -258,20 +261,14 @@ class RegionTry {
       const PlacedShapes shapes = ShapesAt(of_.shapes, X_WB);
       const std::vector<Contact> contacts = obstacles.FindContacts(shapes, kCarrying);
       if (!IsBalanced(shapes, contacts, X_WB * of_.p_BCm)) {
-        result.verdict = PlaceVerdict::kBlocked;
-        result.blocker = contacts.empty() ? where_.support : contacts.front().body;
+        Block({contacts.empty() ? where_.support : contacts.front().body}, result);
         return;
       }
     }
     const Pose X_WL = X_WR_ * Pose{X_RB.p, AboutZ(stance.yaw)};
     const auto blocker =
         obstacles.FindBlocker({of_.placed, X_WL}, std::max(where_.clear, region_.clear), support);
-    if (blocker) {
-      result.verdict = PlaceVerdict::kBlocked;
-      result.blocker = blocker->body;
-      result.distance = blocker->distance;
-      return;
-    }
+    if (blocker) return Block(*blocker, result);
     const PlacedShapes shapes = ShapesAt(of_.shapes, X_WB);
     if (std::ranges::any_of(obstacles.FindContacts(shapes, kCarrying), &Contact::of_boxes)) return;
     const double drop = obstacles.Drop(shapes, support.up_W, kCarrying);
@@ -354,11 +351,8 @@ class ExactPlacer : public model::Placer {
                           .is_ignored = true};
     const PlacedShapes shapes = ShapesAt(ShapesBelow(*object_, body), {});
     if (const auto blocker = obstacles_.FindBlocker({shapes, X_WSupport * result.X_SupportBody},
-                                                    where.clear, support)) {
-      result.verdict = PlaceVerdict::kBlocked;
-      result.blocker = blocker->body;
-      result.distance = blocker->distance;
-    }
+                                                    where.clear, support))
+      Block(*blocker, result);
     return result;
   }
 

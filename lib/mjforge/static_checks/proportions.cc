@@ -249,7 +249,8 @@ class Proportions {
     Box box;
     for (const PlacedPart& part : placed) box.extend(part.box_W);
     const std::vector<distance::PlacedShape> shapes(placed.begin(), placed.end());
-    if (distance::FromHull(shapes, p_BCm).norm() <= kHullTolerance * box.diagonal().norm()) return;
+    const double size = distance::BoxAround(shapes).diagonal().norm();
+    if (distance::FromHull(shapes, p_BCm).norm() <= kHullTolerance * size) return;
     reporter_.Warning(
         Code::kPhysicsCenterOfMass, body.mark,
         fmt::format("the centre of mass of body '{}', {:.4g} {:.4g} {:.4g}, is outside "
