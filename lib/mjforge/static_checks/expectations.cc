@@ -37,17 +37,6 @@ int DigitsFor(double a, double b) {
   return digits;
 }
 
-// Returns the directions, in the frame of a box, whose support points are the corners of the box.
-std::vector<Vector3d> DirectionsOfCorners() {
-  std::vector<Vector3d> directions;
-  for (const double x : {-1.0, 1.0}) {
-    for (const double y : {-1.0, 1.0}) {
-      for (const double z : {-1.0, 1.0}) directions.emplace_back(x, y, z);
-    }
-  }
-  return directions;
-}
-
 // Returns directions, in the frame of a round shape, whose support points form a grid on the
 // shape's surface.
 std::vector<Vector3d> DirectionsOfGrid() {
@@ -65,7 +54,9 @@ std::vector<Vector3d> DirectionsOfGrid() {
 }
 
 const std::vector<Vector3d>& DirectionsOf(const model::Shape& shape) {
-  static const std::vector<Vector3d> kOfBox = DirectionsOfCorners();
+  // Directions whose support points are the corners of a box.
+  static const std::vector<Vector3d> kOfBox =
+      model::VerticesOf({.type = model::GeomType::kBox, .size = Vector3d::Ones()});
   static const std::vector<Vector3d> kOfRound = DirectionsOfGrid();
   return shape.type == model::GeomType::kBox ? kOfBox : kOfRound;
 }
@@ -191,14 +182,15 @@ class ExpectationChecker {
   void ReportGap(double gap, const PartPair& nearest, std::optional<double> bound,
                  std::string_view side, std::string_view otherwise) {
     const int digits = bound ? DigitsFor(gap, *bound) : kDigits;
-    const std::string must = bound ? fmt::format("be at {} {} apart", side, Asked(*bound, digits))
+    const std::string must = bound ? fmt::format("be at {} {}{} apart", side, *bound < 0 ? "-" : "",
+                                                 LengthText(*bound, digits))
                                    : std::string(otherwise);
     const bool touch = std::abs(gap) < (expectation_->kind == Kind::kGap ? kRounding : kTolerance);
     const std::string is =
         touch ? std::string("touching")
               : fmt::format("{} {}", LengthText(gap, digits), gap < 0 ? "in each other" : "apart");
-    Report(fmt::format("{} must {}, but are {}{}", Both(), must, is,
-                       PartsText(*nearest.a, *nearest.b)));
+    Report(fmt::format("'{}' and '{}' must {}, but are {}{}", Shown(expectation_->first),
+                       Shown(expectation_->second), must, is, PartsText(*nearest.a, *nearest.b)));
   }
 
   void CheckInside(const PlacedParts& first, const PlacedParts& second) {
@@ -248,14 +240,6 @@ class ExpectationChecker {
   std::string_view Shown(std::string_view name) const {
     return name == object_.bodies.front().name ? std::string_view(object_.name)
                                                : model::OwnName(name, object_.name);
-  }
-
-  std::string Both() const {
-    return fmt::format("'{}' and '{}'", Shown(expectation_->first), Shown(expectation_->second));
-  }
-
-  static std::string Asked(double length, int digits) {
-    return (length < 0 ? "-" : "") + LengthText(length, digits);
   }
 
   // Returns " (parts ...)", or an empty text if the expectation names the parts themselves.

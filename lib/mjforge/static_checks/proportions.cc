@@ -59,9 +59,7 @@ std::string WithMore(std::size_t more) {
 /// Returns true if viewers show the part by default. A part of a spec has a visual geom unless its
 /// role is `collision`; a geom of a file is shown if its group is 0 to 2.
 bool IsSeen(const model::Part& part) {
-  if (!part.as_is) return part.role != model::Role::kCollision;
-  const auto group = std::ranges::find(part.attributes, "group", &model::Attribute::name);
-  return group == part.attributes.end() || group->numbers.empty() || group->numbers[0] <= 2;
+  return part.as_is ? NumberOf(part, "group", 0, 0) <= 2 : part.role != model::Role::kCollision;
 }
 
 using Box = Eigen::AlignedBox3d;
@@ -246,8 +244,6 @@ class Proportions {
 
   void CheckCenter(const model::Body& body, const std::vector<PlacedPart>& placed) {
     const Eigen::Vector3d& p_BCm = body.mass_properties.p_FCm;
-    Box box;
-    for (const PlacedPart& part : placed) box.extend(part.box_W);
     const std::vector<distance::PlacedShape> shapes(placed.begin(), placed.end());
     const double size = distance::BoxAround(shapes).diagonal().norm();
     if (distance::FromHull(shapes, p_BCm).norm() <= kHullTolerance * size) return;
