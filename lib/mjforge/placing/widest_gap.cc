@@ -37,33 +37,20 @@ Eigen::AlignedBox2d BoxOf(const model::Region& region) {
   return {-region.half_size, region.half_size};
 }
 
-// Arguments of the search: the region with its pose, the height of the body to place, and the
-// obstacles.
-struct Place {
-  const model::Region& region;
-  const model::Pose& X_WR;
-  double half_height;  // m, half the height of the body to be placed on the disc
-  const Obstacles& obstacles;
-  const Support& support;
-};
-
-Square SquareAt(const Vector2d& middle, double half, const Place& in) {
-  const double inside = -model::DistanceOutside(in.region, middle) - in.region.margin;
-  if (inside <= 0) return {middle, half, inside};
-  model::Pose X_RC;
-  X_RC.p = {middle.x(), middle.y(), kContactGap + in.half_height};
-  return {middle, half,
-          in.obstacles.FreeRadius(in.X_WR * X_RC, in.half_height, inside, in.support)};
-}
-
 }  // namespace
 
 double WidestGap(const model::Region& region, const model::Pose& X_WR, double height,
                  const Obstacles& obstacles, const Support& support) {
-  const Place place{region, X_WR, height / 2, obstacles, support};
+  const auto square_at = [&](const Vector2d& middle, double half) -> Square {
+    const double inside = -model::DistanceOutside(region, middle) - region.margin;
+    if (inside <= 0) return {middle, half, inside};
+    model::Pose X_RC;
+    X_RC.p = {middle.x(), middle.y(), kContactGap + height / 2};
+    return {middle, half, obstacles.FreeRadius(X_WR * X_RC, height / 2, inside, support)};
+  };
   const Eigen::AlignedBox2d box = BoxOf(region);
   std::priority_queue<Square> squares;
-  squares.push(SquareAt(box.center(), box.sizes().maxCoeff() / 2, place));
+  squares.push(square_at(box.center(), box.sizes().maxCoeff() / 2));
   double widest = std::max(squares.top().radius, 0.0);
   for (int i = 0; i < kMostSquares && !squares.empty(); ++i) {
     const Square square = squares.top();
@@ -71,7 +58,7 @@ double WidestGap(const model::Region& region, const model::Pose& X_WR, double he
     squares.pop();
     const double half = square.half / 2;
     for (const Vector2d& way : kCorners) {
-      const Square next = SquareAt(square.middle + half * way, half, place);
+      const Square next = square_at(square.middle + half * way, half);
       widest = std::max(widest, next.radius);
       squares.push(next);
     }
