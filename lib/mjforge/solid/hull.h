@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -22,6 +23,12 @@ struct Fault {
   /// y.
   std::size_t loop = 0;
 };
+/// Sets the fault; returns nullopt.
+inline std::nullopt_t Fail(Fault& fault, std::string message,
+                           std::optional<std::size_t> point = std::nullopt) {
+  fault = {std::move(message), point};
+  return std::nullopt;
+}
 
 struct Polytope {
   struct Face {

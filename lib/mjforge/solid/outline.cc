@@ -135,9 +135,9 @@ std::pair<std::size_t, std::size_t> Area::Loop(std::size_t i) const {
 
 bool HasBadCount(std::size_t count, std::size_t least, Fault& fault) {
   if (count > kMostPoints) {
-    fault = {fmt::format("has {} points, more than {}", count, kMostPoints), std::nullopt};
+    Fail(fault, fmt::format("has {} points, more than {}", count, kMostPoints));
   } else if (count < least) {
-    fault = {fmt::format("needs at least {} points", least), std::nullopt};
+    Fail(fault, fmt::format("needs at least {} points", least));
   }
   return count > kMostPoints || count < least;
 }
@@ -146,16 +146,12 @@ std::optional<Outline> OutlineOf(std::span<const Point2> points, Fault& fault) {
   if (HasBadCount(points.size(), 3, fault)) return std::nullopt;
   const double size = SizeOf(points);
   if (HasEqualNeighbours(points, true, size, fault)) return std::nullopt;
-  if (AreOnALine(points, size)) {
-    fault = {"has no area", std::nullopt};
-    return std::nullopt;
-  }
+  if (AreOnALine(points, size)) return Fail(fault, "has no area");
   Outline outline;
   for (std::size_t i = 0; i < points.size(); ++i) outline.Add(points[i], i);
   if (const auto crossing = Crossing(outline, size)) {
     const auto [first, second] = *crossing;
-    fault = {CrossingText(first, second, outline), second};
-    return std::nullopt;
+    return Fail(fault, CrossingText(first, second, outline), second);
   }
   if (AreaOf(points) < 0) outline.Reverse();
   return outline;
@@ -207,32 +203,29 @@ std::optional<Outline> WalledOutline(std::span<const Point2> line, double wall, 
   closed.emplace_back(0, line.back().y());
   closed.emplace_back(0, line.front().y());
   const double area = AreaOf(closed);
-  if (!(std::abs(area) > kRounding * size * size)) {
-    fault = {"has no inside: it is flat; give a closed outline without `wall`", std::nullopt};
-    return std::nullopt;
-  }
+  if (!(std::abs(area) > kRounding * size * size))
+    return Fail(fault, "has no inside: it is flat; give a closed outline without `wall`");
   Outline outline;
   for (std::size_t i = 0; i < line.size(); ++i) outline.Add(line[i], i);
   if (area < 0) outline.Reverse();
   const std::size_t count = line.size();
   const std::vector<Point2> inside = ParallelOfLine(outline.corners, wall);
   for (std::size_t i = count; i-- > 0;) {
-    if (inside[i].x() < 0) {
-      fault = {fmt::format("is {:g} m from the axis: a wall of {:g} m is thicker",
-                           outline.corners[i].x(), wall),
-               outline.sources[i]};
-      return std::nullopt;
-    }
+    if (inside[i].x() < 0)
+      return Fail(fault,
+                  fmt::format("is {:g} m from the axis: a wall of {:g} m is thicker",
+                              outline.corners[i].x(), wall),
+                  outline.sources[i]);
     outline.Add(inside[i], outline.sources[i]);
   }
   // If the outline crosses itself but the line does not, the wall is too thick.
   if (const auto crossing = Crossing(outline, size)) {
     const auto [first, second] = *crossing;
     const bool is_line = second + 1 < count;
-    fault = {is_line ? CrossingText(first, second, outline)
-                     : fmt::format("turns too sharply for a wall of {:g} m", wall),
-             outline.sources[is_line ? second : outline.Next(second)]};
-    return std::nullopt;
+    return Fail(fault,
+                is_line ? CrossingText(first, second, outline)
+                        : fmt::format("turns too sharply for a wall of {:g} m", wall),
+                outline.sources[is_line ? second : outline.Next(second)]);
   }
   return outline;
 }

@@ -78,17 +78,11 @@ class Qhull {
 
 std::optional<Polytope> HullOf(std::span<const Eigen::Vector3d> points, Fault& fault) {
   fault = {};
-  if (points.size() < 4) {
-    fault.message = "needs at least 4 points";
-    return std::nullopt;
-  }
+  if (points.size() < 4) return Fail(fault, "needs at least 4 points");
   std::vector<double> coordinates;
   for (const Eigen::Vector3d& p : points) coordinates.insert(coordinates.end(), p.begin(), p.end());
   Qhull qhull;
-  if (!qhull.Run(coordinates)) {
-    fault.message = "has no volume: all points lie in a plane";
-    return std::nullopt;
-  }
+  if (!qhull.Run(coordinates)) return Fail(fault, "has no volume: all points lie in a plane");
   std::vector<std::vector<int>> faces = qhull.Faces(points);
   // Sorts the faces, because Qhull's order depends on rounding, which differs between processors.
   for (std::vector<int>& face : faces)

@@ -34,10 +34,10 @@ std::optional<std::vector<RoundedCorner>> RoundCorners(const Outline& outline,
     const std::size_t next = outline.Next(i);
     const double length = (outline.corners[next] - outline.corners[i]).norm();
     if (taken(i) + taken(next) <= length * (1 + kTolerance)) continue;
-    fault = {fmt::format("leaves a side of {:g} m, too short for corners of {:g} m", length,
-                         std::max(radii[i], radii[next])),
-             outline.sources[i]};
-    return std::nullopt;
+    return Fail(fault,
+                fmt::format("leaves a side of {:g} m, too short for corners of {:g} m", length,
+                            std::max(radii[i], radii[next])),
+                outline.sources[i]);
   }
   const std::vector<Point2> moved = ParallelOf(outline, inset);
   std::vector<RoundedCorner> corners;

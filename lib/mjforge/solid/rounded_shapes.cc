@@ -78,10 +78,7 @@ Solid RoundedFlat(const ConvexHull& hull) {
 }  // namespace
 
 std::optional<Solid> Make(const ConvexHull& hull, Fault& fault) {
-  if (hull.points.size() > kMostPoints) {
-    fault = {.message = "has more than 1000 points"};
-    return std::nullopt;
-  }
+  if (hull.points.size() > kMostPoints) return Fail(fault, "has more than 1000 points");
   const std::optional<Polytope> core = HullOf(hull.points, fault);
   if (!core && hull.round > 0 && !hull.points.empty()) return RoundedFlat(hull);
   if (!core) return std::nullopt;
