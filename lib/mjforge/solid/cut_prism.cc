@@ -24,15 +24,6 @@ namespace {
 constexpr double kNear = 1e-10;            // rounding errors, as a share of the prism's size
 constexpr std::size_t kMostPieces = 1000;  // limits time and memory
 
-Eigen::AlignedBox3d BoundsOf(const Prism& prism) {
-  Eigen::AlignedBox3d box;
-  for (const Point2& p : prism.polygon) {
-    box.extend(kSectionPlanes[2].At(p, -prism.height / 2));
-    box.extend(kSectionPlanes[2].At(p, prism.height / 2));
-  }
-  return box;
-}
-
 /// Returns the rectangle around the prism, seen along an axis, with the holes along this axis.
 std::optional<Area> SideSection(const Prism& prism, const SectionPlane& plane,
                                 const HoleGroup& group, Fault& fault) {
@@ -135,24 +126,29 @@ ConvexPiece PieceOf(const Polytope& polytope) {
 
 }  // namespace
 
-std::optional<Solid> MakeCutPrism(const Prism& prism, const BasePolygon& base, Fault& fault) {
-  if (prism.round > 0 || prism.bevel > 0) {
-    fault = {"has holes along x or y, so that it cannot be rounded or bevelled"};
-    return std::nullopt;
+Eigen::AlignedBox3d BoundsOf(const Prism& prism) {
+  Eigen::AlignedBox3d box;
+  for (const Point2& p : prism.polygon) {
+    box.extend(kSectionPlanes[2].At(p, -prism.height / 2));
+    box.extend(kSectionPlanes[2].At(p, prism.height / 2));
   }
+  return box;
+}
+
+std::optional<Solid> MakeCutPrism(const Prism& prism, const BasePolygon& base, Fault& fault) {
+  if (prism.round > 0 || prism.bevel > 0)
+    return Fail(fault, "has holes along x or y, so that it cannot be rounded or bevelled");
   const std::optional<CutSections> sections = SectionsOf(prism, base, fault);
   if (!sections) return std::nullopt;
   const double near = kNear * BoundsOf(prism).diagonal().norm();
   std::vector<Polytope> pieces = UncutPieces((*sections)[2], prism.height);
   for (const std::size_t axis : {2, 0, 1}) {
     if (CutHoles((*sections)[axis], kSectionPlanes[axis], near, pieces)) continue;
-    fault = {fmt::format("is cut into more than {} convex pieces by its holes", kMostPieces)};
-    return std::nullopt;
+    return Fail(fault,
+                fmt::format("is cut into more than {} convex pieces by its holes", kMostPieces));
   }
-  if (const std::size_t parts = CountSeparateParts(pieces, near); parts > 1) {
-    fault = {fmt::format("falls apart: its holes cut it into {} parts", parts)};
-    return std::nullopt;
-  }
+  if (const std::size_t parts = CountSeparateParts(pieces, near); parts > 1)
+    return Fail(fault, fmt::format("falls apart: its holes cut it into {} parts", parts));
   Solid solid;
   solid.render_mesh = MakeCutMesh(prism, *sections);
   for (const Polytope& piece : pieces) solid.pieces.push_back(PieceOf(piece));

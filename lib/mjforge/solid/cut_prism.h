@@ -14,6 +14,8 @@ namespace mjforge::solid {
 /// along its axis.
 using CutSections = std::array<Area, 3>;
 
+Eigen::AlignedBox3d BoundsOf(const Prism& prism);
+
 /// Makes a prism with holes along x or y. The pieces fill the prism exactly. `base` has the polygon
 /// and the holes along z. Returns nullopt and sets `fault` if the prism is rounded or bevelled, if
 /// a hole is faulty, if there are more than 1000 pieces, or if the holes leave several parts that

@@ -18,47 +18,10 @@ using Eigen::Vector3d;
 // side of the face is tested.
 constexpr double kBeside = 1e-8;
 
-/// Rectangle that one side of an outline sweeps when the outline is extruded along its axis.
-struct Strip {
-  Point2 from = Point2::Zero();
-  Point2 to = Point2::Zero();
-  Point2 outward = Point2::Zero();
-  Point2 normal_from = Point2::Zero();  // blended with the neighbour's normal if the edge is smooth
-  Point2 normal_to = Point2::Zero();
-  double along = 0;  // length of the outline up to `from`
-};
-
-std::vector<Strip> StripsOf(const Area& area, std::size_t loop, double crease) {
-  const auto [first, count] = area.Loop(loop);
-  std::vector<Strip> strips(count);
-  double along = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    Strip& strip = strips[i];
-    strip.from = area.corners[first + i];
-    strip.to = area.corners[first + (i + 1) % count];
-    const Point2 side = strip.to - strip.from;
-    strip.outward = Point2(side.y(), -side.x()).normalized();
-    strip.along = along;
-    along += side.norm();
-  }
-  const auto blended = [&](const Point2& a, const Point2& b) {
-    return a.dot(b) >= std::cos(crease) ? Point2((a + b).normalized()) : a;
-  };
-  for (std::size_t i = 0; i < count; ++i) {
-    strips[i].normal_from = blended(strips[i].outward, strips[(i + count - 1) % count].outward);
-    strips[i].normal_to = blended(strips[i].outward, strips[(i + 1) % count].outward);
-  }
-  return strips;
-}
-
 class CutMesher {
  public:
   CutMesher(const Prism& prism, const CutSections& sections)
-      : prism_(prism), sections_(sections), surface_(prism, sections[2]) {
-    for (const Point2& p : sections[2].corners) {
-      box_.extend(Vector3d(p.x(), p.y(), -prism.height / 2));
-      box_.extend(Vector3d(p.x(), p.y(), prism.height / 2));
-    }
+      : prism_(prism), sections_(sections), box_(BoundsOf(prism)), surface_(prism, sections[2]) {
     beside_ = kBeside * box_.diagonal().norm();
     for (std::size_t axis = 0; axis < 3; ++axis)
       cells_[axis] = CellsOf(sections[axis], kSectionPlanes[axis]);

@@ -50,42 +50,30 @@ class ExtrusionMesher {
   }
 
   void AddLoop(const Section& below, const Section& above, double up, std::size_t loop) {
-    const Area& middle = sections_.middle;
-    const auto [first, count] = middle.Loop(loop);
-    const auto side = [&, first = first, count = count](std::size_t i) {
-      return Point2(middle.corners[first + (i + 1) % count] - middle.corners[first + i % count]);
+    const std::vector<Strip> strips = StripsOf(sections_.middle, loop, prism_.crease);
+    const std::size_t count = strips.size();
+    const std::size_t first = sections_.middle.Loop(loop).first;
+    const auto add = [&](std::size_t corner, const Point2& blended, double along) {
+      const Point2 flat = blended * std::sqrt(1 - up * up);
+      const Eigen::Vector3d normal(flat.x(), flat.y(), up);
+      const auto vertex = [&](const Section& section) {
+        const Point2 unrolled(along, prism_.height / 2 - section.z);
+        const Point2& p = section.area.corners[first + corner % count];
+        return surface_.AddSideVertex({p.x(), p.y(), section.z}, normal, unrolled);
+      };
+      const int low = vertex(below);
+      return std::pair(low, vertex(above));
     };
-    const auto outward = [&](std::size_t i) {
-      const Point2 direction = side(i).normalized();
-      return Point2(direction.y(), -direction.x());
-    };
-    const auto is_smooth = [&, count = count](std::size_t i) {  // corner at the start of side i
-      return outward(i + count - 1).dot(outward(i)) >= std::cos(prism_.crease);
-    };
-    double along = 0;
     std::pair<int, int> very_first;
     std::pair<int, int> last;
     // Vertices at the seam of a texture differ in their texture coordinates.
-    const bool joins = prism_.texture.unit == TextureMapping::Unit::kNone && is_smooth(0);
+    const bool joins = prism_.texture.unit == TextureMapping::Unit::kNone && strips[0].is_smooth;
     for (std::size_t i = 0; i < count; ++i) {
-      const auto add = [&, first = first, count = count](std::size_t corner, std::size_t beside) {
-        Point2 flat = outward(i);
-        if (is_smooth(corner)) flat = (flat + outward(beside)).normalized();
-        flat *= std::sqrt(1 - up * up);
-        const Eigen::Vector3d normal(flat.x(), flat.y(), up);
-        const std::size_t at = first + corner % count;
-        const auto vertex = [&](const Section& section) {
-          const Point2 unrolled(along, prism_.height / 2 - section.z);
-          const Point2& p = section.area.corners[at];
-          return surface_.AddSideVertex({p.x(), p.y(), section.z}, normal, unrolled);
-        };
-        const int low = vertex(below);
-        return std::pair(low, vertex(above));
-      };
-      const auto from = i > 0 && is_smooth(i) ? last : add(i, i + count - 1);
+      const Strip& strip = strips[i];
+      const double end = strip.along + (strip.to - strip.from).norm();
+      const auto from = i > 0 && strip.is_smooth ? last : add(i, strip.normal_from, strip.along);
       if (i == 0) very_first = from;
-      along += side(i).norm();
-      last = joins && i + 1 == count ? very_first : add(i + 1, i + 1);
+      last = joins && i + 1 == count ? very_first : add(i + 1, strip.normal_to, end);
       AddQuad(from.first, last.first, last.second, from.second, surface_.mesh);
     }
   }

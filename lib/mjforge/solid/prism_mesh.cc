@@ -6,6 +6,30 @@
 
 namespace mjforge::solid {
 
+std::vector<Strip> StripsOf(const Area& area, std::size_t loop, double crease) {
+  const auto [first, count] = area.Loop(loop);
+  std::vector<Strip> strips(count);
+  double along = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    Strip& strip = strips[i];
+    strip.from = area.corners[first + i];
+    strip.to = area.corners[first + (i + 1) % count];
+    const Point2 side = strip.to - strip.from;
+    strip.outward = Point2(side.y(), -side.x()).normalized();
+    strip.along = along;
+    along += side.norm();
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    Strip& strip = strips[i];
+    Strip& before = strips[(i + count - 1) % count];
+    strip.is_smooth = before.outward.dot(strip.outward) >= std::cos(crease);
+    const Point2 blended = (before.outward + strip.outward).normalized();
+    before.normal_to = strip.is_smooth ? blended : before.outward;
+    strip.normal_from = strip.is_smooth ? blended : strip.outward;
+  }
+  return strips;
+}
+
 PrismMesh::PrismMesh(const Prism& prism, const Area& section)
     : prism_(prism), cap_scale_(prism.texture.repeat), side_scale_(prism.texture.repeat) {
   for (const Point2& p : section.corners) picture_.extend(OnPicture(prism.texture, p));

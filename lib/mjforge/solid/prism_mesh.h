@@ -1,10 +1,27 @@
-// Parts of a render mesh that all prisms share: caps, and texture coordinates of caps and sides.
+// Parts of a render mesh that all prisms share: caps, strips of the sides, and texture coordinates.
 
 #pragma once
+
+#include <vector>
 
 #include "mjforge/solid/inset_polygon.h"
 
 namespace mjforge::solid {
+
+/// Rectangle that one side of an outline sweeps when the outline is extruded along its axis.
+struct Strip {
+  Point2 from = Point2::Zero();
+  Point2 to = Point2::Zero();
+  Point2 outward = Point2::Zero();
+  Point2 normal_from = Point2::Zero();  // blended with the neighbour's normal if the edge is smooth
+  Point2 normal_to = Point2::Zero();
+  bool is_smooth = false;  // true: the edge at `from` is smooth
+  double along = 0;        // length of the outline up to `from`
+};
+
+/// Returns the strips of the sides of a loop of `area`. Edges whose sides differ in direction by at
+/// most `crease`, rad, are smooth.
+std::vector<Strip> StripsOf(const Area& area, std::size_t loop, double crease);
 
 /// Render mesh of a prism under construction.
 class PrismMesh {
