@@ -138,6 +138,13 @@ TriangleMesh MeshOf(const Polytope& polytope) {
   return mesh;
 }
 
+ConvexPiece Primitive(ConvexPiece::Type type, const Eigen::Vector3d& size, const Eigen::Vector3d& a,
+                      const Eigen::Vector3d& b) {
+  ConvexPiece piece = {.type = type, .size = size, .p = (a + b) / 2};
+  if (a != b) piece.q = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), b - a);
+  return piece;
+}
+
 double AngleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }

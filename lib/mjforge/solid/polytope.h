@@ -29,6 +29,10 @@ void RemoveRepeats(TriangleMesh& mesh);
 
 TriangleMesh MeshOf(const Polytope& polytope);
 
+/// Returns a sphere, capsule or cylinder between two points.
+ConvexPiece Primitive(ConvexPiece::Type type, const Eigen::Vector3d& size, const Eigen::Vector3d& a,
+                      const Eigen::Vector3d& b);
+
 /// Returns the angle between two unit vectors, rad.
 double AngleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 

@@ -64,14 +64,8 @@ Solid RoundedFlat(const ConvexHull& hull) {
   Solid solid = Rounded(flat.core, hull.round, hull.texture, true);
   if (!flat.line) return solid;
   const auto& [from, to] = *flat.line;
-  ConvexPiece piece = {.type = ConvexPiece::Type::kSphere, .size = {hull.round, 0, 0}};
-  piece.p = (from + to) / 2;
-  if (from != to) {
-    piece.type = ConvexPiece::Type::kCapsule;
-    piece.size.y() = (to - from).norm() / 2;
-    piece.q = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), to - from);
-  }
-  solid.pieces = {piece};
+  const auto type = from == to ? ConvexPiece::Type::kSphere : ConvexPiece::Type::kCapsule;
+  solid.pieces = {Primitive(type, {hull.round, (to - from).norm() / 2, 0}, from, to)};
   return solid;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mjforge/solid/polytope.h"
 #include "mjforge/solid/render_mesh.h"
 #include "mjforge/solid/sweep_frames.h"
 #include "mjforge/solid/sweep_mesh.h"
@@ -150,13 +151,6 @@ class SweepMesher {
   double along_ = 1;
   TriangleMesh mesh_;
 };
-
-ConvexPiece Primitive(ConvexPiece::Type type, const Vector3d& size, const Vector3d& a,
-                      const Vector3d& b) {
-  ConvexPiece piece = {.type = type, .size = size, .p = (a + b) / 2};
-  if (a != b) piece.q = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), b - a);
-  return piece;
-}
 
 /// Returns a truncated cone between two frames.
 ConvexPiece ConeBetween(const SweepFrame& a, const SweepFrame& b) {
