@@ -3,9 +3,9 @@
 
 #include "mjforge/family/coincidences.h"
 
-#include <cmath>
 #include <cstddef>
 
+#include "mjforge/compiled/compiled.h"
 #include "mjforge/structure/structure.h"
 
 namespace mjforge::family {
@@ -16,12 +16,9 @@ constexpr double kAxisTolerance = 1e-14;
 
 bool LetsBeSimple(const mjModel& m, int joint) {
   if (m.jnt_type[joint] == mjJNT_FREE) return true;
-  const mjtNum* axis = m.jnt_axis + 3 * static_cast<std::ptrdiff_t>(joint);
-  int components = 0;
-  for (int i = 0; i < 3; ++i) components += std::abs(axis[i]) > kAxisTolerance ? 1 : 0;
-  const mjtNum* pos = m.jnt_pos + 3 * static_cast<std::ptrdiff_t>(joint);
-  return pos[0] == 0 && pos[1] == 0 && pos[2] == 0 &&
-         (m.jnt_type[joint] == mjJNT_BALL || components == 1);
+  const Eigen::Array3d axis = compiled::VectorAt(m.jnt_axis, joint);
+  return compiled::VectorAt(m.jnt_pos, joint) == Eigen::Vector3d::Zero() &&
+         (m.jnt_type[joint] == mjJNT_BALL || (axis.abs() > kAxisTolerance).count() == 1);
 }
 
 template <typename Flag>
