@@ -70,40 +70,12 @@ void SetAttribute(std::string& line, std::string_view name, const Numbers& numbe
   }
 }
 
-// View of the array called `name` of a variant; operator[] returns the numbers of one element.
-class ArrayRows {
- public:
-  ArrayRows(const Numbers& numbers, std::string_view name) {
-    const double* at = numbers.values.data();
-    for (const ArrayShape& shape : numbers.shapes) {
-      if (shape.name == name) {
-        first_ = at;
-        width_ = shape.width();
-        return;
-      }
-      at += shape.size();
-    }
-  }
-  std::span<const double> operator[](std::size_t element) const {
-    return {first_ + width_ * element, width_};
-  }
-
- private:
-  const double* first_ = nullptr;
-  std::size_t width_ = 0;
-};
-
 // Makes the base MJCF of a family from the MJCF text of a variant: drops the comment about the
 // variant, gives each body an <inertial> with the values that MuJoCo computed and, if `mocap` is
 // true, makes children of the world without joints mocap bodies.
 class BaseWriter {
  public:
-  BaseWriter(const Numbers& numbers, bool mocap)
-      : mocap_(mocap),
-        mass_(numbers, "body_mass"),
-        ipos_(numbers, "body_ipos"),
-        iquat_(numbers, "body_iquat"),
-        inertia_(numbers, "body_inertia") {}
+  BaseWriter(const Numbers& numbers, bool mocap) : numbers_(numbers), mocap_(mocap) {}
 
   std::string operator()(std::string_view text) {
     ForEachLine(text, [&](std::string_view line) { Add(line); });
@@ -133,8 +105,14 @@ class BaseWriter {
       base_.insert(mocap_at_, kMocap);
     }
     base_.append(IndentOf(line)).append("  <inertial");
-    base_ += Attribute("pos", ipos_[body_]) + Attribute("quat", iquat_[body_]) +
-             Attribute("mass", mass_[body_]) + Attribute("diaginertia", inertia_[body_]) + "/>\n";
+    constexpr std::pair<std::string_view, std::string_view> kArrays[] = {
+        {"pos", "body_ipos"},
+        {"quat", "body_iquat"},
+        {"mass", "body_mass"},
+        {"diaginertia", "body_inertia"}};
+    for (const auto& [attribute, array] : kArrays)
+      base_ += Attribute(attribute, numbers_.NumbersOf(array, body_, numbers_.values));
+    base_ += "/>\n";
     ++body_;
   }
 
@@ -148,11 +126,8 @@ class BaseWriter {
 
   static constexpr std::string_view kMocap = " mocap=\"true\"";
 
+  const Numbers& numbers_;
   bool mocap_;
-  ArrayRows mass_;
-  ArrayRows ipos_;
-  ArrayRows iquat_;
-  ArrayRows inertia_;
   std::string base_;
   std::size_t mocap_at_ = std::string::npos;
   bool is_in_world_ = false;

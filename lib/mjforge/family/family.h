@@ -56,7 +56,21 @@ struct ArrayShape {
 
   bool operator==(const ArrayShape&) const = default;
 };
-using Shapes = std::vector<ArrayShape>;
+
+/// The structure of a variant's model, and the arrays of its numbers, which follow each other.
+struct Layout {
+  structure::Structure structure;
+  std::vector<ArrayShape> shapes;
+
+  /// Returns the array with this name, and the position of its first number. Throws
+  /// std::runtime_error if there is none.
+  std::pair<const ArrayShape&, std::size_t> Find(std::string_view array) const;
+  /// Returns the numbers of an element among the `values` of all arrays of a variant.
+  std::span<const double> NumbersOf(std::string_view array, std::size_t element,
+                                    std::span<const double> values) const;
+
+  bool operator==(const Layout&) const = default;
+};
 
 /// A material of one variant.
 struct Material {
@@ -78,9 +92,7 @@ inline constexpr MaterialArray kMaterialArrays[] = {{"mat_rgba", 4},        {"ma
 using Parameters = std::vector<std::pair<std::string, sample::ParameterValue>>;
 
 /// Values of the arrays of mjModel for one variant: sizes, poses, masses, colours and so on.
-struct Numbers {
-  structure::Structure structure;
-  Shapes shapes;
+struct Numbers : Layout {
   std::vector<double> values;  // numbers of all arrays, in the order of the shapes
   std::vector<Material> materials;
 
@@ -114,8 +126,7 @@ class ChunkEncoder {
   bool empty() const { return count_ == 0; }
 
  private:
-  structure::Structure structure_;
-  Shapes shapes_;
+  Layout layout_;
   std::uint64_t count_ = 0;
   std::vector<double> values_;
   std::vector<std::string> parameters_;  // names of the parameters

@@ -75,13 +75,7 @@ class BaseCompletion {
  public:
   BaseCompletion(const Header& header, const bytes::Assets& assets, const Survey& survey,
                  diag::Findings& findings)
-      : header_(header), assets_(assets), survey_(survey), findings_(findings) {
-    std::size_t at = 0;
-    for (const ArrayShape& shape : header.shapes) {
-      starts_[shape.name] = {&shape, at};
-      at += shape.size();
-    }
-  }
+      : header_(header), assets_(assets), survey_(survey), findings_(findings) {}
 
   std::optional<FinalBase> operator()() {
     base_.text = WithMaterials(header_.base, survey_.materials);
@@ -112,21 +106,13 @@ class BaseCompletion {
     return std::nullopt;
   }
 
-  std::span<const unsigned> FlagsOfVariants(std::string_view name) const {
-    const auto& [shape, at] = starts_.at(std::string(name));
-    return std::span(survey_.flags).subspan(at, shape->size());
-  }
-
   // Calls `act` for each element whose flag in the base is not valid for all variants (IsRight). If
   // `if_different` is true, also calls `act` for each element whose flag differs between variants.
   template <typename Act>
   void ForEachWrong(const Flagged& array, const Numbers& flags, bool if_different, const Act& act) {
-    const std::span<const unsigned> variants = FlagsOfVariants(array.flags);
-    const double* base = flags.values.data();
-    for (const ArrayShape& shape : flags.shapes) {
-      if (shape.name == array.flags) break;
-      base += shape.size();
-    }
+    const auto& [shape, at] = header_.Find(array.flags);
+    const auto variants = std::span(survey_.flags).subspan(at, shape.size());
+    const double* base = flags.values.data() + flags.Find(array.flags).second;
     for (std::size_t i = 0; i < variants.size(); ++i) {
       const bool is_one = (variants[i] & (variants[i] - 1)) == 0;
       const bool is_right = IsRight(array.flags, static_cast<unsigned>(base[i]), variants[i]);
@@ -138,11 +124,11 @@ class BaseCompletion {
     ForEachWrong(array, flags, true, [&](std::size_t i, unsigned variants) {
       const double offset = array.flags == kBodyFlags ? kBodyOffset : kOffset;
       NewPose pose{.tag = array.tag, .number = i, .pos = {}, .quat = {}};
-      const double* pos = First(array.pos, i);
+      const std::span<const double> pos = First(array.pos, i);
       pose.pos = Eigen::Vector3d(pos[0] + offset, pos[1] + offset, pos[2] + offset);
       base_.moved[std::string(array.pos)].insert(i);
       if (!array.quat.empty() && !HasOneRotation(variants)) {
-        const double* q = First(array.quat, i);
+        const std::span<const double> q = First(array.quat, i);
         const Eigen::Quaterniond turned =
             Eigen::Quaterniond(q[0], q[1], q[2], q[3]) *
             Eigen::Quaterniond(1, offset, offset, offset).normalized();
@@ -155,7 +141,7 @@ class BaseCompletion {
 
   void Check(const Flagged& array, const Numbers& flags) {
     ForEachWrong(array, flags, false, [&](std::size_t i, unsigned) {
-      const ArrayShape& shape = *starts_.at(std::string(array.flags)).first;
+      const ArrayShape& shape = header_.Find(array.flags).first;
       findings_.Add(diag::Code::kMujocoMismatch, {},
                     "the variants have no common base: MuJoCo compiles " + std::string(shape.name) +
                         " of '" + shape.elements[i] + "' as a special case",
@@ -164,20 +150,19 @@ class BaseCompletion {
   }
 
   // Returns the numbers of an element in the first variant.
-  const double* First(std::string_view name, std::size_t element) const {
-    const auto& [shape, at] = starts_.at(std::string(name));
-    return survey_.first.data() + at + shape->width() * element;
+  std::span<const double> First(std::string_view array, std::size_t element) const {
+    return header_.NumbersOf(array, element, survey_.first);
   }
 
   // Finds joints that have no friction in the first variant but have friction in another variant.
   // Sets their `frictionloss` to the largest value of any variant, because simulators ignore the
   // friction of joints that have none in the base.
   std::string WithFriction(const std::string& text) {
-    const auto& [shape, at] = starts_.at("dof_frictionloss");
+    const auto& [shape, at] = header_.Find("dof_frictionloss");
     std::vector<std::pair<std::string, double>> joints;
-    for (std::size_t i = 0; i < shape->size(); ++i) {
-      if (survey_.first[at + i] == 0 && survey_.largest[at + i] > 0 && shape->components[i] == 0)
-        joints.emplace_back(shape->elements[i], survey_.largest[at + i]);
+    for (std::size_t i = 0; i < shape.size(); ++i) {
+      if (survey_.first[at + i] == 0 && survey_.largest[at + i] > 0 && shape.components[i] == 0)
+        joints.emplace_back(shape.elements[i], survey_.largest[at + i]);
     }
     return WithFrictions(text, joints);
   }
@@ -187,7 +172,6 @@ class BaseCompletion {
   const Survey& survey_;
   diag::Findings& findings_;
   std::optional<engine::Engine> engine_;
-  std::map<std::string, std::pair<const ArrayShape*, std::size_t>> starts_;
   std::vector<NewPose> poses_;
   FinalBase base_;
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
 
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/family/coincidences.h"
@@ -162,7 +163,6 @@ class Reader {
   }
 
   ArrayShape& Open(std::string name) {
-    starts_.push_back(numbers_.values.size());
     ArrayShape& shape = numbers_.shapes.emplace_back();
     shape.name = std::move(name);
     return shape;
@@ -195,10 +195,7 @@ class Reader {
     return static_cast<std::uint64_t>((is_last ? all : first[id + 1]) - first[id]);
   }
 
-  double* ArrayAt(std::string_view name) {
-    const auto found = std::ranges::find(numbers_.shapes, name, &ArrayShape::name);
-    return &numbers_.values[starts_[static_cast<std::size_t>(found - numbers_.shapes.begin())]];
-  }
+  double* ArrayAt(std::string_view name) { return &numbers_.values[numbers_.Find(name).second]; }
 
   // Replaces the poses of mesh geoms by their poses in MJCF, because releases of MuJoCo choose
   // different frames for a mesh. Sets their sizes to 0, because the vertices determine the sizes.
@@ -288,7 +285,6 @@ class Reader {
   const mjModel& m_;
   const model::Object& object_;
   Numbers numbers_;
-  std::vector<std::size_t> starts_;  // positions of the arrays in numbers_.values
 };
 
 // Returns the first line that contains `start`, the beginning of an element, with the line end;
@@ -343,6 +339,21 @@ std::uint64_t ArrayShape::size() const {
   std::uint64_t size = 1;
   for (const std::uint64_t count : dims) size *= count;
   return size;
+}
+
+std::pair<const ArrayShape&, std::size_t> Layout::Find(std::string_view array) const {
+  std::size_t at = 0;
+  for (const ArrayShape& shape : shapes) {
+    if (shape.name == array) return {shape, at};
+    at += shape.size();
+  }
+  throw std::runtime_error("it has no " + std::string(array));
+}
+
+std::span<const double> Layout::NumbersOf(std::string_view array, std::size_t element,
+                                          std::span<const double> values) const {
+  const auto& [shape, at] = Find(array);
+  return values.subspan(at + shape.width() * element, shape.width());
 }
 
 void Numbers::Add(std::string name, std::vector<std::uint64_t> dims,

@@ -85,8 +85,7 @@ class FamilyFile {
                               json.Member("variants", survey_.count);
                               json.Object("moved", [&] {
                                 for (const auto& [array, elements] : base_.moved) {
-                                  const ArrayShape& shape =
-                                      *std::ranges::find(header_.shapes, array, &ArrayShape::name);
+                                  const ArrayShape& shape = header_.Find(array).first;
                                   json.List(array, elements,
                                             [&](std::size_t i) { json.Value(shape.elements[i]); });
                                 }

@@ -53,21 +53,7 @@ std::string WithStart(Block block, std::string_view content) {
   return Encode(block) + Encode(content);
 }
 
-// Returns a description of the difference because of which two variants cannot be in one family; an
-// empty text if they can. Ignores flags for special poses, because Complete() in final_base.h makes
-// a base without those flags that are wrong for any variant.
-std::string DifferenceOf(const structure::Structure& structure, const Shapes& shapes,
-                         const structure::Structure& other, const Shapes& other_shapes) {
-  for (const structure::Difference& difference : structure::DifferencesOf(other, structure)) {
-    if (!difference.is_coincidence) return structure::Describe(difference);
-  }
-  for (std::size_t i = 0; i < std::min(shapes.size(), other_shapes.size()); ++i) {
-    if (shapes[i] != other_shapes[i]) return shapes[i].name + " has other elements";
-  }
-  return shapes.size() == other_shapes.size() ? std::string() : "the meshes are others";
-}
-
-std::uint64_t RowSize(const Shapes& shapes) {
+std::uint64_t RowSize(const std::vector<ArrayShape>& shapes) {
   std::uint64_t size = 0;
   for (const ArrayShape& shape : shapes) size += shape.size();
   return size;
@@ -83,11 +69,10 @@ Header DecodeHeader(std::string_view bytes) {
 
 std::string ChunkEncoder::Add(const Numbers& numbers, const Parameters& parameters) {
   if (count_ == 0) {
-    structure_ = numbers.structure;
-    shapes_ = numbers.shapes;
+    layout_ = numbers;
     for (const auto& [name, value] : parameters) parameters_.push_back(name);
-  } else if (structure_ != numbers.structure || shapes_ != numbers.shapes) {
-    std::string difference = DifferenceOf(numbers.structure, numbers.shapes, structure_, shapes_);
+  } else if (layout_ != numbers) {
+    std::string difference = DifferenceOf(numbers, layout_);
     if (!difference.empty()) return difference;
   }
   ++count_;
@@ -108,7 +93,7 @@ std::string ChunkEncoder::Add(const Numbers& numbers, const Parameters& paramete
 
 std::string ChunkEncoder::Header(std::string_view base) const {
   if (empty()) return {};
-  const family::Header header{structure_, shapes_, parameters_, std::string(base)};
+  const family::Header header{layout_, parameters_, std::string(base)};
   return WithStart(Block::kHeader, Encode(header));
 }
 
@@ -123,8 +108,15 @@ std::string AssetBlock(std::string_view name, std::string_view content) {
   return WithStart(Block::kAsset, Encode(name) + Encode(content));
 }
 
-std::string DifferenceOf(const Header& header, const Header& other) {
-  return DifferenceOf(header.structure, header.shapes, other.structure, other.shapes);
+std::string DifferenceOf(const Layout& layout, const Layout& other) {
+  for (const structure::Difference& difference :
+       structure::DifferencesOf(other.structure, layout.structure)) {
+    if (!difference.is_coincidence) return structure::Describe(difference);
+  }
+  for (std::size_t i = 0; i < std::min(layout.shapes.size(), other.shapes.size()); ++i) {
+    if (layout.shapes[i] != other.shapes[i]) return layout.shapes[i].name + " has other elements";
+  }
+  return layout.shapes.size() == other.shapes.size() ? "" : "the meshes are others";
 }
 
 bool IsRows(const std::filesystem::path& file) {

@@ -18,16 +18,16 @@
 
 namespace mjforge::family {
 
-struct Header {
-  structure::Structure structure;  // structure of the first variant
-  Shapes shapes;
+/// Layout and parameters of a variant, and the base MJCF of its family.
+struct Header : Layout {
   std::vector<std::string> parameters;
   std::string base;
 };
 Header DecodeHeader(std::string_view bytes);
-/// Returns a description of the difference because of which two headers cannot be of one family;
-/// an empty text if they can.
-std::string DifferenceOf(const Header& header, const Header& other);
+/// Returns a description of the difference because of which two variants cannot be in one family;
+/// an empty text if they can. Ignores flags for special poses, because Complete() in final_base.h
+/// makes a base without those flags that are wrong for any variant.
+std::string DifferenceOf(const Layout& layout, const Layout& other);
 
 /// A variant (row) in a file of rows.
 struct RowView {

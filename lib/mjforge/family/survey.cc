@@ -92,7 +92,7 @@ class Surveyor {
         value);
   }
 
-  const Shapes& shapes_;
+  const std::vector<ArrayShape>& shapes_;
   Survey survey_;
 };
 
