@@ -73,6 +73,9 @@ model::Box3 CollidingBox(const mjModel& m, const mjData& d, int root);
 /// Returns true for hinges and slides, whose position is a single number of qpos.
 bool HasOneNumber(const mjModel& m, int joint);
 
+/// Returns true if the joint moves the body; false if `body` is not the id of a body.
+bool Moves(const mjModel& m, int joint, int body);
+
 /// Range of a joint's position in qpos, rad or m. A hinge without a range has one full turn, from
 /// half a turn below to half a turn above its reference position (qpos0). For a ball joint, `low`
 /// is 0, and `high` is the largest angle from the reference orientation (qpos0).

@@ -11,6 +11,13 @@ bool HasOneNumber(const mjModel& m, int joint) {
   return m.jnt_type[joint] == mjJNT_HINGE || m.jnt_type[joint] == mjJNT_SLIDE;
 }
 
+bool Moves(const mjModel& m, int joint, int body) {
+  if (body >= m.nbody) return false;
+  // Stops at the joint's body, because ids of bodies are greater than those of their parents.
+  while (body > m.jnt_bodyid[joint]) body = m.body_parentid[body];
+  return body == m.jnt_bodyid[joint];
+}
+
 std::optional<JointRange> RangeOf(const mjModel& m, int joint) {
   const bool limited = m.jnt_limited[joint] != 0;
   const mjtNum* range = m.jnt_range + 2 * static_cast<std::ptrdiff_t>(joint);

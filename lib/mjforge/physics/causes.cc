@@ -21,6 +21,7 @@
 namespace mjforge::physics {
 namespace {
 
+using compiled::Moves;
 using expr::RoundedText;
 
 // Smallest motions of a hinge and of a slide that count as large.

@@ -18,6 +18,7 @@ namespace mjforge::physics {
 namespace {
 
 using compiled::Index;
+using compiled::Moves;
 
 /// Equality constraints of a model, and the joints that they couple.
 class Equalities {

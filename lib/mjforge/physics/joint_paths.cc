@@ -70,18 +70,11 @@ std::vector<JointPath> PathsOf(const mjModel& m, int joint, std::span<const mjtN
   return paths;
 }
 
-bool Moves(const mjModel& m, int joint, int body) {
-  if (body >= m.nbody) return false;
-  // Stops at the joint's body, because ids of bodies are greater than those of their parents.
-  while (body > m.jnt_bodyid[joint]) body = m.body_parentid[body];
-  return body == m.jnt_bodyid[joint];
-}
-
 bool IsOnTendon(const mjModel& m, int joint, int tendon) {
   if (tendon < 0) return false;
   for (int i = m.tendon_adr[tendon]; i < m.tendon_adr[tendon] + m.tendon_num[tendon]; ++i) {
     if (m.wrap_type[i] == mjWRAP_JOINT && m.wrap_objid[i] == joint) return true;
-    if (m.wrap_type[i] == mjWRAP_SITE && Moves(m, joint, m.site_bodyid[m.wrap_objid[i]]))
+    if (m.wrap_type[i] == mjWRAP_SITE && compiled::Moves(m, joint, m.site_bodyid[m.wrap_objid[i]]))
       return true;
   }
   return false;

@@ -29,9 +29,6 @@ struct JointPath {
 /// a ball joint, none for a free joint or a slide without a range, and one for other joints.
 std::vector<JointPath> PathsOf(const mjModel& m, int joint, std::span<const mjtNum> qpos);
 
-/// Returns true if the joint moves the body; false if `body` is not the id of a body.
-bool Moves(const mjModel& m, int joint, int body);
-
 /// Returns true if a tendon (-1: none) runs over the joint, or over a site that the joint moves.
 bool IsOnTendon(const mjModel& m, int joint, int tendon);
 

@@ -68,13 +68,6 @@ class Sweeper {
     for (int i = 0; i < m.ngeom; ++i) {
       any_collides_ |= m.geom_bodyid[i] != 0 && compiled::Collides(m, i);
     }
-    body_end_.resize(static_cast<std::size_t>(m.nbody));
-    for (int i = m.nbody - 1; i >= 0; --i) {
-      int& end = body_end_[static_cast<std::size_t>(i)];
-      end = std::max(end, i + 1);
-      int& parent_end = body_end_[static_cast<std::size_t>(m.body_parentid[i])];
-      parent_end = std::max(parent_end, end);
-    }
   }
 
   Sweep Run() {
@@ -104,11 +97,8 @@ class Sweeper {
 
   void Reset() { std::copy_n(m_.qpos0, m_.nq, finder_.qpos().begin()); }
 
-  /// Returns true if the joint moves the body. Bodies moved by a joint have consecutive ids,
-  /// because MuJoCo numbers bodies depth first.
   bool Moves(int joint, int body) const {
-    const int first = m_.jnt_bodyid[joint];
-    return body >= first && body < body_end_[static_cast<std::size_t>(first)];
+    return joint == kTogether || compiled::Moves(m_, joint, body);
   }
 
   void MoveJoint(const MovedJoint& joint) {
@@ -180,9 +170,9 @@ class Sweeper {
   /// move.
   void Measure(int joint, double value) {
     finder_.Move();
-    const int first = joint == kTogether ? 1 : m_.jnt_bodyid[joint];
-    const int end = joint == kTogether ? m_.nbody : body_end_[static_cast<std::size_t>(first)];
-    for (int body = first; body < end; ++body) AddBoxOf(body);
+    for (int body = 1; body < m_.nbody; ++body) {
+      if (Moves(joint, body)) AddBoxOf(body);
+    }
     for (const BodyContact& contact : finder_.Find()) {
       // Skips pairs whose relative pose this joint does not change.
       if (joint != kTogether && Moves(joint, contact.body1) == Moves(joint, contact.body2)) {
@@ -235,7 +225,6 @@ class Sweeper {
   std::vector<MovedJoint> joints_;
   model::Pose X_AW_;
   bool any_collides_ = false;
-  std::vector<int> body_end_;  // for each body, 1 + the last id of its subtree
   std::map<std::tuple<int, int, int>, DeepestContact> deepest_;  // by joint and pair of bodies
 };
 
