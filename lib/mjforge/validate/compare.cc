@@ -178,7 +178,7 @@ void Comparison::CompareBody(int id, const model::Body& body, double lift) {
   // The error of the position also grows with the lift, which may be larger than the object.
   Vector(subject, "pos", m_.body_pos + 3 * id, pos, length_tolerance_ + kRelative * std::abs(lift));
   Quaternion(subject, m_.body_quat + 4 * id, body.X_PB.q);
-  CompareMass(id, body);
+  CompareMass(id, body, subject);
 
   const bool same_geoms = SameCount("geoms of a body", m_.body_geomnum[id], model::GeomCount(body),
                                     body.mark, findings_);
@@ -199,18 +199,16 @@ void Comparison::CompareElement(const model::Element& element) {
   SameName(m_.names + address, {element.tag, element.name, {}, element.mark}, findings_);
 }
 
-void Comparison::CompareMass(int id, const model::Body& body) {
-  const ComparedElement subject{"body", body.name, {}, body.mark};
+void Comparison::CompareMass(int id, const model::Body& body, const ComparedElement& subject) {
   const model::MassProperties& meant = body.mass_properties;
   // Allows mjMINVAL more, the mass with which bodies with several massless geoms are written.
   Number(subject, "mass", -1, m_.body_mass[id], meant.mass, kRelative * meant.mass + mjMINVAL);
   if (meant.mass == 0) return;  // without mass there is no centre and no inertia
   Vector(subject, "centre of mass", m_.body_ipos + 3 * id, meant.p_FCm, length_tolerance_);
-  CompareInertia(id, body);
+  CompareInertia(id, body, subject);
 }
 
-void Comparison::CompareInertia(int id, const model::Body& body) {
-  const ComparedElement subject{"body", body.name, {}, body.mark};
+void Comparison::CompareInertia(int id, const model::Body& body, const ComparedElement& subject) {
   const model::MassProperties& meant = body.mass_properties;
   // Rounding error of moments, kg m^2: an error of a length changes them by mass times length
   // squared. A file may state larger moments than such a body can have.

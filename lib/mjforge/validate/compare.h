@@ -55,8 +55,8 @@ class Comparison {
   void CompareStart(double lift);
   void CompareStartPoses(double lift);
   void CompareBody(int id, const model::Body& body, double lift);
-  void CompareMass(int id, const model::Body& body);
-  void CompareInertia(int id, const model::Body& body);
+  void CompareMass(int id, const model::Body& body, const ComparedElement& subject);
+  void CompareInertia(int id, const model::Body& body, const ComparedElement& subject);
   void ComparePart(int& geom, const model::Part& part);
   void CompareGeom(int id, const model::Part& part, const ComparedElement& subject, bool collides);
   void CompareMesh(int id, const model::Part& part, const ComparedElement& subject);

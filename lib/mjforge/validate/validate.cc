@@ -209,28 +209,10 @@ std::string HintFor(std::string_view reason) {
   return "MuJoCo 2.2 reads bodies nested at most 95 deep: attach some of them to the root";
 }
 
-}  // namespace
-
-std::string MujocoVersion() { return engine::Version(); }
-
-struct Loader::Impl {
-  Engine engine;
-
-  /// Loads a document; adds a finding if MuJoCo rejects it. Inserts `hint`, a `<size>` element,
-  /// unless MuJoCo reports errors, shortages of memory or warnings with this element.
-  Loaded LoadDocument(const mjcf::MjcfDocument& document, const std::string& hint,
-                      const model::Object& object, diag::Findings& findings);
-  /// Loads a file. Adds a finding and returns null if MuJoCo rejects the file. Sets `start` to the
-  /// place of the file's first character if the file can be read.
-  engine::Model LoadFile(const std::filesystem::path& file, diag::Sources& sources,
-                         diag::SourceMark& start, diag::Findings& findings);
-};
-
-Loader::Loader() : impl_(std::make_unique<Impl>()) {}
-Loader::~Loader() = default;
-
-Loaded Loader::Impl::LoadDocument(const mjcf::MjcfDocument& document, const std::string& hint,
-                                  const model::Object& object, diag::Findings& findings) {
+/// Loads a document; adds a finding if MuJoCo rejects it. Inserts `hint`, a `<size>` element,
+/// unless MuJoCo reports errors, shortages of memory or warnings with this element.
+Loaded LoadDocument(Engine& engine, const mjcf::MjcfDocument& document, const std::string& hint,
+                    const model::Object& object, diag::Findings& findings) {
   if (const auto problem = engine.SetAssets(document.assets)) {
     const std::string& name = document.assets[problem->asset].name;
     findings.Add(problem->code, document.Origin(LineOf(document.text, '"' + name + '"')),
@@ -259,36 +241,10 @@ Loaded Loader::Impl::LoadDocument(const mjcf::MjcfDocument& document, const std:
   return loaded;
 }
 
-bool Loader::Validate(const mjcf::MjcfDocument& document, const model::Object& object,
-                      diag::Findings& findings, structure::Structure* structure,
-                      family::Numbers* numbers) {
-  const Loaded loaded = impl_->LoadDocument(document, SizeHint(object), object, findings);
-  if (!loaded.model) return false;
-  if (structure != nullptr) *structure = structure::StructureOf(*loaded.model, object.name);
-  // No check below solves constraints, whose buffers take most of the memory of a scene.
-  engine::SetBufferSizes(*loaded.model, {});
-  diag::Findings found;
-  Comparison(*loaded.model, object, found).Run(document.lift);
-  const bool crowded = found.empty() && FindTouching(*loaded.model, object, found);
-  FindLaterRefusals(*loaded.model, object, found);
-  if (numbers != nullptr && !found.HasErrors())
-    *numbers = family::Read(*loaded.model, object, document);
-  const bool as_meant = !found.HasErrors();
-  const bool warned = AddWarnings(loaded, crowded, MarkOf(object), findings);
-  findings.Append(std::move(found));
-  return as_meant && !warned;
-}
-
-std::optional<Sweep> Loader::SweepJoints(const mjcf::MjcfDocument& document,
-                                         const model::Object& object, diag::Findings& findings) {
-  const Loaded loaded = impl_->LoadDocument(document, {}, object, findings);
-  if (!loaded.model) return std::nullopt;
-  constexpr int kRoot = 1;
-  return TrySweep(*loaded.model, kRoot, MarkOf(object), findings);
-}
-
-engine::Model Loader::Impl::LoadFile(const std::filesystem::path& file, diag::Sources& sources,
-                                     diag::SourceMark& start, diag::Findings& findings) {
+/// Loads a file. Adds a finding and returns null if MuJoCo rejects the file. Sets `start` to the
+/// place of the file's first character if the file can be read.
+engine::Model LoadFile(Engine& engine, const std::filesystem::path& file, diag::Sources& sources,
+                       diag::SourceMark& start, diag::Findings& findings) {
   const std::optional<backport::ModelFile> xml = backport::ReadModelFile(file, sources, findings);
   if (!xml) return nullptr;
   start = {xml->source, 1, 1};
@@ -318,10 +274,49 @@ engine::Model Loader::Impl::LoadFile(const std::filesystem::path& file, diag::So
   return nullptr;
 }
 
+}  // namespace
+
+std::string MujocoVersion() { return engine::Version(); }
+
+struct Loader::Impl {
+  Engine engine;
+};
+
+Loader::Loader() : impl_(std::make_unique<Impl>()) {}
+Loader::~Loader() = default;
+
+bool Loader::Validate(const mjcf::MjcfDocument& document, const model::Object& object,
+                      diag::Findings& findings, structure::Structure* structure,
+                      family::Numbers* numbers) {
+  const Loaded loaded = LoadDocument(impl_->engine, document, SizeHint(object), object, findings);
+  if (!loaded.model) return false;
+  if (structure != nullptr) *structure = structure::StructureOf(*loaded.model, object.name);
+  // No check below solves constraints, whose buffers take most of the memory of a scene.
+  engine::SetBufferSizes(*loaded.model, {});
+  diag::Findings found;
+  Comparison(*loaded.model, object, found).Run(document.lift);
+  const bool crowded = found.empty() && FindTouching(*loaded.model, object, found);
+  FindLaterRefusals(*loaded.model, object, found);
+  if (numbers != nullptr && !found.HasErrors())
+    *numbers = family::Read(*loaded.model, object, document);
+  const bool as_meant = !found.HasErrors();
+  const bool warned = AddWarnings(loaded, crowded, MarkOf(object), findings);
+  findings.Append(std::move(found));
+  return as_meant && !warned;
+}
+
+std::optional<Sweep> Loader::SweepJoints(const mjcf::MjcfDocument& document,
+                                         const model::Object& object, diag::Findings& findings) {
+  const Loaded loaded = LoadDocument(impl_->engine, document, {}, object, findings);
+  if (!loaded.model) return std::nullopt;
+  constexpr int kRoot = 1;
+  return TrySweep(*loaded.model, kRoot, MarkOf(object), findings);
+}
+
 std::optional<CompiledModel> Loader::Load(const std::filesystem::path& file, diag::Sources& sources,
                                           diag::Findings& findings) {
   diag::SourceMark start;
-  const engine::Model model = impl_->LoadFile(file, sources, start, findings);
+  const engine::Model model = LoadFile(impl_->engine, file, sources, start, findings);
   if (!model) return std::nullopt;
   return Describe(*model);
 }
@@ -334,7 +329,7 @@ std::optional<Sweep> Loader::SweepJoints(const std::filesystem::path& file, diag
                                          diag::Findings& findings) {
   diag::SourceMark start;
   diag::Findings of_loading;
-  const engine::Model model = impl_->LoadFile(file, sources, start, of_loading);
+  const engine::Model model = LoadFile(impl_->engine, file, sources, start, of_loading);
   diag::Findings found;  // only errors, because Load() reports warnings
   for (const diag::Finding& finding : of_loading) {
     if (finding.severity == diag::Severity::kError) found.Add(finding);
