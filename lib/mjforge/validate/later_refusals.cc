@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 
 #include "mjforge/backport/backport.h"
+#include "mjforge/compiled/compiled.h"
 #include "mjforge/xml/xml.h"
 
 namespace mjforge::validate {
@@ -25,20 +26,11 @@ struct Triangle {
   Eigen::Vector3d normal;  // the length is the triangle's area
 };
 
-std::vector<Triangle> TrianglesOf(const mjModel& m, int mesh) {
-  const auto vertex = [&](int face, int corner) {
-    const int index = m.mesh_vertadr[mesh] + m.mesh_face[3 * face + corner];
-    return Eigen::Vector3d(
-        Eigen::Map<const Eigen::Vector3f>(m.mesh_vert + 3 * index).cast<double>());
-  };
+std::vector<Triangle> TrianglesOf(const model::TriangleMesh& mesh) {
+  const auto at = [&](int vertex) { return mesh.vertices[compiled::Index(vertex)]; };
   std::vector<Triangle> triangles;
-  const int first = m.mesh_faceadr[mesh];
-  for (int face = first; face < first + m.mesh_facenum[mesh]; ++face) {
-    const Eigen::Vector3d a = vertex(face, 0);
-    const Eigen::Vector3d b = vertex(face, 1);
-    const Eigen::Vector3d c = vertex(face, 2);
-    triangles.push_back({(a + b + c) / 3, (b - a).cross(c - a) / 2});
-  }
+  for (const auto& [i, j, k] : mesh.triangles)
+    triangles.push_back({(at(i) + at(j) + at(k)) / 3, (at(j) - at(i)).cross(at(k) - at(i)) / 2});
   return triangles;
 }
 
@@ -71,7 +63,7 @@ std::vector<int> JointsOf(const mjModel& m, int tendon) {
 template <typename Report>
 void ForEachRefused(const mjModel& m, const Report& report) {
   for (int mesh = 0; mesh < m.nmesh && mjVERSION_HEADER < 330; ++mesh) {
-    const double volume = VolumeOf(TrianglesOf(m, mesh));
+    const double volume = VolumeOf(TrianglesOf(compiled::MeshOf(m, mesh)));
     if (volume >= mjMINVAL) continue;
     report(kMesh, m.names + m.name_meshadr[mesh],
            fmt::format("has a volume of {:.2g} m^3; MuJoCo 3.3.0 and later reject a mesh of less "
