@@ -110,12 +110,14 @@ bool AddShortage(const std::string& message, std::vector<Shortage>& shortages) {
   return true;
 }
 
-/// Loads a text with `load`. If MuJoCo 2.2 reports a shortage, loads copies of the text with larger
-/// stacks and small other buffers, because a load needs only the stack.
-template <typename LoadText>
-Loaded LoadWithStack(const std::string& text, const LoadText& load) {
+/// Loads a text as `file`, which may refer to the files in memory. If MuJoCo 2.2 reports a
+/// shortage, loads copies of the text with larger stacks and small other buffers, because a load
+/// needs only the stack.
+Loaded LoadWithStack(const std::filesystem::path& file, const std::string& text,
+                     MemoryFiles& in_memory) {
   const auto load_once = [&](const std::string& attempt) {
-    Loaded loaded = load(attempt);
+    in_memory.SetText(attempt);
+    Loaded loaded = Load(file.c_str(), in_memory.Get());
     std::erase_if(loaded.warnings,
                   [&](const auto& warning) { return AddShortage(warning, loaded.shortages); });
     return loaded;
@@ -209,19 +211,13 @@ Loaded Engine::LoadText(const std::string& text, const bytes::Assets& assets) {
 }
 
 Loaded Engine::LoadText(const std::string& text) {
-  return LoadWithStack(text, [&](const std::string& attempt) {
-    in_memory_.SetText(attempt);
-    return Load(MemoryFiles::kTextName, in_memory_.Get());
-  });
+  return LoadWithStack(MemoryFiles::kTextName, text, in_memory_);
 }
 
 Loaded Engine::LoadTextIn(const std::filesystem::path& folder, const std::string& text) {
   if (const auto fault = FindFileFault(text, folder)) return Refused(*fault);
   in_memory_.Clear();
-  return LoadWithStack(text, [&](const std::string& attempt) {
-    in_memory_.SetText(attempt);
-    return Load((folder / MemoryFiles::kTextName).c_str(), in_memory_.Get());
-  });
+  return LoadWithStack(folder / MemoryFiles::kTextName, text, in_memory_);
 }
 
 Loaded Engine::LoadFile(const std::filesystem::path& file) {
