@@ -79,19 +79,14 @@ inline void RemoveTexture(mjvGeom& geom) {
 #endif
 }
 
-/// Returns the id of the first geom that a ray hits; -1 if there is none. Ignores geoms whose group
-/// has a 0 in `groups` (mjNGROUP numbers). Later releases have one more output, the normal.
-template <typename Ray = decltype(&mj_ray)>
-int FindGeomOnRay(const mjModel& m, const mjData& d, const mjtNum* from, const mjtNum* direction,
-                  const mjtByte* groups, Ray ray = &mj_ray) {
-  int geom = -1;
-  if constexpr (std::is_invocable_v<Ray, const mjModel*, const mjData*, const mjtNum*,
-                                    const mjtNum*, const mjtByte*, Flag, int, int*>) {
-    ray(&m, &d, from, direction, groups, 1, -1, &geom);
+/// Calls mj_ray, mj_rayMesh or mju_rayGeom, which from 3.5 on have one more output (normal).
+template <class Ray, class... Arguments>
+mjtNum CastRay(Ray ray, Arguments... arguments) {
+  if constexpr (std::is_invocable_v<Ray, Arguments...>) {
+    return ray(arguments...);
   } else {
-    ray(&m, &d, from, direction, groups, 1, -1, &geom, nullptr);
+    return ray(arguments..., nullptr);
   }
-  return geom;
 }
 
 /// Returns the MJCF keyword of an mjtDyn, mjtGain or mjtBias; "user" for types without a keyword
@@ -163,24 +158,6 @@ inline mjtNum DofInertia([[maybe_unused]] const mjModel& m, const mjData& d, int
 #else
   return d.qM[m.dof_Madr[dof]];
 #endif
-}
-
-/// Wrappers of mj_rayMesh and mju_rayGeom, which from 3.5 on have one more output (normal).
-template <class... Arguments>
-mjtNum RayMesh(Arguments... arguments) {
-  if constexpr (requires { mj_rayMesh(arguments...); }) {
-    return mj_rayMesh(arguments...);
-  } else {
-    return mj_rayMesh(arguments..., nullptr);
-  }
-}
-template <class... Arguments>
-mjtNum RayGeom(Arguments... arguments) {
-  if constexpr (requires { mju_rayGeom(arguments...); }) {
-    return mju_rayGeom(arguments...);
-  } else {
-    return mju_rayGeom(arguments..., nullptr);
-  }
 }
 
 /// True if mjData has separate buffers of fixed sizes for contacts, constraint rows and the stack,

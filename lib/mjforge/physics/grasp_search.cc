@@ -11,7 +11,7 @@
 #include <boost/random/sobol.hpp>
 
 #include "mjforge/compiled/compiled.h"
-#include "mjforge/engine/engine.h"
+#include "mjforge/physics/solid_geoms.h"
 
 namespace mjforge::physics {
 namespace {
@@ -51,10 +51,6 @@ std::pair<Vector3d, Vector3d> Across(const Vector3d& way) {
   return {one, way.cross(one)};
 }
 
-model::Pose Frame(const Vector3d& p_W, const Vector3d& y, const Vector3d& z) {
-  return {p_W, model::FromXyAxes(y.cross(z), y)};
-}
-
 }  // namespace
 
 /// Line between two opposite faces, in the world's frame.
@@ -74,8 +70,7 @@ GraspSearch::GraspSearch(const mjModel& m, mjData& d, const Gripper& gripper,
                          std::span<const mjtNum> start, const model::GraspingCheck& grasping)
     : m_(m), d_(d), gripper_(gripper), start_(start), grasping_(grasping) {
   for (int geom = 0; geom < m.ngeom; ++geom) {
-    const bool is_solid = compiled::GeomTypeOf(m.geom_type[geom]).has_value();
-    if (is_solid && compiled::Collides(m, geom) && !gripper.Has(geom)) geoms_.push_back(geom);
+    if (IsSolid(m, geom) && !gripper.Has(geom)) geoms_.push_back(geom);
   }
   gripper.Place(d, start, {}, 0);
   mj_kinematics(&m, &d);
@@ -124,11 +119,7 @@ double GraspSearch::Distance(const Vector3d& from, const Vector3d& way, int& hit
     const double radius = m_.geom_rbound[geom];
     const Vector3d to = VectorAt(d_.geom_xpos, geom) - from;
     if ((to - to.dot(way) * way).squaredNorm() > radius * radius) continue;
-    const mjtNum distance =
-        m_.geom_type[geom] == mjGEOM_MESH
-            ? engine::RayMesh(&m_, &d_, geom, from.data(), way.data())
-            : engine::RayGeom(d_.geom_xpos + 3 * geom, d_.geom_xmat + 9 * geom,
-                              m_.geom_size + 3 * geom, from.data(), way.data(), m_.geom_type[geom]);
+    const double distance = RayTo(m_, d_, geom, from, way);
     if (distance < 0 || distance >= nearest) continue;
     nearest = distance;
     hit = geom;
@@ -206,8 +197,8 @@ std::vector<GraspCandidate> GraspSearch::Best(std::vector<FaceLine> lines) const
     for (int i = 0; i < kApproaches; ++i) {
       const double angle = 2 * std::numbers::pi * i / kApproaches;
       const Vector3d approach = std::cos(angle) * one + std::sin(angle) * two;
-      const GraspCandidate candidate = {Frame(line.middle, line.way, approach), line.width,
-                                        line.body};
+      const model::Pose X_WJ = {line.middle, model::FromXyAxes(line.way.cross(approach), line.way)};
+      const GraspCandidate candidate = {X_WJ, line.width, line.body};
       if (!IsFree(candidate)) continue;
       best.push_back(candidate);
       taken.push_back(line);

@@ -14,6 +14,7 @@
 #include "mjforge/engine/engine.h"
 #include "mjforge/expr/expr.h"
 #include "mjforge/physics/named_elements.h"
+#include "mjforge/physics/solid_geoms.h"
 #include "mjforge/physics/stepper.h"
 
 namespace mjforge::physics {
@@ -98,12 +99,11 @@ class PegDrop {
     const Vector3d way = ZAxis(X_WH);
     std::optional<HoleEnd> end;
     for (int geom = 0; geom < m_.ngeom; ++geom) {
-      const bool is_solid = compiled::GeomTypeOf(m_.geom_type[geom]).has_value();
-      if (!is_solid || !compiled::Collides(m_, geom) || IsOf(peg, geom)) continue;
-      double distance = Ray(geom, X_WH.p, way);
+      if (!IsSolid(m_, geom) || IsOf(peg, geom)) continue;
+      double distance = RayTo(m_, d_, geom, X_WH.p, way);
       if (distance < 0) continue;
       // A convex geom contains the mouth if rays in both directions hit the geom.
-      if (Ray(geom, X_WH.p, -way) >= 0) distance = 0;
+      if (RayTo(m_, d_, geom, X_WH.p, -way) >= 0) distance = 0;
       if (!end || distance < end->distance)
         end = HoleEnd{distance, compiled::NameOf(m_, mjOBJ_GEOM, geom)};
     }
@@ -181,15 +181,6 @@ class PegDrop {
       return touches && contact.dist < 0 && against > kLeastCosine &&
              (p - X_WH.p).dot(way) > kDepthTolerance;
     });
-  }
-
-  /// Returns the distance to a geom along a ray, m; -1 if the ray misses the geom.
-  double Ray(int geom, const Vector3d& from, const Vector3d& way) const {
-    return m_.geom_type[geom] == mjGEOM_MESH
-               ? engine::RayMesh(&m_, &d_, geom, from.data(), way.data())
-               : engine::RayGeom(d_.geom_xpos + 3 * geom, d_.geom_xmat + 9 * geom,
-                                 m_.geom_size + 3 * geom, from.data(), way.data(),
-                                 m_.geom_type[geom]);
   }
 
   bool IsOf(int root, int geom) const { return m_.body_rootid[m_.geom_bodyid[geom]] == root; }

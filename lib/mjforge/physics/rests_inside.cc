@@ -14,6 +14,7 @@
 #include "mjforge/engine/engine.h"
 #include "mjforge/expr/expr.h"
 #include "mjforge/physics/broad_phase.h"
+#include "mjforge/physics/solid_geoms.h"
 
 namespace mjforge::physics {
 namespace {
@@ -30,10 +31,6 @@ bool Match(const Bits& one, const Bits& two) {
 Bits BitsOf(const mjModel& m, int geom) { return {m.geom_contype[geom], m.geom_conaffinity[geom]}; }
 
 /// Returns true for a colliding geom that is not a plane or a height field.
-bool IsSolid(const mjModel& m, int geom) {
-  return compiled::Collides(m, geom) && compiled::GeomTypeOf(m.geom_type[geom]).has_value();
-}
-
 /// Pairs of geoms whose contacts MuJoCo ignores because of `exclude` or their contact bits.
 class IgnoredPairs {
  public:

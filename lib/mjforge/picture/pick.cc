@@ -16,8 +16,9 @@ std::string GeomAt(Subject& subject, const Options& options, double x, double y)
   const Eigen::Vector3d ray = camera.forward + (2 * x - 1) * camera.tan_x * camera.right +
                               (1 - 2 * y) * camera.tan_y * camera.up;
   constexpr std::array<mjtByte, mjNGROUP> kVisible = {1, 1, 1};  // geom groups 0 to 2
-  const int geom = engine::FindGeomOnRay(model, *subject.state().data, camera.eye.data(),
-                                         ray.data(), kVisible.data());
+  int geom = -1;
+  engine::CastRay(mj_ray, &model, subject.state().data.get(), camera.eye.data(), ray.data(),
+                  kVisible.data(), engine::Flag{1}, -1, &geom);
   return geom < 0 ? std::string() : std::string(model.names + model.name_geomadr[geom]);
 }
 
