@@ -158,7 +158,7 @@ std::optional<Divergence> DeepStart(const mjModel& m, Workspace& workspace) {
   compiled::CopyStart(m, d);
   mj_fwdPosition(&m, &d);
   const mjContact* deepest = nullptr;
-  for (const mjContact& contact : std::span(d.contact, compiled::Index(d.ncon))) {
+  for (const mjContact& contact : ContactsOf(d)) {
     if (IsFloor(m, contact.geom1) || IsFloor(m, contact.geom2)) continue;
     if (deepest == nullptr || contact.dist < deepest->dist) deepest = &contact;
   }

@@ -57,8 +57,7 @@ enum class GraspOutcome { kHeld, kMissed, kSlipped, kStuck, kDiverged };
 class DampedRoots {
  public:
   DampedRoots(mjModel& m, double force) : m_(m), damping_(m.dof_damping, m.dof_damping + m.nv) {
-    for (int joint = 0; joint < m.njnt; ++joint) {
-      if (m.jnt_type[joint] != mjJNT_FREE) continue;
+    for (const int body : FreeBodies(m)) {
       for (int k = 0; k < 6; ++k)
         m.dof_damping[m.jnt_dofadr[joint] + k] = force / kGiving * (k < 3 ? 1 : kArm * kArm);
     }
@@ -222,9 +221,10 @@ class GraspTests {
       TrySite(site);
     }
     if (has_sites) return;
-    for (int body = 1; body < m_.nbody; ++body) {
-      if (m_.body_rootid[body] == body && HasFreeJoint(m_, body)) return TryBody(body);
-    }
+    if (const std::vector<int> bodies = FreeBodies(m_); !bodies.empty())
+      return Try("", std::nullopt, [&](const GraspSearch& search, const mjData&) {
+        return search.Anywhere(bodies.front());
+      });
     test_.reporter.Error(
         Code::kModelBadValue, grasping_.mark,
         fmt::format("`grasps`: '{}' has no free body that could be lifted", test_.object.name),
@@ -248,18 +248,13 @@ class GraspTests {
     });
   }
 
-  void TryBody(int root) {
-    Try("", std::nullopt,
-        [&](const GraspSearch& search, const mjData&) { return search.Anywhere(root); });
-  }
-
   /// Simulates the grasps that `find` returns, and adds an error if no grasp holds the object.
   template <typename Find>
   void Try(const std::string& site, std::optional<int> joint, const Find& find) {
     const engine::Model copy(mj_copyModel(nullptr, &m_));
-    for (int i = 0; i < copy->njnt && joint; ++i) {
-      if (copy->jnt_type[i] != mjJNT_FREE) continue;
-      for (int k = 0; k < 6; ++k) HoldDof(*copy, copy->jnt_dofadr[i] + k);
+    if (joint) {
+      for (const int body : FreeBodies(m_))
+        for (int k = 0; k < 6; ++k) HoldDof(*copy, m_.body_dofadr[body] + k);
     }
     std::vector<GraspCandidate> candidates;
     {

@@ -8,6 +8,7 @@
 
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/physics/probe_bodies.h"
+#include "mjforge/physics/simulation.h"
 
 namespace mjforge::physics {
 namespace {
@@ -89,15 +90,15 @@ bool Gripper::Has(int geom) const {
 }
 
 bool Gripper::Touches(const mjData& d) const {
-  return std::any_of(d.contact, d.contact + d.ncon, [&](const mjContact& contact) {
+  return std::ranges::any_of(ContactsOf(d), [&](const mjContact& contact) {
     return Has(contact.geom1) != Has(contact.geom2) && contact.dist < 0;
   });
 }
 
 bool Gripper::Holds(const mjData& d, int root) const {
   bool holds[2] = {false, false};
-  for (int i = 0; i < d.ncon; ++i) {
-    const auto [one, two] = std::minmax(d.contact[i].geom1, d.contact[i].geom2);
+  for (const mjContact& contact : ContactsOf(d)) {
+    const auto [one, two] = std::minmax(contact.geom1, contact.geom2);
     const int jaw = Has(one) ? one : two;
     const int other = Has(one) ? two : one;
     const int finger = m_.geom_bodyid[jaw] - base_ - 1;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "mjforge/physics/simulation.h"
+
 namespace mjforge::physics {
 namespace {
 
@@ -22,16 +24,14 @@ engine::Model HeldModel(const mjModel& model) {
   mjModel& m = *held;
   m.opt.disableflags |= mjDSBL_ACTUATION;
   m.opt.tolerance = std::min<mjtNum>(m.opt.tolerance, kTolerance);
-  for (int i = 0; i < m.njnt; ++i) {
-    if (m.jnt_type[i] != mjJNT_FREE) continue;
-    const int body = m.jnt_bodyid[i];
+  for (const int body : FreeBodies(m)) {
     double size = 0;
     for (int geom = 0; geom < m.ngeom; ++geom) {
       if (m.body_rootid[m.geom_bodyid[geom]] == body) size = std::max(size, m.geom_rbound[geom]);
     }
     const double mass = kHeldRootMass * m.body_subtreemass[body];
     for (int k = 0; k < 6; ++k)
-      m.dof_armature[m.jnt_dofadr[i] + k] += k < 3 ? mass : mass * size * size;
+      m.dof_armature[m.body_dofadr[body] + k] += k < 3 ? mass : mass * size * size;
   }
   for (int i = 0; i < m.ngeom; ++i) {
     if (m.geom_bodyid[i] == 0 && m.geom_type[i] == mjGEOM_PLANE)

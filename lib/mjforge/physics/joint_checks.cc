@@ -12,20 +12,10 @@
 #include "mjforge/expr/expr.h"
 #include "mjforge/physics/joint_paths.h"
 #include "mjforge/physics/named_elements.h"
+#include "mjforge/physics/simulation.h"
 
 namespace mjforge::physics {
 namespace {
-
-std::size_t PositionSize(const mjModel& m, int joint) {
-  switch (m.jnt_type[joint]) {
-    case mjJNT_FREE:
-      return 7;
-    case mjJNT_BALL:
-      return 4;
-    default:
-      return 1;
-  }
-}
 
 // Returns true if a position is outside of a range by more than a rounding error.
 bool IsOutside(const compiled::JointRange& range, double position) {
@@ -36,7 +26,7 @@ bool IsOutside(const compiled::JointRange& range, double position) {
 // Returns the reason why a joint cannot have a position; nullopt if the position is valid.
 std::optional<std::string> PositionProblem(const mjModel& m, int joint, const std::string& name,
                                            std::span<const double> position) {
-  const std::size_t size = PositionSize(m, joint);
+  const std::size_t size = kPositionSizes[m.jnt_type[joint]];
   if (position.size() != size) {
     return fmt::format("the position of joint '{}' takes {} number{}, not {}", name, size,
                        size == 1 ? "" : "s", position.size());
@@ -64,8 +54,7 @@ bool JointChecks::Verify(static_checks::Reporter& reporter) const {
     if (Find(name)) return true;
     const std::vector<std::string> names = OwnNames(m_, mjOBJ_JOINT, object_);
     wrong(diag::Code::kModelUnknownReference, check,
-          fmt::format("the object has no joint '{}'", name),
-          diag::DidYouMean(name, std::vector<std::string_view>(names.begin(), names.end())));
+          fmt::format("the object has no joint '{}'", name), diag::DidYouMean(name, names));
     return false;
   };
   for (const model::JointCheck& check : checks_.joints) {

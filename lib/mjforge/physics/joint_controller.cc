@@ -107,8 +107,7 @@ void JointController::Reset() {
 
 std::map<JointController::Bodies, double> JointController::DepthsNow() const {
   std::map<Bodies, double> depths;
-  for (int i = 0; i < d_.ncon; ++i) {
-    const mjContact& contact = d_.contact[i];
+  for (const mjContact& contact : ContactsOf(d_)) {
     const int body1 = m_.geom_bodyid[contact.geom1];
     const int body2 = m_.geom_bodyid[contact.geom2];
     if (!(contact.dist < 0)) continue;

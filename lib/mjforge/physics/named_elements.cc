@@ -36,11 +36,10 @@ std::optional<int> FindNamed(const ProbeTest& test, mjtObj kind, const std::stri
   const std::optional<int> id = IdOf(test.m, kind, test.object.name, name);
   if (id) return id;
   const std::vector<std::string> names = OwnNames(test.m, kind, test.object.name);
-  test.reporter.Error(
-      diag::Code::kModelUnknownReference, check.mark,
-      fmt::format("`{}`: the object has no {} '{}'", check.key,
-                  kind == mjOBJ_BODY ? "body" : "site", name),
-      diag::DidYouMean(name, std::vector<std::string_view>(names.begin(), names.end())));
+  test.reporter.Error(diag::Code::kModelUnknownReference, check.mark,
+                      fmt::format("`{}`: the object has no {} '{}'", check.key,
+                                  kind == mjOBJ_BODY ? "body" : "site", name),
+                      diag::DidYouMean(name, names));
   return std::nullopt;
 }
 

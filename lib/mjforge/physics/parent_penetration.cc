@@ -65,8 +65,7 @@ class UnfilteredModel {
       Put(qpos);
     }
     double deepest = 0;
-    for (int i = 0; i < data_->ncon; ++i) {
-      const mjContact& contact = data_->contact[i];
+    for (const mjContact& contact : ContactsOf(*data_)) {
       const auto [low, high] = std::minmax(m_->body_weldid[m_->geom_bodyid[contact.geom1]],
                                            m_->body_weldid[m_->geom_bodyid[contact.geom2]]);
       if (low == parent && high == body) deepest = std::max(deepest, -contact.dist);

@@ -174,7 +174,7 @@ class PegDrop {
   /// Returns true if a contact of the peg behind the mouth of the hole resists the push.
   bool IsPressed(const Peg& peg, const model::Pose& X_WH, const Vector3d& push) const {
     const Vector3d way = ZAxis(X_WH);
-    return std::any_of(d_.contact, d_.contact + d_.ncon, [&](const mjContact& contact) {
+    return std::ranges::any_of(ContactsOf(d_), [&](const mjContact& contact) {
       const bool touches = IsOf(peg.body, contact.geom1) || IsOf(peg.body, contact.geom2);
       const Vector3d p = Eigen::Map<const Vector3d>(contact.pos);
       const double against = std::abs(Eigen::Map<const Vector3d>(contact.frame).dot(push));
@@ -186,11 +186,10 @@ class PegDrop {
   bool IsOf(int root, int geom) const { return m_.body_rootid[m_.geom_bodyid[geom]] == root; }
 
   void NoteTouched(int body) {
-    for (int i = 0; i < d_.ncon; ++i) {
-      const auto [one, two] = std::pair(d_.contact[i].geom1, d_.contact[i].geom2);
-      if (!IsOf(body, one) && !IsOf(body, two)) continue;
-      const int geom = IsOf(body, one) ? two : one;
-      touched_ = compiled::NameOf(m_, mjOBJ_GEOM, geom);
+    for (const mjContact& contact : ContactsOf(d_)) {
+      const bool is_first = IsOf(body, contact.geom1);
+      if (!is_first && !IsOf(body, contact.geom2)) continue;
+      touched_ = compiled::NameOf(m_, mjOBJ_GEOM, is_first ? contact.geom2 : contact.geom1);
     }
   }
 

@@ -85,8 +85,7 @@ class PileReport {
 
   void AddDeep() {
     const mjContact* deepest = nullptr;
-    for (int i = 0; i < d_.ncon; ++i) {
-      const mjContact& contact = d_.contact[i];
+    for (const mjContact& contact : ContactsOf(d_)) {
       if (!Has(contact.geom1) && !Has(contact.geom2)) continue;
       if (deepest == nullptr || contact.dist < deepest->dist) deepest = &contact;
     }

@@ -137,8 +137,7 @@ class PileSimulation {
     double top = X_WR_.p.z();
     mj_kinematics(&m_, &d_);
     for (std::size_t i = 0; i < released_; ++i) {
-      const model::Box3 box = compiled::CollidingBox(m_, d_, bodies_[i].id);
-      if (!box.empty()) top = std::max(top, box.max.z());
+      top = std::max(top, compiled::CollidingBox(m_, d_, bodies_[i].id).max.z());
     }
     ++released_;
     const Eigen::Vector2d p_R = model::PositionOfDisc(pile_.region, body.radius, body.release->uv);
@@ -160,7 +159,7 @@ class PileSimulation {
   bool Touches(const PiledBody& body) {
     mj_kinematics(&m_, &d_);
     mj_collision(&m_, &d_);
-    return std::any_of(d_.contact, d_.contact + d_.ncon, [&](const mjContact& contact) {
+    return std::ranges::any_of(ContactsOf(d_), [&](const mjContact& contact) {
       return IsIn(m_.geom_bodyid[contact.geom1], body) != IsIn(m_.geom_bodyid[contact.geom2], body);
     });
   }
@@ -170,11 +169,10 @@ class PileSimulation {
     stepper_->Step();
     for (int joint = 0; joint < m_.njnt; ++joint) {
       if (IsReleased(m_.jnt_bodyid[joint])) continue;
-      // Numbers of positions and of velocities, in the order of mjtJoint: free, ball, slide, hinge.
-      constexpr int kPositions[] = {7, 4, 1, 1};
+      // Numbers of velocities, in the order of mjtJoint: free, ball, slide, hinge.
       constexpr int kVelocities[] = {6, 3, 1, 1};
-      const auto type = compiled::Index(m_.jnt_type[joint]);
-      std::copy_n(held_.begin() + m_.jnt_qposadr[joint], kPositions[type],
+      const int type = m_.jnt_type[joint];
+      std::copy_n(held_.begin() + m_.jnt_qposadr[joint], kPositionSizes[type],
                   d_.qpos + m_.jnt_qposadr[joint]);
       std::fill_n(d_.qvel + m_.jnt_dofadr[joint], kVelocities[type], 0.0);
     }

@@ -105,8 +105,7 @@ Penetrations Find(mjModel& m, const IgnoredPairs& ignored, std::span<const mjtNu
     mj_comPos(&m, &d);
     broad_phase.Collide(m, d);
     Penetrations found;
-    for (int i = 0; i < d.ncon; ++i) {
-      const mjContact& contact = d.contact[i];
+    for (const mjContact& contact : ContactsOf(d)) {
       if (!ignored.Contain(contact.geom1, contact.geom2)) continue;
       const auto [body1, body2] =
           std::minmax({m.geom_bodyid[contact.geom1], m.geom_bodyid[contact.geom2]});

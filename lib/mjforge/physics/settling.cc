@@ -80,8 +80,7 @@ class SettlingSimulation {
   }
 
   void AddSupports() {
-    for (int i = 0; i < d_.ncon; ++i) {
-      const mjContact& contact = d_.contact[i];
+    for (const mjContact& contact : ContactsOf(d_)) {
       const double up = contact.frame[2];  // vertical part of the normal from geom1 to geom2
       if (std::abs(up) < kUpwards) continue;
       const int first = m_.geom_bodyid[contact.geom1];

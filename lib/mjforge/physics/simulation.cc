@@ -77,15 +77,14 @@ std::vector<int> FreeBodies(const mjModel& m) {
 model::Box3 CollidingBox(const mjModel& m, const mjData& d, const std::vector<int>& roots) {
   model::Box3 all;
   for (const int root : roots) {
-    const model::Box3 box = compiled::CollidingBox(m, d, root);
-    if (!box.empty()) all.Add(box);
+    all.Add(compiled::CollidingBox(m, d, root));
   }
   return all;
 }
 
 double DeepestContact(const mjData& d) {
   double deepest = 0;
-  for (int i = 0; i < d.ncon; ++i) deepest = std::max(deepest, -d.contact[i].dist);
+  for (const mjContact& contact : ContactsOf(d)) deepest = std::max(deepest, -contact.dist);
   return deepest;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -68,6 +69,13 @@ std::vector<int> FreeBodies(const mjModel& m);
 /// Returns the bounding box, in the world frame, of the colliding geoms of the trees of bodies with
 /// these roots.
 model::Box3 CollidingBox(const mjModel& m, const mjData& d, const std::vector<int>& roots);
+
+/// Numbers in qpos of the position of a joint, in the order of mjtJoint: free, ball, slide, hinge.
+inline constexpr std::size_t kPositionSizes[] = {7, 4, 1, 1};
+
+inline std::span<const mjContact> ContactsOf(const mjData& d) {
+  return {d.contact, static_cast<std::size_t>(d.ncon)};
+}
 
 /// Returns the depth of the deepest contact, m; 0 if nothing penetrates.
 double DeepestContact(const mjData& d);
