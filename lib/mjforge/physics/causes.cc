@@ -166,9 +166,7 @@ std::optional<Divergence> DeepStart(const mjModel& m, Workspace& workspace) {
   return Divergence{
       fmt::format("geoms {} and {} start {} mm in each other", Name(m, mjOBJ_GEOM, deepest->geom1),
                   Name(m, mjOBJ_GEOM, deepest->geom2), RoundedText(-1000 * deepest->dist)),
-      "make room, or add `contact: exclude`",
-      {},
-      {}};
+      "make room, or add `contact: exclude`"};
 }
 
 // Returns the equalities and tendons that couple a joint: "equality 'gear' with joint 'wheel'",
@@ -201,14 +199,12 @@ Divergence FindDivergence(const mjModel& m, const mjData& d, Workspace& workspac
   if (const auto deep = DeepStart(m, workspace)) return *deep;
   const std::string usual =
       "use a smaller timestep, softer contacts, or larger masses and inertias for its forces";
-  if (!joint)
-    return {.cause = "its state is not finite", .hint = usual, .joint = {}, .actuator = {}};
+  if (!joint) return {.cause = "its state is not finite", .hint = usual};
   const std::string name = compiled::NameOf(m, mjOBJ_JOINT, *joint);
   return {.cause = fmt::format("joint '{}' of body {} is the first", name,
                                Name(m, mjOBJ_BODY, m.jnt_bodyid[*joint])),
           .hint = usual,
-          .joint = name,
-          .actuator = {}};
+          .joint = name};
 }
 
 std::string MovedJointText(const mjModel& m, const mjData& d) {

@@ -17,8 +17,8 @@ namespace mjforge::physics {
 struct Divergence {
   std::string cause;  // "the spring of joint 'lid' is too stiff for a timestep of 2 ms"
   std::string hint;
-  std::string joint;     // name of the joint to blame; empty: none
-  std::string actuator;  // name of the actuator to blame; empty: none
+  std::string joint = {};     // name of the joint to blame; empty: none
+  std::string actuator = {};  // name of the actuator to blame; empty: none
 };
 
 /// Returns the most probable cause of the divergence of the simulation with data `d`: the spring,
