@@ -1,5 +1,5 @@
 // Containment test: balls dropped into an object that is held in place and then turned over.
-#include "mjforge/physics/containment.h"
+#include "mjforge/physics/probe_checks.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // Grasp test: simulates a gripper that closes on an object, and then lifts and shakes the object or
 // pulls a joint.
-#include "mjforge/physics/grasp_trial.h"
+#include "mjforge/physics/probe_checks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,7 +59,7 @@ class DampedRoots {
   DampedRoots(mjModel& m, double force) : m_(m), damping_(m.dof_damping, m.dof_damping + m.nv) {
     for (const int body : FreeBodies(m)) {
       for (int k = 0; k < 6; ++k)
-        m.dof_damping[m.jnt_dofadr[joint] + k] = force / kGiving * (k < 3 ? 1 : kArm * kArm);
+        m.dof_damping[m.body_dofadr[body] + k] = force / kGiving * (k < 3 ? 1 : kArm * kArm);
     }
   }
   ~DampedRoots() { std::ranges::copy(damping_, m_.dof_damping); }

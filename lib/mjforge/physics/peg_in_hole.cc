@@ -1,5 +1,5 @@
 // Peg-in-hole test: drops pegs into holes, and pushes them sideways to see whether they are held.
-#include "mjforge/physics/peg_in_hole.h"
+#include "mjforge/physics/probe_checks.h"
 
 #include <algorithm>
 #include <array>
