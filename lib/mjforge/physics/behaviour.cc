@@ -21,7 +21,6 @@
 #include "mjforge/physics/joint_drive.h"
 #include "mjforge/physics/joint_rest.h"
 #include "mjforge/physics/model_checks.h"
-#include "mjforge/physics/parent_penetration.h"
 #include "mjforge/physics/stability.h"
 
 namespace mjforge::physics {
@@ -79,9 +78,7 @@ class Behaviour {
     const DriveResults drives = DriveJoints(m_, test_.workspace.For(m_), object, checks);
     for (const InitialPenetration& initial : drives.initial_penetrations)
       ReportInitialPenetration(initial);
-    for (const ParentPenetration& penetration :
-         FindParentPenetrations(m_, test_.workspace, object, checks))
-      ReportParentPenetration(penetration);
+    CheckParents(test_);
     for (const DrivenJoint& driven : drives.joints) {
       result.joints.push_back(driven.measured);
       ReportJoint(driven);
@@ -179,28 +176,6 @@ class Behaviour {
                     test_.BodyName(initial.body1), test_.BodyName(initial.body2),
                     RoundedText(1000 * initial.depth)),
         initial.check != nullptr ? "the positions of `at` put them there" : kMakeRoom);
-  }
-
-  void ReportParentPenetration(const ParentPenetration& penetration) {
-    const std::string name = test_.JointName(penetration.joint);
-    if (!penetration.is_added) {
-      test_.reporter.Warning(
-          Code::kPhysicsJointPasses, test_.JointMark(name),
-          fmt::format("body '{}' is {} mm in its parent '{}' where joint '{}' starts; MuJoCo does "
-                      "not let the two collide",
-                      test_.BodyName(penetration.body), RoundedText(1000 * penetration.depth),
-                      test_.BodyName(penetration.parent), name),
-          "make room; if it may be so, say how deep in an entry of `checks.joints`");
-      return;
-    }
-    test_.reporter.Warning(
-        Code::kPhysicsJointPasses, test_.JointMark(name),
-        fmt::format("joint '{}' moves body '{}' {} mm into its parent '{}', at {}; MuJoCo does "
-                    "not let the two collide",
-                    name, test_.BodyName(penetration.body), RoundedText(1000 * penetration.depth),
-                    test_.BodyName(penetration.parent),
-                    test_.Distance(penetration.joint, penetration.where)),
-        "look at the axis, its sign, and the range; if it may be so, say why in `silence`");
   }
 
   /// Adds an error if `value` is above `limit`. `text` has the placeholders {0} (the name of the

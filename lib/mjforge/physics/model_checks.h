@@ -52,9 +52,15 @@ void CheckEfforts(const ModelTest& test);
 /// bounding boxes of all geoms, including visual geoms. May throw std::exception.
 void CheckUnsupportedLinks(const ModelTest& test);
 
-/// Drives the joints that equalities couple (DriveEqualities), fills in result.equalities, and adds
-/// an error for each equality whose relative error is above checks.equality_error. May throw
-/// std::exception.
+/// Warns of bodies that penetrate their parents by more than `joint_penetration` at the start, and
+/// of joints that increase this depth by more than `joint_penetration`; MuJoCo ignores contacts
+/// between parent and child. Tries 8 to 40 positions of each joint (of a ball joint, about each
+/// axis), 2 mm apart if possible. Other joints are at their start positions, or at those that `at`
+/// of an entry of checks.joints sets. May throw std::exception.
+void CheckParents(const ModelTest& test);
+
+/// Drives the joints that test active equalities, fills in result.equalities, and adds an error for
+/// each equality whose relative error is above checks.equality_error. May throw std::exception.
 void CheckEqualities(const ModelTest& test);
 
 /// Runs the tests ground_drop 3.0.0, slope_drop, and full_range_sweep 1.4.0 of the families FET003

@@ -1,14 +1,16 @@
 // Detects collisions of bodies with their parents over the range of each joint.
-#include "mjforge/physics/parent_penetration.h"
+#include "mjforge/physics/model_checks.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <optional>
 #include <span>
+#include <vector>
+
+#include <fmt/format.h>
 
 #include "mjforge/compiled/compiled.h"
 #include "mjforge/engine/engine.h"
+#include "mjforge/expr/expr.h"
 #include "mjforge/physics/joint_checks.h"
 #include "mjforge/physics/joint_paths.h"
 #include "mjforge/physics/stepper.h"
@@ -99,40 +101,47 @@ class UnfilteredModel {
   BroadPhase broad_phase_;
 };
 
+/// Deepest penetration of a body into its parent, at the start or over the range of a joint.
+/// Nothing stops the joint, because MuJoCo ignores contacts between parent and child.
+struct ParentPenetration {
+  int joint = 0;
+  int body = 0;
+  int parent = 0;
+  bool is_added = false;  // true: `depth` is the increase since the start
+  double depth = 0;       // m
+  double where = 0;       // position of the joint, rad or m, if is_added
+};
+
 class ParentPenetrationSearch {
  public:
-  ParentPenetrationSearch(const mjModel& m, Workspace& workspace, std::string_view object,
-                          const model::Checks& checks)
-      : m_(m), checks_(checks), entries_(m, object, checks), unfiltered_(m, workspace) {}
+  explicit ParentPenetrationSearch(const ModelTest& test)
+      : m_(test.m),
+        checks_(test.checks()),
+        entries_(m_, test.object.name, checks_),
+        unfiltered_(m_, test.workspace) {}
 
   std::vector<ParentPenetration> Find() {
-    std::vector<ParentPenetration> found;
-    const auto try_joint = [&](int joint, std::span<const mjtNum> start,
-                               const model::JointCheck* check) {
-      std::ranges::copy(PenetrationsOf(joint, start, check), std::back_inserter(found));
-    };
-    for (const int joint : entries_.Others()) try_joint(joint, compiled::StartOf(m_), nullptr);
+    for (const int joint : entries_.Others()) Try(joint, compiled::StartOf(m_), nullptr);
     for (const model::JointCheck& check : checks_.joints) {
       if (!check.skip.empty()) continue;
       const std::vector<mjtNum> start = entries_.StartOf(check);
-      for (const int joint : entries_.JointsOf(check)) try_joint(joint, start, &check);
+      for (const int joint : entries_.JointsOf(check)) Try(joint, start, &check);
     }
-    return found;
+    return std::move(found_);
   }
 
  private:
-  /// Returns the penetration at the start, if it is too deep, and the increase of the penetration
+  /// Stores the penetration at the start, if it is too deep, and the increase of the penetration
   /// that the joint causes, if it is too large.
-  std::vector<ParentPenetration> PenetrationsOf(int joint, std::span<const mjtNum> start,
-                                                const model::JointCheck* check) {
+  void Try(int joint, std::span<const mjtNum> start, const model::JointCheck* check) {
     const int body = m_.body_weldid[m_.jnt_bodyid[joint]];
     const int parent = m_.body_weldid[m_.body_parentid[body]];
     const std::vector<JointPath> paths = PathsOf(m_, joint, start);
     // Skips joints whose parent body is fixed to the world, because MuJoCo does not ignore contacts
     // with such parents.
-    if (parent == 0 || paths.empty()) return {};
+    if (parent == 0 || paths.empty()) return;
     unfiltered_.Put(start);
-    ParentPenetration at_start{.joint = joint, .body = body, .parent = parent, .check = check};
+    ParentPenetration at_start{.joint = joint, .body = body, .parent = parent};
     at_start.depth = unfiltered_.Depth(body, parent);
     ParentPenetration added = at_start;
     added.is_added = true;
@@ -140,10 +149,8 @@ class ParentPenetrationSearch {
     for (const JointPath& path : paths) TryPositions(path, at_start.depth, added);
     const double most = check != nullptr ? check->penetration.value_or(checks_.joint_penetration)
                                          : checks_.joint_penetration;
-    std::vector<ParentPenetration> found;
     for (const ParentPenetration& penetration : {at_start, added})
-      if (penetration.depth > most) found.push_back(penetration);
-    return found;
+      if (penetration.depth > most) found_.push_back(penetration);
   }
 
   /// Tries the positions of a path. Stores in `deepest` the largest increase of the depth over
@@ -165,15 +172,37 @@ class ParentPenetrationSearch {
   const model::Checks& checks_;
   JointChecks entries_;
   UnfilteredModel unfiltered_;
+  std::vector<ParentPenetration> found_;
 };
+
+void ReportParent(const ModelTest& test, const ParentPenetration& penetration) {
+  const std::string name = test.JointName(penetration.joint);
+  if (!penetration.is_added) {
+    test.reporter.Warning(
+        diag::Code::kPhysicsJointPasses, test.JointMark(name),
+        fmt::format("body '{}' is {} mm in its parent '{}' where joint '{}' starts; MuJoCo does "
+                    "not let the two collide",
+                    test.BodyName(penetration.body), expr::RoundedText(1000 * penetration.depth),
+                    test.BodyName(penetration.parent), name),
+        "make room; if it may be so, say how deep in an entry of `checks.joints`");
+    return;
+  }
+  test.reporter.Warning(
+      diag::Code::kPhysicsJointPasses, test.JointMark(name),
+      fmt::format("joint '{}' moves body '{}' {} mm into its parent '{}', at {}; MuJoCo does "
+                  "not let the two collide",
+                  name, test.BodyName(penetration.body),
+                  expr::RoundedText(1000 * penetration.depth), test.BodyName(penetration.parent),
+                  test.Distance(penetration.joint, penetration.where)),
+      "look at the axis, its sign, and the range; if it may be so, say why in `silence`");
+}
 
 }  // namespace
 
-std::vector<ParentPenetration> FindParentPenetrations(const mjModel& m, Workspace& workspace,
-                                                      std::string_view object,
-                                                      const model::Checks& checks) {
-  if (!checks.drive) return {};
-  return ParentPenetrationSearch(m, workspace, object, checks).Find();
+void CheckParents(const ModelTest& test) {
+  if (!test.checks().drive) return;
+  for (const ParentPenetration& penetration : ParentPenetrationSearch(test).Find())
+    ReportParent(test, penetration);
 }
 
 }  // namespace mjforge::physics
