@@ -29,7 +29,13 @@ Stepper::Stepper(mjModel& m, mjData& d)
       frame_(FrameOf()),
       poses_(Index(m.nbody)),
       allowances_(Index(m.nbody), 2 * kLeastAllowance),
-      moved_(Index(m.nbody)) {}
+      moved_(Index(m.nbody)),
+      state_{{&d.time, 1},
+             {d.qpos, Index(m.nq)},
+             {d.qvel, Index(m.nv)},
+             {d.act, Index(m.na)},
+             {d.qacc_warmstart, Index(m.nv)},
+             {d.mocap_quat, Index(4 * m.nmocap)}} {}
 
 /// Returns the body relative to which motions of other bodies are measured: the root of the only
 /// tree with joints, because the bodies of a falling tree stay near each other. Returns 0 (the
@@ -110,21 +116,16 @@ bool Stepper::HadAllPairs() {
 }
 
 void Stepper::Save() {
-  before_.time = d_.time;
-  before_.qpos.assign(d_.qpos, d_.qpos + m_.nq);
-  before_.qvel.assign(d_.qvel, d_.qvel + m_.nv);
-  before_.act.assign(d_.act, d_.act + m_.na);
-  before_.warmstart.assign(d_.qacc_warmstart, d_.qacc_warmstart + m_.nv);
-  before_.mocap_quat.assign(d_.mocap_quat, d_.mocap_quat + 4 * m_.nmocap);
+  before_.clear();
+  for (const auto& part : state_) before_.insert(before_.end(), part.begin(), part.end());
 }
 
 void Stepper::Restore() {
-  d_.time = before_.time;
-  std::ranges::copy(before_.qpos, d_.qpos);
-  std::ranges::copy(before_.qvel, d_.qvel);
-  std::ranges::copy(before_.act, d_.act);
-  std::ranges::copy(before_.warmstart, d_.qacc_warmstart);
-  std::ranges::copy(before_.mocap_quat, d_.mocap_quat);
+  auto from = before_.cbegin();
+  for (const auto& part : state_) {
+    std::copy_n(from, part.size(), part.begin());
+    from += std::ssize(part);
+  }
 }
 
 }  // namespace mjforge::physics

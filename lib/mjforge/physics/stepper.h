@@ -1,6 +1,7 @@
 // Simulation steps with the results of mj_step, but a faster broad phase.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <mujoco/mujoco.h>
@@ -28,15 +29,6 @@ class Stepper {
     Eigen::Vector3d p = Eigen::Vector3d::Zero();
     Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
   };
-  /// State of mjData before a step.
-  struct Snapshot {
-    mjtNum time = 0;
-    std::vector<mjtNum> qpos;
-    std::vector<mjtNum> qvel;
-    std::vector<mjtNum> act;
-    std::vector<mjtNum> warmstart;
-    std::vector<mjtNum> mocap_quat;
-  };
 
   int FrameOf() const;
   BodyPose PoseOf(int body) const;
@@ -56,7 +48,8 @@ class Stepper {
   std::vector<BodyPose> poses_;     // poses of bodies when pairs were found
   std::vector<double> allowances_;  // m, largest motions up to which no pair is missing
   std::vector<double> moved_;       // m, motion of each body since pairs were found
-  Snapshot before_;
+  std::vector<std::span<mjtNum>> state_;  // arrays of mjData that must be restored to repeat a step
+  std::vector<mjtNum> before_;            // numbers of `state_` before a step
 };
 
 }  // namespace mjforge::physics
