@@ -84,9 +84,7 @@ class Fall {
     double slow_since = -1;
     double lowest = 0;
     for (double t = 0; touched < 0 || t < touched + kRestWithin; t += kInterval) {
-      Step(kInterval);
-      if (HasDiverged(d_)) return "the simulation diverges";
-      if (Explodes()) return "its parts fly apart";
+      if (Problem problem = Advance()) return problem;
       const bool slow = FindFastestBody(m_, d_).speed < checks_.rest_speed;
       if (touched < 0 && d_.ncon > 0 && Lowest() < kFloorDepth) touched = t;
       if (touched < 0 && t > fall + kRestWithin) return "it does not reach the floor";
@@ -113,9 +111,7 @@ class Fall {
     const Vector3d downhill = normal_.z() * level - level.dot(normal_) * Vector3d::UnitZ();
     double way = 0;
     for (double t = 0; t < kSlopeTime; t += kInterval) {
-      Step(kInterval);
-      if (HasDiverged(d_)) return "the simulation diverges";
-      if (Explodes()) return "its parts fly apart";
+      if (Problem problem = Advance()) return problem;
       const std::vector<Vector3d> centers = Centers();
       for (std::size_t i = 0; i < centers.size(); ++i) {
         if ((centers[i] - on_floor_).dot(normal_) < -kFloorDepth)
@@ -137,11 +133,15 @@ class Fall {
     return fmt::format("it rests {} mm deep, more than {} mm", beyond.value, beyond.limit);
   }
 
-  void Step(double time) {
-    const int steps = std::max(1, static_cast<int>(std::lround(time / m_.opt.timestep)));
+  /// Simulates until the next measurement.
+  Problem Advance() {
+    const int steps = std::max(1, static_cast<int>(std::lround(kInterval / m_.opt.timestep)));
     for (int i = 0; i < steps; ++i) stepper_.Step();
     mj_kinematics(&m_, &d_);
     mj_comPos(&m_, &d_);
+    if (HasDiverged(d_)) return "the simulation diverges";
+    if (Explodes()) return "its parts fly apart";
+    return std::nullopt;
   }
 
   model::Box3 Box() const { return CollidingBox(m_, d_, roots_); }
