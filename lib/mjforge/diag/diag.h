@@ -166,6 +166,18 @@ std::string DidYouMean(std::string_view word, const List& list, Name name = {}) 
   return DidYouMean(word, std::span<const std::string_view>(candidates));
 }
 
+/// Returns the texts of a list with the separator between them. `text_of` is a projection from an
+/// item of the list to its text.
+template <typename List, typename TextOf>
+std::string Joined(const List& list, std::string_view separator, const TextOf& text_of) {
+  std::string joined;
+  for (bool is_first = true; const auto& item : list) {
+    if (!std::exchange(is_first, false)) joined += separator;
+    joined += std::invoke(text_of, item);
+  }
+  return joined;
+}
+
 /// Returns the message with "; did you mean 'x'?" if a word of the list is close to `word`.
 template <typename List>
 std::string WithSuggestion(std::string message, std::string_view word, const List& list) {

@@ -2,10 +2,8 @@
 #include "mjforge/expr/error_messages.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <ranges>
 
 #include "mjforge/expr/builtins.h"
 
@@ -151,9 +149,7 @@ Error UnknownUnit(const Token& token, const SymbolTable& names) {
   const std::string_view digits = token.text.substr(0, token.text.size() - token.unit.size());
   std::string hint = diag::DidYouMean(token.unit, Units(), &Unit::name);
   if (names.Find(token.unit) != nullptr) hint = fmt::format("write {} * {}", digits, token.unit);
-  if (hint.empty())
-    hint = fmt::format("the units are {}",
-                       fmt::join(Units() | std::views::transform(&Unit::name), " "));
+  if (hint.empty()) hint = "the units are " + diag::Joined(Units(), " ", &Unit::name);
   return {Code::kExprUnknownUnit, token.offset + digits.size(),
           fmt::format("unknown unit '{}'", token.unit), std::move(hint)};
 }

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "mjforge/sample/sample.h"
 
@@ -19,9 +17,10 @@ constexpr std::string_view kLeftOutHint = "it was left out by 'if', or is placed
 
 // Returns the first numbers of a list as text: "[0.01, 0.02, 0.03, ...]".
 std::string ListText(const std::vector<double>& numbers) {
-  constexpr int kShown = 8;
-  const auto shown = numbers | std::views::take(kShown) | std::views::transform(expr::NumberText);
-  return fmt::format("[{}{}]", fmt::join(shown, ", "), std::ssize(numbers) > kShown ? ", ..." : "");
+  constexpr std::size_t kShown = 8;
+  const auto shown = std::span(numbers).first(std::min(numbers.size(), kShown));
+  return fmt::format("[{}{}]", diag::Joined(shown, ", ", expr::NumberText),
+                     numbers.size() > kShown ? ", ..." : "");
 }
 
 std::optional<bool> ToBoolean(double number) {

@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <ranges>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace mjforge::sample {
 namespace {
@@ -91,8 +89,8 @@ std::string Grid::Text() const {
                            ? std::string("more than 10^19 points")
                            : fmt::format("{} point{}", points_, points_ == 1 ? "" : "s");
   if (axes_.size() < 2) return points;
-  return fmt::format("{} = {}", fmt::join(axes_ | std::views::transform(&Axis::levels), " x "),
-                     points);
+  const auto levels = [](const Axis& axis) { return std::to_string(axis.levels); };
+  return fmt::format("{} = {}", diag::Joined(axes_, " x ", levels), points);
 }
 
 }  // namespace mjforge::sample

@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <ranges>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "mjforge/spec/field_kinds.h"
 #include "mjforge/spec/value_reader.h"
@@ -73,9 +71,7 @@ bool TakesVectorForm(const FieldInfo& expected, std::string_view key) {
 }
 
 std::string KnownDistributions() {
-  return fmt::format(
-      "the distributions are {}",
-      fmt::join(Distributions() | std::views::transform(&DistributionInfo::key), ", "));
+  return "the distributions are " + diag::Joined(Distributions(), ", ", &DistributionInfo::key);
 }
 
 }  // namespace

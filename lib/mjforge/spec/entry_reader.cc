@@ -292,7 +292,7 @@ std::vector<Entry> ReadRegions(const YamlNode* regions, Context& context) {
         fmt::format("'{}' is neither 'auto' nor a list of regions", regions->text));
     return {};
   }
-  YamlNode only{.kind = YamlNode::Kind::kMap, .mark = regions->mark};
+  YamlNode only = YamlNode::Empty(YamlNode::Kind::kMap, regions->mark);
   for (const auto& [key, text] : {std::pair("name", "surface"), std::pair("type", "auto")})
     only.pairs.push_back({key, regions->mark, YamlNode::Scalar(text, regions->mark)});
   const YamlNode list = YamlNode::List({only}, regions->mark);

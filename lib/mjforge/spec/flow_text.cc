@@ -1,9 +1,6 @@
 // Conversion of YAML nodes to YAML flow text, and of texts to quoted scalars.
 
-#include <ranges>
-
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "mjforge/expr/expr.h"
 #include "mjforge/spec/yaml.h"
@@ -43,9 +40,9 @@ std::string FlowText(const YamlNode& node) {
     case YamlNode::Kind::kScalar:
       return FlowScalar(node);
     case YamlNode::Kind::kList:
-      return fmt::format("[{}]", fmt::join(node.items | std::views::transform(FlowText), ", "));
+      return fmt::format("[{}]", diag::Joined(node.items, ", ", FlowText));
     case YamlNode::Kind::kMap:
-      return fmt::format("{{{}}}", fmt::join(node.pairs | std::views::transform(member), ", "));
+      return fmt::format("{{{}}}", diag::Joined(node.pairs, ", ", member));
   }
   return {};
 }

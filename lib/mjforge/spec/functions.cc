@@ -1,11 +1,9 @@
 // Reader of `functions:`, named expressions with arguments.
 
 #include <algorithm>
-#include <ranges>
 #include <set>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "mjforge/spec/context.h"
 #include "mjforge/spec/topological_order.h"
@@ -89,9 +87,9 @@ void LimitCallDepth(Context& context) {
   const auto order = TopologicalOrder(uses, [&](const std::vector<std::size_t>& path) {
     const auto name = [&](std::size_t i) { return std::string_view(all[i]->name); };
     broken.insert(path.begin(), path.end());
-    context.findings.Add(Code::kSpecCycle, MarkOf(*all[path[0]], context),
-                         fmt::format("functions call each other: {}",
-                                     fmt::join(path | std::views::transform(name), " -> ")));
+    context.findings.Add(
+        Code::kSpecCycle, MarkOf(*all[path[0]], context),
+        fmt::format("functions call each other: {}", diag::Joined(path, " -> ", name)));
   });
   std::vector<int> chain(all.size(), 0);
   for (const std::size_t at : order) {

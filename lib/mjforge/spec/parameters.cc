@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <ranges>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -372,9 +371,9 @@ void ReadParameters(const YamlNode* params, const YamlNode* require,
       in_cycle[i] = true;
       if (is_set[i]) mark = declared[i].value.mark;
     }
-    context.findings.Add(Code::kSpecCycle, mark,
-                         fmt::format("parameters depend on each other: {}",
-                                     fmt::join(path | std::views::transform(name), " -> ")));
+    context.findings.Add(
+        Code::kSpecCycle, mark,
+        fmt::format("parameters depend on each other: {}", diag::Joined(path, " -> ", name)));
   };
   for (const std::size_t at : TopologicalOrder(UsesOf(declared, spec.names), on_cycle)) {
     spec.evaluation_order.push_back(static_cast<int>(first + at));

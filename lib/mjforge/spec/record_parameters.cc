@@ -36,9 +36,9 @@ const YamlNode::Pair* OptionsOf(const YamlNode& node) {
 }
 
 YamlNode ChoiceOf(std::vector<YamlNode> options, SourceMark mark) {
-  return {.kind = YamlNode::Kind::kMap,
-          .mark = mark,
-          .pairs = {{"choice", mark, YamlNode::List(std::move(options), mark)}}};
+  YamlNode choice = YamlNode::Empty(YamlNode::Kind::kMap, mark);
+  choice.pairs.push_back({"choice", mark, YamlNode::List(std::move(options), mark)});
+  return choice;
 }
 
 class RecordParameterReader {

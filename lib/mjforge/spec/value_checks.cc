@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <ranges>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "mjforge/spec/value_reader.h"
 
@@ -97,7 +95,7 @@ std::string DegreesHint(const FieldInfo& field, double number) {
 }  // namespace
 
 std::string UnitText(const Dimensions& dimensions) {
-  return fmt::format("{}", fmt::join(dimensions | std::views::transform(&Dimension::Text), ", "));
+  return diag::Joined(dimensions, ", ", &Dimension::Text);
 }
 
 bool IsMeasured(const Dimensions& dimensions) {

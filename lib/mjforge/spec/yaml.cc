@@ -54,7 +54,8 @@ class TreeBuilder : public YAML::EventHandler {
 
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const bool has_key = !open_.empty() && open_.back().pair;
-    Finish({.mark = has_key ? open_.back().pair->mark : At(mark)}, anchor);
+    const SourceMark at = has_key ? open_.back().pair->mark : At(mark);
+    Finish(YamlNode::Empty(YamlNode::Kind::kNull, at), anchor);
   }
 
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
@@ -130,7 +131,7 @@ class TreeBuilder : public YAML::EventHandler {
 
   void Open(YamlNode::Kind kind, const YAML::Mark& mark, YAML::anchor_t anchor, bool flow) {
     if (ExpectsKey()) Fail(Code::kYamlSyntax, mark, "a key must be a plain word");
-    open_.push_back({.node = {.kind = kind, .mark = At(mark)}, .anchor = anchor, .flow = flow});
+    open_.push_back({.node = YamlNode::Empty(kind, At(mark)), .anchor = anchor, .flow = flow});
   }
 
   void Close() {
@@ -266,12 +267,23 @@ bool RunParser(std::uint32_t file, const diag::Sources& sources, TreeBuilder& bu
 
 }  // namespace
 
+YamlNode YamlNode::Empty(Kind kind, SourceMark mark) {
+  YamlNode node;
+  node.kind = kind;
+  node.mark = mark;
+  return node;
+}
+
 YamlNode YamlNode::Scalar(std::string text, SourceMark mark) {
-  return {.kind = Kind::kScalar, .mark = mark, .text = std::move(text)};
+  YamlNode node = Empty(Kind::kScalar, mark);
+  node.text = std::move(text);
+  return node;
 }
 
 YamlNode YamlNode::List(std::vector<YamlNode> items, SourceMark mark) {
-  return {.kind = Kind::kList, .mark = mark, .items = std::move(items)};
+  YamlNode node = Empty(Kind::kList, mark);
+  node.items = std::move(items);
+  return node;
 }
 
 const YamlNode::Pair* YamlNode::FindPair(std::string_view key) const {

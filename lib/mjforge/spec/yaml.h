@@ -21,13 +21,15 @@ struct YamlNode {
   struct Pair;
 
   Kind kind = Kind::kNull;
-  diag::SourceMark mark = {};        // position of the node; an empty value has its key's mark
-  std::string text = {};             // text of a kScalar
-  bool quoted = false;               // kScalar: in quotes, so never a number
-  bool flow = false;                 // kScalar: an item of a list in brackets
-  std::vector<YamlNode> items = {};  // items of a kList
-  std::vector<Pair> pairs = {};      // pairs of a kMap in file order; keys are unique
+  diag::SourceMark mark;        // position of the node; an empty value has its key's mark
+  std::string text;             // text of a kScalar
+  bool quoted = false;          // kScalar: in quotes, so never a number
+  bool flow = false;            // kScalar: an item of a list in brackets
+  std::vector<YamlNode> items;  // items of a kList
+  std::vector<Pair> pairs;      // pairs of a kMap in file order; keys are unique
 
+  /// Returns a node without content.
+  static YamlNode Empty(Kind kind, diag::SourceMark mark);
   static YamlNode Scalar(std::string text, diag::SourceMark mark);
   static YamlNode List(std::vector<YamlNode> items, diag::SourceMark mark);
 
