@@ -49,7 +49,7 @@ std::string Suggestion(const std::vector<std::string>& manifests) {
 // Returns the path of the manifest of a batch. `what` names the manifest, the folder or an archive.
 // Returns nullopt, after adding a finding, if a folder has no manifest or `what` is something else.
 std::optional<Path> FindBatch(const std::string& what, diag::Findings& findings) {
-  const std::optional<Path> manifest = ManifestOf(what);
+  std::optional<Path> manifest = ManifestOf(what);
   const bool is_folder = bytes::IsFolder(what);
   if (manifest && (!is_folder || bytes::IsFile(*manifest))) return manifest;
   if (is_folder) {
