@@ -73,6 +73,10 @@ model::Box3 CollidingBox(const mjModel& m, const mjData& d, int root);
 /// Returns true for hinges and slides, whose position is a single number of qpos.
 bool HasOneNumber(const mjModel& m, int joint);
 
+/// Returns 1 + the last id of a body's subtree. A subtree has consecutive ids, because MuJoCo
+/// numbers bodies depth first.
+int SubtreeEnd(const mjModel& m, int body);
+
 /// Returns true if the joint moves the body; false if `body` is not the id of a body.
 bool Moves(const mjModel& m, int joint, int body);
 

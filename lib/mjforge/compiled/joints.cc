@@ -11,11 +11,15 @@ bool HasOneNumber(const mjModel& m, int joint) {
   return m.jnt_type[joint] == mjJNT_HINGE || m.jnt_type[joint] == mjJNT_SLIDE;
 }
 
+int SubtreeEnd(const mjModel& m, int body) {
+  int end = body + 1;
+  while (end < m.nbody && m.body_parentid[end] >= body) ++end;
+  return end;
+}
+
 bool Moves(const mjModel& m, int joint, int body) {
-  if (body >= m.nbody) return false;
-  // Stops at the joint's body, because ids of bodies are greater than those of their parents.
-  while (body > m.jnt_bodyid[joint]) body = m.body_parentid[body];
-  return body == m.jnt_bodyid[joint];
+  const int first = m.jnt_bodyid[joint];
+  return body >= first && body < SubtreeEnd(m, first);
 }
 
 std::optional<JointRange> RangeOf(const mjModel& m, int joint) {

@@ -119,10 +119,10 @@ class ContainmentSimulation {
   }
 
   void Remove(int removed) {
+    const int end = compiled::SubtreeEnd(m_, removed);
     for (int i = 0; i < m_.ngeom; ++i) {
-      int body = m_.geom_bodyid[i];
-      while (body > removed) body = m_.body_parentid[body];
-      if (body == removed) m_.geom_contype[i] = m_.geom_conaffinity[i] = 0;
+      const int body = m_.geom_bodyid[i];
+      if (body >= removed && body < end) m_.geom_contype[i] = m_.geom_conaffinity[i] = 0;
     }
   }
 

@@ -97,10 +97,6 @@ class Sweeper {
 
   void Reset() { std::copy_n(m_.qpos0, m_.nq, finder_.qpos().begin()); }
 
-  bool Moves(int joint, int body) const {
-    return joint == kTogether || compiled::Moves(m_, joint, body);
-  }
-
   void MoveJoint(const MovedJoint& joint) {
     for (int i = 0; i < Sweep::kSteps; ++i) {
       const double share = static_cast<double>(i) / (Sweep::kSteps - 1);
@@ -170,12 +166,13 @@ class Sweeper {
   /// move.
   void Measure(int joint, double value) {
     finder_.Move();
-    for (int body = 1; body < m_.nbody; ++body) {
-      if (Moves(joint, body)) AddBoxOf(body);
-    }
+    const int first = joint == kTogether ? 1 : m_.jnt_bodyid[joint];
+    const int end = joint == kTogether ? m_.nbody : compiled::SubtreeEnd(m_, first);
+    const auto moves = [&](int body) { return body >= first && body < end; };
+    for (int body = first; body < end; ++body) AddBoxOf(body);
     for (const BodyContact& contact : finder_.Find()) {
       // Skips pairs whose relative pose this joint does not change.
-      if (joint != kTogether && Moves(joint, contact.body1) == Moves(joint, contact.body2)) {
+      if (joint != kTogether && moves(contact.body1) == moves(contact.body2)) {
         continue;
       }
       if (contact.distance > 0) continue;  // within a margin, without penetration
