@@ -50,7 +50,8 @@ CLI::Option* AddBounded(CLI::App& command, const std::string& flags,
   return command.add_option_function<std::string>(flags, set, doc)->check(check);
 }
 
-// Adds an option for one of `words`, which is passed to `set`.
+// Adds an option whose value must be one of `words`. Parsing the command line passes the value to
+// `set`.
 CLI::Option* AddChoice(CLI::App& command, const std::string& flag,
                        std::span<const std::string_view> words, const std::string& doc,
                        const std::function<void(const std::string&)>& set) {

@@ -1,4 +1,4 @@
-// Specs for benchmarks, and one variant's way to its text.
+// Specs for benchmarks, and generation of the MJCF text of one variant.
 
 #include "recipes.h"
 

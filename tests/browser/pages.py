@@ -1,4 +1,4 @@
-"""Batches of all kinds and the pages about them."""
+"""Generates batches of all kinds, and pages about them, for the browser tests."""
 
 import json
 import os
@@ -22,7 +22,7 @@ parts:
      density: density, rgba: ["color.x", "color.y", "color.z", 1]}
 """
 
-# What must reach the page as words and never as an element.
+# Text that pages must show as text, and must never interpret as HTML.
 HOSTILE = "</script><img src=x onerror=alert(1)>\"'&<svg onload=alert(2)>"
 
 

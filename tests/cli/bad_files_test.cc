@@ -115,7 +115,7 @@ TEST_CASE_METHOD(BadInputTest, "waiting has a time limit, too, although it takes
   CHECK(both.status == 1);
   CHECK(both.out.starts_with("<stdin>: failed\ngood.xml: ok"));
   CHECK(CountOf(both.err, "error: '<stdin>' took more than 5.1 s of wall time") == 1);
-  // Both wait at the same time.
+  // Runs the two commands at the same time, because each waits until its time limit is over.
   std::vector<std::future<harness::CommandResult>> results;
   for (const char* command : {"check", "generate"})
     results.push_back(

@@ -35,7 +35,9 @@ parts: [{name: p, type: box, size: [a, 1, 1]}]
                                     "\" size=\"1\"/></worldbody></mujoco>");
   }
 
-  /// Runs the program and checks that both streams have only line ends, tabs and what may be shown.
+  /// Runs the program, and checks that standard output and standard error contain no ASCII control
+  /// characters except line ends and tabs, and neither U+009B (CSI) nor U+202E (a bidirectional
+  /// control).
   harness::CommandResult RunSafely(std::vector<std::string> arguments,
                                    std::map<std::string, std::string> environment = {}) const {
     CAPTURE(arguments);

@@ -3,9 +3,8 @@
 //
 //   FAULTS_BELOW    only calls about this folder and what is in it count
 //   FAULTS_RECORD   a file to which each call is appended: "write PATH OFFSET SIZE\n" and the
-//   bytes,
-//                   "rename FROM TO\n", "sync PATH\n", "syncfs\n", "truncate PATH SIZE\n",
-//                   "remove PATH\n", "mkdir PATH\n", "create PATH\n"
+//                   bytes, "rename FROM TO\n", "sync PATH\n", "syncfs\n",
+//                   "truncate PATH SIZE\n", "remove PATH\n", "mkdir PATH\n", "create PATH\n"
 //   FAULTS_COUNTER  a file of eight bytes, shared by all processes: how many calls of the kind were
 //                   made
 //   FAULTS_FAIL     "KIND NUMBER HOW": the call of that kind and number (from 1) fails. KIND: open

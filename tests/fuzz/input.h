@@ -1,7 +1,7 @@
 #pragma once
 
-// What the fuzz targets share: an input's bytes, a folder for those that read files, and how a
-// target says that something is wrong.
+// Helpers of the fuzz targets: reader of an input's bytes, a folder for targets that read files,
+// and assertions.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,19 +13,19 @@
 
 namespace mjforge::fuzz {
 
-/// An input, taken from its start on. The first bytes choose among options, so that what follows
-/// can be a file as it is.
+/// Reader of a fuzz input, from its start to its end. The first bytes select options, so that the
+/// remaining bytes can be an unchanged file.
 class Input {
  public:
   Input(const std::uint8_t* bytes, std::size_t size)
       : bytes_(reinterpret_cast<const char*>(bytes), size) {}
 
-  /// 0 at the end.
+  /// Takes the next byte; returns 0 at the end.
   unsigned Byte();
-  /// A number less than `count`.
+  /// Takes the next byte, and converts it to a number less than `count`, which must not be 0.
   std::size_t Below(std::size_t count) { return Byte() % count; }
   bool Bit() { return (Byte() & 1) != 0; }
-  /// Up to the next line end, without it.
+  /// Takes the next line from the input, and returns the line without its line end.
   std::string_view Line();
   std::string_view Rest() const { return bytes_; }
   bool IsEmpty() const { return bytes_.empty(); }
@@ -34,24 +34,24 @@ class Input {
   std::string_view bytes_;
 };
 
-/// A folder of this process, which has no other files than those put there.
+/// Returns the temporary folder of this process, which contains only the files written by Put().
 const std::filesystem::path& Folder();
-/// Writes a file there and returns its path.
+/// Writes a file to Folder(), and returns the path of the file.
 std::filesystem::path Put(const std::string& name, std::string_view bytes);
-/// Removes what is in it.
+/// Removes everything in Folder().
 void ClearFolder();
 
-/// The folder of the bundled specs.
+/// Returns the folder of the bundled specs.
 std::filesystem::path Specs();
 
-/// The text of a seal with its own checksum in the place of "@own@": without, every change would
-/// be found by it and nothing else would be tried.
+/// Returns the text of a seal in which the seal's own checksum replaces "@own@", because a seal
+/// with a wrong checksum would be rejected before the rest of the code is tested.
 std::string WithSealChecksum(std::string text);
 
-/// Words the findings for people and for programs, as every command does.
+/// Renders the findings as text and as JSON, like every command. Aborts if the form is wrong.
 void Word(const diag::Findings& findings, const diag::Sources& sources);
 
-/// Ends the program, as a crash, unless it holds.
+/// Aborts the program with the message `what`, unless `holds` is true.
 void Must(bool holds, std::string_view what);
 
 }  // namespace mjforge::fuzz

@@ -33,7 +33,8 @@ harness::CommandResult Project::Run(const std::string& program,
   harness::CommandResult result =
       harness::Command{.program = program,
                        .arguments = std::move(arguments),
-                       // Nor options of a make that runs the tests.
+                       // Resets the variables by which a make that runs the tests passes its
+                       // options to a child make.
                        .environment = {{"PATH", programs + ":" + (path == nullptr ? "" : path)},
                                        {"MAKEFLAGS", ""},
                                        {"MFLAGS", ""},

@@ -11,8 +11,9 @@
 
 namespace mjforge::forge {
 
-/// Makes a variant of a spec with the setting `root.start`, for MuJoCo, and loads it. Fails the
-/// test if MuJoCo compiles another object than is meant.
+/// Generates a variant of a spec with the setting `root.start`, for the target MuJoCo, and loads
+/// its MJCF. Fails the test if a finding reports that the model that MuJoCo compiled differs from
+/// the object.
 struct StartForm {
   StartForm(const std::filesystem::path& file, const std::string& start, std::uint64_t index);
 

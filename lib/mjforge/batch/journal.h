@@ -91,8 +91,9 @@ class Journal {
                         diag::Findings& findings);
   /// Completes the manifest, writes the seal, and renames the manifest to its final name.
   bool Finish(diag::Findings& findings);
-  /// Removes the journal and the manifest under construction. With `shows_former`, a hidden
-  /// manifest gets its name again.
+  /// Removes the journal and the manifest under construction. If this run gave the manifest and the
+  /// seal of a finished batch hidden names (has_hidden()), also restores their names, unless
+  /// `shows_former` is false.
   void Drop(bool shows_former = true);
   /// Returns true if this run gave the manifest of a finished batch a hidden name.
   bool has_hidden() const { return has_hidden_; }
@@ -109,7 +110,8 @@ class Journal {
   void RemoveFormer();
   void ReadJournal();
   bool ReadLine(std::string_view line, std::uint64_t end);
-  /// Adds an asset that a line of the journal names: a copy, or the file that was copied.
+  /// Adds the asset of a line of the journal: a copy (`is_copy`), or the file from which a copy was
+  /// made. Returns false if the line contains no file name.
   bool AddReadAsset(bool is_copy, const std::string& file, const std::string& sha256);
   bool ReadCheckpoint(std::istringstream& words, std::uint64_t end);
   bool AppendEarlierOutputs(diag::Findings& findings);

@@ -84,6 +84,7 @@ struct Wrap {
   int object = -1;  // id of the element; -1 for a pulley
   int side = -1;    // id of the side site; -1: none
 };
+/// Returns the element at the index `wrap` of the arrays mjModel::wrap_*.
 Wrap WrapAt(const mjModel& m, int wrap);
 
 }  // namespace mjforge::compiled

@@ -82,7 +82,8 @@ bool Moves(const mjModel& m, int joint, int body);
 
 /// Range of a joint's position in qpos, rad or m. A hinge without a range has one full turn, from
 /// half a turn below to half a turn above its reference position (qpos0). For a ball joint, `low`
-/// is 0, and `high` is the largest angle from the reference orientation (qpos0).
+/// is 0, and `high` is the largest angle from the reference orientation (qpos0), pi if the joint
+/// has no range.
 struct JointRange {
   bool limited = false;
   double low = 0;
@@ -111,6 +112,7 @@ model::MassProperties MassOf(const mjModel& m, int body);
 /// Reads a body, but neither joints nor geoms (Body::parts) of the body. Body::parent is MuJoCo's
 /// id of the parent minus 1; -1 is the world.
 model::Body BodyOf(const mjModel& m, int id);
+/// Reads name, type, anchor, axis and range of a joint, but neither its start nor its attributes.
 model::Joint JointOf(const mjModel& m, int id);
 /// Reads name, role, shape and pose of a geom, but not its attributes and mass. For a mesh geom,
 /// Part::mesh is the id of the mesh, Shape::mesh is null, and the pose is that of the triangles

@@ -1,5 +1,5 @@
-// Loading of the spec, and making of variants, for the requests of `mjforge customize`; reuses the
-// results of the last request.
+// Loads the spec and generates variants for the requests of `mjforge customize`. Reuses the results
+// of the last request.
 
 #include "mjforge/customize/variant_cache.h"
 

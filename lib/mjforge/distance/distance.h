@@ -1,5 +1,6 @@
-// Distances between convex shapes, and of points from the convex hull of several shapes. A mesh
-// counts as its convex hull.
+// Distances between convex shapes, and of points from the convex hull of several shapes, by the GJK
+// algorithm; penetration depths by the EPA algorithm of libccd. A mesh counts as its convex hull.
+// All shapes of a call must have poses in the same frame W. Points and vectors are in W, too.
 #pragma once
 
 #include <span>
@@ -24,26 +25,28 @@ struct PlacedShape {
 /// Returns the bounding box of all shapes.
 Eigen::AlignedBox3d BoxAround(std::span<const PlacedShape> shapes);
 
-/// Returns a point of the shape that is farthest in a direction.
+/// Returns a point of the shape, in W, that is farthest in a direction of any length.
 Eigen::Vector3d FarthestPoint(const PlacedShape& placed, const Eigen::Vector3d& direction_W);
 
-/// Vector from the nearest point of B to the nearest point of A, m; zero if they overlap.
+/// Returns the vector, in W, from the nearest point of B to the nearest point of A, m; zero if the
+/// shapes overlap.
 Eigen::Vector3d Separation(const PlacedShape& a, const PlacedShape& b);
 
-/// Distance of two shapes, m; 0 if they overlap.
+/// Returns the distance of two shapes, m; 0 if the shapes overlap.
 double Distance(const PlacedShape& a, const PlacedShape& b);
 
-/// Distance of two shapes, m, if it is at most `limit`; otherwise a number between `limit` and the
-/// largest distance between points of the shapes. Takes a fraction of the time of Distance().
+/// Returns the distance of two shapes, m, if it is at most `limit`; otherwise a number between
+/// `limit` and the largest distance between points of the shapes. Takes a fraction of the time of
+/// Distance().
 double DistanceUpTo(double limit, const PlacedShape& a, const PlacedShape& b);
 
-/// Distance of two shapes, m; if the shapes overlap, minus the penetration depth, which is the
-/// shortest translation that separates them. The error of the depth is at most a ten-thousandth of
-/// the shapes' size.
+/// Returns the distance of two shapes, m; if the shapes overlap, minus the penetration depth, which
+/// is the length of the shortest translation that separates them. The error of the depth is at most
+/// a ten-thousandth of the shapes' size.
 double SignedDistance(const PlacedShape& a, const PlacedShape& b);
 
-/// Vector from the nearest point of the shapes' convex hull to the point `p_W`, m; zero if the hull
-/// contains the point.
+/// Returns the vector, in W, from the nearest point of the shapes' convex hull to the point `p_W`,
+/// m; zero if the hull contains the point. There must be at least one shape.
 Eigen::Vector3d FromHull(std::span<const PlacedShape> shapes, const Eigen::Vector3d& p_W);
 
 }  // namespace mjforge::distance

@@ -20,6 +20,7 @@ class MemoryFiles {
 
   /// File name of the model's text.
   static constexpr const char* kTextName = "mjforge-object.xml";
+  /// Replaces the text of the model, which MuJoCo reads as the file kTextName.
   void SetText(const std::string& text);
 
   /// Removes all files except the text of the model.

@@ -11,8 +11,8 @@ struct Refusal {
   std::string reason;  // on one line, without MuJoCo's "Error: " and a final full stop
   int line = 0;        // line of the XML; 0 if unknown
 };
-/// If the message names a sensor, whose line MuJoCo 2.2 does not tell, the line is that of the
-/// sensor with this name in `xml`.
+/// Splits an error message of MuJoCo into reason and line. If the message has no line but names a
+/// sensor, as in MuJoCo 2.2, returns the line of the sensor with this name in the MJCF text `xml`.
 Refusal ParseRefusal(std::string_view message, std::string_view xml = {});
 
 /// Returns a text with each run of white space replaced by a blank, and without full stops at its

@@ -33,7 +33,8 @@ struct Builtin {
 
   /// Number of arguments; 0 for a variadic function.
   int arity() const { return is_variadic ? 0 : static_cast<int>(function.index()) + 1; }
-  /// Calls the function with the first numbers of `values`, as many as `function` has parameters.
+  /// Calls `function` with the first one, two or three numbers of `values`, depending on the number
+  /// of its parameters.
   double Call(const std::array<double, 3>& values) const;
 };
 

@@ -68,7 +68,9 @@ Dimension operator/(const Dimension& a, const Dimension& b) { return a * Power(b
 
 Dimension Power(const Dimension& base, double exponent) {
   if (!base.is_known_) return {};
-  // The exponents 1 and -1 preserve an angle. Without rad^-1, the quotient rad / rad would be rad.
+  // Keeps the unit rad in the powers 1 and -1; other powers of an angle are plain numbers. The
+  // power -1 is needed because a quotient is computed as a * b^-1, and rad / rad must be a plain
+  // number.
   Dimension power =
       Dimension::Checked(base.m_ * exponent, base.kg_ * exponent, base.s_ * exponent, 0);
   if (power == Dimension::Count() && (exponent == 1 || exponent == -1))

@@ -109,10 +109,10 @@ struct Part {
 
 struct Joint {
   std::string name;
-  std::string_view type = "free";  // free ball slide hinge
-  Eigen::Vector3d pos = Eigen::Vector3d::Zero();
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
-  std::optional<Eigen::Vector2d> range;  // nullopt: the joint is not limited
+  std::string_view type = "free";                   // free ball slide hinge
+  Eigen::Vector3d pos = Eigen::Vector3d::Zero();    // anchor in the frame B of the body, m
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  // in B, of any length but 0
+  std::optional<Eigen::Vector2d> range;             // rad or m; nullopt: the joint is not limited
   /// Start position as in qpos: m or rad; w, x, y, z for a ball joint. Empty: the joint's zero.
   sample::Numbers start;
   /// Start velocity as in qvel, m/s or rad/s. The linear velocity of a free joint is in the frame P
@@ -125,7 +125,7 @@ struct Joint {
 struct Site {
   std::string name;
   GeomType type = GeomType::kSphere;
-  Eigen::Vector3d size = Eigen::Vector3d::Constant(0.005);
+  Eigen::Vector3d size = Eigen::Vector3d::Constant(0.005);  // m, in the convention of Shape::size
   Pose X_BS;
   int material = -1;
   std::vector<Attribute> attributes;

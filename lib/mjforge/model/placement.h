@@ -60,7 +60,7 @@ struct PlaceTry {
 };
 
 enum class PlaceVerdict {
-  kStands,
+  kStands,    // the body has a place: PlaceResult::X_SupportBody
   kTooLarge,  // the footprint does not fit into the region at any position
   kTooHigh,   // the body is higher than the free height above the region
   kOutside,   // the position beside the neighbour (`beside`) is outside of the region

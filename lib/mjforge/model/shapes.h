@@ -43,7 +43,8 @@ struct MassProperties {
 /// Returns the mean of a mesh's vertices; zero if there are none.
 Eigen::Vector3d MeanVertex(const TriangleMesh& mesh);
 
-double Volume(const Shape& shape);  // m^3
+/// Returns the volume of a shape, m^3.
+double Volume(const Shape& shape);
 
 /// Returns the mass properties in the shape's frame for a uniform density, kg/m^3. Uses a closed
 /// form; for meshes, the divergence theorem (Mirtich, "Fast and accurate computation of polyhedral

@@ -51,7 +51,7 @@ class PartFile {
   /// on the disk, and afterwards until the name is. With `if_changed`, an existing file with the
   /// same bytes stays untouched, and the part is removed.
   bool Commit(bool if_changed, Durability durability, diag::Findings& findings);
-  /// Removes the part.
+  /// Deletes the file under construction. Has no effect after Commit().
   void Drop();
 
  private:

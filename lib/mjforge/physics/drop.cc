@@ -81,7 +81,8 @@ class DropSimulation {
     return HasRestRanges(checks_);
   }
 
-  /// Returns the largest tilt of a free body, rad.
+  /// Returns the largest angle, over all free bodies, between the vertical and the direction of the
+  /// body that was up before the nudge (Root::up_B), rad.
   double Tilt() const {
     double tilt = 0;
     for (const Root& root : roots_) {

@@ -40,8 +40,9 @@ struct Nudge {
 DropOutcome SimulateDrop(mjModel& m, mjData& d, const model::Checks& checks, const Nudge& nudge,
                          Result& result, FilmRecorder* recorder = nullptr);
 
-/// Returns the only free body, which stands on a level floor and can be nudged; nullopt if there is
-/// no level floor, or not exactly one free body.
+/// Returns the id of the only free body, which can be nudged because the only fixed geom that
+/// collides is a level floor; nullopt if there is no such floor, or not exactly one free body.
+/// Computes the poses in `d` (mj_kinematics).
 std::optional<int> FreeStandingBody(const mjModel& m, mjData& d);
 
 }  // namespace mjforge::physics

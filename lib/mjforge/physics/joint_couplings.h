@@ -22,8 +22,11 @@ struct JointEquality {
   int x = 0;                     // id of joint2
   const mjtNum* poly = nullptr;  // the five numbers of polycoef
 
+  /// Returns true if y is a linear function of x with a slope other than 0.
   bool IsLinear() const;
+  /// Returns y for x = `value`.
   double At(double value) const;
+  /// Returns the derivative dy/dx for x = `value`.
   double SlopeAt(double value) const;
 };
 

@@ -59,8 +59,9 @@ struct FastestBody {
   double speed = 0;  // m/s
   int body = 0;
 };
-/// Returns the fastest body that is not fixed to the world. The speed is an upper bound, because
-/// each geom is replaced by its bounding sphere.
+/// Returns the fastest body that is not fixed to the world; the world (0) if no body moves. The
+/// speed is an upper bound, because each geom is replaced by its bounding sphere. Uses the poses
+/// and velocities that MuJoCo last computed in `d` (geom_xpos, subtree_com, cvel).
 FastestBody FindFastestBody(const mjModel& m, const mjData& d);
 
 /// Returns the ids of the bodies with free joints.

@@ -18,6 +18,7 @@ class Stepper {
  public:
   Stepper(mjModel& m, mjData& d);
 
+  /// Advances the simulation by one step, like mj_step.
   void Step();
   /// Passes the state before each step to a recorder, which must outlive this object; null: no
   /// recorder.

@@ -48,7 +48,7 @@ void AddBall(const Vector3d& at, double radius, const Color& color, Scene& scene
   scene.Add(mjGEOM_SPHERE, {radius, radius, radius}, at, kUpright, color);
 }
 
-// Draws the twelve edges of a box.
+// Draws the edges of an axis-aligned box as capsules with this radius, m.
 void DrawEdges(const Vector3d& min, const Vector3d& max, double radius, Scene& scene) {
   for (int axis = 0; axis < 3; ++axis) {
     for (int corner = 0; corner < 4; ++corner) {

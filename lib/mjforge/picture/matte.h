@@ -41,7 +41,8 @@ class Matte {
   Image Finish();
 
  private:
-  // Sums over the samples of a pixel. Brightness has levels from 0 to RenderedBand::light.
+  // Sums over the samples of a pixel. Each sample adds at most RenderedBand::light to `hidden` and
+  // to `shade`, and at most 255 to each component of `color`.
   struct PixelSums {
     std::array<int, 3> color = {};
     int hidden = 0;  // brightness of the floor that the object hides

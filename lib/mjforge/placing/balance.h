@@ -10,10 +10,11 @@
 
 namespace mjforge::placing {
 
-/// Returns true if a body with these shapes, in a frame whose z axis points up, does not tip over:
-/// its centre of mass is above the convex hull of the contacts that carry it, or beside the hull by
-/// at most a twentieth of the body's width. The tolerance is for bodies in racks and bowls, which
-/// are lowered until they touch one wire or one side first.
+/// Returns true if a body with these shapes does not tip over: its centre of mass, m, is above the
+/// convex hull of the contacts that carry it, or beside the hull by at most a twentieth of the
+/// body's width (the diagonal of its bounding box, seen from above). All arguments are in one
+/// frame, whose z axis points up. The tolerance is for bodies in racks and bowls, which are lowered
+/// until they touch one wire or one side first.
 bool IsBalanced(std::span<const distance::PlacedShape> shapes, std::span<const Contact> contacts,
                 const Eigen::Vector3d& center_of_mass);
 

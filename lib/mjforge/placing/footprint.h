@@ -11,7 +11,7 @@
 
 namespace mjforge::placing {
 
-/// A disc in a level plane; a point if the radius is 0.
+/// A disc in a level plane, m; a point if the radius is 0.
 struct Disc {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
   double radius = 0;
@@ -30,7 +30,8 @@ class Footprint {
   /// Support function: returns the largest dot(direction, point) over all points.
   double Support(const Eigen::Vector2d& direction) const;
   const Eigen::AlignedBox2d& Box() const { return box_; }
-  /// Returns the outline as a polygon; arcs become chords.
+  /// Returns the convex hull of 64 points on the border of each disc. The polygon is inside the
+  /// footprint, because arcs become chords.
   Polygon Outline() const;
 
  private:

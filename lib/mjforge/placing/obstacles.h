@@ -85,8 +85,9 @@ class Obstacles {
                                      const Support& support) const;
 
   /// Returns the radius to which a cylinder can be widened until it touches an obstacle, at most
-  /// `most`, m; 0 if an obstacle is nearer than 1 mm to the axis. The supporting body, and shapes
-  /// wholly below the support, are no obstacles.
+  /// `most`, m; 0 if an obstacle is nearer than 1 mm to the axis. The axis is the z axis of
+  /// X_WCylinder; half_height is in m. The supporting body, and shapes wholly below the support,
+  /// are no obstacles.
   double FreeRadius(const model::Pose& X_WCylinder, double half_height, double most,
                     const Support& support) const;
 
@@ -99,8 +100,9 @@ class Obstacles {
   std::vector<Contact> FindContacts(std::span<const distance::PlacedShape> shapes,
                                     double within) const;
 
-  /// Returns the heights of a body's lowest and highest point above a support, m; 0 and 0 if the
-  /// body is no obstacle.
+  /// Returns the heights of a body's lowest and highest point above a support, m. The first is at
+  /// most 0 and the second at least 0, even if the body does not reach the plane of the support.
+  /// Returns 0 and 0 if the body is no obstacle.
   std::pair<double, double> HeightsOf(int body, const Support& support) const;
 
  private:

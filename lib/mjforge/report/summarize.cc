@@ -25,7 +25,8 @@ struct SectionSummary {
   std::uint32_t lines = 0;
   std::uint64_t bad_lines = 0;
   bool is_unreadable = false;
-  // Findings in the order of their lines. Line numbers are counted from the start of the section.
+  // Findings of the reader, in the order of the lines of the section. Line numbers are relative to
+  // the start of the section; Joiner converts them to line numbers of the whole file.
   diag::Sources sources;
   diag::Findings findings;
 };

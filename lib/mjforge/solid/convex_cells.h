@@ -11,7 +11,7 @@
 
 namespace mjforge::solid {
 
-/// A convex polygon in space.
+/// Corners of a convex polygon in space, in order around the polygon, m.
 using SpacePolygon = std::vector<Eigen::Vector3d>;
 
 /// The points p with dot(normal, p) <= limit.
@@ -62,7 +62,8 @@ std::vector<SpacePolygon> ClippedByCells(const std::vector<SpacePolygon>& polygo
 
 /// Removes the inside of a cell from polyhedra. Each polyhedron that the cell meets is cut into
 /// convex parts along the cell's sides, one side after the other. Parts thinner than about `near`,
-/// m, are dropped. Returns false if there are more than `most` parts.
+/// m, are dropped. Returns false if there are more than `most` parts; the polyhedra are then no
+/// longer valid.
 bool Subtract(const Cell& cell, std::vector<Polytope>& polyhedra, double near, std::size_t most);
 
 }  // namespace mjforge::solid

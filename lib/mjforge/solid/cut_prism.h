@@ -10,10 +10,11 @@
 namespace mjforge::solid {
 
 /// Cross sections of three extrusions along x, y and z; the solid is the intersection of the
-/// extrusions. The sections along x and y are rectangles around the prism, each with the holes
-/// along its axis.
+/// extrusions. Section i is in the coordinates of kSectionPlanes[i]. The sections along x and y are
+/// rectangles around the prism, each with the holes along its axis.
 using CutSections = std::array<Area, 3>;
 
+/// Returns the bounding box, m, of a prism without rounding, bevels and holes.
 Eigen::AlignedBox3d BoundsOf(const Prism& prism);
 
 /// Makes a prism with holes along x or y. The pieces fill the prism exactly. `base` has the polygon

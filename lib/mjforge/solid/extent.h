@@ -25,7 +25,8 @@ struct ExtentCurve {
 /// Curves whose convex hull is the convex hull of the solid.
 using Extent = std::vector<ExtentCurve>;
 
-/// Support function: the largest dot(direction, point). The direction has any length.
+/// Returns the support function: the largest dot(direction, point), or minus infinity if `extent`
+/// is empty. The direction may have any length.
 double Support(const Extent& extent, const Eigen::Vector3d& direction);
 
 /// Adds a horizontal circular arc about `center`, from the angle `from` to from + angle, rad, and

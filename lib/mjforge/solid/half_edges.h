@@ -10,11 +10,13 @@
 
 namespace mjforge::solid {
 
+/// Half-edge table of a closed polytope. Indices of faces and vertices are those of the polytope.
 class HalfEdges {
  public:
   explicit HalfEdges(const Polytope& polytope);
 
-  /// Returns the face to the left of the edge from a to b, seen from outside.
+  /// Returns the face to the left of the edge from a to b, seen from outside. Throws
+  /// std::out_of_range if the polytope has no such edge.
   int FaceAt(int a, int b) const { return next_.at({a, b}).first; }
   /// Returns each edge once, as a pair of vertices.
   std::vector<std::pair<int, int>> All() const;

@@ -1,4 +1,4 @@
-// Validation of the holes of a prism: each inside of the shape, none meets another.
+// Validation of the holes of a prism: each hole is inside the shape, and no two holes meet.
 
 #include "mjforge/solid/hole_outlines.h"
 

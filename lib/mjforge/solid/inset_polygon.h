@@ -23,14 +23,14 @@ struct BasePolygon {
 
   /// Returns the unit vectors of the arcs of each loop, which do not depend on the inset.
   std::vector<std::vector<ArcDirections>> Directions() const;
-  /// Returns quadrature nodes on the boundary after all sides are moved inwards by `inset`.
+  /// Returns quadrature nodes on the boundary after all sides are moved inwards by `inset`, m.
   /// `directions` is the result of Directions().
   std::vector<QuadratureNode> BoundaryAt(
       double inset, const std::vector<std::vector<ArcDirections>>& directions) const;
   /// Returns the cross sections of a prism whose bevel has this width, m. `per_turn` and `inside`
   /// are arguments of PointsOf().
   PrismSections SectionsAt(double bevel, int per_turn, bool inside) const;
-  /// Returns the corners of a loop after all sides are moved inwards by `inset`.
+  /// Returns the corners of a loop after all sides are moved inwards by `inset`, m.
   std::vector<RoundedCorner> CornersOf(std::size_t loop, double inset) const;
 };
 

@@ -27,9 +27,11 @@ FlatHull FlatHullOf(std::span<const Eigen::Vector3d> points);
 /// mesh must not have texture coordinates.
 void RemoveRepeats(TriangleMesh& mesh);
 
+/// Returns the faces of a polytope as triangles, without normals. Faces share their vertices.
 TriangleMesh MeshOf(const Polytope& polytope);
 
-/// Returns a sphere, capsule or cylinder between two points.
+/// Returns a sphere, capsule or cylinder at the middle of two points, with its z axis from `a` to
+/// `b`. `size` is in the convention of MuJoCo's geoms.
 ConvexPiece Primitive(ConvexPiece::Type type, const Eigen::Vector3d& size, const Eigen::Vector3d& a,
                       const Eigen::Vector3d& b);
 
@@ -40,7 +42,9 @@ double AngleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 /// `per_turn` segments in a whole turn.
 TriangleMesh RoundedMesh(const Polytope& polytope, double radius, int per_turn);
 
-/// Returns the mass of the polytope enlarged by the distance `radius` >= 0.
+/// Returns the mass of the polytope enlarged by the distance `radius` >= 0, m (Minkowski sum with a
+/// ball), as the sum of the polytope, slabs on its faces, sectors of cylinders along its edges and
+/// sectors of balls at its vertices.
 Mass RoundedMass(const Polytope& polytope, double radius);
 
 }  // namespace mjforge::solid

@@ -43,8 +43,8 @@ inline Point2 OnPicture(const TextureMapping& texture, const Point2& p) {
   return texture.is_turned ? Point2(p.y(), p.x()) : Point2(p.x(), -p.y());
 }
 
-/// Adds the texture coordinates that MuJoCo gives a box: along x and against y, equal in all cross
-/// sections.
+/// Adds texture coordinates by projection along z, as MuJoCo maps a texture to a box: u is along x
+/// and v is along -y (along y and x if `texture.is_turned`). Adds none if the unit is kNone.
 void ProjectTextureFromAbove(const TextureMapping& texture, TriangleMesh& mesh);
 
 /// Rounds positions to a micrometre (in shapes below 2 mm or above 10 m to about a millionth of the

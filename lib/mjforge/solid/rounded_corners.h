@@ -13,13 +13,14 @@ namespace mjforge::solid {
 struct RoundedCorner {
   Point2 place;       // sharp corner, or centre of the arc
   double radius = 0;  // m; 0 for a sharp corner
-  double from = 0;    // angle at which the arc begins, rad
+  double from = 0;    // direction from the centre to the start of the arc, rad from the x axis
   double sweep = 0;   // angle of the arc, rad, positive to the left
 };
 
-/// Rounds each corner of an outline with its radius (0 leaves the corner sharp) and moves all sides
-/// by `inset` to their left: the radii of arcs that turn left shrink by `inset`, others grow.
-/// Returns nullopt and sets `fault` if a side is too short.
+/// Rounds each corner of an outline with its radius, m (0 leaves the corner sharp), and moves all
+/// sides by `inset`, m, to their left: the radii of arcs that turn left shrink by `inset`, others
+/// grow. `radii` has one number per corner. Returns nullopt and sets `fault` if a side is too
+/// short.
 std::optional<std::vector<RoundedCorner>> RoundCorners(const Outline& outline,
                                                        const std::vector<double>& radii,
                                                        double inset, Fault& fault);

@@ -79,6 +79,7 @@ struct TextureMapping {
   bool operator==(const TextureMapping&) const = default;
 };
 
+/// Default of the members `crease`, rad.
 inline constexpr double kDefaultCrease = 40 * std::numbers::pi / 180;
 
 /// A profile in the half plane r >= 0, revolved about z, counter-clockwise from the x axis.
@@ -114,8 +115,9 @@ struct Prism {
 
   bool operator==(const Prism&) const = default;
 };
-/// The pieces never protrude from the solid. Pieces of a bevelled prism that is not convex omit the
-/// bevelled edges. A plain convex prism without a texture is one piece, made by MakeConvexPrism.
+/// Makes a prism. The pieces never protrude from the solid. Pieces of a bevelled prism that is not
+/// convex omit the bevelled edges. A plain convex prism without a texture is one piece, made by
+/// MakeConvexPrism.
 std::optional<Solid> Make(const Prism& prism, Fault& fault);
 
 /// Extrudes a convex polygon, given in either direction, along z, centred on z = 0. Repeated
@@ -139,7 +141,7 @@ struct Tube {
 
   bool operator==(const Tube&) const = default;
 };
-/// In an arc of radius R the pieces protrude by at most R (1 - cos(pi / facets)).
+/// Makes a tube. In an arc of radius R the pieces protrude by at most R (1 - cos(pi / facets)).
 std::optional<Solid> Make(const Tube& tube, Fault& fault);
 
 /// The convex hull of points, possibly flat, enlarged by the distance `round` (Minkowski sum with a
@@ -170,7 +172,7 @@ struct RoundedCylinder {
   double half = 0;   // half the height
   double round = 0;  // less than `radius` and `half`
   bool piece_is_plain = false;
-  int facets = 16;
+  int facets = 16;  // sides of the pieces in a whole turn, unless `piece_is_plain`
   double crease = kDefaultCrease;
   TextureMapping texture = {};
 
@@ -180,7 +182,8 @@ std::optional<Solid> Make(const RoundedCylinder& cylinder, Fault& fault);
 
 using SolidShape = std::variant<Lathe, Prism, Tube, ConvexHull, RoundedBox, RoundedCylinder>;
 
-/// Least recently used cache of solids, because many parts and many variants have equal shapes.
+/// Least recently used cache of at most 64 solids and 600 kB, because many parts and many variants
+/// have equal shapes. Must not be used by several threads at the same time.
 class Cache {
  public:
   /// Returns the cached or new solid; null, and sets `fault`, if the shape is not a solid.

@@ -58,7 +58,8 @@ class ValueReader {
                    std::span<const std::string_view> extra_keys = {}) {
     return ReadMapping({.kind = kind}, map, extra_keys);
   }
-  /// Returns true if the node is text without `${...}`, and cannot be an expression.
+  /// Returns true if the node is a text that contains no `${...}`, and is neither an expression nor
+  /// the name of a variable.
   bool IsPlainText(const YamlNode& node) const;
 
   /// Reads `for:`. The loop variables remain declared until EndLoops().

@@ -193,8 +193,9 @@ class Sweeper {
     }
   }
 
-  /// Adds the deepest contact of each pair of bodies and joint to the sweep's result. A contact
-  /// found while all joints move is left out if one joint alone makes the same bodies touch.
+  /// Adds the deepest contact of each combination of a joint and a pair of bodies to the result of
+  /// the sweep. Leaves out a contact found while all joints move if one joint alone makes the same
+  /// bodies touch.
   void Collect() {
     std::set<std::pair<int, int>> reported;
     for (const auto& [key, deepest] : deepest_) {

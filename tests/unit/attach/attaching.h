@@ -9,21 +9,21 @@
 
 namespace mjforge::attach {
 
-/// Files in a folder of their own, and bodies of them.
+/// MJCF files in a temporary folder, and a reader that attaches bodies of these files.
 class Attaching {
  public:
-  /// Nothing but `arm.xml`, if there is a text for it.
+  /// Creates the folder. Writes `arm` to arm.xml, unless `arm` is empty.
   explicit Attaching(const std::string& arm = "");
 
   void Write(std::string_view name, std::string_view text) const { folder_.Write(name, text); }
-  /// Null after an error.
+  /// Attaches a body of a file (empty: the first body). Returns null after an error.
   const model::Attachment* Try(const std::string& body = "", const std::string& file = "arm.xml");
-  /// Fails the test, with the findings, if there is none.
+  /// Attaches a body like Try(). After an error, fails the test and shows the findings.
   const model::Attachment& Get(const std::string& body = "", const std::string& file = "arm.xml");
-  /// Findings of the last call, each as "error mujoco/error: message (hint) [arm.xml:3:5 here]",
-  /// without the folder's name.
+  /// Returns the findings of the last call, each as "error mujoco/error: message (hint)
+  /// [arm.xml:3:5 here]", without the path of the folder.
   std::vector<std::string> Report() const;
-  /// The finding of the last call; all of them, separated by line ends, if there are several.
+  /// Returns the findings of the last call as one text, separated by line ends.
   std::string OnlyFinding() const;
   const diag::Findings& findings() const { return findings_; }
 
@@ -34,17 +34,17 @@ class Attaching {
   diag::Findings findings_;
 };
 
-/// The place in a spec that attaches, for all of these tests.
+/// Place in a spec at which these tests attach bodies.
 inline constexpr diag::SourceMark kMark = {77, 5, 3};
 
-/// `<mujoco>` with these sections around `<worldbody>`.
+/// Returns an MJCF file with these sections, followed by `<worldbody>` with these bodies.
 std::string Mjcf(const std::string& bodies, const std::string& sections = "");
 
-/// "0.1 2 3" of an attribute, or its text; "-" if there is none.
+/// Returns the value of an attribute as in MJCF ("0.1 2 3"); "-" if the attribute is missing.
 std::string Said(const std::vector<model::Attribute>& attributes, std::string_view name);
-/// All attributes: "contype=0 friction=1 0.1 0.1".
+/// Returns the names and values of all attributes: "contype=0 friction=1 0.1 0.1".
 std::string Said(const std::vector<model::Attribute>& attributes);
-/// Names of named things, one blank apart.
+/// Returns the names of the items of a list, separated by blanks.
 template <typename List>
 std::string Names(const List& list) {
   std::string names;

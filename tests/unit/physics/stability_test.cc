@@ -1,4 +1,4 @@
-// Stability margins and nudges.
+// Tests of stability margins, and of nudges of resting objects.
 #include <cmath>
 #include <numbers>
 

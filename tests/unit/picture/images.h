@@ -4,7 +4,7 @@
 
 namespace mjforge::picture {
 
-/// An image of one color.
+/// Returns an image in which all pixels have the color `color` (red, green, blue, alpha).
 inline Image Flat(int width, int height, std::array<std::uint8_t, 4> color) {
   Image image{width, height, {}};
   image.rgba.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));

@@ -1,4 +1,4 @@
-// Distances to obstacles, and lowering onto them.
+// Tests of distances to obstacles, and of lowering objects onto obstacles.
 #include "mjforge/placing/obstacles.h"
 
 #include <catch2/catch.hpp>

@@ -15,10 +15,12 @@ using spec::Distribution;
 
 const double kUniforms[] = {1e-9, 0.01, 0.3, 0.5, 0.7, 0.99, 1 - 1e-9};
 
-// The probability above z, good to 150 standard deviations where long double is wide.
+// Returns the probability that a standard normal number is above z. Accurate up to z = 150 if the
+// exponent of long double has 15 bits.
 long double Above(double z) { return std::erfc(z / std::sqrt(2.0L)) / 2; }
 
-// u recovered from a value of the upper tail.
+// Returns the probability of numbers below `value` in the standard normal distribution truncated to
+// `z`. Accurate in the upper tail.
 double FractionBelow(double value, Interval z) {
   return static_cast<double>((Above(z.lo) - Above(value)) / (Above(z.lo) - Above(z.hi)));
 }

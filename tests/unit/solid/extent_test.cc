@@ -54,8 +54,8 @@ TEST_CASE("rounded boxes and hulls reach as far as their core, and the rounding 
   }
 }
 
-/// Checks that the hull of the solid is that of its render mesh, whose vertices are on the surface
-/// and rounded to a millionth.
+/// Checks that the solid and its render mesh have the same convex hull up to `tolerance`, m. The
+/// vertices of the mesh are points of the surface, rounded to a micrometre.
 void CheckAgainstMesh(const Solid& solid, Random& random, double tolerance) {
   for (int i = 0; i < 50; ++i) {
     const Vector3d d = RandomDirection(random);

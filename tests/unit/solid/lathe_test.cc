@@ -95,8 +95,8 @@ TEST_CASE("a walled profile has the mass of the outline between it and its paral
   CHECK(Made(pipe).mass.volume == Approx(kPi * 0.5 * (0.02 * 0.02 - 0.018 * 0.018)).epsilon(1e-12));
 }
 
-// The section of a facet at any angle is the profile, scaled by a factor between those at the
-// facet's middle and at its ends.
+// The cross section of a facet at any angle is the profile, with r multiplied by a number. From the
+// middle of the facet to its ends, this number grows by at most the factor 1 / cos(pi / facets).
 TEST_CASE("pieces fill the solid up to the chord error, and never reach into a cavity") {
   Random random(2);
   int outside = 0;

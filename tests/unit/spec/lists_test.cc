@@ -1,4 +1,4 @@
-// Lists, records and tables: what is wrong with them.
+// Tests of lists, records and tables, and of findings about them.
 
 #include <catch2/catch.hpp>
 #include <string>
