@@ -23,7 +23,7 @@
 #include "mjforge/output/output.h"
 #include "mjforge/xml/xml.h"
 #include "no_throw.h"
-#include "parameters.h"
+#include "parameters_json.h"
 #include "snapshots.h"
 #include "table.h"
 #include "text_view.h"

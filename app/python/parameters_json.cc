@@ -1,5 +1,5 @@
 // Description of a spec's parameters as JSON: type, distribution, bounds and choices.
-#include "parameters.h"
+#include "parameters_json.h"
 
 #include <algorithm>
 #include <cmath>
