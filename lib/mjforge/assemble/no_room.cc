@@ -69,7 +69,7 @@ void ReportCrowded(const NoRoom& facts, const Misses& misses, diag::Finding& fin
       fmt::format("no room for body {} {}{}", Quoted(facts.body), place, Quoted(facts.at));
   if (facts.region != nullptr) {
     finding.message +=
-        fmt::format(", {}: it needs {}", SizeOf(*facts.region), Sizes(misses.footprint));
+        fmt::format(", {}: it needs {}", SizeOf(*facts.region), Sizes(misses.size.head<2>()));
     if (facts.clear > 0) finding.message += fmt::format(" and {} cm around it", Cm(facts.clear));
     if (facts.widest_gap) {
       finding.message += fmt::format("; the widest gap is {} cm across",
@@ -88,6 +88,7 @@ void ReportCrowded(const NoRoom& facts, const Misses& misses, diag::Finding& fin
 
 void Misses::Add(const model::PlaceResult& result, const PlaceNames& names) {
   if (++count == 1 || result.footprint.prod() < footprint.prod()) footprint = result.footprint;
+  size = result.size;
   ++verdicts[result.verdict];
   if (result.verdict != model::PlaceVerdict::kBlocked || result.blocker < 0) return;
   ++blockers[names.NameOf(result.blocker)];
@@ -110,8 +111,9 @@ void ReportNoRoom(const NoRoom& facts, const Misses& misses, diag::Findings& fin
                     Sizes(misses.footprint), SizeOf(*facts.region));
     finding.hint = "a smaller body, a larger region, or a share that may lie outside: `overhang`";
   } else if (misses.AreAll(model::PlaceVerdict::kTooHigh)) {
-    finding.message = fmt::format("body {} is too high for {}, which has {} cm of free height",
-                                  body, at, Cm(facts.region->height));
+    finding.message =
+        fmt::format("body {} is {} cm high, too high for {}, which has {} cm of free height", body,
+                    Cm(misses.size.z()), at, Cm(facts.region->height));
     finding.hint = "a lower body, or another way of `lying`";
   } else if (misses.AreAll(model::PlaceVerdict::kOutside)) {
     finding.message = facts.beside.empty()

@@ -117,6 +117,18 @@ std::string PlaceNames::FullName(std::string_view body) const {
   return scope_.prefix + fmt::format("{}", fmt::join(PathOf(body), "_"));
 }
 
+std::string PlaceNames::OutermostName(std::string_view name) const {
+  if (scope_.outer == nullptr) return std::string(name);
+  std::string full = fmt::format("{}", fmt::join(PathOf(name), "."));
+  for (const Scope* scope = &scope_; scope->outer != nullptr; scope = scope->outer) {
+    const std::string prefix = scope->outer_prefix();
+    const std::size_t outer = scope->outer->prefix.size();
+    if (prefix.size() > outer + 1)
+      full = prefix.substr(outer, prefix.size() - outer - 1) + "." + full;
+  }
+  return full;
+}
+
 std::optional<int> PlaceNames::FindBody(std::string_view name) const {
   if (name == scope_.values.spec().name) return scope_.body;
   const auto found = bodies_.find(FullName(name));

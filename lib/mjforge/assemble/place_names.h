@@ -39,6 +39,9 @@ class PlaceNames {
   std::optional<PlaceTarget> Find(std::string_view name) const;
   /// Returns the full name, as in the object, of a body named BODY or BODY.INNER.
   std::string FullName(std::string_view body) const;
+  /// Returns the name of a region or site as the outermost spec would write it: if the scope's spec
+  /// is the body `set` of the outermost spec, its "tray.surface" is "set.tray.surface" there.
+  std::string OutermostName(std::string_view name) const;
   /// Returns the name of a body without the scope's prefix; for the root body, the spec's name.
   std::string NameOf(int body) const;
 

@@ -83,7 +83,7 @@ void Placements::PileUp(const Request& request, sample::StreamId places) {
   model::Body& body = context_.object.bodies[static_cast<std::size_t>(request.body)];
   body.parent = trial.where.support;
   body.X_PB = pile.region.X_BR;
-  body.place_name = trial.at;
+  body.place_name = names_.OutermostName(trial.at);
 }
 
 model::Pile& Placements::PileAt(const Request& request, const Trial& trial,

@@ -2,6 +2,7 @@
 
 #include "mjforge/assemble/placements.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -77,6 +78,7 @@ void Placements::Run() {
     standing_ = 0;
     context_.repetition.ForEach(entry.head, values, bodies, [&] { Place(entry, bodies); });
   }
+  WarnOfSweptPlaces();
   context_.object.bodies[static_cast<std::size_t>(scope_.body)].parent = parent;
 }
 
@@ -130,9 +132,14 @@ void Placements::Settle(const Request& request, const Trial& trial,
   }
   model::Body& body = context_.object.bodies[static_cast<std::size_t>(request.body)];
   body.parent = support;
+  body.X_PB = model::Pose();
+  const model::Pose X_ZeroStart = model::StartPose(body);  // motion of the body's own joints
   body.X_PB = result.X_SupportBody;
-  body.place_name = trial.at;
+  if (std::ranges::any_of(body.joints, model::HasStart))
+    body.X_PB = body.X_PB * X_ZeroStart.Inverse();
+  body.place_name = names_.OutermostName(trial.at);
   context_.placer.AddObstacle(request.body, trial.where.clear);
+  placed_.push_back(request.body);
   X_WB_ = model::BodyPoses(context_.object);
 }
 

@@ -69,6 +69,11 @@ class Placements {
   /// the direction to this point would be a rounding error.
   bool HasHeading(const Request& request, const Trial& trial, const model::PlaceResult& result);
   void GiveUp(const Request& request, const Trial& trial, const Misses& misses);
+  // swept_places.cc
+  /// Warns of joints that move a part of a body against an object that stands on the same body: a
+  /// door that sweeps over the region in front of it.
+  void WarnOfSweptPlaces();
+  void WarnOfSweep(std::size_t body, std::size_t joint, const std::vector<int>& standing);
   /// If the entry has `fewer: true`, inserts the body into PlacementContext::left_out, so that the
   /// next assembly leaves the body out, and returns true. Otherwise returns false.
   bool LeaveOut(const Request& request);
@@ -114,6 +119,7 @@ class Placements {
   // Count of instances of the current entry; 0 if unknown because of `if`.
   std::size_t instances_ = 0;
   std::size_t standing_ = 0;  // count of instances of the current entry that have a place
+  std::vector<int> placed_;   // indices of the bodies that have a place
 };
 
 }  // namespace mjforge::assemble

@@ -72,8 +72,10 @@ struct PlaceResult {
   Pose X_SupportBody;   // pose of the body in its support, only for kStands
   int blocker = -1;     // index of a body in Object::bodies, only for kBlocked
   double distance = 0;  // distance from the body to the blocker, m; 0 if they overlap
-  // Sides of the footprint's bounding rectangle, m.
+  /// Sides of the footprint's bounding rectangle in the region's frame, m.
   Eigen::Vector2d footprint = Eigen::Vector2d::Zero();
+  /// Sides of the body's bounding box before the yaw, with z up, m.
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();
 };
 
 /// An orientation in which a body is at rest on a level plane.
@@ -105,6 +107,10 @@ class Placer {
   /// Returns the pose of a body, with all bodies below it, that `where` describes, or the reason
   /// why the body cannot stand there. Does not move the body, which must not be an obstacle.
   virtual PlaceResult Try(int body, const PlaceTry& where) = 0;
+
+  /// Returns the first of some obstacles (`among`) that a body, with all bodies below it, overlaps
+  /// at a pose in the object's frame; -1 if it overlaps none. The body may be an obstacle itself.
+  virtual int FindOverlap(int body, const Pose& X_WBody, const std::vector<int>& among) = 0;
 
   /// Returns the diameter, m, of the largest upright cylinder that is as high as the body and fits
   /// into the region of `where` between the obstacles.

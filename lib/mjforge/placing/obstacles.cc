@@ -105,7 +105,7 @@ PlacedShape MovedShapes::At(std::size_t index) const {
 void Obstacles::Add(const model::Object& object, int body, double clear) {
   const std::vector<BodyShape> shapes = ShapesBelow(object, body);
   const PlacedShapes placed = ShapesAt(shapes, PoseInWorld(object, body));
-  Group group{clear, distance::BoxAround(placed), {}};
+  Group group{body, clear, distance::BoxAround(placed), {}};
   for (std::size_t i = 0; i < shapes.size(); ++i)
     group.obstacles.push_back({shapes[i].body, placed[i]});
   groups_.push_back(std::move(group));
@@ -133,6 +133,22 @@ std::optional<Blocker> Obstacles::FindBlocker(const MovedShapes& shapes, double 
     }
   }
   return std::nullopt;
+}
+
+int Obstacles::FindOverlap(std::span<const PlacedShape> shapes, std::span<const int> bodies) const {
+  const Eigen::AlignedBox3d box_W = distance::BoxAround(shapes);
+  const auto overlaps = [&](const Obstacle& obstacle) {
+    return std::ranges::any_of(shapes, [&](const PlacedShape& shape) {
+      return obstacle.shape.box_W.intersects(shape.box_W) &&
+             distance::Distance(shape, obstacle.shape) <= 0;
+    });
+  };
+  for (const Group& group : groups_) {
+    if (std::ranges::find(bodies, group.body) == bodies.end()) continue;
+    if (group.box_W.intersects(box_W) && std::ranges::any_of(group.obstacles, overlaps))
+      return group.body;
+  }
+  return -1;
 }
 
 double Obstacles::FreeRadius(const model::Pose& X_WCylinder, double half_height, double most,

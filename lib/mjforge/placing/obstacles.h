@@ -84,6 +84,10 @@ class Obstacles {
   std::optional<Blocker> FindBlocker(const MovedShapes& shapes, double clear,
                                      const Support& support) const;
 
+  /// Returns the first body among `bodies`, which were passed to Add(), whose subtree overlaps the
+  /// shapes; -1 if there is none.
+  int FindOverlap(std::span<const distance::PlacedShape> shapes, std::span<const int> bodies) const;
+
   /// Returns the radius to which a cylinder can be widened until it touches an obstacle, at most
   /// `most`, m; 0 if an obstacle is nearer than 1 mm to the axis. The axis is the z axis of
   /// X_WCylinder; half_height is in m. The supporting body, and shapes wholly below the support,
@@ -112,6 +116,7 @@ class Obstacles {
   };
   // A body and the bodies below it in the tree.
   struct Group {
+    int body;
     double clear;
     Eigen::AlignedBox3d box_W;
     std::vector<Obstacle> obstacles;

@@ -1,7 +1,6 @@
 // Placer: finds the pose of a body in a region or at a site, and tests the pose for overlap.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -11,10 +10,10 @@
 #include "mjforge/placing/footprint.h"
 #include "mjforge/placing/free_play.h"
 #include "mjforge/placing/obstacles.h"
+#include "mjforge/placing/orientation.h"
 #include "mjforge/placing/placing.h"
 #include "mjforge/placing/stable_poses.h"
 #include "mjforge/placing/widest_gap.h"
-#include "mjforge/solid/solid.h"
 
 namespace mjforge::placing {
 namespace {
@@ -42,59 +41,6 @@ double AngleOf(const Vector2d& direction) { return std::atan2(direction.x(), -di
 
 // Returns the direction at an angle from the -y axis.
 Vector2d DirectionAt(double angle) { return {std::sin(angle), -std::cos(angle)}; }
-
-// A body in one orientation, except for a rotation about the vertical. Frame L has the origin of
-// the body, and the z axis of L points up.
-struct Orientation {
-  std::optional<Eigen::Quaterniond> asked;  // nullopt: as modelled, if stable
-  Eigen::Quaterniond q_LB;
-  std::vector<BodyShape> shapes;  // in the body's frame B
-  PlacedShapes placed;            // these shapes in frame L
-  Footprint footprint;            // in frame L
-  Vector3d p_BCm;                 // centre of mass in frame B
-  double bottom = 0;              // least z in L, m
-  double height = 0;              // m
-};
-
-Orientation Oriented(const model::Object& object, int body, const Eigen::Quaterniond& q_LB) {
-  std::vector<BodyShape> shapes = ShapesBelow(object, body);
-  PlacedShapes placed = ShapesAt(shapes, {Vector3d::Zero(), q_LB});
-  Footprint footprint = FootprintOf(placed);
-  Orientation orientation{q_LB,
-                          q_LB,
-                          std::move(shapes),
-                          std::move(placed),
-                          std::move(footprint),
-                          MassBelow(object, body).p_FCm};
-  if (orientation.placed.empty()) return orientation;
-  const Eigen::AlignedBox3d box = distance::BoxAround(orientation.placed);
-  orientation.bottom = box.min().z();
-  orientation.height = box.sizes().z();
-  return orientation;
-}
-
-// Returns true if, in the modelled orientation, the centre of mass of the body is above the convex
-// hull of its points that touch the ground.
-bool IsStable(const Orientation& upright) {
-  constexpr double kTouching = 1e-4;  // m; higher points do not touch the ground
-  return solid::ConvexContains(FootprintOf(upright.placed, kTouching).Outline(),
-                               upright.p_BCm.head<2>());
-}
-
-// Returns the orientation `asked`. If it is nullopt, returns the modelled orientation or, if the
-// body would tip over, the stable pose with the smallest rotation from the modelled orientation.
-Orientation OrientationOf(const model::Object& object, int body,
-                          const std::optional<Eigen::Quaterniond>& asked) {
-  Orientation orientation = Oriented(object, body, asked.value_or(Eigen::Quaterniond::Identity()));
-  if (!asked && !IsStable(orientation)) {
-    const std::vector<model::StablePose> poses = StablePosesOf(object, body, 0);
-    const auto least = std::ranges::max_element(
-        poses, {}, [](const model::StablePose& pose) { return pose.rotation.w(); });
-    if (least != poses.end()) orientation = Oriented(object, body, least->rotation);
-  }
-  orientation.asked = asked;
-  return orientation;
-}
 
 // Extent of shapes along a direction, m.
 struct Extent {
@@ -143,7 +89,8 @@ class RegionTry {
     const Stance stance = FindStance();
     PlaceResult result;
     result.footprint = stance.footprint.Box().sizes();
-    if (of_.height + kContactGap > region_.height) {
+    result.size = of_.size;
+    if (of_.size.z() + kContactGap > region_.height) {
       result.verdict = PlaceVerdict::kTooHigh;
     } else if (!stance.at) {
       result.verdict = PlaceVerdict::kTooLarge;
@@ -159,7 +106,7 @@ class RegionTry {
   }
 
   double WidestGap(const Obstacles& obstacles) const {
-    return placing::WidestGap(region_, X_WR_, of_.height, obstacles, SupportPlane());
+    return placing::WidestGap(region_, X_WR_, of_.size.z(), obstacles, SupportPlane());
   }
 
  private:
@@ -282,11 +229,11 @@ class RegionTry {
   double Rise(const Pose& X_RB, const Support& support, const Obstacles& obstacles) const {
     const auto [lowest, highest] = obstacles.HeightsOf(where_.support, support);
     const double start = std::isfinite(region_.height)
-                             ? std::max(region_.height - of_.height - 2 * kContactGap, 0.0)
+                             ? std::max(region_.height - of_.size.z() - 2 * kContactGap, 0.0)
                              : std::max(highest, 0.0);
     Pose X_RStart = X_RB;
     X_RStart.p.z() += start;
-    const double most = start + std::max(-lowest, 0.0) + of_.height;
+    const double most = start + std::max(-lowest, 0.0) + of_.size.z();
     const double drop = obstacles.Drop(ShapesAt(of_.shapes, X_WR_ * X_RStart), support.up_W, most);
     const double rise = drop < most ? start - std::max(drop - kContactGap, 0.0) : 0;
     if (rise <= 0 || rise < highest - kContactGap) return rise;
@@ -318,6 +265,10 @@ class ExactPlacer : public model::Placer {
   PlaceResult Try(int body, const PlaceTry& where) override {
     if (where.region == nullptr) return TryAtSite(body, where);
     return RegionTry(*object_, FindOrientation(body, where), where).Run(obstacles_);
+  }
+
+  int FindOverlap(int body, const Pose& X_WBody, const std::vector<int>& among) override {
+    return obstacles_.FindOverlap(ShapesAt(ShapesBelow(*object_, body), X_WBody), among);
   }
 
   double WidestGap(int body, const PlaceTry& where) override {

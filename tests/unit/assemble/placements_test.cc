@@ -25,6 +25,7 @@ class DiscPlacer : public model::Placer {
     tries.push_back(where);
     model::PlaceResult result;
     result.footprint.setConstant(2 * kRadius);
+    result.size.setConstant(2 * kRadius);
     if (where.region == nullptr) {
       result.X_SupportBody = where.X_SupportSite * where.X_BodySite.Inverse();
       return result;
@@ -48,6 +49,7 @@ class DiscPlacer : public model::Placer {
     }
     return result;
   }
+  int FindOverlap(int, const model::Pose&, const std::vector<int>&) override { return -1; }
   double WidestGap(int, const model::PlaceTry&) override { return 0.06; }
   std::vector<model::StablePose> StablePoses(int, double) override {
     return {{"upright", Eigen::Quaterniond::Identity(), 0.5, 0.75},
@@ -119,6 +121,16 @@ TEST_CASE("a free body is released where it was placed") {
   const Scene scene(Ball("name: a, joints: free, place: {at: table.surface, uv: [0, 0]}"));
   CHECK(scene.body("a").parent == -1);
   CHECK(scene.body("a").X_PB.p.isApprox(Eigen::Vector3d(1, 0, 0.7)));
+}
+
+TEST_CASE("a body whose own joints start elsewhere stands at its place at the start") {
+  const Scene scene(
+      Ball("name: a, joints: [{name: slide, type: slide, axis: [1, 0, 0], start: 0.2, ref: 0.1}, "
+           "{name: turn, axis: [0, 0, 1], start: 90deg}], place: {at: table.surface, uv: [0, 0], "
+           "yaw: 0}"));
+  const model::Pose X_TableA = model::StartPose(scene.body("a"));
+  CHECK(X_TableA.p.isApprox(Eigen::Vector3d(0, 0, 0.7)));
+  CHECK(X_TableA.q.isApprox(Eigen::Quaterniond::Identity()));
 }
 
 TEST_CASE("a body hangs by its site at the site of another") {
@@ -223,6 +235,7 @@ TEST_CASE("a nested spec places its own bodies") {
   CHECK(bodies[2].front == Approx(1.5707963));
   CHECK(bodies[3].parent == 2);
   CHECK(bodies[3].X_PB.p.isApprox(Eigen::Vector3d(0.15, 0.15, 0)));
+  CHECK(bodies[3].place_name == "tray.surface");
   CHECK(bodies[4].parent == 2);
 }
 

@@ -338,6 +338,27 @@ TEST_CASE("a body that tips over as modelled stands in the nearest stable pose")
   CHECK(handle.y() > 0.9);
 }
 
+TEST_CASE("a body does not stand on an apex or a rounded end") {
+  Table table;
+  const int pen = table.scene.Add(ShapeOf(GeomType::kCapsule, 0.004, 0.07));
+  CHECK(table.Place(pen, table.Where()).size.z() == Approx(0.008));
+  // A spike below a disc: it tips over to the disc's rim.
+  const int top = table.scene.Add(ShapeOf(GeomType::kCylinder, 0.04, 0.002), At(0, 0, 0.05));
+  auto& parts = table.scene.body(top).parts;
+  parts.push_back(parts.front());
+  parts.back().shape = ShapeOf(GeomType::kEllipsoid, 0.003, 0.003, 0.04);
+  parts.back().X_BG = At(0, 0, -0.04);
+  CHECK(std::abs((table.Place(top, table.Where()).X_SupportBody.q * Vector3d::UnitZ()).z()) < 0.9);
+}
+
+TEST_CASE("a round body keeps the modelled orientation") {
+  Table table;
+  const int ball = table.scene.Add(ShapeOf(GeomType::kSphere, 0.05));
+  CheckAt(table.Place(ball, table.Where()), {0, 0, 0.05 - kContactDepth});
+  const int egg = table.scene.Add(ShapeOf(GeomType::kEllipsoid, 0.05, 0.05, 0.03));
+  CHECK(table.Place(egg, table.Where()).X_SupportBody.q.w() == 1);
+}
+
 TEST_CASE("a body tips onto a part that is less than a millimetre above the ground") {
   Table table;
   // A grip, and a collar whose lower face is 0.5 mm higher; the centre of mass is between them.
