@@ -19,7 +19,7 @@ struct Misses {
   std::map<std::string, std::size_t> blockers;          // tries by the name of the blocking body
   double most_apart = 0;  // largest distance from a blocking body, m; 0 if all tries overlap it
   Eigen::Vector2d footprint = Eigen::Vector2d::Zero();  // smallest footprint of all tries, m
-  Eigen::Vector3d size = Eigen::Vector3d::Zero();       // of the body in the last try, m
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();       // size of the body in the last try, m
 
   void Add(const model::PlaceResult& result, const PlaceNames& names);
   /// Returns true if all tries failed with this verdict.

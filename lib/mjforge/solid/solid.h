@@ -79,8 +79,7 @@ struct TextureMapping {
   bool operator==(const TextureMapping&) const = default;
 };
 
-/// Default of the members `crease`, rad.
-inline constexpr double kDefaultCrease = 40 * std::numbers::pi / 180;
+inline constexpr double kDefaultCrease = 40 * std::numbers::pi / 180;  // of `crease`, rad
 
 /// A profile in the half plane r >= 0, revolved about z, counter-clockwise from the x axis.
 struct Lathe {
@@ -115,9 +114,8 @@ struct Prism {
 
   bool operator==(const Prism&) const = default;
 };
-/// Makes a prism. The pieces never protrude from the solid. Pieces of a bevelled prism that is not
-/// convex omit the bevelled edges. A plain convex prism without a texture is one piece, made by
-/// MakeConvexPrism.
+/// Makes a prism. The pieces never protrude. Pieces of a bevelled prism that is not convex omit the
+/// bevels. A plain convex prism without a texture is one piece, made by MakeConvexPrism.
 std::optional<Solid> Make(const Prism& prism, Fault& fault);
 
 /// Extrudes a convex polygon, given in either direction, along z, centred on z = 0. Repeated
@@ -182,8 +180,7 @@ std::optional<Solid> Make(const RoundedCylinder& cylinder, Fault& fault);
 
 using SolidShape = std::variant<Lathe, Prism, Tube, ConvexHull, RoundedBox, RoundedCylinder>;
 
-/// Least recently used cache of at most 64 solids and 600 kB, because many parts and many variants
-/// have equal shapes. Must not be used by several threads at the same time.
+/// Least recently used cache of equal shapes: at most 64, and 600 kB. Not for several threads.
 class Cache {
  public:
   /// Returns the cached or new solid; null, and sets `fault`, if the shape is not a solid.
