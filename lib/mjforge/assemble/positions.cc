@@ -77,7 +77,7 @@ void Assembly::ReportUnknownJoint(std::string_view what, const RequestedPosition
   }
   findings_.Add(Code::kModelUnknownReference, position.mark,
                 fmt::format("{}: the object has no joint {}", what, Quoted(position.shown)),
-                diag::DidYouMean(position.shown, names));
+                MissingNameHint(object_, position.joint, position.shown, names));
 }
 
 std::optional<sample::Numbers> Assembly::ToQpos(std::string_view what,

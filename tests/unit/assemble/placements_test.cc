@@ -263,6 +263,8 @@ TEST_CASE("a name of a body that was left out is reported with the reason") {
         "12:62 objname of framepos 's' is 'b_grip', but the object has no site of that name" + why);
   CHECK(finding("expect: [{apart: [a, b]}]\n") ==
         "12:22 the object has no body and no part 'b'" + why);
+  CHECK(finding("pose: [{joint: b_joint0, velocity: [0, 0, 0, 0, 0, 1]}]\n") ==
+        "12:8 pose: the object has no joint 'b_joint0'" + why);
 }
 
 TEST_CASE("entries of one pile agree on its order and time") {
