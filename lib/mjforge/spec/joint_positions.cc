@@ -1,6 +1,9 @@
 // Reader of joint positions: the start state `pose:`, `at:` of expectations and checks, and `pose:`
 // of the view.
 
+#include <cstddef>
+#include <limits>
+
 #include <fmt/format.h>
 
 #include "mjforge/spec/entry_reader.h"
@@ -58,7 +61,22 @@ Value ValueReader::ReadPosition(const FieldInfo& field, const YamlNode& node, Mo
     form.min_count = 4;
     form.unit = {};
   }
+  const bool is_list = node.kind == YamlNode::Kind::kList;
+  const std::size_t count = node.items.size();
+  if (is_list) {  // accepts every count, because a wrong count has a message of its own below
+    form.min_count = 0;
+    form.max_count = std::numeric_limits<int>::max();
+  }
   Value value = Read(form, node, motion);
+  // Skips lists that Read() already reported.
+  if (is_list && count != 4 && (count == 0 || value.components != 0)) {
+    findings_.Add(Code::kSpecWrongLength, value.mark,
+                  fmt::format("expected a number, or the four numbers of a ball joint's "
+                              "quaternion, got a list of {}",
+                              count));
+    value.components = 0;
+    return value;
+  }
   if (value.components != 2 && value.components != 3) return value;
   if (!is_turn) {  // Read() already reported a wrong quaternion
     findings_.Add(
