@@ -80,8 +80,8 @@ bool MoveZero(model::Object& object, const TargetRules& rules, diag::Findings& f
     ReportObstacles(std::move(obstacles), object.start_form.has_value(), findings);
     return false;
   }
-  const bool is_moved = start::MoveZeroToStart(object);
-  if (rules.supports_sections && (is_moved || object.start_form)) WarnOfMotion(object, findings);
+  start::MoveZeroToStart(object);
+  if (rules.supports_sections) WarnOfMotion(object, findings);
   return true;
 }
 

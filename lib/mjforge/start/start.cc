@@ -98,8 +98,8 @@ void MoveZero(Body& body) {
 
 }  // namespace
 
-bool MoveZeroToStart(model::Object& object) {
-  if (!IsMoved(object)) return false;
+void MoveZeroToStart(model::Object& object) {
+  if (!IsMoved(object)) return;
   const Configurations configurations(object);
   RewriteEqualities(configurations, object);
   RewriteTendons(configurations, object);
@@ -108,7 +108,6 @@ bool MoveZeroToStart(model::Object& object) {
   for (Body& body : object.bodies) {
     if (std::ranges::any_of(body.joints, model::HasStart)) MoveZero(body);
   }
-  return true;
 }
 
 }  // namespace mjforge::start

@@ -30,8 +30,7 @@ void CheckEqualities(const model::Object& object, diag::Findings& findings);
 /// Rewrites an object without obstacles so that its zero configuration is its start: poses of
 /// bodies, axes, anchors and `ref` of joints, and everything that MuJoCo measures from qpos0.
 /// Positions of hinges and slides keep their meaning. The start position of each ball joint is
-/// removed, because it becomes the joint's zero. Returns false, without changes, if all joints
-/// start at zero.
-bool MoveZeroToStart(model::Object& object);
+/// removed, because it becomes the joint's zero. Changes nothing if all joints start at zero.
+void MoveZeroToStart(model::Object& object);
 
 }  // namespace mjforge::start

@@ -86,6 +86,17 @@ TEST_CASE("velocities and setpoints are in a keyframe even if the start is at ze
         Said{"6: robosuite has no keyframes in objects: the velocity of joint 'hinge' is dropped"});
 }
 
+TEST_CASE("a start that moves no joint has the same warnings of velocities and setpoints") {
+  model::Object object = Chest();
+  object.bodies[0].joints[0].start_velocity = {1, 0, 0, 0, 0, 2};
+  Add(object, "actuator", {Made("actuator", "motor", "motor", 9, {Text("joint", "hinge")})});
+  object.setpoints.push_back({.actuator = "motor", .ctrl = 0.5, .act = {}, .mark = {}});
+  CHECK(Adapted(object, "mujoco") ==
+        Said{"2: joint 'joint0' has no velocity in the zero configuration",
+             "9: a reset sets actuator 'motor' to 0, not to its setpoint"});
+  CHECK(HasKeyframe(Written(object, "mujoco")));
+}
+
 TEST_CASE("an obstacle is an error if the spec wants the start at zero, otherwise a warning") {
   const auto with_obstacle = [](std::optional<model::StartForm> form) {
     model::Object object = OpenChest(form);
