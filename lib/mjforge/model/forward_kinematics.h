@@ -22,7 +22,10 @@ sample::Numbers ZeroPosition(const Joint& joint);
 std::size_t VelocityCount(const Joint& joint);
 
 inline bool HasStart(const Joint& joint) { return !joint.start.empty(); }
-inline bool HasStartVelocity(const Joint& joint) { return !joint.start_velocity.empty(); }
+/// Returns true if any component of the joint's start velocity is not 0.
+inline bool HasStartVelocity(const Joint& joint) {
+  return std::ranges::any_of(joint.start_velocity, [](double number) { return number != 0; });
+}
 
 /// Returns true if `test` returns true for any joint of the object.
 template <typename Test>

@@ -97,6 +97,15 @@ TEST_CASE("a start that moves no joint has the same warnings of velocities and s
   CHECK(HasKeyframe(Written(object, "mujoco")));
 }
 
+TEST_CASE("a velocity of 0 is no velocity") {
+  model::Object object = OpenChest(model::StartForm::kZero, /*is_fixed=*/true);
+  object.bodies[1].joints[0].start_velocity = {0};
+  CHECK(Adapted(object, "scene") == Said{});
+  CHECK_FALSE(HasKeyframe(Written(object, "scene")));
+  object.bodies[1].joints[0].start_velocity = {0};
+  CHECK(Adapted(object, "robosuite") == Said{});
+}
+
 TEST_CASE("an obstacle is an error if the spec wants the start at zero, otherwise a warning") {
   const auto with_obstacle = [](std::optional<model::StartForm> form) {
     model::Object object = OpenChest(form);
