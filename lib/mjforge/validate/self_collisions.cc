@@ -21,6 +21,10 @@ namespace {
 constexpr std::size_t kMostPairs = 50;
 constexpr double kRounding = 1e-12;  // m, rounding error of a distance
 
+// Returns true if two numbers of qpos are equal up to rounding: MuJoCo normalises quaternions of
+// bodies, but not those of keyframes.
+bool IsSamePosition(double a, double b) { return std::abs(a - b) < 1e-9; }
+
 class SelfCollisions {
  public:
   SelfCollisions(mjModel& m, const model::Object& object, diag::Findings& findings)
@@ -29,7 +33,7 @@ class SelfCollisions {
   bool Check() {
     ContactFinder finder(m_);
     const std::span<const mjtNum> start = compiled::StartOf(m_);
-    const bool starts_at_qpos0 = start.data() == m_.qpos0;
+    const bool starts_at_qpos0 = std::ranges::equal(start, finder.qpos(), IsSamePosition);
     std::size_t found =
         ReportTouching(finder, starts_at_qpos0 ? "in the start pose" : "with all joints at zero");
     if (found == 0 && !starts_at_qpos0) {

@@ -189,6 +189,17 @@ TEST_CASE("the joints' zero is where the file has the bodies, whatever ref says"
   CHECK(FindingTexts(Validated(object)).empty());
 }
 
+TEST_CASE("a keyframe that repeats the zero configuration leaves the words as they are") {
+  model::Object object = TwoBalls(0.0188);
+  model::Joint& slide = object.bodies[2].joints[0];
+  slide.type = "slide";
+  slide.attributes = {hand_made::Numbers("ref", spec::Applies::kBoth, {0.5})};
+  slide.start = {0.5};
+  CHECK(FindingTexts(Validated(object)) ==
+        Strings{"30: mujoco/self-collision: bodies 'block_left' and 'block_right' touch in the "
+                "start pose: geoms 'block_left_ball' and 'block_right_ball', 1.2 mm deep"});
+}
+
 TEST_CASE("where MuJoCo pushes before a touch, the margin is told") {
   model::Object object = TwoBalls(0.0205);
   object.bodies[1].parts[0].attributes = {
