@@ -105,7 +105,7 @@ struct JointCheck {
 /// (spec/fields.cc).
 struct Checks {
   bool simready = false;         // also run the tests of the SimReady benchmark
-  double self_collision = 1e-5;  // m, largest overlap depth of two bodies with all joints at zero
+  double self_collision = 1e-5;  // m, largest overlap depth of two bodies at the start
   // Limits for a drop on a floor.
   bool stable = false;                 // true: a tilt of more than `tilt` is an error
   double settle_time = 3;              // s, after which the object must be at rest

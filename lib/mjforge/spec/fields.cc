@@ -830,7 +830,7 @@ constexpr FieldInfo kChecksFields[] = {
     Word("profile", "none simready", "none",
          "A named set of tests besides: those of the SimReady benchmark."),
     Number("self_collision", "m", AtLeast(0), "0.01mm",
-           "How deep two bodies may be in each other at the joints' zero and in the start pose. "
+           "How deep two bodies may be in each other in the start pose. "
            "MuJoCo looks at this with every object, not only in physical checks."),
     Row("stable", FieldKind::kBoolean, "false",
         "Whether a tilt of more than `tilt` is an error, that is, whether the object must stay as "

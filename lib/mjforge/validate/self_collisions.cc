@@ -1,4 +1,4 @@
-// Finds bodies of an object that touch with all joints at zero or in the start pose.
+// Finds bodies of an object that touch at the start or in the zero configuration (qpos0).
 #include "mjforge/validate/self_collisions.h"
 
 #include <algorithm>
@@ -25,6 +25,14 @@ constexpr double kRounding = 1e-12;  // m, rounding error of a distance
 // bodies, but not those of keyframes.
 bool IsSamePosition(double a, double b) { return std::abs(a - b) < 1e-9; }
 
+// Positions of all joints: the start, which the keyframe of the file contains if there is one, or
+// the zero configuration, at which a simulation begins that ignores the keyframe.
+enum class Configuration { kStart, kZero };
+
+std::string_view ConfigurationText(Configuration configuration) {
+  return configuration == Configuration::kStart ? "in the start pose" : "in the zero configuration";
+}
+
 class SelfCollisions {
  public:
   SelfCollisions(mjModel& m, const model::Object& object, diag::Findings& findings)
@@ -33,33 +41,45 @@ class SelfCollisions {
   bool Check() {
     ContactFinder finder(m_);
     const std::span<const mjtNum> start = compiled::StartOf(m_);
-    const bool starts_at_qpos0 = std::ranges::equal(start, finder.qpos(), IsSamePosition);
-    std::size_t found =
-        ReportTouching(finder, starts_at_qpos0 ? "in the start pose" : "with all joints at zero");
-    if (found == 0 && !starts_at_qpos0) {
-      std::ranges::copy(start, finder.qpos().begin());
-      finder.Move();
-      found = ReportTouching(finder, "in the start pose");
-    }
-    return found > 0;
+    const std::span<const mjtNum> zero(m_.qpos0, start.size());
+    const bool starts_at_zero = std::ranges::equal(start, zero, IsSamePosition);
+    if (!starts_at_zero) MoveTo(finder, start);
+    if (ReportTouching(finder, Configuration::kStart) > 0) return true;
+    if (starts_at_zero) return false;
+    MoveTo(finder, zero);
+    return ReportTouching(finder, Configuration::kZero) > 0;
   }
 
  private:
-  /// Reports pairs of bodies that touch at the present joint positions; returns the number of these
-  /// pairs. `when` describes the positions in messages.
-  std::size_t ReportTouching(ContactFinder& finder, std::string_view when) {
+  static void MoveTo(ContactFinder& finder, std::span<const mjtNum> qpos) {
+    std::ranges::copy(qpos, finder.qpos().begin());
+    finder.Move();
+  }
+
+  /// Reports pairs of bodies that touch in the configuration to which `finder` was moved; returns
+  /// the number of these pairs.
+  std::size_t ReportTouching(ContactFinder& finder, Configuration configuration) {
     std::size_t found = 0;
     for (const BodyContact& contact : finder.Find()) {
       if (contact.margin - contact.distance < Allowed(contact)) continue;
+      // Skips free bodies, which stay at their start when the joints of others are at zero.
+      if (configuration == Configuration::kZero && !AreInOneTree(contact)) continue;
       const bool related = AreParentAndChild(contact.body1, contact.body2);
       if (related && InHost()) continue;
-      if (++found <= kMostPairs) Report(contact, related, when);
+      if (++found <= kMostPairs) Report(contact, related, configuration);
     }
     if (found > kMostPairs) {
-      findings_.Add(diag::Code::kMujocoSelfCollision, object_.bodies.front().mark,
-                    fmt::format("{} more pairs of bodies touch {}", found - kMostPairs, when));
+      diag::Finding& finding =
+          findings_.Add(diag::Code::kMujocoSelfCollision, object_.bodies.front().mark,
+                        fmt::format("{} more pairs of bodies touch {}", found - kMostPairs,
+                                    ConfigurationText(configuration)));
+      if (configuration == Configuration::kZero) finding.severity = diag::Severity::kWarning;
     }
     return found;
+  }
+
+  bool AreInOneTree(const BodyContact& contact) const {
+    return m_.body_rootid[contact.body1] == m_.body_rootid[contact.body2];
   }
 
   /// Returns the penetration depth from which a contact is reported, m.
@@ -112,7 +132,18 @@ class SelfCollisions {
     return first.attached >= 0 && first.attached == second.attached;
   }
 
-  void Report(const BodyContact& contact, bool related, std::string_view when) {
+  /// Returns a hint for two bodies that touch. Suggests an exclude only within one tree, because
+  /// free bodies would pass through each other.
+  std::string TouchHint(const BodyContact& contact, const model::Body& first,
+                        const model::Body& second, Configuration configuration) const {
+    std::string hint = configuration == Configuration::kZero ? "write `start: zero`, " : "";
+    hint += "move them apart";
+    if (!AreInOneTree(contact)) return hint;
+    return hint + fmt::format(", or write `contact: {{exclude: [[{}, {}]]}}`",
+                              BodyNameInSpec(first), BodyNameInSpec(second));
+  }
+
+  void Report(const BodyContact& contact, bool related, Configuration configuration) {
     const model::Body* first = &BodyOf(contact.body1);
     const model::Body* second = &BodyOf(contact.body2);
     int first_geom = contact.geom1;
@@ -121,22 +152,18 @@ class SelfCollisions {
       std::swap(first, second);
       std::swap(first_geom, second_geom);
     }
-    std::string message =
-        fmt::format("bodies '{}' and '{}' touch {}: geoms '{}' and '{}', {}", first->name,
-                    second->name, when, m_.names + m_.name_geomadr[first_geom],
-                    m_.names + m_.name_geomadr[second_geom], DepthText(contact.distance));
+    const bool is_zero = configuration == Configuration::kZero;
+    std::string message = fmt::format(
+        "bodies '{}' and '{}' touch {}: geoms '{}' and '{}', {}", first->name, second->name,
+        ConfigurationText(configuration), m_.names + m_.name_geomadr[first_geom],
+        m_.names + m_.name_geomadr[second_geom], DepthText(contact.distance));
+    if (is_zero) message += "; a reset without the keyframe begins there";
     if (related) message += "; MuJoCo lets parent and child collide because the parent is fixed";
-    // Suggests an exclude only within one tree, because free bodies would pass through each other.
-    std::string hint =
-        m_.body_rootid[contact.body1] != m_.body_rootid[contact.body2]
-            ? "move them apart"
-            : fmt::format("move them apart, or write `contact: {{exclude: [[{}, {}]]}}`",
-                          BodyNameInSpec(*first), BodyNameInSpec(*second));
-    constexpr auto kCode = diag::Code::kMujocoSelfCollision;
     diag::Finding& finding =
-        related || AreFromOneFile(*first, *second)
-            ? findings_.Warn(kCode, second->mark, std::move(message), std::move(hint))
-            : findings_.Add(kCode, second->mark, std::move(message), std::move(hint));
+        findings_.Add(diag::Code::kMujocoSelfCollision, second->mark, std::move(message),
+                      TouchHint(contact, *first, *second, configuration));
+    if (is_zero || related || AreFromOneFile(*first, *second))
+      finding.severity = diag::Severity::kWarning;
     if (first->mark) finding.notes.push_back({first->mark, fmt::format("'{}'", first->name)});
   }
 

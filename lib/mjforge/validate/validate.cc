@@ -109,8 +109,8 @@ auto Computed(const Compute& compute, diag::SourceMark mark, diag::Findings& fin
   }
 }
 
-/// Adds findings about bodies that touch with all joints at zero or in the start pose. Returns true
-/// if it adds findings, including a failure of MuJoCo.
+/// Adds findings about bodies that touch at the start or in the zero configuration. Returns true if
+/// it adds findings, including a failure of MuJoCo.
 bool FindTouching(mjModel& m, const model::Object& object, diag::Findings& findings) {
   if (object.bodies.size() < 2) return false;
   return Computed([&] { return CheckSelfCollision(m, object, findings); }, MarkOf(object), findings)

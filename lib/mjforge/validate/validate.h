@@ -76,9 +76,9 @@ class Loader {
 
   /// Loads a document made from `object`, and compares counts, names, masses, inertias, sizes,
   /// poses and references with those of the object. If everything matches, finds bodies that touch
-  /// with all joints at zero or in the start pose. Adds a finding, at its place in the spec, for
-  /// each error, warning, difference and touching pair. Returns true if there is no error. Unless
-  /// null, `structure` is set to the structure of the loaded model, and `numbers` to its numbers;
+  /// at the start or in the zero configuration. Adds a finding, at its place in the spec, for each
+  /// error, warning, difference and touching pair. Returns true if there is no error. Unless null,
+  /// `structure` is set to the structure of the loaded model, and `numbers` to its numbers;
   /// `numbers` is unchanged after an error.
   bool Validate(const mjcf::MjcfDocument& document, const model::Object& object,
                 diag::Findings& findings, structure::Structure* structure = nullptr,

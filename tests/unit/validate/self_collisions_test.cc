@@ -200,6 +200,44 @@ TEST_CASE("a keyframe that repeats the zero configuration leaves the words as th
                 "start pose: geoms 'block_left_ball' and 'block_right_ball', 1.2 mm deep"});
 }
 
+/// Two balls with centres 18.8 mm apart in the zero configuration, the second on a slide along x
+/// that starts at `start`, m.
+model::Object SlidingBall(double start) {
+  model::Object object = TwoBalls(0.0188);
+  object.bodies[2].joints[0].type = "slide";
+  object.bodies[2].joints[0].start = {start};
+  return object;
+}
+
+TEST_CASE("bodies that touch in the zero configuration alone are a warning") {
+  const Verdict verdict = Validated(SlidingBall(0.05));
+  CHECK(verdict.ok);
+  REQUIRE(FindingTexts(verdict) ==
+          Strings{"30: mujoco/self-collision: bodies 'block_left' and 'block_right' touch in the "
+                  "zero configuration: geoms 'block_left_ball' and 'block_right_ball', 1.2 mm "
+                  "deep; a reset without the keyframe begins there"});
+  CHECK(verdict.findings[0].severity == diag::Severity::kWarning);
+  CHECK(verdict.findings[0].hint ==
+        "write `start: zero`, move them apart, or write `contact: {exclude: [[left, right]]}`");
+}
+
+TEST_CASE("bodies that touch at the start are an error, wherever the zero configuration is") {
+  CHECK(FindingTexts(Validated(SlidingBall(0.001))) ==
+        Strings{"30: mujoco/self-collision: bodies 'block_left' and 'block_right' touch in the "
+                "start pose: geoms 'block_left_ball' and 'block_right_ball', 0.2 mm deep"});
+}
+
+TEST_CASE("a free body is not tested in the zero configuration of other joints") {
+  model::Object object = TwoBalls(0.0188);
+  object.bodies[1].joints[0].type = "slide";
+  object.bodies[1].joints[0].start = {-0.05};
+  object.bodies[2].joints[0].type = "free";
+  object.bodies[2].parent = -1;
+  CHECK(FindingTexts(Validated(object)).empty());
+  object.bodies[1].joints[0].start = {0.001};
+  CHECK(FindingTexts(Validated(object)).size() == 1);
+}
+
 TEST_CASE("where MuJoCo pushes before a touch, the margin is told") {
   model::Object object = TwoBalls(0.0205);
   object.bodies[1].parts[0].attributes = {
