@@ -4,6 +4,9 @@ bottoms, and start where they should.
     check_reset.py FOLDER
 """
 
+import itertools
+import warnings
+
 import mjforge
 import mujoco
 import numpy as np
@@ -131,6 +134,34 @@ def names_wrong_arguments():
     raises(ValueError, "is of another model: xpos has 3 rows", variant.start, model, mujoco.MjData(variant.load()))
 
 
+def mixes_objects_with_and_without_files():
+    """The scene compiles without a warning, and so do its copy and a scene to which it is attached."""
+    filed = mjforge.Spec("spoon").variants(assets="files")[0]
+    inline = mjforge.Spec("hammer").variants()[0]
+    expect(filed.files and not inline.files and "<mesh " in inline.xml, "these objects are not such a mix")
+    for objects in itertools.product((filed, inline), repeat=3):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            scene = mujoco.MjSpec.from_string(SCENE)
+            for number, variant in enumerate(objects):
+                variant.attach(scene, prefix=f"{number}/")
+            whole = mujoco.MjSpec()
+            copied = scene.copy()
+            models = [scene.compile(), copied.compile()]
+            whole.attach(copied, prefix="whole/", frame=whole.worldbody.add_frame())
+            models += [whole.compile(), whole.copy().compile()]
+        expect(len(scene.assets) == len(filed.files) * objects.count(filed), f"it has the files {list(scene.assets)}")
+        wanted = [name for number, variant in enumerate(objects) for name in names_of_meshes(variant, f"{number}/")]
+        for model, prefix in zip(models, ("", "", "whole/", "whole/")):
+            found = [model.mesh(mesh).name for mesh in range(model.nmesh)]
+            expect(sorted(found) == sorted(prefix + name for name in wanted), f"it has the meshes {found}")
+
+
+def names_of_meshes(variant, prefix):
+    model = variant.load(mujoco)
+    return [prefix + model.mesh(mesh).name for mesh in range(model.nmesh)]
+
+
 def refuses_a_name_twice():
     """The scene is then as before."""
     variant = mjforge.Spec("hammer").variants()[0]
@@ -149,5 +180,6 @@ for name in ("laptop", "cardboard_box", "fridge", "plug_and_socket", "scenes/des
     check(f"{name} starts where it should", starts, name)
 check("a keyframe is applied", starts_as_its_keyframe)
 check("wrong arguments are named", names_wrong_arguments)
+check("objects with and without files in a scene", mixes_objects_with_and_without_files)
 check("a name that the scene has is refused", refuses_a_name_twice)
 finish()

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import importlib
 import math
 import re
-from typing import TYPE_CHECKING, Any, Sequence
+from typing import TYPE_CHECKING, Any, Iterator, Sequence
 
 from ._library import c_text
 from ._members import Joint, Members
@@ -81,6 +82,19 @@ def _without_keyframe(xml: bytes) -> str:
     return xml.decode()
 
 
+@contextlib.contextmanager
+def _without_files(scene: MjSpec) -> Iterator[None]:
+    """Takes the files out of a scene (`MjSpec.assets`, a dict that MuJoCo itself uses) for the duration of
+    a `with` block.
+    """
+    files = dict(scene.assets)
+    scene.assets.clear()
+    try:
+        yield
+    finally:
+        scene.assets.update(files)
+
+
 def attach(variant: Variant, scene: MjSpec, prefix: str, pos: Sequence[float], quat: Quaternion,
            stand: bool) -> MjsBody:
     """Returns the object's first body in the scene; see Variant.attach."""
@@ -100,9 +114,13 @@ def attach(variant: Variant, scene: MjSpec, prefix: str, pos: Sequence[float], q
     # Removes the keyframe from the text, because removing it from the parsed spec takes a hundred
     # times as long. Elements are parsed, because calls of MjSpec for each element convert each
     # number and are slower.
-    child = type(scene).from_string(_without_keyframe(variant.xml_bytes), assets=variant.files)
+    files = variant.files
+    child = type(scene).from_string(_without_keyframe(variant.xml_bytes), assets=files)
     child.njmax = child.nconmax = -1  # drops buffer sizes, which are for the object alone
-    scene.attach(child, prefix=prefix, frame=scene.worldbody.add_frame(pos=place, quat=turn))
+    # MuJoCo warns of an object without files in a scene with files, after it has attached the object,
+    # because the object may read files from the disk. An object of mjforge then has only inline meshes.
+    with contextlib.nullcontext() if files else _without_files(scene):
+        scene.attach(child, prefix=prefix, frame=scene.worldbody.add_frame(pos=place, quat=turn))
     return scene.body(root)
 
 
