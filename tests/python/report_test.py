@@ -168,6 +168,53 @@ class Reports(InFolder):
             self.assertEqual({finding.key for finding in report.findings}, {"expect[0]"})
             self.assertTrue(str(report.findings[0]).startswith("expect[0]: error: "))
 
+    def test_texts_of_reports_name_each_variant_and_quote_the_spec(self):
+        pathlib.Path("half.yaml").write_text(
+            "mjforge: 1\nname: m\nparams: {l: 22cm .. 30cm}\nimport: parts/wood.yaml\n"
+            "parts: [{name: h, type: capsule, size: [1cm, l/2], material: wood}]\nexpect: [1 == 1, l < 25cm]\n")
+        os.mkdir("parts")
+        pathlib.Path("parts/wood.yaml").write_text("mjforge: 1\nmaterials: {wood: {density: 600}}\n")
+        spec = mjforge.Spec("half.yaml")
+        for report in (mjforge.Spec(spec.text).check(6, seed=1), spec.check(6, seed=1),
+                       spec.variants(seed=1).write("half", 6)):
+            text = f"{report.made} of 6 variants ok"
+            for index, (finding,) in report.failed.items():
+                text += (f"\n{finding.file}:6:18: error: {finding.message} (seed 1, index {index}) [model/expectation]"
+                         "\nexpect: [1 == 1, l < 25cm]\n                 ^")
+            self.assertEqual(str(report), text)
+            self.assertTrue(report.failed)
+        with self.assertRaises(mjforge.VariantError) as error:
+            spec.variants(seed=1)[index]
+        self.assertIn(str(error.exception), text)
+
+    def test_texts_of_findings_of_mappings_name_the_variant(self):
+        for call in (lambda: mjforge.Spec(ALL_FAIL).variants(seed=3)[5], lambda: next(iter(
+                mjforge.Spec(ALL_FAIL).variants(seed=3)[5:6]))):
+            with self.assertRaisesRegex(mjforge.VariantError, r"^expect\[0\]: error: .* \(seed 3, index 5\) \[model/exp"):
+                call()
+        finding = mjforge.Spec(ALL_FAIL).check(1).findings[0]
+        self.assertRegex(repr(finding), r"^<mjforge.Finding \"expect\[0\]: error: .* \(seed 0, index 0\) \[model/exp")
+
+    def test_excerpts_are_those_of_the_command(self):
+        for line, excerpt in (("expect: ['l < 1']", "expect: ['l < 1']\n         ^"),
+                              ("\t漢é: ['l < 1']", " 漢é: ['l < 1']\n       ^"),
+                              ("x" * 100 + "'" + "y" * 200, f"...{47 * 'x'}"), (9 * " ", None)):
+            column = 1 + len(line.partition("'")[0].encode())
+            members = {"file": "a.yaml", "line": 2, "column": column, "severity": "error", "message": "m", "code": "c",
+                       "notes": [{"message": "n", "file": "a.yaml", "line": 1, "column": 1}]}
+            texts = {"/x/a.yaml": f"name: a\n{line}\n", "/x/aa.yaml": ""}
+            text = mjforge.Finding(members).set_texts(texts).text
+            first, *quoted = text.split("\n")
+            self.assertEqual(first, f"a.yaml:2:{column}: error: m [c]")
+            self.assertEqual(quoted[-3:], ["a.yaml:1:1: note: n", "name: a", "^"])
+            if excerpt is None or excerpt.startswith("..."):
+                self.assertEqual(len(quoted), 3 if excerpt is None else 5)
+                self.assertTrue(excerpt is None or len(quoted[0]) == 120 and quoted[0][quoted[1].index("^")] == "'")
+            else:
+                self.assertEqual("\n".join(quoted[:2]), excerpt)
+            texts["/y/a.yaml"] = texts["/x/a.yaml"]  # the name of two files
+            self.assertEqual(mjforge.Finding(members).set_texts(texts).text, f"{first}\na.yaml:1:1: note: n")
+
     def test_findings_of_mappings_have_keys(self):
         wrong = {"mjforge": 1, "name": "m", "parts": [{"name": "a", "type": "box", "size": [1, 1, 1]},
                                                      {"name": "b", "type": "capsul", "size": [1, "x +"]}]}

@@ -5,11 +5,14 @@ from __future__ import annotations
 import dataclasses
 import os
 import pathlib
-from typing import Optional, Sequence
+from typing import TYPE_CHECKING, Optional
 
 from ._findings import Finding, findings_of
 from ._json import loads
 from ._library import bytes_of, library, lines
+
+if TYPE_CHECKING:
+    from ._spec import Spec
 
 _OK = b'"status":"ok"'
 _CLEAN = b'"findings":[]'
@@ -48,14 +51,20 @@ def manifest_of(output: str, shard: Optional[str]) -> Optional[pathlib.Path]:
 
 
 def report_of(output: str, shard: Optional[str], span: range, made: int, skips: bool,
-              found: list[Finding], key_paths: Sequence[str]) -> Report:
+              found: list[Finding], spec: Spec) -> Report:
     """Returns the report of a command that has ended. `made`: the number of valid variants. `skips`:
     whether invalid variants are skipped. `found`: the findings that the command printed, a part of
-    all. `key_paths`: the key of each line of a spec that was given as a mapping.
+    all.
     """
     manifest = manifest_of(output, shard)
+    texts: dict[str, str] = {}
+
+    def placed(finding: Finding) -> Finding:
+        texts.update(texts or spec.texts)
+        return finding.set_keys(spec._key_paths).set_texts(texts)
+
     for finding in found:
-        finding.set_keys(key_paths)
+        placed(finding)
     if manifest is None or made == 0 and not shard:
         # The command writes no manifest for a single file, or if it could make no variant; a manifest
         # of an earlier batch remains.
@@ -72,7 +81,7 @@ def report_of(output: str, shard: Optional[str], span: range, made: int, skips: 
             made += 1
             continue
         record = loads(line)
-        own = findings_of(record, key_paths)
+        own = tuple(map(placed, findings_of(record)))
         findings += own
         if record["status"] == "ok":
             made += 1

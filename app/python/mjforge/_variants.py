@@ -200,7 +200,7 @@ class Variants(Sequence[Variant]):
             ["generate", *words, "--", "-"], self.spec._snapshot.saved(),
             None if progress is None else lambda done: progress(done, total))
         return report_of(options["output"], shard, span, messages.made, own["on_invalid"] == "skip",
-                         messages.findings, self.spec._key_paths)
+                         messages.findings, self.spec)
 
     def _span(self, count: Optional[int], first: Optional[int]) -> range:
         """Returns the indices of the variants to write."""
