@@ -1,5 +1,6 @@
 """What a variant has: members of its file, parts of its record, and files on a disk."""
 
+import copy
 import json
 import os
 import pathlib
@@ -54,6 +55,39 @@ class Members(unittest.TestCase):
         variant = mjforge.Spec("robosuite/hinged_box").variants(target="robosuite")[0]
         self.assertEqual(variant.members.root, "object")
         self.assertEqual(list(variant.pose), ["box_hinge"])
+
+
+class Copies(unittest.TestCase):
+    def test_that_are_changed_do_not_change_the_variant(self):
+        with tempfile.TemporaryDirectory() as folder:
+            variants = mjforge.Spec("laptop").variants(seed=3)
+            variants.write(folder, 2)
+            for variant in (variants[1], mjforge.Batch(folder)[1]):
+                again = pickle.loads(pickle.dumps(variant))
+                read = {name: getattr(variant, name) for name in (
+                    "joints", "sites", "pose", "params", "places", "left_out", "record", "files", "view")}
+                self.assertEqual(read["params"], read["record"]["params"])
+                for name, value in read.items():
+                    for inner in [*getattr(value, "values", lambda: value)(), value]:
+                        if isinstance(inner, (dict, list)):
+                            inner.clear()
+                    self.assertEqual(getattr(variant, name), getattr(again, name), name)
+                    self.assertTrue(getattr(variant, name) or name in ("places", "left_out", "files"), name)
+                members = variant.members
+                members.joints.clear()
+                members.key.clear()
+                members.root = ""
+                self.assertEqual(variant.members, again.members)
+                self.assertIsInstance(variant.standing_box, tuple)
+                self.assertEqual((variant, variant.mass, variant.index), (again, again.mass, 1))
+
+    def test_can_be_written_as_json_copied_and_pickled(self):
+        variant = mjforge.Spec("laptop").variants(seed=3)[1]
+        for value in (variant.record, variant.params, variant.places, variant.left_out, variant.view, variant.pose):
+            self.assertEqual(json.loads(json.dumps(value)), value)
+        for value in (variant, variant.record, variant.joints, variant.sites, variant.members, variant.view):
+            for again in (copy.copy(value), copy.deepcopy(value), pickle.loads(pickle.dumps(value))):
+                self.assertEqual(again, value)
 
 
 class Records(unittest.TestCase):

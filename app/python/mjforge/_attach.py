@@ -230,4 +230,4 @@ def start(variant: Variant, model: MjModel, data: MjData, prefix: str) -> None:
             raise ValueError(f"data={data!r} is of another model: {array} has {len(getattr(data, array))} rows, "
                              f"not {size}")
     c_text(prefix, "prefix")
-    _Start(variant.members, model, data, prefix).run()
+    _Start(variant._own_members(), model, data, prefix).run()

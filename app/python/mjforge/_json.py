@@ -21,6 +21,13 @@ def loads(said: bytes) -> Any:
     return json.loads(said.decode(errors="surrogateescape"))
 
 
+def copied(value: Any) -> Any:
+    """Returns a copy of a value of JSON, faster than copy.deepcopy."""
+    if isinstance(value, dict):
+        return {key: copied(item) for key, item in value.items()}
+    return [copied(item) for item in value] if isinstance(value, list) else value
+
+
 def members_of_record(record: bytes, members: Sequence[str]) -> list[Any]:
     """Returns the values of members of a record, which must be as the library writes it: without
     blanks. Raises KeyError for a member that the record does not have.

@@ -139,8 +139,7 @@ class Maker:
         size = texts.contents_size
         contents = read(texts.contents, size) if size else b""
         return Variant(read(texts.xml, texts.xml_size), read(texts.record, texts.record_size),
-                       files, contents, findings, {**self._view, "pose": dict(self._view["pose"])},
-                       ON_FLOOR if self._is_scene else texts.box[:])
+                       files, contents, findings, self._view, ON_FLOOR if self._is_scene else (*texts.box,))
 
     def add_rows(self, indices: range, table: "Table") -> int:
         """Adds the records of these variants to a table, up to the first variant that fails.

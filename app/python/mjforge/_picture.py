@@ -77,11 +77,11 @@ def _takes(variant: Variant, name: str, value: float) -> bool:
     """Returns True if exactly one joint of the variant has this name, whose first words may be left
     out, and is a hinge or slide whose range contains the position.
     """
-    fitting = ([name] if name in variant.joints else
-               [joint for joint in variant.joints if joint.endswith("_" + name)])
-    if len(fitting) != 1 or variant.joints[fitting[0]].type not in ("hinge", "slide"):
+    joints = variant.joints
+    fitting = [name] if name in joints else [joint for joint in joints if joint.endswith("_" + name)]
+    if len(fitting) != 1 or joints[fitting[0]].type not in ("hinge", "slide"):
         return False
-    low, high = variant.joints[fitting[0]].range or (-math.inf, math.inf)
+    low, high = joints[fitting[0]].range or (-math.inf, math.inf)
     slack = 1e-6 * (high - low) if math.isfinite(high - low) else 0.0
     return low - slack <= value <= high + slack
 

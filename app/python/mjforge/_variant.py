@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import contextlib
+import dataclasses
 import hashlib
 import importlib
 import math
@@ -15,7 +16,7 @@ from typing import TYPE_CHECKING, Any, Iterator, Mapping, Optional, Sequence, Un
 
 from . import _attach
 from ._findings import Finding, MismatchError, VariantError
-from ._json import loads, members_of_record
+from ._json import copied, loads, members_of_record
 from ._members import Joint, Members, Position, Site, elements, members_of
 from ._options import path as path_of
 from ._options import real
@@ -62,16 +63,15 @@ def mujoco_of(given: Any) -> Any:
 class Variant:
     """A variant of a spec: an MJCF file, and its record with values and measurements. Quantities
     are in the object's own frame (m, kg, kg m^2). Variants with the same file and the same record are
-    equal.
+    equal. Dicts and lists that properties return are copies, so that a variant does not change.
     """
 
     __slots__ = ("xml_bytes", "record_bytes", "_files_bytes", "_contents", "findings", "_record",
-                 "_members", "_standing_box", "view")
+                 "_members", "_standing_box", "_view")
 
     xml_bytes: bytes  # the MJCF file, as the command writes it
     record_bytes: bytes  # the record, a line of a manifest, JSON
     findings: tuple[Finding, ...]  # warnings about the variant; after `from_record` and in a Batch, those of the record
-    view: Mapping[str, Any]  # `view:` of the spec: azimuth and elevation (degrees), pose (rad, m)
 
     def __init__(self, xml: bytes, record: bytes, files: bytes, contents: bytes,
                  findings: tuple[Finding, ...], view: Optional[Mapping[str, Any]] = None,
@@ -81,7 +81,7 @@ class Variant:
         self._files_bytes = files
         self._contents = contents
         self.findings = findings
-        self.view = view or {"pose": {}}
+        self._view = view or {"pose": {}}
         self._record: dict[str, Any] = {}
         self._members: Optional[Members] = None
         self._standing_box = standing_box
@@ -105,10 +105,19 @@ class Variant:
 
     @property
     def record(self) -> dict[str, Any]:
-        """The record: the variant's line of a manifest."""
+        """The record: the variant's line of a manifest, read anew at each access."""
+        return dict(loads(self.record_bytes))
+
+    def _facts(self) -> dict[str, Any]:
+        """Returns the record, which is read at the first call and must not be changed."""
         if not self._record:
-            self._record = loads(self.record_bytes)
+            self._record = self.record
         return self._record
+
+    @property
+    def view(self) -> dict[str, Any]:
+        """`view:` of the spec: azimuth and elevation (degrees), pose (rad, m)."""
+        return copied(self._view)
 
     @property
     def standing_box(self) -> Sequence[float]:
@@ -120,29 +129,35 @@ class Variant:
             self._standing_box = ON_FLOOR if target == "scene" else (*box["min"], *box["max"])
         return self._standing_box
 
-    @property
-    def members(self) -> Members:
-        """Joints, sites, actuators and first body of the object."""
+    def _own_members(self) -> Members:
+        """Returns the members, which are read at the first call and must not be changed."""
         if self._members is None:
             self._members = members_of(elements(self.xml_bytes))
         return self._members
 
     @property
+    def members(self) -> Members:
+        """Joints, sites, actuators and first body of the object."""
+        own = self._own_members()
+        return dataclasses.replace(own, joints=dict(own.joints), sites=dict(own.sites),
+                                   actuators=list(own.actuators), key=copied(own.key))
+
+    @property
     def name(self) -> str:
         """Name of the object, with which the names in the file begin."""
-        return str(self.record["name"])
+        return str(self._facts()["name"])
 
     @property
     def joints(self) -> dict[str, Joint]:
         """Joints by name, in the order of MuJoCo's `qpos`; each has name, type, body, range and
         start.
         """
-        return self.members.joints
+        return dict(self._own_members().joints)
 
     @property
     def sites(self) -> dict[str, Site]:
         """Sites by name; each has name, body, pos and quat."""
-        return self.members.sites
+        return dict(self._own_members().sites)
 
     @property
     def pose(self) -> dict[str, Position]:
@@ -150,42 +165,42 @@ class Variant:
         ball joint, pos and quat for a free joint. The free joint of the first body is left out,
         because the scene places that body.
         """
-        members = self.members
+        members = self._own_members()
         return {name: joint.start for name, joint in members.joints.items() if name != members.root_joint}
 
     @property
     def index(self) -> int:
-        return self.record["index"]
+        return self._facts()["index"]
 
     @property
     def seed(self) -> int:
-        return self.record["seed"]
+        return self._facts()["seed"]
 
     @property
     def params(self) -> dict[str, Any]:
         """Values of the parameters, drawn or computed."""
-        return self.record["params"]
+        return copied(self._facts()["params"])
 
     @property
     def mass(self) -> float:
         """Mass, kg."""
-        return self.record["mass"]
+        return self._facts()["mass"]
 
     @property
     def com(self) -> "np.ndarray":
         """Center of mass, (3,), m."""
-        return _numpy().array(self.record["com"])
+        return _numpy().array(self._facts()["com"])
 
     @property
     def inertia(self) -> "np.ndarray":
         """Inertia about the center of mass, (3, 3), kg m^2."""
-        xx, yy, zz, xy, xz, yz = self.record["inertia"]
+        xx, yy, zz, xy, xz, yz = self._facts()["inertia"]
         return _numpy().array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
 
     @property
     def bounds(self) -> "np.ndarray":
         """Corners of the axis-aligned bounding box at the start, (2, 3): min and max; m."""
-        box = self.record["aabb"]
+        box = self._facts()["aabb"]
         return _numpy().array([box["min"], box["max"]])
 
     @property
@@ -193,7 +208,7 @@ class Variant:
         """Corners of a box around the object at all positions of its joints, (2, 3): min and max;
         m.
         """
-        box = self.record["swept_aabb"]
+        box = self._facts()["swept_aabb"]
         return _numpy().array([box["min"], box["max"]])
 
     @property
@@ -201,12 +216,12 @@ class Variant:
         """Bodies that `place:` has put somewhere: name ("body"), region or site ("at"), and "pos"
         (m) and "quat" in the object's frame at the start.
         """
-        return self.record.get("places", [])
+        return copied(self._facts().get("places", []))
 
     @property
     def left_out(self) -> list[str]:
         """Names of the bodies with `fewer: true` for which there was no room."""
-        return self.record.get("left_out", [])
+        return list(self._facts().get("left_out", []))
 
     @property
     def files(self) -> dict[str, bytes]:
@@ -223,7 +238,7 @@ class Variant:
             if path:
                 with open(os.fsencode(path), "rb") as file:
                     files[name] = file.read()
-                if hashlib.sha256(files[name]).hexdigest() != self.record["assets"][name]:
+                if hashlib.sha256(files[name]).hexdigest() != self._facts()["assets"][name]:
                     raise OSError(f"'{path}' has changed since the Spec of this variant first used it")
             else:
                 files[name] = self._contents[start:start + size]
@@ -272,7 +287,7 @@ class Variant:
         """
         file = pathlib.Path(path_of(path, "path"))
         if file.is_dir():
-            file /= os.path.basename(self.record.get("file") or f"{self.name}_{self.index:06}.xml")
+            file /= os.path.basename(self._facts().get("file") or f"{self.name}_{self.index:06}.xml")
         files = {file.parent / name: content for name, content in self.files.items()}
         for beside, content in files.items():
             if beside.exists() and beside.read_bytes() != content:
@@ -323,9 +338,9 @@ class Variant:
             raise ValueError(f"tolerance={tolerance!r} is not a number from 0 on")
         mujoco = mujoco_of(mujoco)
         model = self.load(mujoco)
-        differences = Comparison(mujoco, model, self.record, self.xml_bytes, tolerance).run()
+        differences = Comparison(mujoco, model, self._facts(), self.xml_bytes, tolerance).run()
         if differences:
-            name = f"{self.record['name']} {self.index} of seed {self.seed}"
+            name = f"{self._facts()['name']} {self.index} of seed {self.seed}"
             words = "; ".join(difference.message for difference in differences)
             raise MismatchError(f"{name}: in MuJoCo {mujoco.__version__} {words}")
         return model
@@ -339,5 +354,5 @@ class Variant:
         return hash(self.record_bytes)
 
     def __repr__(self) -> str:
-        target = self.record["target"]
+        target = self._facts()["target"]
         return f"<mjforge.Variant {self.name} {self.index} of seed {self.seed} for {target}>"
