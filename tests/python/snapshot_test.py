@@ -151,6 +151,14 @@ class Snapshot(InFolder):
                 self.assertRaisesRegex(OSError, "roof.obj' has changed since the Spec of this variant first used", call)
         self.assertAlmostEqual(mjforge.Spec(HOUSE).variants()[0].mass, 2 * first.mass)
 
+    def test_a_missing_mesh_is_named_as_text(self):
+        pathlib.Path("roof.obj").write_text(ROOF.format(1))
+        variant = mjforge.Spec(HOUSE).variants()[0]
+        os.unlink("roof.obj")
+        with self.assertRaises(FileNotFoundError) as raised:
+            variant.files
+        self.assertEqual(raised.exception.filename, os.path.realpath("roof.obj"))
+
     def test_a_changed_mjcf_file_is_an_error(self):
         file = pathlib.Path("arm.xml")
         text = '<mujoco><worldbody><body name="arm"><geom size="{}"/></body></worldbody></mujoco>'

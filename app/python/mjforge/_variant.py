@@ -236,7 +236,7 @@ class Variant:
         start = 0
         for name, path, size in loads(self._files_bytes):
             if path:
-                with open(os.fsencode(path), "rb") as file:
+                with open(path, "rb") as file:
                     files[name] = file.read()
                 if hashlib.sha256(files[name]).hexdigest() != self._facts()["assets"][name]:
                     raise OSError(f"'{path}' has changed since the Spec of this variant first used it")
