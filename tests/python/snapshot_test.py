@@ -57,6 +57,14 @@ class Snapshot(InFolder):
         self.assertTrue(spec.check(2).ok)
         self.assertGreater(mjforge.Spec("peg.yaml").variants(seed=1)[0].params["r"], 0.05)
 
+    def test_a_path_may_have_a_line_break(self):
+        file = pathlib.Path("a\nb.yaml")
+        file.write_text(PEG.format("1cm"))
+        spec = mjforge.Spec(file)
+        self.assertEqual((spec.name, spec.path), ("peg", os.path.realpath(file)))
+        self.assertTrue(spec.variants().write("out", 1).ok)
+        self.assertRaises(mjforge.SpecError, mjforge.Spec, str(file))  # YAML
+
     def test_imports_nested_specs_and_parameter_files_are_held(self):
         self.put()
         pathlib.Path("wood.yaml").write_text(WOOD)

@@ -24,8 +24,8 @@ Source = Union[str, "os.PathLike[str]", Mapping[str, Any]]
 class Spec:
     """A spec of random objects, as its files were when the Spec was made.
 
-    `spec`: a name in the catalogue, a path, YAML (a text with a line break), or the content of the
-    YAML as a mapping. `set`: values of parameters, each a number, a list, a pair (a range if the
+    `spec`: a name in the catalogue, a path (an os.PathLike always), YAML (a text with a line break), or the
+    content of the YAML as a mapping. `set`: values of parameters, each a number, a list, a pair (a range if the
     parameter is one number; of whole numbers if it draws them) or any text that a spec allows, such as
     "20cm .. 30cm"; "root.joints", "root.start" and "checks.profile" are names, too. `parameters`:
     YAML files with values of parameters. Raises SpecError with all errors of the spec.
@@ -76,7 +76,7 @@ class Spec:
             reference = _options.path(spec, "spec")
             if reference == "-":
                 raise ValueError("spec='-' is not a name, a path or a text")
-            if "\n" in reference:
+            if "\n" in reference and isinstance(spec, str):
                 reference, text = None, reference
         if isinstance(parameters, (str, bytes, os.PathLike)) or not isinstance(parameters, Sequence):
             raise TypeError(f"parameters={parameters!r} is not a list of files: write [{parameters!r}]")
