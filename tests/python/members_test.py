@@ -132,6 +132,16 @@ class Files(unittest.TestCase):
             self.assertRaises(OSError, variants[0].save, pathlib.Path(folder, "no", "a.xml"))
         self.assertRaisesRegex(TypeError, "path=5", variants[0].save, 5)
 
+    def test_of_a_new_folder_have_the_names_of_the_command(self):
+        variant = mjforge.Spec("hammer").variants()[3]
+        with tempfile.TemporaryDirectory() as folder:
+            for name in (f"{folder}/new/one/", f"{folder}/new/one/", f"{folder}/new"):
+                file = variant.save(name)
+                self.assertEqual(file, pathlib.Path(name, "hammer_000003.xml"))
+                self.assertEqual(file.read_bytes(), variant.xml_bytes)
+            self.assertEqual(variant.save(f"{folder}/new/two").read_bytes(), variant.xml_bytes)
+            self.assertRaises(FileExistsError, variant.save, f"{folder}/new/two/")
+
     def test_of_other_objects_are_not_replaced(self):
         cube = "".join(f"v {x} {y} {z}\n" for x in (0, 1) for y in (0, 1) for z in (0, 1))
         spec = "mjforge: 1\nname: {}\njoints: none\nparts: [{{name: p, type: mesh, file: m.obj, role: visual}}]\n"

@@ -281,11 +281,15 @@ class Variant:
 
     def save(self, path: Union[str, "os.PathLike[str]"]) -> pathlib.Path:
         """Writes the MJCF file, and beside it the meshes and textures in `files`. `path`: the file,
-        or an existing folder, in which the file gets the name that the command gives it. Returns
-        the path of the file. Raises FileExistsError if there is a mesh or texture of the name with
-        another content, such as one of another spec.
+        or a folder, in which the file gets the name that the command gives it. A folder exists, or is a
+        text that ends with "/"; such a folder is made. Returns the path of the file. Raises
+        FileExistsError if there is a mesh or texture of the name with another content, such as one of
+        another spec.
         """
-        file = pathlib.Path(path_of(path, "path"))
+        name = path_of(path, "path")
+        file = pathlib.Path(name)
+        if name.endswith(os.sep):
+            file.mkdir(parents=True, exist_ok=True)
         if file.is_dir():
             file /= os.path.basename(self._facts().get("file") or f"{self.name}_{self.index:06}.xml")
         files = {file.parent / name: content for name, content in self.files.items()}
