@@ -159,6 +159,30 @@ class Arguments(InFolder):
         with self.assertRaisesRegex(ValueError, "shard"):
             write("unused", 2, shard="2/2")
 
+    def test_options_of_write_that_do_not_fit_together(self):
+        variants = SPEC.variants()
+        shard = "is not of the form 'I/N', such as '0/4', N up to 99999"
+        for options, message in (
+                ({"shard": "x"}, f"shard='x' {shard}"), ({"shard": "0/0"}, f"shard='0/0' {shard}"),
+                ({"shard": "0/100000"}, f"shard='0/100000' {shard}"), ({"shard": "-1/2"}, f"shard='-1/2' {shard}"),
+                ({"shard": "2/2"}, "shard='2/2': shards count from 0, so that the last one is '1/2'"),
+                ({"first": 2**64 - 1}, f"first={2**64 - 1} and count=2 go beyond the largest index, 2^64 - 2"),
+                ({"verify": True}, "verify=True is for resume=True; Batch(...).verify() compares the files of a batch"),
+                ({"mocap": True}, "mocap=True is for families, such as output='NAME.npz', not for output='unused'"),
+                ({"pad": True}, "pad=True is for families, such as output='NAME.npz', not for output='unused'"),
+                ({"per_archive": 3}, "per_archive=3 is for a series of archives, such as output='NAME_%05d.tar', not "
+                                     "for output='unused'")):
+            with self.assertRaises(ValueError) as raised:
+                variants.write("unused", 2, **options)
+            self.assertEqual(str(raised.exception), message)
+        for output in ("x.tar", "%d.tar/x", "x%s.tar", "x.npz", "x.xml"):
+            self.assertRaisesRegex(ValueError, "^per_archive=3 is for", variants.write, output, 1, per_archive=3)
+        for output in ("%d.tar", "a/x_%05d.tar.zst"):
+            self.assertTrue(variants.write(output, 2, per_archive=1, first=2**64 - 3, shard="0/1").ok)
+        with self.assertRaises(ValueError) as raised:
+            variants.write("x.xml", 2)
+        self.assertEqual(str(raised.exception), "-o x.xml takes one variant, -n asks for 2")
+
     def test_slices_that_are_written(self):
         variants = SPEC.variants()
         for some in (variants[0:0], variants[5:5:2], variants[5:9][9:]):

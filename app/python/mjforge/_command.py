@@ -19,6 +19,8 @@ _VARIANT = re.compile(r".*: (ok|failed|skipped), attempt \d+")
 _KEPT = re.compile(r"(\d+) variants? kept")
 _SUMMARY = re.compile(r"\d+ variants? of .*: (\d+) ok\b.*")
 
+_HELP = re.compile(r"\n  hint: see 'mjforge \w+ --help'")
+
 
 class Messages:
     """Findings and other messages that the command writes to standard error."""
@@ -93,7 +95,8 @@ def run(arguments: list[str], text: bytes,
     if status == 130:
         raise KeyboardInterrupt
     kinds: dict[int, type[Exception]] = {2: ValueError, 3: OSError}
-    raise kinds.get(status, RuntimeError)(str(messages) or f"mjforge ended with status {status}")
+    said = _HELP.sub("", str(messages)).removeprefix("mjforge: error: ")
+    raise kinds.get(status, RuntimeError)(said or f"mjforge ended with status {status}")
 
 
 def options_of(options: Mapping[str, Any]) -> list[str]:

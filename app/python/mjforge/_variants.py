@@ -8,7 +8,7 @@ import threading
 import time
 from typing import TYPE_CHECKING, Any, Callable, Iterator, Optional, Sequence, Union, overload
 
-from . import _command, _options
+from . import _command, _options, _write_options
 from ._findings import Finding, VariantError
 from ._library import integer
 from ._maker import Maker
@@ -165,8 +165,9 @@ class Variants(Sequence[Variant]):
         `variants()` by default, but at least "load". All other options are those of the command:
         `first` is the first index, `shard="0/4"` a part of the batch. For a family (output
         "NAME.npz"), `mocap=True` makes fixed bodies mocap bodies, and `pad=True` adds null geoms
-        for geoms that a variant lacks; `layout="split"` makes one family for each structure
-        ("NAME_%s.npz").
+        for geoms that a variant lacks; `layout="split"` makes one family ("NAME_%s.npz"), or one
+        folder in a folder or an archive, for each structure. `per_archive` is for a series
+        ("NAME_%05d.tar"). Options that do not fit together are a ValueError.
 
         Returns a report, also if variants failed. Raises OSError if writing fails. After Ctrl-C or
         an exception of `progress`, every file is complete, and `resume=True` continues.
@@ -184,8 +185,7 @@ class Variants(Sequence[Variant]):
             "force": force, "verify": verify, "if_changed": if_changed, "durability": durability,
             "mocap": mocap, "pad": pad, "layout": layout, "progress": progress,
             "validate": self._validation() if validate is None else validate})
-        if options["output"] in ("", "-"):
-            raise ValueError(f"output={options['output']!r} is not a file, an archive or a folder")
+        _write_options.check(options, span)
         del options["progress"]
         own = {name: value for name, value in self._options.items() if name != "validate"}
         own["batch"] = own["batch"] or len(span)
