@@ -124,7 +124,7 @@ class Arguments(InFolder):
         variants = mjforge.Spec(Word.SPEC).variants(target=Word.TARGET, name=Word.NAME, set=settings,
                                                     seed=Number.SEED)
         self.assertEqual(repr(variants), "<mjforge.Variants of hammer (handle_length=25cm, handle_shape=fibreglass), "
-                         "seed 7, target mjx>")
+                         "seed 7, target mjx, name tool>")
         self.assertTrue(variants.write(Word.OUTPUT, Number.COUNT).ok)
         self.assertEqual(mjforge.Batch(Word.OUTPUT)[1].xml, variants[1].xml)
         self.assertEqual(_picture._layer_of(Word.LAYER) + _picture._joints_of({Word.NAME: 1})[1], "jointstool=1.0")

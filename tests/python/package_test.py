@@ -170,6 +170,14 @@ class Variants(unittest.TestCase):
         self.assertEqual([v.xml for v in again], [v.xml for v in variants[5:9]])
         self.assertEqual(pickle.loads(pickle.dumps(variants[5])).xml, variants[5].xml)
 
+    def test_their_representations_have_the_options_that_distinguish_them(self):
+        spec = mjforge.Spec("hammer", set={"handle_length": "20cm .. 30cm"})
+        variants = spec.variants(seed=3, name="tool", set={"handle_shape": "wooden"})
+        settings = "(handle_length=20cm .. 30cm, handle_shape=wooden)"
+        self.assertEqual(repr(variants[4]), f"<mjforge.Variant tool {settings} 4 of seed 3 for mujoco>")
+        self.assertEqual(repr(variants), f"<mjforge.Variants of hammer {settings}, seed 3, target mujoco, name tool>")
+        self.assertEqual(repr(mjforge.Spec("hammer").variants()[2]), "<mjforge.Variant hammer 2 of seed 0 for mujoco>")
+
     def test_outlive_their_maker(self):
         first = mjforge.Spec("hammer").variants()[0]
         self.assertIn("<mujoco", first.xml)

@@ -60,6 +60,12 @@ def mujoco_of(given: Any) -> Any:
     return module
 
 
+def with_settings(settings: Mapping[str, Any]) -> str:
+    """Returns settings as the end of a name: " (handle_length=25cm)"; empty if there are none."""
+    words = ", ".join(f"{name}={value}" for name, value in settings.items())
+    return f" ({words})" if words else ""
+
+
 class Variant:
     """A variant of a spec: an MJCF file, and its record with values and measurements. Quantities
     are in the object's own frame (m, kg, kg m^2). Variants with the same file and the same record are
@@ -358,5 +364,6 @@ class Variant:
         return hash(self.record_bytes)
 
     def __repr__(self) -> str:
-        target = self._facts()["target"]
-        return f"<mjforge.Variant {self.name} {self.index} of seed {self.seed} for {target}>"
+        facts = self._facts()
+        return (f"<mjforge.Variant {self.name}{with_settings(facts.get('set', {}))} {self.index} of seed {self.seed} "
+                f"for {facts['target']}>")

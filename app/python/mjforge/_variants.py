@@ -14,7 +14,7 @@ from ._library import integer
 from ._maker import Maker
 from ._options import Durability, Layout, Profile, Validate
 from ._report import Report, report_of
-from ._variant import Variant
+from ._variant import Variant, with_settings
 
 if TYPE_CHECKING:
     from ._picture import Layer, Picture, Size
@@ -37,8 +37,7 @@ _MOST_INVALID = 1000
 
 def described(spec: "Spec") -> str:
     """Returns the name of a spec and its settings, as text: "hammer (handle_length=25cm)"."""
-    settings = ", ".join(f"{name}={value}" for name, value in spec.settings.items())
-    return f"{spec.name} ({settings})" if settings else spec.name
+    return spec.name + with_settings(spec.settings)
 
 
 class Variants(Sequence[Variant]):
@@ -284,8 +283,9 @@ class Variants(Sequence[Variant]):
 
     def __repr__(self) -> str:
         which = "" if self._indices is None else f" {self._indices}"
+        name = f", name {self._options['name']}" if self._options["name"] else ""
         return (f"<mjforge.Variants{which} of {described(self.spec)}, seed {self._options['seed']}, "
-                f"target {self._options['target']}>")
+                f"target {self._options['target']}{name}>")
 
 
 class _Iteration(Iterator[Variant]):
