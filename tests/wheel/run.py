@@ -166,6 +166,15 @@ WRONG_WORDS = """import mjforge
 mjforge.Spec("hammer").variants(target="robosuit")
 mjforge.Spec("hammer").variants(validate="fysics")
 mjforge.Spec("hammer").check("3")
+mjforge.Spec("hammer").variants()[0].attach(None, pos="abc")
+"""
+GOOD_WORDS = """from typing import Any
+import mjforge
+import numpy as np
+def add(scene: Any, variant: mjforge.Variant) -> None:
+    variant.attach(scene, pos=np.zeros(3), quat=np.array([1.0, 0, 0, 0]))
+    variant.attach(scene, pos=np.array([0, 0, 1]), quat=np.zeros(4, dtype=np.float32))
+    variant.attach(scene, pos=[0, 0, 1], quat=(1, 0, 0, 0))
 """
 
 
@@ -174,10 +183,12 @@ def has_types(place):
     place.run(place.bin / "mypy", "--strict", "-p", "mjforge")
     place.run(place.bin / "pyright", packaged(place))
     (place.empty / "wrong_words.py").write_text(WRONG_WORDS)
+    (place.empty / "good_words.py").write_text(GOOD_WORDS)
     for checker in (("mypy", "--strict"), ("pyright",)):
+        place.run(place.bin / checker[0], *checker[1:], "good_words.py")
         said = place.run(place.bin / checker[0], *checker[1:], "wrong_words.py", status=1)
         found = {int(line) for line in re.findall(r"wrong_words\.py:(\d+)(?::\d+)?.* error: ", said)}
-        expect(found == {2, 3, 4}, f"{checker[0]} says {said}")
+        expect(found == {2, 3, 4, 5}, f"{checker[0]} says {said}")
 
 
 def has_its_tests_passed(place):

@@ -6,7 +6,7 @@ import contextlib
 import importlib
 import math
 import re
-from typing import TYPE_CHECKING, Any, Iterator, Sequence
+from typing import TYPE_CHECKING, Any, Iterator, Protocol
 
 from ._library import c_text
 from ._members import Joint, Members
@@ -16,7 +16,16 @@ if TYPE_CHECKING:
 
     from ._variant import Variant
 
-Quaternion = Sequence[float]  # w x y z
+
+
+class Numbers(Protocol):
+    """Numbers in a list, a tuple or an array of NumPy."""
+
+    def __len__(self) -> int: ...
+
+    def __iter__(self) -> Iterator[float]: ...
+
+
 Pose = tuple[Any, Any]  # position and quaternion, arrays
 
 # A body with a name: names of bodies are letters, digits and _. A search of the text takes a tenth of
@@ -55,7 +64,7 @@ def _module_of(thing: Any) -> Any:
     return importlib.import_module(type(thing).__module__.partition(".")[0])
 
 
-def _bottom(variant: Variant, quat: Quaternion) -> float:
+def _bottom(variant: Variant, quat: Numbers) -> float:
     """Returns the z, m, of the lowest point of the variant's bounding box at the start, turned by
     `quat`.
     """
@@ -95,7 +104,7 @@ def _without_files(scene: MjSpec) -> Iterator[None]:
         scene.assets.update(files)
 
 
-def attach(variant: Variant, scene: MjSpec, prefix: str, pos: Sequence[float], quat: Quaternion,
+def attach(variant: Variant, scene: MjSpec, prefix: str, pos: Numbers, quat: Numbers,
            stand: bool) -> MjsBody:
     """Returns the object's first body in the scene; see Variant.attach."""
     _require_type(scene, "MjSpec", "scene")

@@ -261,15 +261,15 @@ class Variant:
         scene: "MjSpec",
         *,
         prefix: str = "",
-        pos: Sequence[float] = (0.0, 0.0, 0.0),
-        quat: Sequence[float] = (1.0, 0.0, 0.0, 0.0),
+        pos: _attach.Numbers = (0.0, 0.0, 0.0),
+        quat: _attach.Numbers = (1.0, 0.0, 0.0, 0.0),
         stand: bool = True,
     ) -> "MjsBody":
         """Adds the object to a scene, a mujoco.MjSpec, and returns the object's first body in the
         scene.
 
         `prefix`: prefix of the object's names; ValueError if the scene then has the name of the first
-        body already. `pos`, `quat`: place of the object in the world.
+        body already. `pos`, `quat` (w x y z): place of the object in the world, as lists or arrays.
         `stand`: if true, `pos` is the height of the object's bottom, otherwise of its origin; the
         bottom is that of the bounding box at the start. A reset of the scene sets the object to its
         start, unless that is in a keyframe, as for objects without a free body
