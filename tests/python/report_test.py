@@ -2,11 +2,13 @@
 
 import doctest
 import importlib.util
+import inspect
 import json
 import math
 import os
 import pathlib
 import pickle
+import sys
 import unittest
 
 import mjforge
@@ -347,15 +349,20 @@ class Parameters(InFolder):
 
 class Docstrings(unittest.TestCase):
     def test_their_examples_are_true(self):
-        import mjforge._parameters
-        import mjforge._spec
-
+        modules = [mjforge] + [module for name, module in sys.modules.items() if name.startswith("mjforge.")]
         tried = 0
-        for module in (mjforge, mjforge._spec, mjforge._parameters):
+        for module in modules:
             result = doctest.testmod(module, optionflags=doctest.ELLIPSIS)
-            self.assertEqual(result.failed, 0)
+            self.assertEqual(result.failed, 0, module.__name__)
             tried += result.attempted
-        self.assertGreater(tried, 15)
+        self.assertGreater(tried, 30)
+
+    def test_all_that_is_public_has_one(self):
+        missing = [f"{name}.{member}" for name in mjforge.__all__ for member, value in vars(getattr(mjforge, name)).items()
+                   if inspect.isclass(getattr(mjforge, name)) and not member.startswith("_")
+                   and (inspect.isfunction(value) or isinstance(value, property)) and not inspect.getdoc(value)]
+        self.assertEqual(missing, [])
+        self.assertEqual([name for name in mjforge.__all__ if not inspect.getdoc(getattr(mjforge, name))], [])
 
 
 if __name__ == "__main__":

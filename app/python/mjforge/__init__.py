@@ -68,6 +68,10 @@ def prove(
     `jobs`: number of processes (default: one per core). `progress`: shows a progress bar if
     standard error is a terminal. Raises FileNotFoundError if there is no manifest, ImportError if
     MuJoCo is not installed.
+
+    >>> report = mjforge.Spec("mug").variants().write("mugs/", 100)  # doctest: +SKIP
+    >>> mjforge.prove("mugs/")  # doctest: +SKIP
+    []
     """
     from ._prove import run  # keeps the import of the package short
 

@@ -222,6 +222,10 @@ def load_family(path: "Union[str, os.PathLike[str]]") -> Family:
 
     Raises FileNotFoundError if the file does not exist, ValueError if it is not a family, was cut
     short or was changed, and ImportError if NumPy is not installed.
+
+    >>> report = mjforge.Spec("robosuite/hammer").variants().write("hammers.npz", 64)  # doctest: +SKIP
+    >>> mjforge.load_family("hammers.npz").parameters["handle_length"].shape  # doctest: +SKIP
+    (64,)
     """
     from ._family_file import FamilyFile  # keeps the import of the package short
 

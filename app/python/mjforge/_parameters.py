@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import os
-from typing import Any, Optional, Union
+from typing import Any, Mapping, Optional, Union
 
 from ._json import loads
 from ._library import CATALOGUE, bytes_of, library
@@ -47,6 +47,12 @@ def parameter_of(members: dict[str, Any]) -> Parameter:
     return Parameter(**{name: _frozen(value) for name, value in members.items()})
 
 
+def with_settings(settings: Mapping[str, Any]) -> str:
+    """Returns settings as the end of a name: " (handle_length=25cm)"; empty if there are none."""
+    words = ", ".join(f"{name}={value}" for name, value in settings.items())
+    return f" ({words})" if words else ""
+
+
 class CatalogueEntry(str):
     """The name of a spec, with the path of its file and its description."""
 
@@ -61,6 +67,7 @@ class CatalogueEntry(str):
 
     @property
     def name(self) -> str:
+        """Name of the spec, as text."""
         return str(self)
 
     @property

@@ -77,6 +77,13 @@ class Batch:
     manifest, and VariantError for an object that is missing or was changed, and for a manifest that
     is damaged or was changed since the batch was opened. A Batch can be pickled; only one thread at
     a time may use it.
+
+    >>> import mjforge, tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     report = mjforge.Spec("mug").variants(seed=7).write(f"{folder}/mugs.tar", 5)
+    ...     batch = mjforge.Batch(f"{folder}/mugs.tar")
+    ...     len(batch), batch[-1].index, [v.index for v in batch[1:3]], batch.verify()
+    (5, 4, [1, 2], [])
     """
 
     def __init__(self, path: Union[str, os.PathLike[str]]) -> None:

@@ -20,6 +20,7 @@ from ._json import copied, loads, members_of_record
 from ._members import Joint, Members, Position, Site, elements, members_of
 from ._options import path as path_of
 from ._options import real
+from ._parameters import with_settings
 
 if TYPE_CHECKING:
     import numpy as np
@@ -60,12 +61,6 @@ def mujoco_of(given: Any) -> Any:
     return module
 
 
-def with_settings(settings: Mapping[str, Any]) -> str:
-    """Returns settings as the end of a name: " (handle_length=25cm)"; empty if there are none."""
-    words = ", ".join(f"{name}={value}" for name, value in settings.items())
-    return f" ({words})" if words else ""
-
-
 class Variant:
     """A variant of a spec: an MJCF file, and its record with values and measurements. Quantities
     are in the object's own frame (m, kg, kg m^2). Variants with the same file and the same record are
@@ -99,6 +94,11 @@ class Variant:
         `spec`: the spec, if its file is not in the working folder, or if it was a text or a mapping.
         Raises FileNotFoundError if the file is not there, MismatchError if the spec has changed or
         the file differs.
+
+        >>> import mjforge
+        >>> record = mjforge.Spec("mug").variants(seed=7)[41].record
+        >>> mjforge.Variant.from_record(record)
+        <mjforge.Variant mug 41 of seed 7 for mujoco>
         """
         from ._replay import replay
 
@@ -176,10 +176,12 @@ class Variant:
 
     @property
     def index(self) -> int:
+        """Index of the variant among those of its spec and seed."""
         return self._facts()["index"]
 
     @property
     def seed(self) -> int:
+        """Seed of the draws; see Spec.variants."""
         return self._facts()["seed"]
 
     @property
@@ -253,6 +255,9 @@ class Variant:
 
     def load(self, mujoco: Any = None) -> "MjModel":
         """Returns a mujoco.MjModel of the variant, loaded by the given module or the installed one.
+
+        >>> model = mjforge.Spec("mug").variants()[0].load()  # doctest: +SKIP
+        >>> data = mujoco.MjData(model)  # doctest: +SKIP
         """
         return mujoco_of(mujoco).MjModel.from_xml_string(self.xml, self.files)
 
@@ -275,6 +280,11 @@ class Variant:
         start, unless that is in a keyframe, as for objects without a free body
         (Spec(set={"root.start": "zero"}) has no keyframe). Keyframes are not added to the scene:
         call `start`.
+
+        >>> scene = mujoco.MjSpec.from_file("table.xml")  # doctest: +SKIP
+        >>> laptop = mjforge.Spec("laptop").variants(seed=3)[1]  # doctest: +SKIP
+        >>> body = laptop.attach(scene, prefix="laptop/", pos=(0.1, 0, 0.42))  # doctest: +SKIP
+        >>> model = scene.compile()  # doctest: +SKIP
         """
         return _attach.attach(self, scene, prefix, pos, quat, stand)
 
@@ -282,6 +292,9 @@ class Variant:
         """Sets joints, velocities, activations and controls of the object in a simulation to its
         start state. The first body stays at its pose; other free bodies, and velocities of free
         bodies, are relative to it. `prefix`: the prefix with which the object was attached.
+
+        >>> data = mujoco.MjData(model)  # doctest: +SKIP
+        >>> laptop.start(model, data, "laptop/")  # doctest: +SKIP
         """
         _attach.start(self, model, data, prefix)
 
@@ -291,6 +304,11 @@ class Variant:
         text that ends with "/"; such a folder is made. Returns the path of the file. Raises
         FileExistsError if there is a mesh or texture of the name with another content, such as one of
         another spec.
+
+        >>> import mjforge, tempfile
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     mjforge.Spec("mug").variants()[3].save(f"{folder}/mugs/").name
+        'mug_000003.xml'
         """
         name = path_of(path, "path")
         file = pathlib.Path(name)
@@ -312,6 +330,11 @@ class Variant:
     def as_file(self) -> Iterator[pathlib.Path]:
         """Writes the files to a temporary folder and yields the path of the MJCF file, for hosts that
         read only files. Removes the folder at the end of the `with` block.
+
+        >>> import mjforge
+        >>> with mjforge.Spec("spoon").variants(assets="files")[0].as_file() as path:
+        ...     path.name, path.with_name("assets").is_dir()
+        ('spoon_000000.xml', True)
         """
         with tempfile.TemporaryDirectory() as folder:
             yield self.save(folder)
@@ -324,6 +347,9 @@ class Variant:
         "inertia", "joints" or "regions". `pose`: positions of hinges (rad) and slides (m) that are
         not at their start. Camera and other joints are those of the spec's `view:`; an object that
         was read from a batch has no `view:`. Raises VariantError if nothing can be drawn.
+
+        >>> laptop = mjforge.Spec("laptop").variants(seed=3)[1]  # doctest: +SKIP
+        >>> laptop.png(size=(300, 200), pose={"hinge": 2.0}).save("laptop.png")  # doctest: +SKIP
         """
         from ._picture import draw
 
@@ -341,6 +367,9 @@ class Variant:
         geoms, names, mass, center of mass, inertia, bounds and start state. `tolerance` is relative
         to the mass, to the size and to their products. Returns the model; raises MismatchError if
         there is a difference.
+
+        >>> for variant in mjforge.Spec("mug").variants()[:100]:  # doctest: +SKIP
+        ...     model = variant.verify()
         """
         from ._comparison import Comparison
 

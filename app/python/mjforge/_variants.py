@@ -13,8 +13,9 @@ from ._findings import Finding, VariantError
 from ._library import integer
 from ._maker import Maker
 from ._options import Durability, Layout, Profile, Validate
+from ._parameters import with_settings
 from ._report import Report, report_of
-from ._variant import Variant, with_settings
+from ._variant import Variant
 
 if TYPE_CHECKING:
     from ._picture import Layer, Picture, Size
@@ -222,6 +223,8 @@ class Variants(Sequence[Variant]):
     def sheet(self, size: "Size" = 320, layer: "Layer" = "visual") -> "Picture":
         """Draws a contact sheet of a slice with at most 400 variants. Returns the bytes of a PNG
         file. `size` is the size of each picture; see Variant.png.
+
+        >>> mjforge.Spec("hammer").variants()[:8].sheet(size=100).save("hammers.png")  # doctest: +SKIP
         """
         from ._picture import draw
 
@@ -235,6 +238,10 @@ class Variants(Sequence[Variant]):
 
         The table is a pandas.DataFrame if pandas is installed (`frame=True`: otherwise raises
         ImportError), and a dict of NumPy arrays without pandas or with `frame=False`.
+
+        >>> mugs = mjforge.Spec("mug").variants()[:1000]  # doctest: +SKIP
+        >>> list(mugs.table(["mass", "bounds"], frame=False))[:3]  # doctest: +SKIP
+        ['index', 'mass', 'bounds.min.x']
         """
         from ._table import CHUNK, Table
 
