@@ -96,7 +96,7 @@ class Pictures(unittest.TestCase):
         self.assertEqual(repr(spec), "<mjforge.Spec hammer (handle_length=25cm)>")
         self.assertEqual(repr(variants[:16]), "<mjforge.Variants range(0, 16) of hammer "
                          "(handle_length=25cm), seed 7, target mjx>")
-        self.assertEqual(repr(variants[3]), "<mjforge.Variant hammer 3 of seed 7 for mjx>")
+        self.assertEqual(repr(variants[3]), "<mjforge.Variant hammer (handle_length=25cm) 3 of seed 7 for mjx>")
 
 
 if __name__ == "__main__":
