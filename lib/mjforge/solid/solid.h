@@ -79,7 +79,7 @@ struct TextureMapping {
   bool operator==(const TextureMapping&) const = default;
 };
 
-inline constexpr double kDefaultCrease = 40 * std::numbers::pi / 180;  // of `crease`, rad
+inline constexpr double kDefaultCrease = 40 * std::numbers::pi / 180;  // default of `crease`, rad
 
 /// A profile in the half plane r >= 0, revolved about z, counter-clockwise from the x axis.
 struct Lathe {
