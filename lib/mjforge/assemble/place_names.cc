@@ -124,7 +124,7 @@ std::string PlaceNames::OutermostName(std::string_view name) const {
     const std::string prefix = scope->outer_prefix();
     const std::size_t outer = scope->outer->prefix.size();
     if (prefix.size() > outer + 1)
-      full = prefix.substr(outer, prefix.size() - outer - 1) + "." + full;
+      full.insert(0, fmt::format("{}.", prefix.substr(outer, prefix.size() - outer - 1)));
   }
   return full;
 }
