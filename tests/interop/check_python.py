@@ -28,7 +28,7 @@ def verifies(name, target, assets="inline"):
 
 def finds_a_difference():
     variant = mjforge.Spec("hammer").variants()[0]
-    variant.record["mass"] *= 1.001
+    variant._facts()["mass"] *= 1.001
     try:
         variant.verify(mujoco)
     except mjforge.MismatchError as error:
