@@ -43,14 +43,6 @@ int OwnerOf(const model::Object& object, int body, int root) {
   return body;
 }
 
-// Returns the positions between which a hinge or slide moves; a full turn for a hinge without a
-// range, and an empty interval for other joints.
-Eigen::Vector2d SweepOf(const model::Joint& joint) {
-  if (joint.range && (joint.type == "hinge" || joint.type == "slide")) return *joint.range;
-  if (joint.type == "hinge") return {-std::numbers::pi, std::numbers::pi};
-  return Eigen::Vector2d::Zero();
-}
-
 }  // namespace
 
 void Placements::WarnOfSweptPlaces() {
@@ -78,7 +70,9 @@ void Placements::WarnOfSweep(std::size_t body, std::size_t joint,
   model::Body moved;
   moved.X_PB = object.bodies[body].X_PB;
   moved.joints = object.bodies[body].joints;
-  const Eigen::Vector2d sweep = SweepOf(moved.joints[joint]);
+  const model::Joint& of = object.bodies[body].joints[joint];
+  if (of.type != "hinge" && of.type != "slide") return;
+  const Eigen::Vector2d sweep = model::DisplacementsOf(of).array() + model::ZeroPosition(of)[0];
   if (sweep[0] == sweep[1]) return;
   const int parent = object.bodies[body].parent;
   for (int i = 0; i < kPositions; ++i) {
@@ -88,7 +82,6 @@ void Placements::WarnOfSweep(std::size_t body, std::size_t joint,
     const int hit = context_.placer.FindOverlap(static_cast<int>(body),
                                                 parent < 0 ? X_PB : X_WB(parent) * X_PB, standing);
     if (hit < 0) continue;
-    const model::Joint& of = moved.joints[joint];
     context_.findings
         .Warn(diag::Code::kModelBadPlace, BodyAt(hit).mark,
               fmt::format("body {} is in the way of joint {} at {}", Quoted(names_.NameOf(hit)),

@@ -90,18 +90,6 @@ double SweptSupport(const Shapes& shapes, const Vector3d& axis, const Turns& tur
          turns.excess * (std::max(largest, 0.0) + std::max(SupportOf(shapes, -along), 0.0));
 }
 
-// Returns the range of a hinge or slide as displacements from the joint's zero. An unlimited hinge
-// makes a full turn; an unlimited slide stays at its start.
-Eigen::Vector2d DisplacementsOf(const Joint& joint) {
-  constexpr double kHalfTurn = std::numbers::pi;
-  const double zero = ZeroPosition(joint)[0];
-  const bool is_hinge = joint.type == "hinge";
-  if (is_hinge && (!joint.range || (*joint.range)[1] - (*joint.range)[0] >= 2 * kHalfTurn))
-    return {-kHalfTurn, kHalfTurn};
-  if (joint.range) return *joint.range - Eigen::Vector2d::Constant(zero);
-  return Eigen::Vector2d::Constant(joint.start.empty() ? 0 : joint.start[0] - zero);
-}
-
 // Returns the lower and upper bound of the shapes along a unit vector while one joint moves. The
 // origin is the anchor of the joint; `turns` is used only for hinges.
 Eigen::Vector2d SweptInterval(const Shapes& shapes, const Joint& joint, const Vector3d& axis,
@@ -139,6 +127,16 @@ void SweepJoint(const Joint& joint, const Pose& X_WB, Shapes& shapes) {
 bool Moves(const Joint& joint) { return joint.type != "free"; }
 
 }  // namespace
+
+Eigen::Vector2d DisplacementsOf(const Joint& joint) {
+  constexpr double kHalfTurn = std::numbers::pi;
+  const double zero = ZeroPosition(joint)[0];
+  const bool is_hinge = joint.type == "hinge";
+  if (is_hinge && (!joint.range || (*joint.range)[1] - (*joint.range)[0] >= 2 * kHalfTurn))
+    return {-kHalfTurn, kHalfTurn};
+  if (joint.range) return *joint.range - Eigen::Vector2d::Constant(zero);
+  return Eigen::Vector2d::Constant(joint.start.empty() ? 0 : joint.start[0] - zero);
+}
 
 Box3 SweptBounds(const Object& object) {
   const std::vector<Body>& bodies = object.bodies;
