@@ -53,6 +53,9 @@ std::string FindConflict(const GenerateOptions& options, const batch::Request& r
         "--shard: '{}' is one archive; shards fill a folder or a series, such as '{}'",
         options.output, std::string(options.output).insert(options.output.rfind(".tar"), "_%05d"));
   }
+  if (options.has_per_archive && kind != Kind::kArchives)
+    return fmt::format("--per-archive is for a series, such as -o 'x_%05d.tar', not for -o {}",
+                       options.output);
   if (request.verify && !request.resume) return "--verify is for --resume; see `mjforge verify`";
   return {};
 }
@@ -104,7 +107,8 @@ void AddOutputOptions(CLI::App& command, GenerateOptions& options) {
       ->option_text("OUT")
       ->check([](const std::string& text) { return text.empty() ? "'' is no place" : ""; }, "")
       ->check(Offers("."));
-  AddWholeNumber(command, "--per-archive", options.per_archive, "Variants in each archive", 1);
+  AddWholeNumber(command, "--per-archive", options.per_archive, "Variants in each archive", 1)
+      ->each([&options](const std::string&) { options.has_per_archive = true; });
   command.add_option("--shard", options.shard, "Part I (from 0) of the N parts of the batch")
       ->option_text("I/N");
   command.add_flag("--resume", options.request.resume, "Continue what an earlier run left");

@@ -12,6 +12,7 @@ namespace mjforge::app {
 struct GenerateOptions : BatchOptions {
   std::string output;
   std::uint64_t per_archive = 10'000;
+  bool has_per_archive = false;  // --per-archive is given
   std::string shard;
   std::string target = "mujoco";
   std::string assets = "inline";

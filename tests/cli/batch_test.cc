@@ -328,6 +328,7 @@ TEST_CASE_METHOD(BatchTest, "options that contradict each other are wrong usage"
   wrong({"-o", "x_%s.tar"});
   wrong({"-j", "0"});
   wrong({"--per-archive", "0"});
+  CHECK(wrong({"--per-archive", "10", "-o", "x.tar"}).find("is for a series") != std::string::npos);
   CHECK(wrong({"--verify"}).find("--resume") != std::string::npos);
   CHECK(wrong({"-o", ""}).find("'' is no place") != std::string::npos);
   wrong({"--time-limit", "0"});

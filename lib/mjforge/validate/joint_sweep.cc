@@ -63,6 +63,8 @@ class Sweeper {
  public:
   Sweeper(mjModel& m, int frame)
       : m_(m), finder_(m), joints_(JointsToMove(m, sweep_.unlimited_slides)) {
+    Reset();
+    finder_.Move();
     X_AW_ = compiled::PoseAt(finder_.data().xpos, finder_.data().xquat, frame).Inverse();
     // If no geom collides, the bounds include visual geoms, like those in model::Bounds.
     for (int i = 0; i < m.ngeom; ++i) {
@@ -95,7 +97,7 @@ class Sweeper {
     return finder_.qpos().data() + m_.jnt_qposadr[joint.id];
   }
 
-  void Reset() { std::copy_n(m_.qpos0, m_.nq, finder_.qpos().begin()); }
+  void Reset() { std::ranges::copy(compiled::StartOf(m_), finder_.qpos().begin()); }
 
   void MoveJoint(const MovedJoint& joint) {
     for (int i = 0; i < Sweep::kSteps; ++i) {

@@ -8,7 +8,7 @@
 namespace mjforge::validate {
 
 /// Moves the joints as struct Sweep describes, and returns contacts and bounds. The box is in the
-/// frame of the body `frame` (0: the world) with all joints at zero. The model is unusable
+/// frame of the body `frame` (0: the world) at the start. The model is unusable
 /// afterwards. May throw std::exception.
 Sweep SweepModel(mjModel& m, int frame);
 

@@ -33,20 +33,20 @@ struct CompiledModel {
 };
 
 /// Contacts and bounds over the ranges of the joints. Each hinge and each slide with a range takes
-/// kSteps positions in its range while the other joints are at zero; a hinge without a range makes
-/// a full turn. Slides without a range and free joints do not move. A ball joint turns about 13
-/// axes, up to its range in both directions. Two or more joints also move together to kCombinations
-/// points of a Sobol sequence. If all joints together have at most 8 coordinates (3 for a ball
-/// joint), all combinations of the ends of the coordinates are tried, too; a ball joint then turns
-/// only about z. Equalities are ignored. The results hold for the tried positions, but not between
-/// them.
+/// kSteps positions in its range while the other joints are at their start; a hinge without a range
+/// makes a full turn. Slides without a range and free joints do not move. A ball joint turns about
+/// 13 axes, up to its range in both directions. Two or more joints also move together to
+/// kCombinations points of a Sobol sequence. If all joints together have at most 8 coordinates (3
+/// for a ball joint), all combinations of the ends of the coordinates are tried, too; a ball joint
+/// then turns only about z. Equalities are ignored. The results hold for the tried positions, but
+/// not between them.
 struct Sweep {
   static constexpr int kSteps = 65;
   static constexpr int kCombinations = 512;
 
   /// The deepest contact of two bodies that was found while a joint moved.
   struct Contact {
-    std::string joint;  // empty: several joints together, or all at zero
+    std::string joint;  // empty: several joints together, or all at the start
     double value = 0;   // joint position, rad or m; ball joint: angle from qpos0
     std::string body1;
     std::string geom1;  // geom of body1

@@ -23,8 +23,9 @@ using std::numbers::pi;
 /// Returns the sweep of an MJCF file with these bodies.
 Sweep SweepOf(const std::string& bodies, const std::string& sections = {}) {
   const TemporaryFolder folder;
-  std::ofstream(folder.path() / "m.xml") << "<mujoco><compiler angle=\"radian\"/><worldbody>"
-                                         << bodies << "</worldbody>" << sections << "</mujoco>";
+  std::ofstream(folder.path() / "m.xml")
+      << "<mujoco model=\"m\"><compiler angle=\"radian\"/><worldbody>" << bodies << "</worldbody>"
+      << sections << "</mujoco>";
   static Loader loader;
   diag::Sources sources;
   diag::Findings findings;
@@ -164,6 +165,24 @@ TEST_CASE("a contact that takes two joints is told without a joint, and one that
   const Sweep none = SweepOf(Body("a", "0 0 0", "<freejoint/>" + Ball("a_ball", "0 0 0")) +
                              Body("b", "0.15 0 0", "<freejoint/>" + Ball("b_ball", "0 0 0")));
   CHECK(ContactTexts(none) == Strings{" at 0.000000: a/a_ball b/b_ball 0.050000"});
+}
+
+TEST_CASE("the other joints are at their start") {
+  const std::string bodies =
+      Body("base", "0 0 0",
+           kBase +
+               Body("cart", "0 0 0",
+                    Joint("rail", "type=\"slide\" axis=\"1 0 0\"" + Range("0 0.5")) +
+                        Ball("cart_ball", "0 0 0")) +
+               Body("gate", "0.6 0 0",
+                    Joint("lift", "type=\"slide\" axis=\"0 0 1\"" + Range("0 1")) +
+                        Ball("gate_ball", "0 0 0")));
+  const std::string raised =
+      "<keyframe><key name=\"m_start\" qpos=\"0 0 0 1 0 0 0 0 0.5\"/></keyframe>";
+  CHECK(ContactTexts(SweepOf(bodies)) ==
+        Strings{"rail at 0.500000: cart/cart_ball gate/gate_ball 0.100000"});
+  CHECK(ContactTexts(SweepOf(bodies, raised)) ==
+        Strings{" at 0.000000: cart/cart_ball gate/gate_ball 0.100000"});
 }
 
 TEST_CASE("the box holds what several joints reach together, to the corners") {
