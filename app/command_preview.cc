@@ -163,7 +163,8 @@ class Preview {
     diag::Findings of_views;
     diag::Findings again;  // dropped: repeats the findings of the first variant with any
     for (PreviewObject& object : objects) {
-      if (recipe_) SetPoseOf(*recipe_->spec, *object.subject, of_views.empty() ? of_views : again);
+      if (recipe_ && !options_.sweep)
+        SetPoseOf(*recipe_->spec, *object.subject, of_views.empty() ? of_views : again);
     }
     findings_.Append(std::move(of_views));
     bool is_moved = true;

@@ -154,9 +154,10 @@ class PageMaker {
 
   void DrawFilm(picture::Renderer& renderer, picture::Subject& subject, int number,
                 const picture::Joint& joint) {
-    diag::Findings ignored;                // after an error, the page has one film less
-    subject.Reset(picture::Pose::kStart);  // undoes the film of another joint
-    SetPoseOf(*recipe_.spec, subject, ignored);
+    diag::Findings ignored;  // after an error, the page has one film less
+    // Undoes the film of another joint, and the pose of `view:`, in which this joint may pass
+    // through a door.
+    subject.Reset(picture::Pose::kStart);
     std::vector<picture::JointPositions> poses;
     for (int i = 0; i < kFrames; ++i) {
       const double share = static_cast<double>(i) / (kFrames - 1);

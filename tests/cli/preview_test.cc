@@ -244,6 +244,18 @@ TEST_CASE_METHOD(PreviewTest, "the joints are animated by --sweep in a GIF") {
   for (int i = 0; i < 2; ++i)
     REQUIRE(Run({"preview", "chest.xml", "--size", "48", "--sweep"}).status == 0);
   CHECK(folder().Read("chest.gif") == gif);
+  const std::string doors =
+      "mjforge: 1\nname: cup\nparts: [{name: s, type: box, size: [0.1, 0.2, 0.1]}]\n"
+      "bodies:\n  - name: \"lid_${i}\"\n    for: {i: 2}\n"
+      "    parts: [{name: \"l_${i}\", type: box, size: [0.1, 0.2, 0.01]}]\n    pos: [0, 0, 0.2 + "
+      "0.1 * i]\n"
+      "    joints: [{name: \"turn_${i}\", axis: [0, 0, 1], range: [0, 90deg]}]\n";
+  const auto motion = [&](const std::string& view) {
+    folder().Write("doors.yaml", doors + view);
+    const std::string film = Draw({"doors.yaml", "--size", "48", "--sweep", "--joint", "turn_0"});
+    return film.substr(film.find(control));
+  };
+  CHECK(motion("") == motion("view: {pose: {turn_1: 45deg}}\n"));  // others are at their start
   const auto stiff = Run({"preview", "crate.yaml", "--sweep"});
   CHECK(stiff.status == 1);
   CHECK(stiff.err ==
