@@ -256,4 +256,16 @@ std::optional<std::uint64_t> Merge(const output::Destination& destination, bool 
   return ShardMerger(destination, verify, sources, findings)();
 }
 
+void RemoveMerged(const output::Destination& destination, const manifest::Seal& shard) {
+  if (destination.kind == output::Destination::Kind::kFamily) return;
+  const std::filesystem::path merged = destination.Manifest({});
+  std::string why_not;
+  const std::optional<manifest::Seal> seal = manifest::ReadSealBeside(merged, why_not);
+  if (!seal || seal->first != shard.first || seal->count != shard.count) return;
+  for (const auto& file : {merged, manifest::SealPathOf(merged)}) {
+    std::error_code ignored;
+    std::filesystem::remove(file, ignored);
+  }
+}
+
 }  // namespace mjforge::batch

@@ -44,6 +44,19 @@ TEST_CASE_METHOD(ShardTest, "shards joined are the batch as one run makes it") {
   CHECK(Merge() == kCount);  // merging twice
 }
 
+TEST_CASE_METHOD(ShardTest, "a shard that is made again takes the merged manifest away") {
+  REQUIRE(Merge() == kCount);
+  Request again = ShardOf(*this, 2);
+  again.resume = true;
+  Make(again);
+  CHECK(std::filesystem::exists(folder / "out/manifest.jsonl"));
+  again.resume = false;
+  again.variant.seed = 2;
+  Make(again);
+  CHECK_FALSE(std::filesystem::exists(folder / "out/manifest.jsonl"));
+  CHECK_FALSE(std::filesystem::exists(folder / "out/manifest.seal.json"));
+}
+
 TEST_CASE("shards of a series joined are the series as one run makes it") {
   CrateBatch test(kBoxSpec);
   test.Make(test.Of(kCount, "whole/x_%03d.tar.zst"));
