@@ -259,11 +259,9 @@ bool Journal::AppendLine(const std::string& line, diag::Findings& findings) {
 }
 
 // Gives the manifest and the seal of a finished batch hidden names if this run replaces the files
-// of that batch. Otherwise a manifest would describe other files if this run stopped. Before a
-// shard, also removes the manifest that joins all shards.
+// of that batch. Otherwise a manifest would describe other files if this run stopped.
 void Journal::HideFormer() {
   if (options_.request.resume) return;  // files get the bytes that the manifest describes
-  if (!options_.request.shard.IsWhole()) RemoveMerged(options_.request.destination, seal_);
   for (const auto& file : {file_, manifest::SealPathOf(file_)}) {
     std::error_code error;
     std::filesystem::rename(file, FormerNameOf(file), error);

@@ -213,9 +213,31 @@ class ShardMerger {
     return frames->empty() ? 0 : frames->back().end();
   }
 
+  // Returns true if there is no manifest of the whole batch yet, or if its first record comes from
+  // the same batch as a record of a shard. Otherwise adds a finding: a run without shards may have
+  // replaced the files.
+  bool IsOfFormer(const manifest::Record& record) {
+    std::string why_not;
+    std::string line;
+    std::optional<bytes::LineReader> lines = bytes::LineReader::Open(file_, why_not);
+    if (!lines || !lines->Next(line, why_not)) return true;
+    const std::optional<manifest::Record> former = manifest::ReadRecord(line, why_not);
+    const std::string difference =
+        former ? manifest::DifferenceOfBatch(*former, record) : std::string();
+    if (difference.empty()) return true;
+    findings_.Add(
+        diag::Code::kBatchDiffers, {},
+        fmt::format("'{}' is not of the batch of its shards: {}", file_.string(), difference),
+        "remove the manifests of the batch that you do not want");
+    return false;
+  }
+
   bool Check(const manifest::Record& record, const std::filesystem::path& shard,
              std::uint64_t number) {
-    if (!first_) first_ = record;
+    if (!first_) {
+      first_ = record;
+      if (!IsOfFormer(record)) return false;
+    }
     const std::string difference = manifest::DifferenceOfBatch(record, *first_);
     if (!difference.empty()) {
       ReportOtherShard(fmt::format("line {} of '{}'", number, shard.string()), difference,
@@ -256,12 +278,13 @@ std::optional<std::uint64_t> Merge(const output::Destination& destination, bool 
   return ShardMerger(destination, verify, sources, findings)();
 }
 
-void RemoveMerged(const output::Destination& destination, const manifest::Seal& shard) {
+void RemoveMerged(const output::Destination& destination, const IndexRange& batch) {
   if (destination.kind == output::Destination::Kind::kFamily) return;
   const std::filesystem::path merged = destination.Manifest({});
   std::string why_not;
   const std::optional<manifest::Seal> seal = manifest::ReadSealBeside(merged, why_not);
-  if (!seal || seal->first != shard.first || seal->count != shard.count) return;
+  if (!seal || seal->first >= batch.first + batch.count || batch.first >= seal->first + seal->count)
+    return;
   for (const auto& file : {merged, manifest::SealPathOf(merged)}) {
     std::error_code ignored;
     std::filesystem::remove(file, ignored);

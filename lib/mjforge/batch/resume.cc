@@ -33,6 +33,7 @@ std::optional<ResumedVariants> JournaledSink::Open(diag::Findings& findings) {
   if (!resumed && !journal_.is_unfinished()) journal_.Drop();
   if (!resumed || (resumed->done() == 0 && !journal_.Start(checkpoint_, findings)))
     return std::nullopt;
+  if (resumed->done() == 0 && !request_.shard.IsWhole()) RemoveMerged(destination_, options_.all);
   return resumed;
 }
 

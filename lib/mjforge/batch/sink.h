@@ -78,10 +78,11 @@ std::unique_ptr<Sink> MakeFamilySink(const SinkOptions& options);
 /// Returns true if `file` does not exist, is a manifest of mjforge, or `force` is set; otherwise
 /// adds a finding.
 bool MayReplaceManifest(const std::filesystem::path& file, bool force, diag::Findings& findings);
-/// Removes the manifest that joins the shards of a batch, and its seal, before a shard is made
-/// again, because the shard may get other files. `shard`: the seal of that shard. Leaves the
-/// manifest of a family alone, because its .npz file has the rows of the merge.
-void RemoveMerged(const output::Destination& destination, const manifest::Seal& shard);
+/// Removes the manifest of the whole batch, and its seal, before the first variant of a shard is
+/// made, because the shard replaces files that the manifest describes. `batch`: the indices of all
+/// shards. Leaves the manifest of other indices alone, and that of a family, because its .npz file
+/// has the rows of the merge.
+void RemoveMerged(const output::Destination& destination, const IndexRange& batch);
 /// Returns true if `file` does not exist, is a family of mjforge, or `force` is set; otherwise adds
 /// a finding.
 bool MayReplaceFamily(const std::filesystem::path& file, bool force, diag::Findings& findings);

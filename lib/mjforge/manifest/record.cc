@@ -94,13 +94,15 @@ std::optional<Record> ReadRecord(std::string_view line, std::string& why_not) {
 std::string DifferenceOfBatch(const Record& record, const Record& other) {
   for (const RecordField& field : RecordFields()) {
     if (field.same == nullptr || field.same(record, other)) continue;
-    const auto text = [&](const Record& of) {
+    const auto text = [&](const Record& of) -> std::string {
+      if (field.is_absent != nullptr && field.is_absent(of)) return "unset";
       diag::Json json(expr::AppendExactNumber);
       field.write(json, of);
-      std::string value = json.Take();
-      return value.starts_with('"') ? value.substr(1, value.size() - 2) : value;
+      const std::string value = json.Take();
+      return fmt::format("'{}'",
+                         value.starts_with('"') ? value.substr(1, value.size() - 2) : value);
     };
-    return fmt::format("{} is '{}', not '{}'", field.key, text(record), text(other));
+    return fmt::format("{} is {}, not {}", field.key, text(record), text(other));
   }
   return {};
 }

@@ -57,6 +57,27 @@ TEST_CASE_METHOD(ShardTest, "a shard that is made again takes the merged manifes
   CHECK_FALSE(std::filesystem::exists(folder / "out/manifest.seal.json"));
 }
 
+TEST_CASE_METHOD(ShardTest, "a shard of another number of shards takes the manifest away, too") {
+  REQUIRE(Merge() == kCount);
+  Request other = Of(kCount, "out");
+  other.shard = {0, 3};
+  other.resume = true;
+  other.variant.seed = 2;
+  Make(other);
+  CHECK_FALSE(std::filesystem::exists(folder / "out/manifest.jsonl"));
+}
+
+TEST_CASE_METHOD(ShardTest, "shards are not joined over the manifest of another batch") {
+  Request whole = Of(kCount, "out");
+  whole.variant.seed = 2;
+  Make(whole);
+  const std::string manifest = ManifestText("out");
+  CHECK_FALSE(Merge());
+  CHECK(findings[0].message.find("is not of the batch of its shards: seed is '2', not '1'") !=
+        std::string::npos);
+  CHECK(ManifestText("out") == manifest);
+}
+
 TEST_CASE("shards of a series joined are the series as one run makes it") {
   CrateBatch test(kBoxSpec);
   test.Make(test.Of(kCount, "whole/x_%03d.tar.zst"));

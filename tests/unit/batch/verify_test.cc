@@ -147,9 +147,10 @@ TEST_CASE_METHOD(VerifyTest, "shards that were merged are not counted again") {
   CHECK(verified.files == apart.files - 1);  // one manifest in place of two
 }
 
-TEST_CASE_METHOD(VerifyTest, "shards beside the manifest of another batch are verified") {
+TEST_CASE_METHOD(VerifyTest, "shards beside the manifest of other indices are verified") {
   Make(Of(20, "out"));
   Request request = Of(100, "out");
+  request.first = 20;
   for (request.shard = {.index = 0, .count = 2}; request.shard.index < 2; ++request.shard.index)
     Make(request);
   CHECK(IsGood("out"));

@@ -176,7 +176,8 @@ TEST_CASE("records of another batch differ in what the command said") {
         "validate is 'none', not 'load'");
   CHECK(difference([](Record& r) { r.mujoco = "4.0.1"; }) == "mujoco is '4.0.1', not '2.2.2'");
   CHECK(difference([](Record& r) { r.settings.clear(); }) ==
-        R"(set is '{}', not '{"height":"8cm .. 12cm"}')");
+        R"(set is unset, not '{"height":"8cm .. 12cm"}')");
+  CHECK(difference([](Record& r) { r.place_seed = 3; }) == "place_seed is '3', not unset");
   CHECK(difference([](Record& r) { r.spec_file = "../mug.yaml"; }).empty());
   CHECK_FALSE(difference([](Record& r) { r.spec = "x"; }).empty());
   CHECK_FALSE(difference([](Record& r) { r.spec_sha256 = "x"; }).empty());
