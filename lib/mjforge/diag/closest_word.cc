@@ -35,16 +35,31 @@ std::size_t Distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
+// Returns the number of letters at the beginning and at the end that two words have in common.
+std::size_t EqualEnds(std::string_view a, std::string_view b) {
+  const std::size_t most = std::min(a.size(), b.size());
+  std::size_t first = 0;
+  while (first < most && a[first] == b[first]) ++first;
+  std::size_t last = 0;
+  while (first + last < most && a[a.size() - 1 - last] == b[b.size() - 1 - last]) ++last;
+  return first + last;
+}
+
 // Returns true if `word` may be a misspelling of `candidate`. `distance` is their edit distance
 // without regard to case. Accepts 0 edits, one edit in a word of three to five letters, and one
 // edit per three letters of a longer word, but fewer edits than the candidate has letters. Accepts
-// one edit in a word of two letters only if the candidate has two letters, too.
+// one edit in a word of two letters only if the candidate has two letters, too. Accepts three or
+// more edits only if they are at most half of the letters between the equal ends of both words:
+// 'handle_length' is not a misspelling of 'handle_density'.
 bool IsSlip(std::string_view word, std::string_view candidate, std::size_t distance) {
   if (distance == 0) return true;
   if (word.size() <= 2) {
     return word.size() == 2 && candidate.size() == 2 && distance == 1;
   }
-  return distance <= std::max<std::size_t>(1, word.size() / 3) && distance < candidate.size();
+  if (distance > std::max<std::size_t>(1, word.size() / 3) || distance >= candidate.size())
+    return false;
+  const std::size_t longer = std::max(word.size(), candidate.size());
+  return distance < 3 || 2 * distance <= longer - EqualEnds(word, candidate);
 }
 
 }  // namespace
@@ -63,12 +78,18 @@ std::optional<std::string_view> ClosestWord(std::string_view word,
   const std::string lower = LowerCase(word);
   std::optional<std::string_view> best;
   std::size_t best_distance = word.size() + 1;
+  std::size_t best_ends = 0;
   for (const std::string_view candidate : candidates) {
     if (candidate.empty() || candidate.size() > 2 * word.size()) continue;
-    const std::size_t distance = Distance(lower, LowerCase(candidate));
-    if (distance < best_distance && IsSlip(word, candidate, distance)) {
+    const std::string known = LowerCase(candidate);
+    const std::size_t distance = Distance(lower, known);
+    const std::size_t ends = EqualEnds(lower, known);
+    const bool is_closer =
+        distance < best_distance || (distance == best_distance && ends > best_ends);
+    if (is_closer && IsSlip(lower, known, distance)) {
       best = candidate;
       best_distance = distance;
+      best_ends = ends;
     }
   }
   return best;

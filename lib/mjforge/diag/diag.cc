@@ -77,4 +77,22 @@ void Findings::Unique() {
   });
 }
 
+void Findings::Fold(Code code, std::size_t most) {
+  std::map<std::pair<std::uint32_t, std::string>, std::size_t> counts;
+  const auto key = [](const Finding& finding) {
+    return std::pair(finding.mark.file, finding.message);
+  };
+  for (const Finding& finding : list_) {
+    if (finding.code == code) ++counts[key(finding)];
+  }
+  std::erase_if(counts, [&](const auto& count) { return count.second <= most; });
+  std::erase_if(list_, [&](Finding& finding) {
+    const auto found = finding.code == code ? counts.find(key(finding)) : counts.end();
+    if (found == counts.end()) return false;
+    if (found->second == 0) return true;
+    finding.message += fmt::format(", and at {} other places", std::exchange(found->second, 0) - 1);
+    return false;
+  });
+}
+
 }  // namespace mjforge::diag

@@ -110,6 +110,9 @@ class Findings {
   void Sort();
   /// Keeps only the first of several findings with the same code, place and message.
   void Unique();
+  /// Keeps only the first of more than `most` findings of one file with this code and the same
+  /// message, and adds the number of the others to the message.
+  void Fold(Code code, std::size_t most);
   void clear() { list_.clear(); }
   /// Keeps only the first `size` findings.
   void Truncate(std::size_t size) { list_.resize(std::min(size, list_.size())); }
@@ -150,8 +153,9 @@ std::string SafeLines(std::string_view text);
 std::string LowerCase(std::string_view text);
 
 /// Returns the candidate with the smallest edit distance to `word` (insertion, deletion,
-/// replacement, swap of neighbours; ASCII case is ignored), the first one if several are equally
-/// close. Returns nullopt if the difference is too large for a typing error.
+/// replacement, swap of neighbours; ASCII case is ignored); if several are equally close, the one
+/// that has most letters at its ends in common with `word`. Returns nullopt if the difference is
+/// too large for a typing error.
 std::optional<std::string_view> ClosestWord(std::string_view word,
                                             std::span<const std::string_view> candidates);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <list>
 #include <map>
 
 #include <fmt/format.h>
@@ -24,8 +25,9 @@ class BodyEntryReader {
  public:
   explicit BodyEntryReader(Context& context) : context_(context), entries_(context) {}
 
-  void Read(const YamlNode& map) {
-    CheckKeys(kBodyElement, map, context_);
+  void Read(const YamlNode& text) {
+    auto meant = CheckKeys(kBodyElement, text, context_);
+    const YamlNode& map = meant ? corrected_.emplace_back(*std::move(meant)) : text;
     BodyEntry body;
     body.head = entries_.Begin(kBodyElement, map, map, EntryReader::Naming::kRequired);
     CheckContents(map);
@@ -145,6 +147,7 @@ class BodyEntryReader {
   Context& context_;
   EntryReader entries_;
   std::vector<JointList> lists_;
+  std::list<YamlNode> corrected_;  // mappings with misspelt keys, as they were probably meant
 };
 
 // Checks `parent:` of bodies if the parent's name is a literal. Computed names are known only after

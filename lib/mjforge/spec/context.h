@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -40,8 +41,12 @@ struct Context {
   std::vector<std::pair<std::string, diag::SourceMark>> locals = {};
 };
 
-/// Reports each key of the mapping that is not a key of the element, and suggests a similar key.
-void CheckKeys(const ElementInfo& element, const YamlNode& map, Context& context);
+/// Reports each key of the mapping that is not a key of the element, and suggests a similar key
+/// that the mapping lacks. Returns the mapping with the suggested keys, to read what was probably
+/// meant, because a misspelt section would otherwise lead to a finding at each use of its names.
+/// Returns nullopt if all keys are known.
+std::optional<YamlNode> CheckKeys(const ElementInfo& element, const YamlNode& map,
+                                  Context& context);
 
 /// Adds a finding if the mapping has `key` but not `other`, which `key` requires.
 void CheckNeeds(std::string_view key, std::string_view other, const YamlNode& map,

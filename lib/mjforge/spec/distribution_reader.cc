@@ -164,8 +164,14 @@ Value ValueReader::ReadMapping(const FieldInfo& expected, const YamlNode& node,
     if (&pair == main || beside || std::ranges::find(extra_keys, pair.key) != extra_keys.end()) {
       continue;
     }
-    ReportUnknownKey(pair, KnownKeys(extra_keys, distribution), main == nullptr);
-    if (main == nullptr) return SubstituteFor(node);
+    const std::vector<std::string_view> known = KnownKeys(extra_keys, distribution);
+    ReportUnknownKey(pair, known, main == nullptr);
+    if (main != nullptr) continue;
+    const auto closest = diag::ClosestWord(pair.key, known);
+    if (!closest || node.Find(*closest) != nullptr) return SubstituteFor(node);
+    YamlNode meant = node;
+    meant.pairs[static_cast<std::size_t>(&pair - node.pairs.data())].key = *closest;
+    return ReadMapping(expected, meant, extra_keys);
   }
   if (main == nullptr)
     return Wrong(
@@ -269,7 +275,11 @@ void ValueReader::ReadExact(const YamlNode& node, Draw& draw) {
 void ValueReader::ReadOptions(const FieldInfo& expected, const YamlNode& list, Draw& draw,
                               Value& value) {
   if (list.kind != YamlNode::Kind::kList || list.items.empty()) {
-    Wrong(list, "a list of values to choose from");
+    if (list.kind == YamlNode::Kind::kList)
+      findings_.Add(Code::kSpecWrongLength, list.mark,
+                    "the list of values to choose from is empty");
+    else
+      Wrong(list, "a list of values to choose from");
     draw.arguments.push_back(SubstituteFor(list));
     return;
   }

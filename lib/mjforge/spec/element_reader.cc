@@ -41,6 +41,17 @@ std::string_view Article(std::string_view name) {
   return std::string_view("aeiou").find(name[0]) != std::string_view::npos ? "an " : "a ";
 }
 
+// Returns "'joints' is a key of a body" for a key of the main elements of a spec; otherwise an
+// empty text.
+std::string OwnerOf(std::string_view key) {
+  for (const ElementInfo* owner : {&kBodyElement, &kPartElement, &kObjectElement, &kJointElement,
+                                   &kSiteElement, &kMaterialElement}) {
+    if (owner->Find(key) != nullptr)
+      return fmt::format("'{}' is a key of {}{}", key, Article(owner->name), owner->name);
+  }
+  return {};
+}
+
 void CheckOneOf(const ExclusiveKeys& group, const std::vector<Field>& fields, Context& context) {
   const Field* first = nullptr;
   for (const Field& field : fields) {
@@ -104,16 +115,30 @@ const Parameter* ObjectSpec::FindParameter(std::string_view parameter) const {
   return found == parameters.end() ? nullptr : &*found;
 }
 
-void CheckKeys(const ElementInfo& element, const YamlNode& map, Context& context) {
-  for (const auto& pair : map.pairs) {
+std::optional<YamlNode> CheckKeys(const ElementInfo& element, const YamlNode& map,
+                                  Context& context) {
+  std::optional<YamlNode> meant;
+  for (std::size_t i = 0; i < map.pairs.size(); ++i) {
+    const YamlNode::Pair& pair = map.pairs[i];
     if (element.Find(pair.key) != nullptr) continue;
-    std::string hint = diag::DidYouMean(pair.key, element.fields, &FieldInfo::key);
+    if (!meant) meant = map;
+    std::string hint = OwnerOf(pair.key);
     if (pair.key == "<<") hint = "YAML 1.2 has no merge keys; use `defaults:`";
+    if (hint.empty()) {
+      std::vector<std::string_view> missing;
+      for (const FieldInfo& field : element.fields) {
+        if (meant->Find(field.key) == nullptr) missing.push_back(field.key);
+      }
+      hint = diag::DidYouMean(pair.key, missing);
+      if (hint.empty()) hint = diag::DidYouMean(pair.key, element.fields, &FieldInfo::key);
+      if (const auto closest = diag::ClosestWord(pair.key, missing)) meant->pairs[i].key = *closest;
+    }
     context.findings.Add(
         Code::kSpecUnknownKey, pair.mark,
         fmt::format("unknown key '{}' in {}{}", pair.key, Article(element.name), element.name),
         std::move(hint));
   }
+  return meant;
 }
 
 bool IsMap(const YamlNode& node, std::string_view what, Context& context) {
@@ -166,9 +191,10 @@ void RejectBeside(std::string_view key, std::span<const std::string_view> keys, 
   }
 }
 
-std::vector<Field> ReadElementFields(const ElementInfo& element, const YamlNode& map,
+std::vector<Field> ReadElementFields(const ElementInfo& element, const YamlNode& text,
                                      Context& context) {
-  CheckKeys(element, map, context);
+  const std::optional<YamlNode> meant = CheckKeys(element, text, context);
+  const YamlNode& map = meant ? *meant : text;
   for (const FieldInfo& field : element.fields) {
     if (!field.required || map.Find(field.key) != nullptr) continue;
     context.findings.Add(Code::kSpecMissingKey, map.mark,

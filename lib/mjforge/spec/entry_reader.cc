@@ -91,8 +91,9 @@ void EntryReader::End(const Entry& entry) {
   for (const Local& local : entry.locals) context_.spec.names.Forget(local.name);
 }
 
-Entry EntryReader::ReadEntry(const ElementInfo& element, const YamlNode& map) {
-  CheckKeys(element, map, context_);
+Entry EntryReader::ReadEntry(const ElementInfo& element, const YamlNode& text) {
+  const std::optional<YamlNode> meant = CheckKeys(element, text, context_);
+  const YamlNode& map = meant ? *meant : text;
   Entry entry = Begin(element, map, map,
                       map.Find("frame") == nullptr ? Naming::kRequired : Naming::kOptional);
   if (const YamlNode* frame = map.Find("frame"); frame && &element == &kPartElement) {

@@ -36,8 +36,9 @@ class ExpectationReader {
   }
 
  private:
-  void ReadOne(const YamlNode& map) {
-    CheckKeys(kExpectationElement, map, context_);
+  void ReadOne(const YamlNode& text) {
+    const std::optional<YamlNode> meant = CheckKeys(kExpectationElement, text, context_);
+    const YamlNode& map = meant ? *meant : text;
     Expectation expectation;
     expectation.entry = entries_.Begin(kExpectationElement, map, map);
     if (const YamlNode* doc = map.Find("doc"))

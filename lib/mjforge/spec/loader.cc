@@ -73,11 +73,12 @@ class SpecLoader : public NestedLoader {
   }
 
  private:
-  void ReadObject(const YamlNode& root, ObjectSpec& spec, std::span<const SettingNode> settings) {
+  void ReadObject(const YamlNode& text, ObjectSpec& spec, std::span<const SettingNode> settings) {
     folder_ = spec.folder;
     Context context{state_.sources, state_.findings, spec, *this,
                     ValueReader(spec.names, state_.sources, state_.findings)};
-    CheckKeys(kObjectElement, root, context);
+    const std::optional<YamlNode> meant = CheckKeys(kObjectElement, text, context);
+    const YamlNode& root = meant ? *meant : text;
     ReadHead(root, context);
     if (const YamlNode* functions = root.Find("functions")) ReadFunctions(*functions, context);
     std::vector<ImportedFile> imports;
@@ -220,7 +221,7 @@ class SpecLoader : public NestedLoader {
     const auto source = state_.files.Open(*file, node.mark);
     auto root = source ? state_.files.Parse(*file, *source) : std::nullopt;
     if (!root || !IsMap(*root, "keys", context)) return;
-    CheckKeys(kObjectElement, *root, context);
+    if (auto meant = CheckKeys(kObjectElement, *root, context)) root = std::move(meant);
     CheckVersion(*root, context);
     const SpecFiles::OpenScope opened(state_.files, *file);
     const std::size_t at = files.size();
@@ -337,6 +338,8 @@ std::unique_ptr<ObjectSpec> LoadFrom(std::uint32_t source, const fs::path& file,
   const bool failed = own.HasErrors();
   own.Sort();
   own.Unique();
+  // A name that is unknown in many places has one cause: the place that should declare it.
+  own.Fold(Code::kExprUnknownName, 3);
   findings.Append(std::move(own));
   return failed ? nullptr : std::move(spec);
 }

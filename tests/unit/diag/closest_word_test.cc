@@ -46,11 +46,19 @@ TEST_CASE("short words are forgiven less") {
   CHECK(Closest("ab", {"cd", "abc"}) == "-");
 }
 
-TEST_CASE("the nearest wins and ties go to the first") {
-  CHECK(Closest("handle_radus", {"handle_rads", "handle_radius"}) == "handle_rads");
+TEST_CASE("the nearest wins, of ties that with most equal ends, and then the first") {
+  CHECK(Closest("handle_radus", {"handle_rads", "handle_radius"}) == "handle_radius");
+  CHECK(Closest("pats", {"path", "parts"}) == "parts");
   CHECK(Closest("handle_raduis", {"handle_rad", "handle_radius"}) == "handle_radius");
   CHECK(Closest("bat", {"cat", "bar"}) == "cat");
   CHECK(Closest("NAME", {"game", "name"}) == "name");
+}
+
+TEST_CASE("another word in a long name is no slip") {
+  CHECK(Closest("handle_length", {"handle_density"}) == "-");
+  CHECK(Closest("start_lower", {"start_upper"}) == "-");
+  CHECK(Closest("handel_lenght", {"handle_length"}) == "handle_length");
+  CHECK(Closest("friion", {"friction"}) == "friction");
 }
 
 TEST_CASE("nothing is suggested for nothing or for a text") {

@@ -137,8 +137,31 @@ TEST_CASE("a file of another version or shape is refused", "[loader]") {
   CHECK(Load("nam: t\n").Report() ==
         Strings{"1:1 spec/unknown-key: unknown key 'nam' in an object (did you mean 'name'?)",
                 "1:1 spec/missing-key: no format version (begin the file with `mjforge: 1`)",
-                "1:1 spec/missing-key: spec without a 'name'",
                 "1:1 spec/missing-key: spec without 'parts' or 'bodies'"});
+}
+
+TEST_CASE("a misspelt section is one finding", "[loader]") {
+  const std::string parts =
+      "parts: [{name: a, type: cylinder, size: [r, h], pos: [r, r, r + h], axisangle: [1, 0, 0, r "
+      "/ r]}]\n";
+  const std::string head = "mjforge: 1\nname: b\n";
+  CHECK(Load(head + "parms: {r: 1cm, h: 2cm}\n" + parts).Report() ==
+        Strings{"3:1 spec/unknown-key: unknown key 'parms' in an object (did you mean 'params'?)"});
+  CHECK(Load(head + "params: {r: {chioce: [1cm, 2cm]}, h: 2cm}\n" + parts).Report() ==
+        Strings{"3:14 spec/unknown-key: unknown key 'chioce' in a distribution (did you mean "
+                "'choice'?)"});
+  CHECK(Load(head + "parts: [{for: {i: 2}, lets: {h: 1cm}, name: 'a_${i}', type: sphere, size: h}]")
+            .Report() ==
+        Strings{"3:23 spec/unknown-key: unknown key 'lets' in a part (did you mean 'let'?)"});
+  CHECK(Load(head + "params: {h: 2cm}\n" + parts).Report() ==
+        Strings{"4:42 expr/unknown-name: unknown name 'r', and at 4 other places"});
+}
+
+TEST_CASE("a key of another element is said to be one", "[loader]") {
+  CHECK(Load("mjforge: 1\nname: b\nparts: [{name: a, type: sphere, size: 1cm, joints: []}]\n")
+            .Report() ==
+        Strings{"3:44 spec/unknown-key: unknown key 'joints' in a part ('joints' is "
+                "a key of a body)"});
 }
 
 TEST_CASE("a draw anywhere makes the spec one of random variants", "[loader]") {
