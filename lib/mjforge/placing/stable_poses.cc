@@ -11,8 +11,10 @@
 #include <numeric>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "mjforge/placing/body_shapes.h"
+#include "mjforge/placing/tilting.h"
 #include "mjforge/solid/solid.h"
 
 namespace mjforge::placing {
@@ -26,9 +28,12 @@ constexpr int kAlong = 8;           // circles of points from the equator to the
 constexpr double kCoplanar = 1e-4;  // rad; faces at smaller angles count as one face
 constexpr double kRolling = 0.55;   // rad; angle between faces of a round side (12 or more faces)
 constexpr double kUpright = 1e-6;   // rad; smaller rotations from the modelled pose are ignored
-constexpr double kLeastMargin = 1e-3;  // rad; poses that tip more easily are omitted
+constexpr double kLeastMargin = 0.02;  // rad; poses that tip more easily are omitted
 constexpr double kProbability = 1e-6;  // smaller differences do not change the order of poses
 constexpr double kTie = 1e-9;          // smaller differences of cosines are rounding errors
+constexpr double kSameHeight = 1e-6;   // m
+constexpr double kMostTilt = 0.03;     // rad
+constexpr double kFaceError = 0.01;    // rad; largest error of a face's normal at a round shape
 
 // Returns a point of the unit sphere: point number `around` of the circle at the latitude number
 // `along`. Longitudes begin with half a step, so that the sides of cylinders and capsules have
@@ -98,7 +103,7 @@ struct Rest {
   double solid_angle = 0;
   std::size_t side = 0;   // index, in SidesOf(), of the side that is nearest to `down`
   double alignment = -1;  // cosine of the angle between `down` and that side
-  bool is_stable = false;
+  double height = std::numeric_limits<double>::infinity();  // of the centre of mass, m
 };
 
 // Names of stable poses by the side that is down, in the order of SidesOf(). The lower side of the
@@ -116,8 +121,12 @@ std::array<Vector3d, 6> SidesOf(double front) {
 // Joins the faces of a hull to stable poses.
 class RestFinder {
  public:
-  RestFinder(const Polytope& hull, const Vector3d& center, double front)
-      : hull_(hull), center_(center), sides_(SidesOf(front)), leaders_(hull.faces.size()) {
+  RestFinder(const Polytope& hull, const PlacedShapes& shapes, const Vector3d& center, double front)
+      : hull_(hull),
+        shapes_(shapes),
+        center_(center),
+        sides_(SidesOf(front)),
+        leaders_(hull.faces.size()) {
     std::iota(leaders_.begin(), leaders_.end(), 0);
     for (std::size_t f = 0; f < hull.faces.size(); ++f) {
       double margin = std::numbers::pi;
@@ -146,13 +155,23 @@ class RestFinder {
       if (is_stable_[f]) Represent(hull_.faces[f].normal, rest);
     }
     std::vector<Rest> stable;
-    for (const auto& [leader, rest] : rests) {
-      if (rest.is_stable && rest.margin >= kLeastMargin) stable.push_back(rest);
+    for (auto& [leader, rest] : rests) {
+      if (std::isfinite(rest.height) && rest.margin >= kLeastMargin && Settle(rest))
+        stable.push_back(rest);
     }
     return stable;
   }
 
  private:
+  // Moves the normal of a pose to where the exact shapes rest. Returns false if they do not rest
+  // near it. The hull has polygons in place of circles, so that an edge and a point of a rim, from
+  // which the body would roll along the rim, look like a face.
+  bool Settle(Rest& rest) const {
+    const Vector3d face = std::exchange(rest.down, LowestNear(shapes_, center_, rest.down));
+    return face.dot(rest.down) >= std::cos(kFaceError) &&
+           !SinksWhenTilted(shapes_, center_, rest.down, std::min(rest.margin / 2, kMostTilt));
+  }
+
   Vector3d FromCenter(int corner) const {
     return hull_.vertices[static_cast<std::size_t>(corner)] - center_;
   }
@@ -190,11 +209,16 @@ class RestFinder {
     return face;
   }
 
-  // Makes a face the representative of the pose if its normal is nearer to one of the six sides
-  // than the representative's normal; if both are equally near, the face with the earlier side is
-  // used.
+  // Makes a face the representative of the pose if the centre of mass is lower above it or, at
+  // equal heights, if its normal is nearer to one of the six sides than the representative's
+  // normal; if both are equally near, the face with the earlier side is used.
   void Represent(const Vector3d& normal, Rest& rest) const {
-    rest.is_stable = true;
+    const double height = CenterHeight(shapes_, center_, normal);
+    if (height > rest.height + kSameHeight) return;
+    if (height < rest.height - kSameHeight) {
+      rest.height = height;
+      rest.alignment = -1;
+    }
     for (std::size_t side = 0; side < sides_.size(); ++side) {
       const double alignment = normal.dot(sides_[side]);
       const bool is_tie = std::abs(alignment - rest.alignment) <= kTie;
@@ -206,6 +230,7 @@ class RestFinder {
   }
 
   const Polytope& hull_;
+  const PlacedShapes& shapes_;  // exact
   Vector3d center_;
   std::array<Vector3d, 6> sides_;
   std::vector<std::size_t> leaders_;  // union-find parents of the faces
@@ -217,11 +242,13 @@ class RestFinder {
 
 std::vector<model::StablePose> StablePosesOf(const model::Object& object, int body, double front) {
   std::vector<Vector3d> points;
-  for (const BodyShape& shape : ShapesBelow(object, body)) AddPoints(shape, points);
+  const std::vector<BodyShape> shapes = ShapesBelow(object, body);
+  for (const BodyShape& shape : shapes) AddPoints(shape, points);
   solid::Fault fault;
   const std::optional<Polytope> hull = solid::HullOf(points, fault);
   if (!hull) return {};
-  std::vector<Rest> rests = RestFinder(*hull, MassBelow(object, body).p_FCm, front).Find();
+  const PlacedShapes exact = ShapesAt(shapes, {});
+  std::vector<Rest> rests = RestFinder(*hull, exact, MassBelow(object, body).p_FCm, front).Find();
   // Rounds the solid angles, because rounding errors must not decide the order of poses.
   const auto key = [](const Rest& rest) {
     return std::pair(-std::round(rest.solid_angle / kProbability), rest.side);

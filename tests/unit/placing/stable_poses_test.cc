@@ -92,6 +92,28 @@ TEST_CASE("legs of slightly different length are one foot") {
   CHECK(upright->margin == Approx(std::atan(0.2 / (0.21 + center.z()))).epsilon(1e-4));
 }
 
+TEST_CASE("a body does not rest on an edge and a point of a round rim") {
+  Scene scene;
+  // A head, and a shank whose rim would roll away under the centre of mass.
+  const int peg = scene.Add(ShapeOf(GeomType::kBox, 0.02, 0.02, 0.01));
+  scene.AddPart(ShapeOf(GeomType::kCylinder, 0.008, 0.05), At(0, 0, -0.05));
+  CHECK(NamesOf(StablePosesOf(scene.object, peg, 0)) ==
+        Names{"on_front", "on_back", "on_right", "on_left", "upside_down", "upright"});
+}
+
+TEST_CASE("a pose is exact where a round part touches the ground") {
+  Scene scene;
+  const int hammer = scene.Add(ShapeOf(GeomType::kBox, 0.05, 0.02, 0.02), At(0, 0, 0));
+  scene.AddPart(ShapeOf(GeomType::kCylinder, 0.012, 0.1), At(0, 0, -0.12));
+  const std::vector<StablePose> poses = StablePosesOf(scene.object, hammer, 0);
+  const auto front = std::ranges::find(poses, "on_front", &StablePose::name);
+  REQUIRE(front != poses.end());
+  // The head's edge, which is 20 mm from the axis of the handle, and the handle's end, 12 mm from
+  // the axis, are 200 mm apart along it.
+  const Vector3d axis = front->rotation * Vector3d::UnitZ();
+  CHECK(axis.z() == Approx(std::sin(std::atan(0.008 / 0.2))).margin(1e-7));
+}
+
 TEST_CASE("a body without volume has no stable pose") {
   Scene scene;
   scene.object.bodies.emplace_back();
