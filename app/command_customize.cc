@@ -40,11 +40,12 @@ bool SpecExists(const CustomizeOptions& options, Console& console) {
 
 WorkerMaker MakeWorkerOf(const CustomizeOptions& options) {
   return [options]() -> Worker {
-    const auto studio =
-        std::make_shared<customize::Studio>(customize::Start{.reference = options.what,
-                                                             .load = LoadOptionsOf(options.spec),
-                                                             .seed = options.spec.seed,
-                                                             .index = options.index});
+    const auto studio = std::make_shared<customize::Studio>(
+        customize::Start{.reference = options.what,
+                         .load = LoadOptionsOf(options.spec),
+                         .seed = options.spec.seed,
+                         .index = options.index,
+                         .place_seed = options.spec.place_seed});
     return [studio](std::string_view request) {
       const customize::Reply reply = studio->Answer(request);
       return EncodeAnswer(reply.files, reply.json, reply.picture);

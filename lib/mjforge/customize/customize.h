@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -33,6 +34,7 @@ struct Start {
   spec::LoadOptions load;
   std::uint64_t seed = 0;
   std::uint64_t index = 0;
+  std::optional<std::uint64_t> place_seed = {};  // of all variants, for the draws of `place:`
 };
 
 /// Answer to a request of the page.

@@ -56,12 +56,18 @@ std::string LiteralForYaml(std::string_view text) {
   return text.find_first_not_of(harmless) == text.npos ? value : Enclose(value);
 }
 
+std::string OptionsText(const VariantKey& variant) {
+  std::string text = fmt::format("--seed {} --index {}", variant.seed, variant.index);
+  if (variant.place_seed) text += fmt::format(" --place-seed {}", *variant.place_seed);
+  return text;
+}
+
 std::string CommandText(std::string_view spec, std::span<const spec::Setting> settings,
-                        std::uint64_t seed, std::uint64_t index, std::uint64_t count,
-                        std::string_view name) {
+                        const VariantKey& variant, std::uint64_t count, std::string_view name) {
   std::string command = "mjforge generate " + output::ShellWord(spec);
-  if (seed != 0) command += fmt::format(" --seed {}", seed);
-  if (index != 0) command += fmt::format(" --first {}", index);
+  if (variant.seed != 0) command += fmt::format(" --seed {}", variant.seed);
+  if (variant.place_seed) command += fmt::format(" --place-seed {}", *variant.place_seed);
+  if (variant.index != 0) command += fmt::format(" --first {}", variant.index);
   for (const spec::Setting& setting : settings)
     command += " --set " + output::ShellWord(setting.name + "=" + setting.text);
   if (count > 1) command += fmt::format(" -n {} -o {}/", count, output::ShellWord(name));

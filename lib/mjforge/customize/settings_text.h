@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,10 +18,19 @@ std::string QuoteForYaml(std::string_view text);
 /// Returns YAML that a spec reads as this text and not as an expression: `${'a + b'}` for "a + b".
 std::string LiteralForYaml(std::string_view text);
 
-/// Returns the command that makes `count` variants with these settings, from `index` on. Several
+/// A variant of a spec with settings.
+struct VariantKey {
+  std::uint64_t seed = 0;
+  std::uint64_t index = 0;
+  std::optional<std::uint64_t> place_seed = {};  // nullopt: it follows from `seed`
+};
+
+/// Returns the options of `mjforge inspect` that name a variant: "--seed 7 --index 0".
+std::string OptionsText(const VariantKey& variant);
+/// Returns the command that makes `count` variants with these settings, from `variant` on. Several
 /// variants are written to the folder `name`.
 std::string CommandText(std::string_view spec, std::span<const spec::Setting> settings,
-                        std::uint64_t seed, std::uint64_t index, std::uint64_t count = 1,
+                        const VariantKey& variant, std::uint64_t count = 1,
                         std::string_view name = {});
 /// Returns the settings as a YAML mapping, one per line.
 std::string ParamsText(std::span<const spec::Setting> settings);

@@ -76,7 +76,7 @@ std::string FilmText(const std::string& joint, double time, double shown) {
 
 struct Studio::State {
   explicit State(Start given)
-      : start(std::move(given)), cache(start.reference, start.load.search_path) {}
+      : start(std::move(given)), cache(start.reference, start.load.search_path, start.place_seed) {}
 
   Reply Answer(const Request& request);
   Reply Open(const Request& request);
@@ -311,16 +311,17 @@ Reply Studio::State::Redraw(Request request) {
 
 Reply Studio::State::Export(const Request& request) {
   ShownVariant& shown = cache.Make(request, Validation::kLoad);
+  const VariantKey variant{request.seed, request.index, start.place_seed};
   std::string text;
   std::string picture;
   diag::Findings findings;
   if (request.name == "command" && request.count > 1 && !shown.recipe)
     return Failure("the spec or a value has errors");
   if (request.name == "command") {
-    text = CommandText(start.reference, request.settings, request.seed, request.index,
-                       request.count, shown.recipe ? shown.recipe->spec->name : "");
+    text = CommandText(start.reference, request.settings, variant, request.count,
+                       shown.recipe ? shown.recipe->spec->name : "");
   } else if (request.name == "seed") {
-    text = fmt::format("--seed {} --index {}", request.seed, request.index);
+    text = OptionsText(variant);
   } else if (request.name == "params") {
     text = ParamsText(request.settings);
   } else if (!shown.variant || shown.variant->object == nullptr) {
@@ -334,8 +335,9 @@ Reply Studio::State::Export(const Request& request) {
   } else if (request.name == "png") {
     const std::optional<picture::Image> image = DrawPicture(request, shown, findings);
     if (!image) return Failure("it cannot be drawn");
-    const std::string facts =
+    std::string facts =
         fmt::format("spec={} seed={} index={}", start.reference, request.seed, request.index);
+    if (start.place_seed) facts += fmt::format(" place-seed={}", *start.place_seed);
     picture = picture::EncodePng(
         *image, {{"Software", fmt::format("mjforge {}", forge::Version())}, {"mjforge", facts}});
   } else {

@@ -105,7 +105,8 @@ ShownVariant& VariantCache::Make(const Request& request, Validation level) {
 void VariantCache::MakeVariant(const Request& request, Validation level) {
   shown_.level = level;
   shown_.variant.emplace();
-  forge::Generator(*shown_.recipe, shown_.sources, {.seed = request.seed, .validation = level})
+  forge::Generator(*shown_.recipe, shown_.sources,
+                   {.seed = request.seed, .place_seed = place_seed_, .validation = level})
       .Make(request.index, *shown_.variant);
 }
 

@@ -38,8 +38,12 @@ struct ShownVariant {
 /// spec's files until a request has another revision.
 class VariantCache {
  public:
-  VariantCache(std::string reference, std::vector<std::filesystem::path> search_path)
-      : reference_(std::move(reference)), search_path_(std::move(search_path)) {}
+  /// `place_seed`: that of all variants (Start::place_seed).
+  VariantCache(std::string reference, std::vector<std::filesystem::path> search_path,
+               std::optional<std::uint64_t> place_seed)
+      : reference_(std::move(reference)),
+        search_path_(std::move(search_path)),
+        place_seed_(place_seed) {}
 
   /// Converts those settings of a request that are plain texts (Request::values) to YAML. A text
   /// that the spec would read as an expression, such as `pi` or `a + b`, becomes an expression
@@ -65,6 +69,7 @@ class VariantCache {
 
   std::string reference_;
   std::vector<std::filesystem::path> search_path_;
+  std::optional<std::uint64_t> place_seed_;
   std::uint64_t revision_ = 0;
   // Names of the spec that expressions can use, and names of the parameters that choose among
   // constants; for QuoteTexts().

@@ -26,11 +26,11 @@ TEST_CASE("a text is an expression that YAML reads as one value") {
 
 TEST_CASE("the command names what is not the default") {
   const std::vector<spec::Setting> settings = {{"length", "0.25"}, {"size", "[1, 2]"}};
-  CHECK(CommandText("hammer", {}, 0, 0) == "mjforge generate hammer");
-  CHECK(CommandText("tools/hammer", {}, 0, 2, 10, "hammer") ==
-        "mjforge generate tools/hammer --first 2 -n 10 -o hammer/");
+  CHECK(CommandText("hammer", {}, {}) == "mjforge generate hammer");
+  CHECK(CommandText("tools/hammer", {}, {.index = 2, .place_seed = 4}, 10, "hammer") ==
+        "mjforge generate tools/hammer --place-seed 4 --first 2 -n 10 -o hammer/");
   CHECK(
-      CommandText("my lamp.yaml", settings, 7, 41) ==
+      CommandText("my lamp.yaml", settings, {.seed = 7, .index = 41}) ==
       "mjforge generate 'my lamp.yaml' --seed 7 --first 41 --set length=0.25 --set 'size=[1, 2]'");
 }
 

@@ -172,6 +172,28 @@ TEST_CASE_METHOD(StudioTest, "a variant is exported as command, YAML, MJCF and P
   CHECK(Ask({{"action", "export"}, {"name", "obj"}})["error"] == "there is no export 'obj'");
 }
 
+TEST_CASE("the seed of the places holds for all variants of the page") {
+  const harness::TemporaryFolder folder;
+  const auto file = folder.Write("scene.yaml",
+                                 "mjforge: 1\nname: scene\njoints: none\nparts: [{name: top, type: "
+                                 "box, size: [50cm, 50cm, 2cm]}]\n"
+                                 "regions: [{name: top, size: [50cm, 50cm], pos: [0, 0, 2cm]}]\n"
+                                 "bodies: [{name: a, place: {at: top}, parts: [{name: a, type: "
+                                 "box, size: [2cm, 2cm, 2cm]}]}]\n");
+  const auto text = [&](std::optional<std::uint64_t> place_seed, const char* name) {
+    Start start = StartOf(file);
+    start.place_seed = place_seed;
+    const std::string reply =
+        Studio(start).Answer(Json{{"action", "export"}, {"name", name}}.dump()).json;
+    return Json::parse(reply)["text"].get<std::string>();
+  };
+  CHECK(text(4, "command") == "mjforge generate " + file.string() + " --place-seed 4");
+  CHECK(text(4, "seed") == "--seed 0 --index 0 --place-seed 4");
+  CHECK(text(4, "mjcf").find(" place-seed=4") != std::string::npos);
+  CHECK(text(0, "mjcf").find("<body") != std::string::npos);
+  CHECK(text({}, "mjcf").find("place-seed") == std::string::npos);
+}
+
 TEST_CASE_METHOD(StudioTest, "only the spec's own files are shown") {
   CHECK(Ask({{"action", "source"}, {"name", file_.string()}})["text"] == std::string(kLamp));
   CHECK(Ask({{"action", "source"}, {"name", "/etc/passwd"}})["error"] ==
