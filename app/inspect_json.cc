@@ -153,6 +153,7 @@ std::string InspectJson(const forge::Recipe& recipe, const forge::Variant& varia
     WriteParameters(json, recipe, variant);
     json.Member("seed", record.seed);
     json.Member("index", record.index);
+    if (record.place_seed) json.Member("place_seed", *record.place_seed);
     json.Member("attempt", record.attempt);
     json.Each("bodies", object.bodies, [&](const model::Body& body) {
       WriteBodyHead(json, object, body);

@@ -223,8 +223,9 @@ std::string InspectTables(const forge::Recipe& recipe, const forge::Variant& var
                          ? fmt::format("{}\n\n", spec.name)
                          : fmt::format("{}: {}\n\n", spec.name, OneLine(spec.description));
   text += ParametersText(recipe, variant);
-  text +=
-      fmt::format("seed {}, index {}, attempt {}\n\n", record.seed, record.index, record.attempt);
+  text += fmt::format("seed {}{}, index {}, attempt {}\n\n", record.seed,
+                      record.place_seed ? fmt::format(", place seed {}", *record.place_seed) : "",
+                      record.index, record.attempt);
   if (object.bodies.size() > 1) text += BodiesText(object, {});
   text += PartsText(object) + JointsText(object, false) + RegionsText(object) + SitesText(object) +
           ElementsText(object);

@@ -3,11 +3,14 @@
 #include "mjforge/assemble/place_names.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "mjforge/assemble/names.h"
+#include "mjforge/assemble/regions.h"
 
 namespace mjforge::assemble {
 namespace {
@@ -220,9 +223,16 @@ void PlaceNames::ExplainAbsence(const spec::Entry& entry, int body, std::string_
   const std::string_view stem = StemOf(entry);
   const auto is_other = [&](std::string_view other) { return other.starts_with(stem); };
   if (!stem.empty() && std::ranges::any_of(TargetsOn(body), is_other)) return;
-  finding.hint = IsSearched(entry) ? "no level face was found: `area`, `height` or `margin` is "
-                                     "too large, or nothing collides"
-                                   : kLeftOutHint;
+  const double tilt = model::TiltOf(model::BodyPoses(object_)[static_cast<std::size_t>(body)]);
+  if (!IsSearched(entry))
+    finding.hint = kLeftOutHint;
+  else if (tilt > kLevelAngle)
+    finding.hint = fmt::format("no level face was found: {} is tilted by {} degrees at the start",
+                               Quoted(NameOf(body)),
+                               expr::NumberText(std::round(tilt * 1800 / std::numbers::pi) / 10));
+  else
+    finding.hint =
+        "no level face was found: `area`, `height` or `margin` is too large, or nothing collides";
   finding.notes.push_back({entry.mark, fmt::format("{} is here", Quoted(name))});
 }
 
@@ -245,7 +255,8 @@ void PlaceNames::ReportTarget(std::string_view owner, std::string_view name, dia
   }
   const spec::Entry* entry = FindEntry(*index, last);
   const bool may_be_absent = entry != nullptr && (IsSearched(*entry) || MayBeLeftOut(*entry));
-  if (entry != nullptr && !may_be_absent && findings.HasErrors()) return;  // the entry is wrong
+  const bool may_be_wrong = entry != nullptr && (!may_be_absent || IsSearched(*entry));
+  if (may_be_wrong && findings.HasErrors()) return;  // the entry, or what it searches, is wrong
   std::vector<std::string_view> names = TargetsOn(*index);
   std::string hint = diag::DidYouMean(last, std::span<const std::string_view>(names));
   if (names.empty()) {

@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -267,7 +269,8 @@ bool Placements::CheckPlaced(const Request& request, int body, const spec::Field
     return false;
   }
   const std::string name = names_.NameOf(stands ? body : top);
-  const std::string circle = CircleOf(request.name);
+  const bool is_itself = top == request.body && field.info->id != Key::kAt;
+  const std::string circle = is_itself ? std::string() : CircleOf(request.name);
   const bool is_same_entry = BodyAt(top).mark == request.entry.head.mark;
   std::string hint;
   if (is_same_entry && top != request.body) {
@@ -301,20 +304,37 @@ bool Placements::CheckRegionIsLevel(const Request& request, const Trial& trial,
   return false;
 }
 
-std::string Placements::CircleOf(std::string_view name) const {
-  const spec::ObjectSpec& spec = scope_.values.spec();
-  std::string circle(name);
-  std::string_view at = name;
-  for (std::size_t steps = 0; steps < spec.bodies.size(); ++steps) {
-    const spec::BodyEntry* entry = FindEntry(spec, at);
-    if (entry == nullptr || !entry->place) return {};
-    const auto next = spec::LiteralText(entry->place->Find(Key::kAt)->value);
-    if (!next) return {};
-    at = next->substr(0, next->find('.'));
-    circle += fmt::format(" -> {}", at);
-    if (at == name) return circle;
+std::string Placements::CircleOf(const std::string& name) const {
+  // Follows the names in `at` and `beside`, and notes from which body each body was reached first.
+  std::map<std::string, std::string> reached_from;
+  std::vector<std::string> open = {name};
+  while (!open.empty() && !reached_from.contains(name)) {
+    const std::string from = std::move(open.back());
+    open.pop_back();
+    for (std::string& next : NamesInPlaceOf(from)) {
+      if (reached_from.emplace(next, from).second) open.push_back(std::move(next));
+    }
   }
-  return {};
+  if (!reached_from.contains(name)) return {};
+  std::string circle = name;
+  std::string at = name;
+  do {
+    at = reached_from.at(at);
+    circle.insert(0, at + " -> ");
+  } while (at != name);
+  return circle;
+}
+
+std::vector<std::string> Placements::NamesInPlaceOf(std::string_view name) const {
+  std::vector<std::string> names;
+  const spec::BodyEntry* entry = FindEntry(scope_.values.spec(), name);
+  if (entry == nullptr || !entry->place) return names;
+  for (const spec::Field* field :
+       {entry->place->Find(Key::kAt), entry->place->FindBeside(Key::kBody)}) {
+    const auto other = field == nullptr ? std::nullopt : spec::LiteralText(field->value);
+    if (other) names.emplace_back(other->substr(0, other->find('.')));
+  }
+  return names;
 }
 
 }  // namespace mjforge::assemble

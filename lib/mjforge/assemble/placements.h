@@ -102,8 +102,11 @@ class Placements {
   /// finding, unless it was already reported that no place was found for the body.
   bool CheckPlaced(const Request& request, int body, const spec::Field& field);
   bool CheckRegionIsLevel(const Request& request, const Trial& trial, diag::SourceMark mark);
-  /// Returns "a -> b -> a" if bodies are placed on each other in a circle; otherwise an empty text.
-  std::string CircleOf(std::string_view name) const;
+  /// Returns "a -> b -> a" if bodies are placed on or beside each other in a circle; otherwise an
+  /// empty text.
+  std::string CircleOf(const std::string& name) const;
+  /// Returns the names of the bodies on which and beside which a body of this spec is placed.
+  std::vector<std::string> NamesInPlaceOf(std::string_view name) const;
 
   const model::Body& BodyAt(int index) const {
     return context_.object.bodies[static_cast<std::size_t>(index)];

@@ -13,7 +13,7 @@ namespace {
 using diag::Code;
 using diag::SourceMark;
 
-constexpr std::string_view kLeftOutHint = "it was left out by 'if', or is placed later";
+constexpr std::string_view kLeftOutHint = "it was left out by 'if' or 'fewer', or is placed later";
 
 // Returns the first numbers of a list as text: "[0.01, 0.02, 0.03, ...]".
 std::string ListText(const std::vector<double>& numbers) {

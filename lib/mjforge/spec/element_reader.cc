@@ -41,11 +41,15 @@ std::string_view Article(std::string_view name) {
   return std::string_view("aeiou").find(name[0]) != std::string_view::npos ? "an " : "a ";
 }
 
-// Returns "'joints' is a key of a body" for a key of the main elements of a spec; otherwise an
-// empty text.
-std::string OwnerOf(std::string_view key) {
+// Returns the hint for a key that another element of a spec has, or that is written otherwise:
+// "'joints' is a key of a body". Returns an empty text for any other key.
+std::string HintFor(std::string_view key, const ElementInfo& element) {
+  if (key == "<<") return "YAML 1.2 has no merge keys; use `defaults:`";
+  if (&element == &kPlaceElement && key == "on") return "write `at`; YAML 1.1 reads `on` as true";
+  if (&element == &kPlaceElement && kBesideElement.Find(key) != nullptr)
+    return fmt::format("'{}' is a key of `beside:`", key);
   for (const ElementInfo* owner : {&kBodyElement, &kPartElement, &kObjectElement, &kJointElement,
-                                   &kSiteElement, &kMaterialElement}) {
+                                   &kSiteElement, &kMaterialElement, &kPlaceElement}) {
     if (owner->Find(key) != nullptr)
       return fmt::format("'{}' is a key of {}{}", key, Article(owner->name), owner->name);
   }
@@ -122,8 +126,9 @@ std::optional<YamlNode> CheckKeys(const ElementInfo& element, const YamlNode& ma
     const YamlNode::Pair& pair = map.pairs[i];
     if (element.Find(pair.key) != nullptr) continue;
     if (!meant) meant = map;
-    std::string hint = OwnerOf(pair.key);
-    if (pair.key == "<<") hint = "YAML 1.2 has no merge keys; use `defaults:`";
+    std::string hint = HintFor(pair.key, element);
+    if (pair.key == "on" && &element == &kPlaceElement && meant->Find("at") == nullptr)
+      meant->pairs[i].key = "at";
     if (hint.empty()) {
       std::vector<std::string_view> missing;
       for (const FieldInfo& field : element.fields) {

@@ -104,9 +104,10 @@ TEST_CASE("a property of a body that is left out has no value") {
   const Assembling thing(std::string("bodies:\n- {name: a, if: 1 > 2, ") + kBox +
                          "}\n- {name: b, pos: [a.top, 0, 0], parts: [{name: h, type: sphere, size: "
                          "1}]}\n");
-  CHECK(thing.findings() ==
-        std::vector<std::string>{"5:19 expression 'a.top' uses 'a.top', which has no value in this "
-                                 "variant (it was left out by 'if', or is placed later)"});
+  CHECK(
+      thing.findings() ==
+      std::vector<std::string>{"5:19 expression 'a.top' uses 'a.top', which has no value in this "
+                               "variant (it was left out by 'if' or 'fewer', or is placed later)"});
 }
 
 TEST_CASE("a text parameter of a body that is left out has no value") {
@@ -120,11 +121,11 @@ TEST_CASE("a text parameter of a body that is left out has no value") {
   };
   CHECK(findings_of("{name: b, parts: [{name: \"h_${a.kind}\", type: sphere, size: 1}]}") ==
         std::vector<std::string>{"5:28 'a.kind' has no value in this variant (it was left out by "
-                                 "'if', or is placed later)"});
+                                 "'if' or 'fewer', or is placed later)"});
   CHECK(findings_of("{name: b, if: a.kind == 'long', parts: [{name: h, type: sphere, size: 1}]}") ==
         std::vector<std::string>{
             "5:3 expression 'a.kind == 'long'' uses 'a.kind', which has no "
-            "value in this variant (it was left out by 'if', or is placed later)"});
+            "value in this variant (it was left out by 'if' or 'fewer', or is placed later)"});
 }
 
 TEST_CASE("a nested spec brings its bodies, loses its joints, and keeps the deeper ones") {

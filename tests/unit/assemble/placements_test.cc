@@ -294,6 +294,24 @@ TEST_CASE("places that lead back to themselves are reported") {
   CHECK(Scene(boxes).finding() ==
         "10:27 the places of bodies form a circle: a -> b -> a\n"
         "12:27 the places of bodies form a circle: c -> c");
+  const auto beside = [](const std::string& name, const std::string& other) {
+    return "  - {name: " + name + ", place: {at: table.surface, beside: {body: " + other +
+           ", side: left}}, parts: [{name: p_" + name + ", type: sphere, size: 1}]}\n";
+  };
+  CHECK(Scene(beside("a", "b") + beside("b", "c") + beside("c", "a"))
+            .finding()
+            .find("the places of bodies form a circle: a -> b -> c -> a") != std::string::npos);
+}
+
+TEST_CASE("a tilted body with `regions: auto` is said to be tilted") {
+  CHECK(
+      Scene("  - {name: low, regions: auto, euler: [90, 0, 0], parts: [{name: slab, type: box, "
+            "size: [1, "
+            "1, 0.1]}]}\n"
+            "  - {name: a, place: {at: low.surface}, parts: [{name: p, type: sphere, size: 1}]}\n")
+          .finding()
+          .find("no level face was found: 'low' is tilted by 116.6 degrees at the start") !=
+      std::string::npos);
 }
 
 TEST_CASE("a body without room is reported with the sizes and what is in the way") {

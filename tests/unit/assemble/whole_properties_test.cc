@@ -198,7 +198,7 @@ TEST_CASE("what is left out has no torque and no position") {
   CHECK(Assembling(one).findings() ==
         std::vector<std::string>{
             "5:34 expression 'torque(b)' uses 'torque(b)', which has no value in this variant "
-            "(it was left out by 'if', or is placed later)"});
+            "(it was left out by 'if' or 'fewer', or is placed later)"});
 }
 
 }  // namespace mjforge::assemble
