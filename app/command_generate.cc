@@ -179,7 +179,12 @@ class Generation {
     console_.PrintLine(fmt::format("{} of {} in {}: {}",
                                    Counted(summary.count, "variant", "variants"), recipe.spec->name,
                                    place, CountsText(summary, start)));
+    // Neither a file that is in the way nor an input that was changed goes away with --resume.
+    const auto remains = [](const diag::Finding& finding) {
+      return finding.code == diag::Code::kOutputExists || finding.code == diag::Code::kBatchChanged;
+    };
     const bool is_batch = request.destination.kind != Kind::kFile;
+    if (std::ranges::any_of(summary.findings, remains)) return;
     if (is_batch && (summary.interrupted || summary.files_failed) && summary.done() > 0)
       console_.PrintLine("  hint: the same command with --resume continues from there");
   }

@@ -60,6 +60,23 @@ std::string FindConflict(const GenerateOptions& options, const batch::Request& r
   return {};
 }
 
+// Returns an error message if a manifest, which is UTF-8, could not contain the name of a file. The
+// names of its folders are not in a manifest.
+std::string FindNotUtf8(const GenerateOptions& options) {
+  std::vector<std::string> names = options.specs;
+  names.push_back(options.output);
+  for (const std::string& path : names) {
+    const std::string name = std::filesystem::path(path).filename().string();
+    for (std::string_view rest = name; !rest.empty();) {
+      const diag::Utf8Char character = diag::DecodeUtf8(rest);
+      if (!character.valid)
+        return fmt::format("'{}' is not UTF-8, as manifests are", diag::SafeText(name));
+      rest.remove_prefix(character.length);
+    }
+  }
+  return {};
+}
+
 // Returns an error message if --each contradicts other options; otherwise an empty text.
 std::string FindEachConflict(const GenerateOptions& options, const batch::Request& request) {
   if (!request.variant.each) return {};
@@ -89,6 +106,8 @@ std::string FindLayoutConflict(const GenerateOptions& options, const batch::Requ
 
 std::string FindMakeConflict(const GenerateOptions& options, const batch::Request& request) {
   const MakeOptions& make = options.make;
+  if (!make.wanted() && (make.phony || !make.targets.empty()))
+    return make.phony ? "-MP needs -MD" : "-MT needs -MD";
   if (!make.wanted()) return {};
   if (options.specs.size() > 1) return "-MD takes one spec";
   if (request.resume) return "-MD and --resume: the inputs of kept variants are not known";
@@ -127,7 +146,8 @@ void AddGenerateOptions(CLI::App& command, GenerateOptions& options) {
   AddWholeNumber(command, "--first", options.request.first, "Index of the first variant");
   AddOutputOptions(command, options);
   command.add_option("--name", options.request.variant.name, "The object's name; ${index} allowed")
-      ->option_text("TEXT");
+      ->option_text("TEXT")
+      ->check([](const std::string& text) { return text.empty() ? "'' is no name" : ""; }, "");
   AddWord(command, "--target", options.target, mjcf::TargetNames(), "For");
   command.add_flag("--each", options.request.variant.each, "Each object of a scene as a file");
   command.add_flag("--mocap", options.request.variant.mocap, "In a family: fixed bodies are mocap");
@@ -175,6 +195,7 @@ std::optional<batch::Request> RequestOf(const GenerateOptions& options, std::str
     why_not = fmt::format("draws are spread over at most {} variants", sample::kMaxBatch);
   } else {
     why_not = FindConflict(options, request);
+    if (why_not.empty()) why_not = FindNotUtf8(options);
     if (why_not.empty()) why_not = FindMakeConflict(options, request);
     if (why_not.empty()) why_not = FindEachConflict(options, request);
     if (why_not.empty()) why_not = FindLayoutConflict(options, request);

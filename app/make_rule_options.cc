@@ -116,6 +116,16 @@ bool WriteDependencies(const MakeOptions& options, const output::Destination& de
   if (!MayWriteDependencies(options, destination, force, findings)) return false;
   std::set<std::string> names;
   for (const std::string& name : files) names.insert(NameForMake(name, absolute));
+  std::set<std::string> all = names;
+  if (options.targets.empty()) all.insert(TargetOf(destination).string());
+  for (const std::string& name : all) {
+    if (output::FitsMake(name)) continue;
+    findings.Add(
+        diag::Code::kOutputCannotWrite, {},
+        fmt::format("-MD: '{}': a rule for Make cannot have this name", diag::SafeText(name)),
+        "rename it: Make has no escapes for ; = | \\# and line ends");
+    return false;
+  }
   std::vector<std::string> targets = options.targets;
   if (targets.empty())
     targets.push_back(output::EscapeForMake(TargetOf(destination).string(), true));

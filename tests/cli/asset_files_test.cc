@@ -136,7 +136,7 @@ TEST_CASE_METHOD(VaseTest, "a batch with files is another one than a batch witho
   REQUIRE(Run({"generate", "vase.yaml", "--seed", "1", "-n", "3", "-o", "out/", "-q"}).status == 0);
   const auto result = Generate({"-n", "5", "-o", "out/", "--resume"});
   CHECK(result.status == 3);
-  CHECK(result.err.find("assets_as is ''") != std::string::npos);
+  CHECK(result.err.find("assets_as is unset") != std::string::npos);
 }
 
 TEST_CASE_METHOD(VaseTest, "somebody else's file of that name is not replaced") {

@@ -336,6 +336,10 @@ TEST_CASE_METHOD(BatchTest, "options that contradict each other are wrong usage"
   wrong({"--time-limit", "soon"});
   wrong({"--sampler", "halton"});
   wrong({"-MD", "-o", "-"});
+  CHECK(wrong({"-MT", "x"}).find("-MT needs -MD") != std::string::npos);
+  CHECK(wrong({"-MP"}).find("-MP needs -MD") != std::string::npos);
+  CHECK(wrong({"--name", ""}).find("'' is no name") != std::string::npos);
+  CHECK(wrong({"-o", "o\xff.tar"}).find("'o\\xff.tar' is not UTF-8") != std::string::npos);
   wrong({"-MD", "--resume"});
   CHECK(Run({"merge", "x.tar"}).status == 2);
   CHECK(Run({"merge"}).status == 2);

@@ -21,6 +21,21 @@ TEST_CASE_METHOD(ReplayTest, "replay makes the same bytes again") {
   CHECK(Run({"replay", "out/crate_000001.xml"}).status == 0);
 }
 
+TEST_CASE_METHOD(ReplayTest, "replay takes an archive, and names the manifest of a series") {
+  REQUIRE(Run({"generate", "crate.yaml", "-n", "4", "-q", "-o", "x.tar"}).status == 0);
+  CHECK(Run({"replay", "x.tar:2"}).status == 0);
+  REQUIRE(
+      Run({"generate", "crate.yaml", "-n", "4", "-q", "--per-archive", "2", "-o", "s_%d.tar.zst"})
+          .status == 0);
+  CHECK(Run({"replay", "s_%d.tar.zst:3"}).status == 0);
+  const auto member = Run({"replay", "s_1.tar.zst:3"});
+  CHECK(member.status == 3);
+  CHECK(
+      member.err ==
+      "mjforge: error: cannot read 's_1.tar.zst': it has no manifest of its own; name that of its "
+      "series [yaml/cannot-read]\n");
+}
+
 TEST_CASE_METHOD(ReplayTest, "replay of a bundled spec works from any folder") {
   REQUIRE(Run({"generate", "hammer", "-q", "-o", "tools", "--set", "handle_length=0.2"}).status ==
           0);

@@ -101,7 +101,7 @@ const std::array kLibraries = {
     Library{"boost/asio/", {"app"}},
     Library{"boost/beast/", {"app"}},
     Library{"boost/container/small_vector.hpp", {"sample", "model", "assemble"}, true},
-    Library{"boost/math/", {"sample", "solid"}},
+    Library{"boost/math/", {"sample", "solid", "placing"}},
     // validate: points over joint ranges; physics: points in parts
     Library{"boost/random/", {"sample", "static_checks", "validate", "physics"}},
     Library{"ccd/", {"distance"}},

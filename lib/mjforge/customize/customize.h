@@ -34,7 +34,7 @@ struct Start {
   spec::LoadOptions load;
   std::uint64_t seed = 0;
   std::uint64_t index = 0;
-  std::optional<std::uint64_t> place_seed = {};  // of all variants, for the draws of `place:`
+  std::optional<std::uint64_t> place_seed = {};  // seed of the draws of `place:` in all variants
 };
 
 /// Answer to a request of the page.

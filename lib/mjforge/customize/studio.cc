@@ -335,9 +335,9 @@ Reply Studio::State::Export(const Request& request) {
   } else if (request.name == "png") {
     const std::optional<picture::Image> image = DrawPicture(request, shown, findings);
     if (!image) return Failure("it cannot be drawn");
-    std::string facts =
-        fmt::format("spec={} seed={} index={}", start.reference, request.seed, request.index);
-    if (start.place_seed) facts += fmt::format(" place-seed={}", *start.place_seed);
+    const std::string facts =
+        fmt::format("spec={} seed={} index={}{}", start.reference, request.seed, request.index,
+                    start.place_seed ? fmt::format(" place-seed={}", *start.place_seed) : "");
     picture = picture::EncodePng(
         *image, {{"Software", fmt::format("mjforge {}", forge::Version())}, {"mjforge", facts}});
   } else {

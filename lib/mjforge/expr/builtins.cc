@@ -57,7 +57,7 @@ double Min(double a, double b) { return b < a || std::isnan(b) ? b : a; }
 double Max(double a, double b) { return b > a || std::isnan(b) ? b : a; }
 
 double Clamp(double x, double lo, double hi) {
-  if (std::isnan(lo) || std::isnan(hi)) return lo + hi;
+  if (!(lo <= hi)) return std::numeric_limits<double>::quiet_NaN();
   return x < lo ? lo : x > hi ? hi : x;
 }
 

@@ -22,6 +22,10 @@ std::string EscapeForMake(std::string_view name, bool is_target) {
   return text;
 }
 
+bool FitsMake(std::string_view name) {
+  return name.find_first_of(";=|\n\r") == name.npos && name.find("\\#") == name.npos;
+}
+
 std::string MakeRule(std::span<const std::string> targets, const std::set<std::string>& files,
                      bool phony) {
   std::string rule;

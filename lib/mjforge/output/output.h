@@ -157,6 +157,9 @@ std::string MakeRule(std::span<const std::string> targets, const std::set<std::s
                      bool phony);
 /// Escapes a name for use in a Make rule, as a target or as a file.
 std::string EscapeForMake(std::string_view name, bool is_target);
+/// Returns false for names that Make cannot read in a rule, in any form: those with `;`, `=`, `|`,
+/// a line end, or a backslash before `#`.
+bool FitsMake(std::string_view name);
 
 /// Returns a text as one word of a shell's command line, quoted if necessary.
 std::string ShellWord(std::string_view word);

@@ -103,7 +103,7 @@ struct Rest {
   double solid_angle = 0;
   std::size_t side = 0;   // index, in SidesOf(), of the side that is nearest to `down`
   double alignment = -1;  // cosine of the angle between `down` and that side
-  double height = std::numeric_limits<double>::infinity();  // of the centre of mass, m
+  double height = std::numeric_limits<double>::infinity();  // height of the centre of mass, m
 };
 
 // Names of stable poses by the side that is down, in the order of SidesOf(). The lower side of the

@@ -215,8 +215,12 @@ class SpecLoader : public NestedLoader {
   void CollectImport(const YamlNode& node, const fs::path& folder, std::vector<ImportedFile>& files,
                      Context& context) {
     const std::string reference = context.values.ReadPlainText("import", node);
-    const auto file =
-        reference.empty() ? std::nullopt : state_.files.Find(reference, folder, node.mark);
+    if (reference.empty()) {
+      if (node.kind == YamlNode::Kind::kScalar)
+        context.findings.Add(Code::kSpecNotFound, node.mark, "'' is no file to import");
+      return;
+    }
+    const auto file = state_.files.Find(reference, folder, node.mark);
     if (!file || state_.files.IsOpen(*file, node.mark) || !imported_.insert(*file).second) return;
     const auto source = state_.files.Open(*file, node.mark);
     auto root = source ? state_.files.Parse(*file, *source) : std::nullopt;
@@ -297,7 +301,12 @@ void ParseParameterFile(const fs::path& file, Snapshot* snapshot, std::vector<Se
                         diag::Sources& sources, diag::Findings& findings) {
   const auto source = ReadSource(snapshot == nullptr ? file : Canonical(file), file.string(), {},
                                  snapshot, sources, findings, &Snapshot::parameter_texts);
-  auto root = source ? ParseYaml(*source, sources, findings) : std::nullopt;
+  diag::Findings found;
+  auto root = source ? ParseYaml(*source, sources, found) : std::nullopt;
+  for (diag::Finding& finding : found) {
+    if (finding.code == Code::kYamlEmpty) finding.hint = "write parameters, as in `width: 30cm`";
+  }
+  findings.Append(std::move(found));
   if (!root) return;
   if (root->kind != YamlNode::Kind::kMap) {
     findings.Add(Code::kSpecWrongType, root->mark,

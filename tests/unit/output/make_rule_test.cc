@@ -39,5 +39,10 @@ TEST_CASE("names with blanks and signs of Make reach Make as they are") {
   CHECK(missing.err.find("No rule to make target 'c#d.yaml'") != std::string::npos);
 }
 
+TEST_CASE("names that Make cannot read in a rule are known") {
+  for (const char* name : {"a;b", "a=b", "a|b", "a\nb", "a\\#b"}) CHECK_FALSE(FitsMake(name));
+  for (const char* name : {"a b", "a#b", "a\\b", "$(a)", "a:b", "r%s"}) CHECK(FitsMake(name));
+}
+
 }  // namespace
 }  // namespace mjforge::output

@@ -233,7 +233,7 @@ TEST_CASE("a vector that was never set is found where it is used") {
   CHECK_FALSE(evaluator.Any(family.spec->parameters[1].value, 1));
   CHECK(family.Report() ==
         Strings{"3:24 expr/not-finite: 'v' has no value in this variant (it was left out by "
-                "'if', or is placed later) 7/3"});
+                "'if' or 'fewer', or is placed later) 7/3"});
 }
 
 TEST_CASE("independent failures are all found") {
