@@ -51,10 +51,7 @@ void Findings::Append(Findings other) {
 }
 
 const Finding* Findings::FirstError(std::size_t first) const {
-  const auto found =
-      std::find_if(list_.begin() + static_cast<std::ptrdiff_t>(first), list_.end(),
-                   [](const Finding& finding) { return finding.severity == Severity::kError; });
-  return found == list_.end() ? nullptr : &*found;
+  return Find(std::span(list_).subspan(first), Severity::kError, &Finding::severity);
 }
 
 void Findings::SetVariant(std::uint64_t seed, std::uint64_t index) {
@@ -93,6 +90,25 @@ void Findings::Fold(Code code, std::size_t most) {
     finding.message += fmt::format(", and at {} other places", std::exchange(found->second, 0) - 1);
     return false;
   });
+}
+
+std::nullopt_t Refuse(std::string& why_not, std::string reason) {
+  why_not = std::move(reason);
+  return std::nullopt;
+}
+
+std::string_view CutAt(char separator, std::string_view& text) {
+  const std::string_view start = text.substr(0, text.find(separator));
+  text.remove_prefix(std::min(start.size() + 1, text.size()));
+  return start;
+}
+
+std::string Counted(std::uint64_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string Counted(std::uint64_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
 }  // namespace mjforge::diag

@@ -21,6 +21,7 @@
 
 #include "mjforge/diag/codes.h"
 #include "mjforge/diag/json.h"
+#include "mjforge/diag/lists.h"
 
 namespace mjforge::diag {
 
@@ -149,6 +150,18 @@ std::string SafeText(std::string_view text);
 /// Returns a text of several lines in a safe form, like SafeText(), but with its line ends.
 std::string SafeLines(std::string_view text);
 
+/// Sets `why_not`, and returns nullopt, the result of a function that fails for this reason.
+std::nullopt_t Refuse(std::string& why_not, std::string reason);
+
+/// Returns the text before the first `separator`, and removes it and the separator from `text`; the
+/// whole text if there is no separator.
+std::string_view CutAt(char separator, std::string_view& text);
+
+/// Returns a count with its noun, whose plural ends with "s": "1 number", "2 numbers".
+std::string Counted(std::uint64_t count, std::string_view noun);
+/// Returns a count with the singular or the plural of its noun: "1 body", "2 bodies".
+std::string Counted(std::uint64_t count, std::string_view one, std::string_view many);
+
 /// Returns the text with ASCII letters in lower case, regardless of the locale.
 std::string LowerCase(std::string_view text);
 
@@ -168,18 +181,6 @@ std::string DidYouMean(std::string_view word, const List& list, Name name = {}) 
   std::vector<std::string_view> candidates(std::size(list));
   std::ranges::transform(list, candidates.begin(), name);
   return DidYouMean(word, std::span<const std::string_view>(candidates));
-}
-
-/// Returns the texts of a list with the separator between them. `text_of` is a projection from an
-/// item of the list to its text.
-template <typename List, typename TextOf>
-std::string Joined(const List& list, std::string_view separator, const TextOf& text_of) {
-  std::string joined;
-  for (bool is_first = true; const auto& item : list) {
-    if (!std::exchange(is_first, false)) joined += separator;
-    joined += std::invoke(text_of, item);
-  }
-  return joined;
 }
 
 /// Returns the message with "; did you mean 'x'?" if a word of the list is close to `word`.
