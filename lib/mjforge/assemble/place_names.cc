@@ -22,12 +22,6 @@ constexpr std::size_t kMostListed = 8;
 
 constexpr const char* kLeftOutHint = "its `if` or `for` leaves it out in this variant";
 
-template <typename List, typename Condition>
-auto FindIn(const List& list, const Condition& condition) -> decltype(list.data()) {
-  const auto found = std::ranges::find_if(list, condition);
-  return found == list.end() ? nullptr : &*found;
-}
-
 bool HasName(const std::vector<std::string>& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
@@ -38,10 +32,10 @@ std::optional<PlaceTarget> FindOn(const model::Object& object, int body,
                                   const std::vector<std::string>& names) {
   const model::Body& owner = object.bodies[static_cast<std::size_t>(body)];
   PlaceTarget target{.body = body};
-  target.region = FindIn(owner.regions,
-                         [&](const model::Region& region) { return HasName(names, region.site); });
+  target.region = diag::FindIf(
+      owner.regions, [&](const model::Region& region) { return HasName(names, region.site); });
   target.site =
-      FindIn(owner.sites, [&](const model::Site& site) { return HasName(names, site.name); });
+      diag::FindIf(owner.sites, [&](const model::Site& site) { return HasName(names, site.name); });
   if (target.region == nullptr && target.site == nullptr) return std::nullopt;
   return target;
 }
@@ -57,7 +51,7 @@ std::string_view StemOf(const spec::Entry& entry) {
 // Returns the first entry that has this literal name, or whose name contains an expression and
 // begins like this name. Returns null if there is none.
 const spec::Entry* FindElement(const std::vector<spec::Entry>& entries, std::string_view name) {
-  return FindIn(entries, [&](const spec::Entry& entry) {
+  return diag::FindIf(entries, [&](const spec::Entry& entry) {
     const std::string_view stem = StemOf(entry);
     return spec::LiteralText(entry.name) == name || (!stem.empty() && name.starts_with(stem));
   });
@@ -183,7 +177,7 @@ void PlaceNames::ReportBody(std::string_view owner, std::string_view name, diag:
       findings.Add(Code::kModelUnknownReference, mark,
                    fmt::format("place of {}: no body {}", owner, Quoted(name)));
   const spec::BodyEntry* entry =
-      FindIn(scope_.values.spec().bodies, [&](const spec::BodyEntry& body) {
+      diag::FindIf(scope_.values.spec().bodies, [&](const spec::BodyEntry& body) {
         return MayBeLeftOut(body.head) && spec::LiteralText(body.head.name) == name;
       });
   if (entry != nullptr) {

@@ -29,10 +29,9 @@ bool IsDrawn(const std::vector<spec::Field>& fields) {
 
 // Returns the body's entry with this literal name; null if there is none.
 const spec::BodyEntry* FindEntry(const spec::ObjectSpec& spec, std::string_view name) {
-  const auto found = std::ranges::find_if(spec.bodies, [&](const spec::BodyEntry& entry) {
+  return diag::FindIf(spec.bodies, [&](const spec::BodyEntry& entry) {
     return spec::LiteralText(entry.head.name) == name;
   });
-  return found == spec.bodies.end() ? nullptr : &*found;
 }
 
 // Returns a key of `place:` or `beside:` that has no meaning if the place is a site; null if there
@@ -40,10 +39,9 @@ const spec::BodyEntry* FindEntry(const spec::ObjectSpec& spec, std::string_view 
 const spec::Field* WithoutMeaningAtSites(const spec::PlaceEntry& place) {
   constexpr Key kOfSites[] = {Key::kAt, Key::kBy, Key::kYaw, Key::kClear};
   if (!place.beside.empty()) return &place.beside.front();
-  const auto found = std::ranges::find_if(place.fields, [&](const spec::Field& field) {
+  return diag::FindIf(place.fields, [&](const spec::Field& field) {
     return std::ranges::find(kOfSites, field.info->id) == std::end(kOfSites);
   });
-  return found == place.fields.end() ? nullptr : &*found;
 }
 
 // Returns the pose that a uniform random number `u` in (0, 1) selects according to the

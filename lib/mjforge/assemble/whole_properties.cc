@@ -28,8 +28,8 @@ void ClearEntries(const std::vector<spec::Entry>& entries, std::size_t count,
 std::pair<std::size_t, const model::Site*> FindSite(const model::Object& object,
                                                     std::string_view name) {
   for (std::size_t i = 0; i < object.bodies.size(); ++i) {
-    const auto found = std::ranges::find(object.bodies[i].sites, name, &model::Site::name);
-    if (found != object.bodies[i].sites.end()) return {i, &*found};
+    const auto* found = diag::Find(object.bodies[i].sites, name, &model::Site::name);
+    if (found != nullptr) return {i, found};
   }
   return {0, nullptr};
 }

@@ -140,23 +140,25 @@ const std::array kBuiltins = {
     Builtin{"tan", Unary(std::tan), ArgumentRule::kAngle, ResultRule::kCount},
 };
 
-template <typename Table>
-auto FindIn(const Table& table, std::string_view name) -> decltype(table.data()) {
-  const auto found = std::ranges::find(table, name, &Table::value_type::name);
-  return found == table.end() ? nullptr : &*found;
-}
-
 }  // namespace
 
 std::span<const BuiltinInfo> Builtins() { return kFunctions; }
 
-const Builtin* FindBuiltin(std::string_view name) { return FindIn(kBuiltins, name); }
+const Builtin* FindBuiltin(std::string_view name) {
+  return diag::Find(kBuiltins, name, &Builtin::name);
+}
 
-const Constant* FindConstant(std::string_view name) { return FindIn(kConstants, name); }
+const Constant* FindConstant(std::string_view name) {
+  return diag::Find(kConstants, name, &Constant::name);
+}
 
-const Builtin& UnaryOperator(std::string_view sign) { return *FindIn(kUnaryOperators, sign); }
+const Builtin& UnaryOperator(std::string_view sign) {
+  return *diag::Find(kUnaryOperators, sign, &Builtin::name);
+}
 
-const Builtin& Operator(std::string_view sign) { return *FindIn(kOperators, sign); }
+const Builtin& Operator(std::string_view sign) {
+  return *diag::Find(kOperators, sign, &Builtin::name);
+}
 
 double Builtin::Call(const std::array<double, 3>& values) const {
   const auto& [a, b, c] = values;
@@ -166,7 +168,7 @@ double Builtin::Call(const std::array<double, 3>& values) const {
 }
 
 std::string_view UsageOf(std::string_view function) {
-  const BuiltinInfo* found = FindIn(kFunctions, function);
+  const BuiltinInfo* found = diag::Find(kFunctions, function, &BuiltinInfo::name);
   return found ? found->usage : std::string_view();
 }
 

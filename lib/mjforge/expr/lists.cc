@@ -70,8 +70,7 @@ double ListValues::SumOf(std::size_t count) const {
 }
 
 const ListBuiltin* FindListBuiltin(std::string_view name) {
-  const auto* found = std::ranges::find(kListBuiltins, name, &ListBuiltin::name);
-  return found == kListBuiltins.end() ? nullptr : found;
+  return diag::Find(kListBuiltins, name, &ListBuiltin::name);
 }
 
 }  // namespace mjforge::expr

@@ -1,5 +1,4 @@
 // The table of units that can follow a number.
-#include <algorithm>
 #include <array>
 #include <numbers>
 
@@ -34,9 +33,6 @@ constexpr std::array kUnits = {
 
 std::span<const Unit> Units() { return kUnits; }
 
-const Unit* FindUnitSuffix(std::string_view name) {
-  const auto* found = std::ranges::find(kUnits, name, &Unit::name);
-  return found == kUnits.end() ? nullptr : found;
-}
+const Unit* FindUnitSuffix(std::string_view name) { return diag::Find(kUnits, name, &Unit::name); }
 
 }  // namespace mjforge::expr

@@ -33,8 +33,8 @@ std::vector<double> Flat(const std::vector<Vector>& vectors) {
 }
 
 std::vector<double> NumbersOf(const model::MeshAsset& asset, std::string_view name) {
-  const auto found = std::ranges::find(asset.attributes, name, &model::Attribute::name);
-  if (found == asset.attributes.end()) return {};
+  const model::Attribute* found = model::FindAttribute(asset.attributes, name);
+  if (found == nullptr) return {};
   return {found->numbers.begin(), found->numbers.end()};
 }
 

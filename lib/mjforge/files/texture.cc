@@ -14,16 +14,11 @@
 namespace mjforge::files {
 namespace {
 
-const model::Attribute* Find(const model::Texture& texture, std::string_view name) {
-  const auto found = std::ranges::find(texture.attributes, name, &model::Attribute::name);
-  return found == texture.attributes.end() ? nullptr : &*found;
-}
-
 // Gives each pixel the mark's color with the probability in the attribute `random` (default 0.01),
 // independently of other pixels. Truncates the color to bytes, like MuJoCo.
 void AddRandomMarks(const model::Texture& texture, TexturePixels& picture) {
-  const model::Attribute* share = Find(texture, "random");
-  const model::Attribute* color = Find(texture, "markrgb");
+  const model::Attribute* share = model::FindAttribute(texture.attributes, "random");
+  const model::Attribute* color = model::FindAttribute(texture.attributes, "markrgb");
   const double probability = share != nullptr ? share->numbers[0] : 0.01;
   std::array<std::uint8_t, 3> mark = {};
   for (std::size_t i = 0; color != nullptr && i < mark.size(); ++i)
@@ -51,7 +46,7 @@ std::optional<TexturePixels> PixelsOf(const model::Texture& texture, engine::Eng
                            .rgb = {}};
   const std::span<const std::uint8_t> pixels = engine::PixelsOf(*loaded.model, 0);
   picture.rgb.assign(pixels.begin(), pixels.end());
-  const model::Attribute* mark = Find(texture, "mark");
+  const model::Attribute* mark = model::FindAttribute(texture.attributes, "mark");
   if (mark != nullptr && mark->text == "random") AddRandomMarks(texture, picture);
   return picture;
 }

@@ -45,20 +45,16 @@ std::string ChoicesText(const manifest::Record& record, const manifest::Record& 
 // without the object's name as a prefix; an empty mark if there is none.
 diag::SourceMark MarkOf(const model::Object& object, std::string_view element) {
   const std::string whole = fmt::format("{}_{}", object.name, element);
-  const auto is_it = [&](const auto& one) { return one.name == element || one.name == whole; };
-  diag::SourceMark mark;
-  const auto search = [&](const auto& elements) {
-    if (mark) return;
-    const auto found = std::ranges::find_if(elements, is_it);
-    if (found != elements.end()) mark = found->mark;
+  const auto is_it = [&](const auto& one) {
+    return one.mark && (one.name == element || one.name == whole);
   };
-  search(object.bodies);
+  if (const auto* body = diag::FindIf(object.bodies, is_it)) return body->mark;
   for (const model::Body& body : object.bodies) {
-    search(body.parts);
-    search(body.joints);
-    search(body.sites);
+    if (const auto* part = diag::FindIf(body.parts, is_it)) return part->mark;
+    if (const auto* joint = diag::FindIf(body.joints, is_it)) return joint->mark;
+    if (const auto* site = diag::FindIf(body.sites, is_it)) return site->mark;
   }
-  return mark;
+  return {};
 }
 
 diag::SourceMark MarkOf(const model::Object& object, const structure::Difference& difference) {

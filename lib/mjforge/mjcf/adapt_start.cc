@@ -60,12 +60,10 @@ void WarnOfMotion(const model::Object& object, diag::Findings& findings) {
     }
   }
   for (const model::Element& actuator : model::ElementsOf(object, "actuator")) {
-    const auto setpoint =
-        std::ranges::find(object.setpoints, actuator.name, &model::Setpoint::actuator);
-    if (setpoint == object.setpoints.end() ||
-        (setpoint->ctrl.value_or(0) == 0 && setpoint->act.value_or(0) == 0)) {
-      continue;
-    }
+    const auto* setpoint = diag::Find(object.setpoints, actuator.name, &model::Setpoint::actuator);
+    const bool is_zero =
+        setpoint == nullptr || (setpoint->ctrl.value_or(0) == 0 && setpoint->act.value_or(0) == 0);
+    if (is_zero) continue;
     warn(setpoint->mark ? setpoint->mark : actuator.mark,
          fmt::format("a reset sets actuator '{}' to 0, not to its setpoint", actuator.name));
   }

@@ -42,8 +42,7 @@ void AddSetpoints(const model::Object& object, StartState& start) {
   if (object.setpoints.empty()) return;
   bool acts = false;
   for (const model::Element& actuator : model::ElementsOf(object, "actuator")) {
-    const auto setpoint =
-        std::ranges::find(object.setpoints, actuator.name, &model::Setpoint::actuator);
+    const auto* setpoint = diag::Find(object.setpoints, actuator.name, &model::Setpoint::actuator);
     start.ctrl.push_back(setpoint->ctrl.value_or(0));
     if (setpoint->act) start.act.push_back(*setpoint->act);
     acts |= setpoint->act.value_or(0) != 0;

@@ -69,8 +69,7 @@ struct Attribute {
 /// Returns the attribute called `name`; null if there is none.
 template <typename Attributes>
 auto* FindAttribute(Attributes& attributes, std::string_view name) {
-  const auto found = std::ranges::find(attributes, name, &Attribute::name);
-  return found == attributes.end() ? nullptr : &*found;
+  return diag::Find(attributes, name, &Attribute::name);
 }
 
 /// Adds an attribute unless `attributes` contains one with the same name.

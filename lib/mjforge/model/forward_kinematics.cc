@@ -26,16 +26,12 @@ std::size_t VelocityCount(const Joint& joint) {
 
 const Joint* FindJoint(const Object& object, std::string_view name) {
   for (const Body& body : object.bodies) {
-    const auto found = std::ranges::find(body.joints, name, &Joint::name);
-    if (found != body.joints.end()) return &*found;
+    if (const Joint* found = diag::Find(body.joints, name, &Joint::name)) return found;
   }
   return nullptr;
 }
 
-const Joint* FreeJointOf(const Body& body) {
-  const auto found = std::ranges::find(body.joints, "free", &Joint::type);
-  return found == body.joints.end() ? nullptr : &*found;
-}
+const Joint* FreeJointOf(const Body& body) { return diag::Find(body.joints, "free", &Joint::type); }
 
 // Source of the order of rotation and translation: mj_kinematics of MuJoCo 2.2
 // (src/engine/engine_core_smooth.c).

@@ -20,9 +20,8 @@ constexpr std::size_t kMaxParameters = 100;
 constexpr std::size_t kMaxComponents = 6;
 
 std::string_view MeaningOf(const std::string& code) {
-  const auto codes = diag::AllCodes();
-  const auto found = std::ranges::find(codes, code, &diag::CodeInfo::name);
-  return found == codes.end() ? std::string_view() : found->meaning;
+  const diag::CodeInfo* found = diag::Find(diag::AllCodes(), code, &diag::CodeInfo::name);
+  return found == nullptr ? std::string_view() : found->meaning;
 }
 
 void AddCode(Dictionary& list, const std::string& name, const CodeTally& tally,

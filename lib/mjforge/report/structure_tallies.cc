@@ -86,9 +86,9 @@ std::vector<const ParameterExtent*> ExtentsOf(
     const std::string& name, const std::map<int, std::vector<ParameterExtent>>& groups) {
   std::vector<const ParameterExtent*> extents;
   for (const auto& [group, params] : groups) {
-    const auto found = std::ranges::find(params, name, &ParameterExtent::name);
-    if (found == params.end()) return {};
-    extents.push_back(&*found);
+    const ParameterExtent* found = diag::Find(params, name, &ParameterExtent::name);
+    if (found == nullptr) return {};
+    extents.push_back(found);
   }
   return extents;
 }

@@ -115,8 +115,7 @@ void ParameterTallies::Append(const ParameterTallies& other) {
 }
 
 const ParameterTally* ParameterTallies::Find(const std::string& name) const {
-  const auto found = std::ranges::find(list_, name, &ParameterTally::name);
-  return found == list_.end() ? nullptr : &*found;
+  return diag::Find(list_, name, &ParameterTally::name);
 }
 
 }  // namespace mjforge::report

@@ -27,9 +27,7 @@ constexpr std::string_view kCount = "count";
 bool IsListForm(std::string_view key) { return key == kEach || key == kShuffle || key == kSample; }
 
 const DistributionInfo* FindDistribution(std::string_view key) {
-  const auto all = Distributions();
-  const auto found = std::ranges::find(all, key, &DistributionInfo::key);
-  return found == all.end() ? nullptr : &*found;
+  return diag::Find(Distributions(), key, &DistributionInfo::key);
 }
 
 // Returns true if values of this kind can be drawn from the distribution.

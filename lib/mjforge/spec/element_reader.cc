@@ -91,15 +91,12 @@ std::string_view JointType(const Field* type) {
 }
 
 const Field* FindField(std::span<const Field> fields, Key id) {
-  const auto found =
-      std::ranges::find_if(fields, [id](const Field& f) { return f.info->id == id; });
-  return found == fields.end() ? nullptr : &*found;
+  return diag::FindIf(fields, [id](const Field& field) { return field.info->id == id; });
 }
 
 const Field* Entry::Find(Key id) const { return FindField(fields, id); }
 const Entry* Entry::FindChild(const ElementInfo& kind) const {
-  const auto found = std::ranges::find(children, &kind, &Entry::element);
-  return found == children.end() ? nullptr : &*found;
+  return diag::Find(children, &kind, &Entry::element);
 }
 const Field* PlaceEntry::Find(Key id) const { return FindField(fields, id); }
 const Field* PlaceEntry::FindBeside(Key id) const { return FindField(beside, id); }
@@ -113,10 +110,9 @@ const Value& ObjectSpec::ValueOf(const Parameter& parameter) const {
 }
 
 const Parameter* ObjectSpec::FindParameter(std::string_view parameter) const {
-  const auto found = std::ranges::find_if(parameters, [&](const Parameter& one) {
+  return diag::FindIf(parameters, [&](const Parameter& one) {
     return one.name == parameter || (!one.record.empty() && one.record == parameter);
   });
-  return found == parameters.end() ? nullptr : &*found;
 }
 
 std::optional<YamlNode> CheckKeys(const ElementInfo& element, const YamlNode& map,

@@ -9,6 +9,8 @@
 #include <numbers>
 #include <utility>
 
+#include "mjforge/diag/diag.h"
+
 namespace mjforge::spec {
 namespace {
 
@@ -987,14 +989,10 @@ const ElementInfo kChecksElement = {
     kChecksFields};
 
 const FieldInfo* ElementInfo::Find(std::string_view key) const {
-  const auto found = std::ranges::find(fields, key, &FieldInfo::key);
-  return found == fields.end() ? nullptr : &*found;
+  return diag::Find(fields, key, &FieldInfo::key);
 }
 
-const FieldInfo* ElementInfo::Find(Key id) const {
-  const auto found = std::ranges::find(fields, id, &FieldInfo::id);
-  return found == fields.end() ? nullptr : &*found;
-}
+const FieldInfo* ElementInfo::Find(Key id) const { return diag::Find(fields, id, &FieldInfo::id); }
 
 std::span<const ElementInfo* const> AllElements() {
   static constexpr const ElementInfo* kElements[] = {

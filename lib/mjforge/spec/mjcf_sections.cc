@@ -200,8 +200,7 @@ class SchemaTable {
 }  // namespace
 
 const ElementInfo* SectionInfo::Find(std::string_view element) const {
-  const auto found = std::ranges::find(elements, element, &ElementInfo::name);
-  return found == elements.end() ? nullptr : &*found;
+  return diag::Find(elements, element, &ElementInfo::name);
 }
 
 std::span<const SectionInfo> Sections() {
@@ -210,9 +209,7 @@ std::span<const SectionInfo> Sections() {
 }
 
 const SectionInfo* FindSection(std::string_view name) {
-  const auto sections = Sections();
-  const auto found = std::ranges::find(sections, name, &SectionInfo::name);
-  return found == sections.end() ? nullptr : &*found;
+  return diag::Find(Sections(), name, &SectionInfo::name);
 }
 
 const ElementInfo* FindBodyChild(std::string_view name) {

@@ -51,8 +51,7 @@ bool ShapeInfo::Takes(Key key) const {
 }
 
 const ShapeInfo* FindShape(std::string_view type) {
-  const auto shape = std::ranges::find(kShapes, type, &ShapeInfo::type);
-  return shape != kShapes.end() ? &*shape : nullptr;
+  return diag::Find(kShapes, type, &ShapeInfo::type);
 }
 
 bool AnyShapeTakes(Key key) {

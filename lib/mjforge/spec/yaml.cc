@@ -287,8 +287,7 @@ YamlNode YamlNode::List(std::vector<YamlNode> items, SourceMark mark) {
 }
 
 const YamlNode::Pair* YamlNode::FindPair(std::string_view key) const {
-  const auto found = std::ranges::find(pairs, key, &Pair::key);
-  return found == pairs.end() ? nullptr : &*found;
+  return diag::Find(pairs, key, &Pair::key);
 }
 
 const YamlNode* YamlNode::Find(std::string_view key) const {

@@ -95,9 +95,7 @@ double Configurations::Displacement(std::string_view name) const {
 }
 
 const model::Element* Configurations::FindTendon(std::string_view name) const {
-  const std::span<const model::Element> tendons = model::ElementsOf(object_, "tendon");
-  const auto found = std::ranges::find(tendons, name, &model::Element::name);
-  return found == tendons.end() ? nullptr : &*found;
+  return diag::Find(model::ElementsOf(object_, "tendon"), name, &model::Element::name);
 }
 
 bool Configurations::Wraps(const model::Element& tendon) {
