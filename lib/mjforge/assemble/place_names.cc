@@ -195,8 +195,7 @@ void PlaceNames::ReportBody(std::string_view owner, std::string_view name, diag:
 
 std::vector<std::string_view> PlaceNames::TargetsOn(int index) const {
   const model::Body& body = object_.bodies[static_cast<std::size_t>(index)];
-  std::vector<std::string_view> names;
-  for (const model::Region& region : body.regions) names.push_back(region.name);
+  auto names = diag::Mapped<std::string_view>(body.regions, &model::Region::name);
   for (const model::Site& site : body.sites)
     names.push_back(Without(site.name, {body.name + "_", scope_.prefix}));
   std::ranges::sort(names);

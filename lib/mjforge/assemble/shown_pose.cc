@@ -90,10 +90,9 @@ void CheckShownPose(const spec::ObjectSpec& spec, const model::Object& object,
     const std::string shown = Quoted(position.joint);
     const std::vector<const model::Joint*> fitting = FindJoints(joints, position.joint);
     if (fitting.empty() && !MayHave(spec, position.joint)) {
-      std::vector<std::string_view> names;
-      names.reserve(joints.size());
-      for (const model::Joint* joint : joints)
-        names.push_back(model::OwnName(joint->name, object.name));
+      const auto names = diag::Mapped<std::string_view>(joints, [&](const model::Joint* joint) {
+        return model::OwnName(joint->name, object.name);
+      });
       findings.Warn(Code::kModelUnknownReference, position.mark,
                     fmt::format("view: the object has no joint {}", shown),
                     diag::DidYouMean(position.joint, names));

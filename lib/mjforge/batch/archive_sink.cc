@@ -117,15 +117,12 @@ std::optional<Checkpoint> ArchiveSink::LastValidCheckpoint(std::uint64_t most) c
     candidates.push_back(checkpoint);
   }
   if (candidates.empty()) return std::nullopt;
-  std::vector<bytes::Fingerprint> prefixes;
-  prefixes.reserve(candidates.size());
-  for (const Checkpoint& checkpoint : candidates) prefixes.push_back(checkpoint.part);
   // The first candidate needs no check, because it is the start of the archive.
+  const auto prefixes =
+      diag::Mapped<bytes::Fingerprint>(std::span(candidates).subspan(1), &Checkpoint::part);
   const std::filesystem::path part =
       output::PartFile::TemporaryNameOf(FileOf(candidates.front().archive));
-  const std::size_t sound =
-      bytes::CountSound(part, std::span<const bytes::Fingerprint>(prefixes).subspan(1));
-  return candidates[sound];
+  return candidates[bytes::CountSound(part, prefixes)];
 }
 
 // Returns true if the batch can continue at the checkpoint. A batch that has become larger cannot

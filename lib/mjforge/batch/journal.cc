@@ -89,9 +89,7 @@ bool Journal::Open(diag::Findings& findings) {
   output::RemoveAbandoned({manifest::SealPathOf(file_)});
   is_unfinished_ = manifest_file_->size() > 0 || journal_file_->size() > 0;
   ReadJournal();
-  std::vector<bytes::Fingerprint> prefixes;
-  prefixes.reserve(checkpoints_.size());
-  for (const Checkpoint& checkpoint : checkpoints_) prefixes.push_back(checkpoint.manifest);
+  const auto prefixes = diag::Mapped<bytes::Fingerprint>(checkpoints_, &Checkpoint::manifest);
   checkpoints_.resize(bytes::CountSound(manifest_file_->temporary(), prefixes));
   const bool is_ours =
       journal_seal_ || MayReplaceManifest(part(), options_.request.force, findings);

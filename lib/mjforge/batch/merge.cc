@@ -66,9 +66,8 @@ class ShardMerger {
   // Merges the rows of all shards (the archives in their seals) into the whole batch's family
   // files.
   bool WriteFamily() {
-    std::vector<std::filesystem::path> rows;
-    for (const manifest::SealedFile& file : whole_.archives)
-      rows.push_back(destination_.Folder() / file.file);
+    const auto rows = diag::Mapped<std::filesystem::path>(
+        whole_.archives, [&](const auto& file) { return destination_.Folder() / file.file; });
     families_ =
         WriteFamilies(destination_, rows, *first_, {whole_.first, whole_.count}, false, findings_);
     whole_.archives.clear();

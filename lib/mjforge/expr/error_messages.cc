@@ -32,8 +32,7 @@ std::string OperatorHint(const Token& before, const Token& token, const SymbolTa
 }
 
 std::string ClosestName(std::string_view token, const SymbolTable& names) {
-  std::vector<std::string_view> candidates;
-  for (const auto* variable : names.variables()) candidates.push_back(variable->name);
+  auto candidates = diag::Mapped<std::string_view>(names.variables(), &SymbolTable::Variable::name);
   for (const BuiltinInfo& function : Builtins()) candidates.push_back(function.name);
   for (const auto& [name, function] : names.functions()) candidates.push_back(name);
   return diag::DidYouMean(token, candidates);

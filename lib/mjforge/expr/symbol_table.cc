@@ -103,10 +103,7 @@ const SpecFunction* SymbolTable::FindFunction(std::string_view name) const {
 }
 
 std::vector<const SymbolTable::Variable*> SymbolTable::variables() const {
-  std::vector<const Variable*> sorted;
-  sorted.reserve(variables_.size());
-  for (const auto& [name, variable] : variables_) sorted.push_back(&variable);
-  return sorted;
+  return diag::Mapped<const Variable*>(variables_, [](const auto& entry) { return &entry.second; });
 }
 
 }  // namespace mjforge::expr

@@ -2,6 +2,7 @@
 // that each have one entry per variant.
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -13,6 +14,13 @@ namespace mjforge::family {
 namespace {
 
 using output::ArrayType;
+
+// Returns true if one of the `count` flags from the index `first` on is set.
+template <typename Flags>
+bool IsAnySet(const Flags& flags, std::size_t first, std::size_t count) {
+  const auto begin = flags.begin() + static_cast<std::ptrdiff_t>(first);
+  return std::any_of(begin, begin + static_cast<std::ptrdiff_t>(count), std::identity());
+}
 
 class FamilyFile {
  public:
@@ -110,19 +118,16 @@ class FamilyFile {
 
   void WriteArray(const ArrayShape& shape, std::size_t at) {
     if (shape.elements.empty()) {
-      const auto begin = survey_.varies.begin() + static_cast<std::ptrdiff_t>(at);
-      const bool varies = std::find(begin, begin + std::ptrdiff_t(shape.size()), true) !=
-                          begin + std::ptrdiff_t(shape.size());
-      if (varies || shape.is_always_stored) WriteWhole(shape, at);
+      if (shape.is_always_stored || IsAnySet(survey_.varies, at, shape.size()))
+        WriteWhole(shape, at);
       return;
     }
     std::vector<std::size_t> stored;
     const auto moved = base_.moved.find(shape.name);
     for (std::size_t i = 0; i < shape.elements.size(); ++i) {
-      bool varies = moved != base_.moved.end() && moved->second.contains(i);
-      for (std::size_t j = 0; j < shape.width(); ++j)
-        varies = varies || survey_.varies[at + shape.width() * i + j];
-      if (varies) stored.push_back(i);
+      const bool is_moved = moved != base_.moved.end() && moved->second.contains(i);
+      if (is_moved || IsAnySet(survey_.varies, at + shape.width() * i, shape.width()))
+        stored.push_back(i);
     }
     if (std::ranges::any_of(stored, [&](std::size_t i) { return shape.elements[i].empty(); })) {
       // Elements without names are told apart by their order: stores all or none.
@@ -162,10 +167,8 @@ class FamilyFile {
         });
       }
     }
-    std::vector<std::string> names;
-    names.reserve(stored.size());
-    for (const std::size_t i : stored) names.push_back(shape.elements[i]);
-    WriteTexts(shape.name + ".names", names);
+    WriteTexts(shape.name + ".names",
+               diag::Mapped<std::string>(stored, [&](std::size_t i) { return shape.elements[i]; }));
     if (shape.components.empty()) return;
     const std::uint64_t count[] = {stored.size()};
     npz_->Begin(shape.name + ".components", ArrayType::kInt32, count);
@@ -197,9 +200,7 @@ class FamilyFile {
   // variant with that material.
   void WriteMaterials() {
     if (survey_.materials.empty()) return;
-    std::vector<std::string> names;
-    for (const Material& material : survey_.materials) names.push_back(material.name);
-    WriteTexts("materials", names);
+    WriteTexts("materials", diag::Mapped<std::string>(survey_.materials, &Material::name));
     std::size_t at = 0;
     for (const auto& [name, width] : kMaterialArrays) {
       WriteLooks(std::string(name), at, width);
@@ -211,9 +212,7 @@ class FamilyFile {
     std::vector<std::size_t> stored;
     std::vector<std::string> names;
     for (std::size_t i = 0; i < survey_.materials.size(); ++i) {
-      const auto begin = survey_.material_varies[i].begin() + static_cast<std::ptrdiff_t>(at);
-      if (std::find(begin, begin + std::ptrdiff_t(width), true) == begin + std::ptrdiff_t(width))
-        continue;
+      if (!IsAnySet(survey_.material_varies[i], at, width)) continue;
       stored.push_back(i);
       names.push_back(survey_.materials[i].name);
     }

@@ -160,9 +160,7 @@ RowsFile::RowsFile(const std::filesystem::path& file)
 }
 
 std::vector<Header> RowsFile::Headers() const {
-  std::vector<Header> headers;
-  for (const Family& family : families_) headers.push_back(family.header);
-  return headers;
+  return diag::Mapped<Header>(families_, &Family::header);
 }
 
 std::size_t RowsFile::Find(const Header& header) const {

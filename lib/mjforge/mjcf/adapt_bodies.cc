@@ -98,8 +98,7 @@ void DropFreeJoint(model::Body& root, const TargetRules& rules, diag::Findings& 
   const auto free = std::ranges::find(root.joints, "free", &model::Joint::type);
   if (free == root.joints.end()) return;
   if (!free->attributes.empty()) {
-    std::vector<std::string_view> dropped;
-    for (const model::Attribute& attribute : free->attributes) dropped.push_back(attribute.name);
+    const auto dropped = diag::Mapped<std::string_view>(free->attributes, &model::Attribute::name);
     findings.Warn(
         Code::kTargetDropped, free->mark,
         fmt::format("{} adds the free joint itself: the attributes of joint '{}' are dropped ({})",

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "mjforge/diag/diag.h"
+
 namespace mjforge::mjcf {
 namespace {
 
@@ -98,9 +100,7 @@ static_assert(std::ranges::all_of(kTargets, [](const TargetRules& rules) {
 std::span<const TargetRules> Targets() { return kTargets; }
 
 std::vector<std::string_view> TargetNames() {
-  std::vector<std::string_view> names;
-  for (const TargetRules& rules : kTargets) names.push_back(rules.name);
-  return names;
+  return diag::Mapped<std::string_view>(kTargets, &TargetRules::name);
 }
 
 const TargetRules& RulesOf(Target target) { return kTargets[static_cast<std::size_t>(target)]; }

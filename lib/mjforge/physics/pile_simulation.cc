@@ -205,12 +205,10 @@ class PileSimulation {
 
   // Returns the poses of the piled bodies, with the centres of mass of their trees as origins.
   std::vector<model::Pose> Poses() const {
-    std::vector<model::Pose> poses;
-    for (const PiledBody& body : bodies_) {
-      poses.push_back(
-          {VectorAt(d_.subtree_com, body.id), compiled::QuaternionAt(d_.xquat, body.id)});
-    }
-    return poses;
+    return diag::Mapped<model::Pose>(bodies_, [&](const PiledBody& body) {
+      return model::Pose{VectorAt(d_.subtree_com, body.id),
+                         compiled::QuaternionAt(d_.xquat, body.id)};
+    });
   }
 
   // Returns true if no body has moved from its pose in `before` by more than a body at rest may

@@ -173,10 +173,8 @@ class Fall {
   }
 
   std::vector<Vector3d> Centers() const {
-    std::vector<Vector3d> centers;
-    centers.reserve(roots_.size());
-    for (const int root : roots_) centers.emplace_back(compiled::VectorAt(d_.subtree_com, root));
-    return centers;
+    return diag::Mapped<Vector3d>(
+        roots_, [&](int root) { return compiled::VectorAt(d_.subtree_com, root); });
   }
 
   mjModel& m_;

@@ -95,9 +95,7 @@ struct Palette {
         }
       }
     }
-    std::vector<CountedColor> all;
-    all.reserve(counted.size());
-    for (const auto& [key, color] : counted) all.push_back(color);
+    auto all = diag::Mapped<CountedColor>(counted, [](const auto& entry) { return entry.second; });
     if (all.empty()) return;
     GifPixelType index = 0;
     for (const ColorBox& box : SplitColors(all)) {

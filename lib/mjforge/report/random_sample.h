@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "mjforge/diag/diag.h"
+
 namespace mjforge::report {
 
 /// Sample of the items with the lowest ranks, where the rank of an item is a hash of its index. The
@@ -34,15 +36,11 @@ class RandomSample {
   /// Returns the `count` kept items with the lowest ranks, or all if there are fewer, in the order
   /// of their indices.
   std::vector<Item> Take(std::size_t count) const {
-    std::vector<const Entry*> taken;
-    for (const Entry& entry : kept_) taken.push_back(&entry);
+    auto taken = diag::Mapped<const Entry*>(kept_, [](const Entry& entry) { return &entry; });
     std::ranges::sort(taken, {}, &Entry::rank);
     taken.resize(std::min(count, taken.size()));
     std::ranges::stable_sort(taken, {}, [](const Entry* entry) { return entry->rank.index; });
-    std::vector<Item> items;
-    items.reserve(taken.size());
-    for (const Entry* entry : taken) items.push_back(entry->item);
-    return items;
+    return diag::Mapped<Item>(taken, &Entry::item);
   }
 
  private:

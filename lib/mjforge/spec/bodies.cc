@@ -53,9 +53,7 @@ class BodyEntryReader {
 
   /// Returns the lists of joints that ReadJoints() will read.
   std::vector<const YamlNode*> joint_lists() const {
-    std::vector<const YamlNode*> lists;
-    for (const JointList& list : lists_) lists.push_back(list.joints);
-    return lists;
+    return diag::Mapped<const YamlNode*>(lists_, &JointList::joints);
   }
 
   /// Reads the lists of joints. Call ReadJoints() after all bodies are read, because the

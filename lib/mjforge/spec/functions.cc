@@ -79,9 +79,8 @@ diag::SourceMark MarkOf(const SpecFunction& function, const Context& context) {
 // bodies of the reported functions by a constant, so that the expansion of calls ends.
 void LimitCallDepth(Context& context) {
   expr::SymbolTable& names = context.spec.names;
-  std::vector<const SpecFunction*> all;
-  all.reserve(names.functions().size());
-  for (const auto& [name, function] : names.functions()) all.push_back(&function);
+  const auto all = diag::Mapped<const SpecFunction*>(
+      names.functions(), [](const auto& entry) { return &entry.second; });
   const Dependencies uses = UsesOf(all);
   std::set<std::size_t> broken;
   const auto order = TopologicalOrder(uses, [&](const std::vector<std::size_t>& path) {

@@ -67,10 +67,8 @@ using Box = Eigen::AlignedBox3d;
 Box BoxOf(const model::Part& part) { return PlacedPart(&part, part.X_BG).box_W; }
 
 std::vector<PlacedPart> Placed(const std::vector<model::Part>& parts) {
-  std::vector<PlacedPart> placed;
-  placed.reserve(parts.size());
-  for (const model::Part& part : parts) placed.emplace_back(&part, part.X_BG);
-  return placed;
+  return diag::Mapped<PlacedPart>(
+      parts, [](const model::Part& part) { return PlacedPart(&part, part.X_BG); });
 }
 
 /// Returns true if a box overlaps one of `boxes` by more than kFaces.
