@@ -135,7 +135,7 @@ class Generation {
     watch.progress = [&](const batch::Summary& summary) { bar.Show(summary); };
     if (options_.verbose) {
       watch.resumed = [&](std::uint64_t count) {
-        console_.PrintLine(Counted(count, "variant", "variants") + " kept");
+        console_.PrintLine(Counted(count, "variant") + " kept");
       };
       watch.variant = [&](const batch::FinishedVariant& done) {
         bar.Clear();
@@ -176,9 +176,8 @@ class Generation {
     std::string place = request.destination.path.string();
     if (request.destination.kind == Kind::kFolder && !place.ends_with('/')) place += '/';
     if (!request.shard.IsWhole()) place += fmt::format(", shard {}", options_.shard);
-    console_.PrintLine(fmt::format("{} of {} in {}: {}",
-                                   Counted(summary.count, "variant", "variants"), recipe.spec->name,
-                                   place, CountsText(summary, start)));
+    console_.PrintLine(fmt::format("{} of {} in {}: {}", Counted(summary.count, "variant"),
+                                   recipe.spec->name, place, CountsText(summary, start)));
     // Neither a file that is in the way nor an input that was changed goes away with --resume.
     const auto remains = [](const diag::Finding& finding) {
       return finding.code == diag::Code::kOutputExists || finding.code == diag::Code::kBatchChanged;

@@ -25,8 +25,8 @@ ExitStatus Merge(const std::string& place, bool verify, Console& console) {
   const auto count = batch::Merge(*destination, verify, console.sources, console.findings);
   const ExitStatus status = console.Report();
   if (count)
-    console.PrintLine(fmt::format("{} in {}", Counted(*count, "variant", "variants"),
-                                  destination->Manifest({}).string()));
+    console.PrintLine(
+        fmt::format("{} in {}", Counted(*count, "variant"), destination->Manifest({}).string()));
   return status;
 }
 

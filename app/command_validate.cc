@@ -44,15 +44,15 @@ std::string Behaviour(const physics::Result& result) {
                        kDegrees * result.tilt, 1000 * result.drift);
   }
   if (result.dropped || result.nefc > 0)
-    text += fmt::format(", at most {} and {}", Counted(result.ncon, "contact", "contacts"),
-                        Counted(result.nefc, "row", "rows"));
+    text += fmt::format(", at most {} and {}", Counted(result.ncon, "contact"),
+                        Counted(result.nefc, "row"));
   if (!result.joints.empty())
-    text += fmt::format("; {} driven", Counted(result.joints.size(), "joint", "joints"));
+    text += fmt::format("; {} driven", Counted(result.joints.size(), "joint"));
   if (result.stability)
     text += fmt::format("; topples beyond {:.3g} deg", kDegrees * result.stability->angle);
   if (result.holds)
-    text += fmt::format("; holds {} of {}", result.holds->held,
-                        Counted(result.holds->balls, "ball", "balls"));
+    text +=
+        fmt::format("; holds {} of {}", result.holds->held, Counted(result.holds->balls, "ball"));
   if (result.settled)
     text +=
         fmt::format("; {} of {} where they start", result.settled->bodies - result.settled->moved,
@@ -62,7 +62,7 @@ std::string Behaviour(const physics::Result& result) {
                         Counted(result.fits->tried, "thing goes", "things go"));
   if (!result.grasps.empty()) {
     const auto held = std::ranges::count(result.grasps, true, &physics::Result::Grasp::held);
-    text += fmt::format("; held in {} of {}", held, Counted(result.grasps.size(), "way", "ways"));
+    text += fmt::format("; held in {} of {}", held, Counted(result.grasps.size(), "way"));
   }
   if (const auto& tests = result.simready) {
     text += fmt::format("; ground_drop {}, slope_drop {}, full_range_sweep {}, self_collision {}",
@@ -77,8 +77,8 @@ std::string Line(const std::string& file, const FileResult& result) {
   if (!model) return fmt::format("{}: failed\n", file);
   return fmt::format("{}: {}, {}, {}, {}, {:.6g} kg{}\n", file, result.ok() ? "ok" : "failed",
                      Counted(model->object.bodies.size(), "body", "bodies"),
-                     Counted(model->joints, "joint", "joints"),
-                     Counted(model->geoms, "geom", "geoms"), model->object.mass_properties.mass,
+                     Counted(model->joints, "joint"), Counted(model->geoms, "geom"),
+                     model->object.mass_properties.mass,
                      result.physics ? Behaviour(*result.physics) : "");
 }
 

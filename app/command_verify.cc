@@ -16,11 +16,10 @@ ExitStatus Verify(const std::string& place, Console& console) {
   const ExitStatus status = StatusOf(console.findings);
   console.Show(console.findings, console.sources, verified.more_findings);
   if (is_good) {
-    const std::string variants = verified.variants == 0
-                                     ? std::string()
-                                     : ", " + Counted(verified.variants, "variant", "variants");
+    const std::string variants =
+        verified.variants == 0 ? std::string() : ", " + Counted(verified.variants, "variant");
     console.PrintLine(fmt::format("{}: {}{}: as they were when they were made", place,
-                                  Counted(verified.files, "file", "files"), variants));
+                                  Counted(verified.files, "file"), variants));
   }
   return status;
 }

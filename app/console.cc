@@ -66,10 +66,6 @@ void Console::PrintLine(std::string_view line) const {
   if (!quiet_) bytes::WriteAll(STDERR_FILENO, diag::SafeText(line) + '\n');
 }
 
-std::string Counted(std::uint64_t count, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
 std::string OneLine(std::string text) {
   std::ranges::replace_if(
       text, [](char c) { return c == '\n' || c == '\t'; }, ' ');

@@ -10,6 +10,7 @@
 
 namespace mjforge::app {
 
+using diag::Counted;
 using Seconds = std::chrono::duration<double>;
 
 /// Exit status of the program. If several apply, the largest is used.
@@ -75,9 +76,6 @@ bool IsSet(const char* variable);
 
 /// Returns true if standard error is a terminal with control sequences.
 bool IsTerminal();
-
-/// Returns a count with its noun: "1 body", "2 bodies".
-std::string Counted(std::uint64_t count, std::string_view one, std::string_view many);
 
 /// Returns a text of unknown origin as part of a line: line ends and tabs become spaces, and
 /// characters that control a terminal are escaped.

@@ -46,7 +46,7 @@ class Gallery {
     status = Worse(status, console_.Report());
     if (is_written) {
       console_.PrintLine(
-          fmt::format("{} in {}{}", Counted(cards_.size(), "spec", "specs"), index.string(),
+          fmt::format("{} in {}{}", Counted(cards_.size(), "spec"), index.string(),
                       Broken() > 0 ? fmt::format(", {} without a page", Broken()) : ""));
     }
     return status;

@@ -154,8 +154,7 @@ std::vector<report::Fact> FactsOf(const std::vector<manifest::Record>& variants,
                    Short(unit.factor * sides[1]), Short(unit.factor * sides[2]), unit.name,
                    Short(mass_unit.factor * mass), mass_unit.name)},
       {"Its elements", fmt::format("{}, {}, {}", Counted(object.bodies.size(), "body", "bodies"),
-                                   Counted(CountJoints(object), "joint", "joints"),
-                                   Counted(geoms, "geom", "geoms"))},
+                                   Counted(CountJoints(object), "joint"), Counted(geoms, "geom"))},
       {"Its file",
        fmt::format("{:.3g} kB of MJCF", static_cast<double>(typical.document.text.size()) / 1000)}};
 }
@@ -164,7 +163,7 @@ std::string ShortFacts(const std::vector<manifest::Record>& variants,
                        const model::Object& typical) {
   const std::size_t joints = CountJoints(typical);
   return fmt::format("{}, {}{}", MassText(variants), SizeText(variants),
-                     joints > 0 ? ", " + Counted(joints, "joint", "joints") : "");
+                     joints > 0 ? ", " + Counted(joints, "joint") : "");
 }
 
 std::vector<report::FeatureTable> FeaturesOf(const model::Object& object) {

@@ -80,9 +80,8 @@ bool FieldReader::Numbers(const spec::Field& field, sample::Numbers& out) {
   const int count = static_cast<int>(out.size());
   if (good && (count < lo || count > hi)) {
     const std::string wanted = lo == hi ? fmt::format("{}", lo) : fmt::format("{} to {}", lo, hi);
-    return Report(
-        Code::kModelBadValue, field,
-        fmt::format("has {} number{}; it must have {}", count, count == 1 ? "" : "s", wanted));
+    return Report(Code::kModelBadValue, field,
+                  fmt::format("has {}; it must have {}", diag::Counted(count, "number"), wanted));
   }
   return good;
 }
@@ -90,9 +89,9 @@ bool FieldReader::Numbers(const spec::Field& field, sample::Numbers& out) {
 bool FieldReader::HasCount(const spec::Field& field, const sample::Numbers& numbers,
                            std::size_t count) {
   if (numbers.size() == count) return true;
-  return Report(Code::kModelBadValue, field,
-                fmt::format("has {} number{}; it must have {}", numbers.size(),
-                            numbers.size() == 1 ? "" : "s", count));
+  return Report(
+      Code::kModelBadValue, field,
+      fmt::format("has {}; it must have {}", diag::Counted(numbers.size(), "number"), count));
 }
 
 std::optional<sample::PointList> FieldReader::Points(const spec::Field& field) {

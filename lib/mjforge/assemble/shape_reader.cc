@@ -41,10 +41,10 @@ bool ReadSize(FieldReader& reader, const spec::Entry& entry, std::string_view ty
   const int all = model::SizeCount(part.shape.type);
   const int wanted = half_length ? all - 1 : all;
   if (static_cast<int>(numbers.size()) != wanted)
-    return reader.Report(Code::kModelBadValue, *field,
-                         fmt::format("has {} number{}; a {}{} takes {}", numbers.size(),
-                                     numbers.size() == 1 ? "" : "s", type,
-                                     half_length ? " with 'fromto'" : "", wanted));
+    return reader.Report(
+        Code::kModelBadValue, *field,
+        fmt::format("has {}; a {}{} takes {}", diag::Counted(numbers.size(), "number"), type,
+                    half_length ? " with 'fromto'" : "", wanted));
   if (half_length) numbers.push_back(*half_length);
   numbers.resize(3);
   part.shape.size = Eigen::Vector3d(numbers.data());

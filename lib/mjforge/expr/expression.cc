@@ -21,8 +21,7 @@ std::string Expression::DescribeMissingItem(std::span<const double> variables,
   });
   const bool is_vector = input->list < 0;  // input->name is then that of a component, "size.x"
   const std::string name = is_vector ? input->name.substr(0, input->name.rfind('.')) : input->name;
-  const std::string has =
-      fmt::format("'{}' has {} value{}", name, access->size, access->size == 1 ? "" : "s");
+  const std::string has = fmt::format("'{}' has {}", name, diag::Counted(access->size, "value"));
   if (access->builtin == FindListBuiltin("[]"))
     return fmt::format("there is no {}[{}]: {}, counted from 0", name, NumberText(access->argument),
                        has);

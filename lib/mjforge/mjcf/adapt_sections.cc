@@ -45,11 +45,11 @@ void DropSections(model::Object& object, const TargetRules& rules, diag::Finding
     for (const Element& element : section.elements)
       described.push_back(Describe(element, rules.root, object.name));
     const std::vector<std::string_view> names(described.begin(), described.end());
-    const std::string what = section.info->is_element
-                                 ? fmt::format("'{}' is dropped", section.info->name)
-                                 : fmt::format("{} element{} of '{}' {} dropped ({})", names.size(),
-                                               names.size() == 1 ? "" : "s", section.info->name,
-                                               names.size() == 1 ? "is" : "are", JoinNames(names));
+    const std::string what =
+        section.info->is_element
+            ? fmt::format("'{}' is dropped", section.info->name)
+            : fmt::format("{} of '{}' {} dropped ({})", diag::Counted(names.size(), "element"),
+                          section.info->name, names.size() == 1 ? "is" : "are", JoinNames(names));
     findings.Warn(Code::kTargetDropped, section.elements.front().mark,
                   fmt::format("{} reads only the body and its assets: {}", rules.name, what),
                   "add it where the object is put into a task");

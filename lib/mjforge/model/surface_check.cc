@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "mjforge/diag/diag.h"
 #include "mjforge/model/shapes.h"
 
 namespace mjforge::model {
@@ -45,7 +46,7 @@ std::optional<std::string> FindSurfaceDefect(const TriangleMesh& mesh) {
       open = count;
     }
   }
-  if (open > 0) return fmt::format("edge shared by {} triangle{}", open, open == 1 ? "" : "s");
+  if (open > 0) return "edge shared by " + diag::Counted(open, "triangle");
   if (is_reversed) return "neighbouring triangles face opposite ways";
   const double volume = Volume({.type = GeomType::kMesh, .mesh = &mesh});
   if (volume < 0) return "inside out";

@@ -220,8 +220,8 @@ class ContainmentReport {
 
  private:
   std::string CountText(const std::vector<Ball>& balls) const {
-    return fmt::format("{} of {} ball{}", balls.size(), holding_.balls,
-                       holding_.balls == 1 ? "" : "s");
+    const auto all = static_cast<std::uint64_t>(holding_.balls);
+    return fmt::format("{} of {}", balls.size(), diag::Counted(all, "ball"));
   }
 
   void AddLost(const std::vector<Ball>& lost, std::string_view when) {

@@ -312,9 +312,9 @@ class GraspTests {
     }
     test_.reporter.Error(
         Code::kPhysicsNotGrasped, grasping_.mark,
-        fmt::format("jaws that close with {} N do not hold '{}'{}: of {} {}, {}",
-                    RoundedText(grasping_.force), test_.object.name, where, outcomes.size(),
-                    outcomes.size() == 1 ? "way" : "ways", how),
+        fmt::format("jaws that close with {} N do not hold '{}'{}: of {}, {}",
+                    RoundedText(grasping_.force), test_.object.name, where,
+                    diag::Counted(outcomes.size(), "way"), how),
         "put the site nearer to the centre of mass, where the faces are parallel; if it "
         "slips, make it lighter or set more `force`; if the jaws press into something "
         "light and round, set less `force` or a shorter `solref`");

@@ -28,8 +28,8 @@ std::optional<std::string> PositionProblem(const mjModel& m, int joint, const st
                                            std::span<const double> position) {
   const std::size_t size = kPositionSizes[m.jnt_type[joint]];
   if (position.size() != size) {
-    return fmt::format("the position of joint '{}' takes {} number{}, not {}", name, size,
-                       size == 1 ? "" : "s", position.size());
+    return fmt::format("the position of joint '{}' takes {}, not {}", name,
+                       diag::Counted(size, "number"), position.size());
   }
   const std::optional<compiled::JointRange> range = compiled::RangeOf(m, joint);
   const bool is_limited = compiled::HasOneNumber(m, joint) && range && range->limited;

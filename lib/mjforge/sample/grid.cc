@@ -85,9 +85,8 @@ void Grid::Place(std::uint64_t position, StreamId stream, std::array<double, 4>&
 }
 
 std::string Grid::Text() const {
-  std::string points = points_ == kMany
-                           ? std::string("more than 10^19 points")
-                           : fmt::format("{} point{}", points_, points_ == 1 ? "" : "s");
+  std::string points =
+      points_ == kMany ? "more than 10^19 points" : diag::Counted(points_, "point");
   if (axes_.size() < 2) return points;
   const auto levels = [](const Axis& axis) { return std::to_string(axis.levels); };
   return fmt::format("{} = {}", diag::Joined(axes_, " x ", levels), points);

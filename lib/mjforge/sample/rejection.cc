@@ -126,8 +126,8 @@ void Evaluator::ReportRejections(std::span<const std::uint64_t> rejections) {
   for (std::size_t i = 0; i < rejections.size(); ++i) {
     const spec::Requirement& requirement = spec_.requirements[i];
     notes.push_back(
-        {requirement.mark, fmt::format("'{}' rejected {} {}", requirement.expression.text(),
-                                       rejections[i], rejections[i] == 1 ? "time" : "times")});
+        {requirement.mark, fmt::format("'{}' rejected {}", requirement.expression.text(),
+                                       diag::Counted(rejections[i], "time"))});
   }
 }
 

@@ -115,9 +115,9 @@ class TableReader {
     for (const TableRow& row : rows_) {
       if (row.size() == wanted) continue;
       is_equal = false;
-      findings_.Add(Code::kSpecBadTable, row.front().mark,
-                    fmt::format("the row has {} cell{}, the header {}", row.size(),
-                                row.size() == 1 ? "" : "s", wanted));
+      findings_.Add(
+          Code::kSpecBadTable, row.front().mark,
+          fmt::format("the row has {}, the header {}", diag::Counted(row.size(), "cell"), wanted));
     }
     return is_equal;
   }

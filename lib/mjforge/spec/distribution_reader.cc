@@ -215,10 +215,10 @@ Value ValueReader::ReadDraw(const DistributionInfo& info, const FieldInfo& expec
 bool ValueReader::ReadArguments(const DistributionInfo& info, const YamlNode& node, Draw& draw) {
   const bool single = info.arguments == 1 && node.kind != YamlNode::Kind::kList;
   const std::size_t count = single ? 1 : node.items.size();
-  if (count != static_cast<std::size_t>(info.arguments)) {
+  const auto wanted = static_cast<std::size_t>(info.arguments);
+  if (count != wanted) {
     findings_.Add(Code::kSpecDistribution, node.mark,
-                  fmt::format("'{}' takes {} number{}", info.key, info.arguments,
-                              info.arguments == 1 ? "" : "s"),
+                  fmt::format("'{}' takes {}", info.key, diag::Counted(wanted, "number")),
                   fmt::format("write {}", info.usage));
     return false;
   }

@@ -38,10 +38,11 @@ void CheckSizes(const Entry& part, const ShapeInfo& shape, Context& context) {
   const bool exact = !std::holds_alternative<Draw>(size->value.form) || size->value.components == 1;
   const int wanted = fromto != nullptr ? shape.sizes_fromto : shape.sizes;
   if (exact && size->value.components != 0 && size->value.components != wanted) {
-    context.findings.Add(Code::kSpecWrongLength, size->value.mark,
-                         fmt::format("a {}{} has {} size{}, got {}", shape.type,
-                                     fromto != nullptr ? " with 'fromto'" : "", wanted,
-                                     wanted == 1 ? "" : "s", size->value.components));
+    context.findings.Add(
+        Code::kSpecWrongLength, size->value.mark,
+        fmt::format("a {}{} has {}, got {}", shape.type, fromto != nullptr ? " with 'fromto'" : "",
+                    diag::Counted(static_cast<std::uint64_t>(wanted), "size"),
+                    size->value.components));
   }
 }
 
