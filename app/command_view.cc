@@ -28,9 +28,7 @@ std::filesystem::path FindInPath(std::string_view program) {
   const char* variable = std::getenv("PATH");
   std::string_view rest = variable == nullptr ? "" : variable;
   while (!rest.empty()) {
-    const std::string_view folder = rest.substr(0, rest.find(':'));
-    rest.remove_prefix(std::min(rest.size(), folder.size() + 1));
-    const std::filesystem::path file = std::filesystem::path(folder) / program;
+    const std::filesystem::path file = std::filesystem::path(diag::CutAt(':', rest)) / program;
     std::error_code error;
     if (std::filesystem::is_regular_file(file, error) && ::access(file.c_str(), X_OK) == 0)
       return std::filesystem::absolute(file, error);

@@ -50,9 +50,8 @@ constexpr std::size_t kRuleStart = std::size_t{64} << 10;  // limit of the targe
 bool IsRule(std::string_view start) {
   if (!start.empty() && start.find('\n') == start.npos) return false;
   bool continues = false;  // the line before ends with a backslash
-  for (std::size_t end = start.find('\n'); end != start.npos; end = start.find('\n')) {
-    const std::string_view line = start.substr(0, end);
-    start.remove_prefix(end + 1);
+  while (start.find('\n') != start.npos) {
+    const std::string_view line = diag::CutAt('\n', start);
     const bool is_rule = line.empty() || line.ends_with(':') || line.ends_with(": \\");
     if (continues ? !line.starts_with("  ") : !is_rule) return false;
     continues = line.ends_with(" \\");

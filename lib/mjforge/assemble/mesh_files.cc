@@ -82,9 +82,7 @@ struct Faces {
 Faces CountFaces(std::string_view content) {
   Faces faces;
   for (std::size_t number = 1; !content.empty(); ++number) {
-    const std::string_view line = content.substr(0, content.find('\n'));
-    content.remove_prefix(std::min(content.size(), line.size() + 1));
-    const std::vector<std::string_view> words = expr::WordsOf(line);
+    const std::vector<std::string_view> words = expr::WordsOf(diag::CutAt('\n', content));
     if (words.size() < 4 || words[0] != "f") continue;
     const std::size_t corners = words.size() - 1;
     if (corners > 4 && faces.polygon == 0) faces.polygon = number;
@@ -161,9 +159,7 @@ bool AddTextStl(std::string_view content, MeshBuilder& builder, std::string& why
   std::size_t count = 0;  // corners of the current triangle
   bool is_begun = false;
   for (std::size_t number = 1; !content.empty(); ++number) {
-    const std::string_view line = content.substr(0, content.find('\n'));
-    content.remove_prefix(std::min(content.size(), line.size() + 1));
-    const std::vector<std::string_view> words = expr::WordsOf(line);
+    const std::vector<std::string_view> words = expr::WordsOf(diag::CutAt('\n', content));
     if (words.empty()) continue;
     is_begun |= words[0] == "solid";
     if (is_begun && std::ranges::count(kIgnored, words[0]) > 0) continue;

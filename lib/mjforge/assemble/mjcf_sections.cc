@@ -44,9 +44,7 @@ void SetLength(const spec::FieldInfo& info, model::AttributeNumbers& numbers) {
   if (info.default_text.empty()) return;
   std::vector<double> usual;
   for (std::string_view rest = info.default_text; !rest.empty();) {
-    const std::size_t comma = std::min(rest.find(','), rest.size());
-    usual.push_back(*expr::ParseNumber(rest.substr(0, comma)));
-    rest.remove_prefix(std::min(comma + 1, rest.size()));
+    usual.push_back(*expr::ParseNumber(diag::CutAt(',', rest)));
   }
   for (std::size_t i = numbers.size(); i < usual.size(); ++i) numbers.Change().push_back(usual[i]);
   if (usual.size() != 1 || numbers.size() == 1) return;

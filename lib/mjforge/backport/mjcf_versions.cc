@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "mjforge/diag/diag.h"
+
 namespace mjforge::backport {
 namespace {
 
@@ -150,9 +152,7 @@ constexpr MjcfList kLists[] = {
 template <typename Use>
 bool AnyWord(std::string_view text, const Use& use) {
   while (!text.empty()) {
-    const std::size_t end = std::min(text.find(' '), text.size());
-    if (use(text.substr(0, end))) return true;
-    text.remove_prefix(std::min(end + 1, text.size()));
+    if (use(diag::CutAt(' ', text))) return true;
   }
   return false;
 }

@@ -9,6 +9,8 @@
 #include <mutex>
 #include <string_view>
 
+#include "mjforge/diag/diag.h"
+
 namespace mjforge::engine {
 namespace {
 
@@ -66,8 +68,7 @@ CapturedStderr::~CapturedStderr() {
 std::vector<std::string> CapturedStderr::QhullMessages() const {
   std::vector<std::string> messages;
   for (std::string_view rest = text_; !rest.empty();) {
-    std::string_view line = rest.substr(0, rest.find('\n'));
-    rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+    const std::string_view line = diag::CutAt('\n', rest);
     if (!line.starts_with("QH")) continue;
     const std::size_t colon = line.find(": ");
     messages.emplace_back(line.substr(colon == line.npos ? 0 : colon + 2));

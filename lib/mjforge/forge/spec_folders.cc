@@ -1,7 +1,6 @@
 // Folders in which specs are looked up by name.
 
 #include <cstdlib>
-#include <sstream>
 #include <system_error>
 
 #include "mjforge/forge/forge.h"
@@ -25,8 +24,9 @@ std::optional<std::filesystem::path> CatalogueFolder() {
 std::vector<std::filesystem::path> SearchPath(std::optional<std::filesystem::path> catalogue) {
   std::vector<std::filesystem::path> folders;
   const char* variable = std::getenv("MJFORGE_PATH");
-  std::istringstream text(variable == nullptr ? "" : variable);
-  for (std::string folder; std::getline(text, folder, ':');) {
+  std::string_view rest = variable == nullptr ? "" : variable;
+  while (!rest.empty()) {
+    const std::string_view folder = diag::CutAt(':', rest);
     if (!folder.empty()) folders.emplace_back(folder);
   }
   if (catalogue) folders.push_back(*std::move(catalogue));

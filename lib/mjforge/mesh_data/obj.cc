@@ -71,8 +71,7 @@ class ObjCheck {
   void CheckCorner(std::string_view word) {
     std::string_view rest = word;
     for (std::size_t i = 0; i < kKinds.size() && !(rest.empty() && i > 0); ++i) {
-      const std::string_view index = rest.substr(0, rest.find('/'));
-      rest.remove_prefix(std::min(index.size() + 1, rest.size()));
+      const std::string_view index = diag::CutAt('/', rest);
       if (i == 0 || !index.empty()) CheckIndex(i, index);
     }
     if (!rest.empty()) Report(line_, fmt::format("'{}' is not a corner of a face", word));

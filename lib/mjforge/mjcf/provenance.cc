@@ -2,7 +2,6 @@
 
 #include "mjforge/mjcf/provenance.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cstddef>
 #include <string_view>
@@ -65,20 +64,12 @@ std::optional<std::string> Decoded(std::string_view text) {
   return value;
 }
 
-std::string_view NextWord(std::string_view& rest) {
-  const std::size_t space = std::min(rest.find(' '), rest.size());
-  const std::string_view word = rest.substr(0, space);
-  rest.remove_prefix(std::min(space + 1, rest.size()));
-  return word;
-}
-
 // Reads one `key=value` into the provenance; returns false if the word is malformed. Unknown keys
 // are ignored, because a later version may write more keys.
 bool ReadPair(std::string_view word, Provenance& provenance) {
-  const std::size_t equals = word.find('=');
-  if (equals == std::string_view::npos) return false;
-  const std::string_view key = word.substr(0, equals);
-  const std::optional<std::string> value = Decoded(word.substr(equals + 1));
+  if (word.find('=') == std::string_view::npos) return false;
+  const std::string_view key = diag::CutAt('=', word);
+  const std::optional<std::string> value = Decoded(word);
   if (!value) return false;
   if (key == "seed") return ReadInteger(*value, 10, provenance.seed);
   if (key == "place-seed") return ReadInteger(*value, 10, provenance.place_seed.emplace());
@@ -103,13 +94,13 @@ std::optional<Provenance> ParseComment(std::string_view comment) {
   comment.remove_prefix(kOpening.size());
   if (comment.ends_with(' ')) comment.remove_suffix(1);
   Provenance provenance;
-  const std::optional<std::string> version = Decoded(NextWord(comment));
+  const std::optional<std::string> version = Decoded(diag::CutAt(' ', comment));
   if (!version) return std::nullopt;
   provenance.version = *version;
   bool has_seed = false;
   bool has_index = false;
   while (!comment.empty()) {
-    const std::string_view word = NextWord(comment);
+    const std::string_view word = diag::CutAt(' ', comment);
     if (!ReadPair(word, provenance)) return std::nullopt;
     has_seed |= word.starts_with("seed=");
     has_index |= word.starts_with("index=");

@@ -92,8 +92,7 @@ std::string CleanSpec(std::string_view text) {
   std::string clean;
   if (text.size() > kMaxBytes) return clean;
   while (!text.empty()) {
-    std::string_view line = text.substr(0, text.find('\n'));
-    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    std::string_view line = diag::CutAt('\n', text);
     if (line.ends_with('\r')) line.remove_suffix(1);
     clean += Clean(line, 2000) + '\n';
   }
