@@ -22,15 +22,13 @@ std::optional<output::Shard> ParseShard(std::string_view text, std::string& why_
   const std::optional<std::uint64_t> index = output::ReadIndex(text.substr(0, slash));
   const std::optional<std::uint64_t> count =
       slash == text.npos ? std::nullopt : output::ReadIndex(text.substr(slash + 1));
-  if (!index || !count || *count == 0 || *count > kMaxShards) {
-    why_not = fmt::format("--shard: '{}' is not of the form I/N, N up to {}", text, kMaxShards);
-    return std::nullopt;
-  }
-  if (*index >= *count) {
-    why_not = fmt::format("--shard {}: shards count from 0, so the last one is {}/{}", text,
-                          *count - 1, *count);
-    return std::nullopt;
-  }
+  if (!index || !count || *count == 0 || *count > kMaxShards)
+    return diag::Refuse(
+        why_not, fmt::format("--shard: '{}' is not of the form I/N, N up to {}", text, kMaxShards));
+  if (*index >= *count)
+    return diag::Refuse(
+        why_not, fmt::format("--shard {}: shards count from 0, so the last one is {}/{}", text,
+                             *count - 1, *count));
   return output::Shard{*index, *count};
 }
 
@@ -178,10 +176,7 @@ std::optional<batch::Request> RequestOf(const GenerateOptions& options, std::str
       options.durability == "none" ? output::Durability::kNone : output::Durability::kBatch;
   request.all_or_nothing = options.make.wanted();
   const auto destination = output::ParseDestination(options.output, options.per_archive, why_not);
-  if (!destination) {
-    why_not = fmt::format("-o {}: {}", options.output, why_not);
-    return std::nullopt;
-  }
+  if (!destination) return diag::Refuse(why_not, fmt::format("-o {}: {}", options.output, why_not));
   request.destination = *destination;
   if (!options.shard.empty()) {
     const std::optional<output::Shard> shard = ParseShard(options.shard, why_not);

@@ -41,17 +41,14 @@ std::optional<std::pair<int, int>> ParseSize(std::string_view text) {
 // Parses a joint and its position: "hinge=45deg".
 std::optional<JointPosition> ParseJoint(std::string_view text, std::string& why_not) {
   const std::size_t equals = text.find('=');
-  if (equals == text.npos || equals == 0) {
-    why_not = fmt::format("--joint: '{}' is not of the form NAME=VALUE", text);
-    return std::nullopt;
-  }
+  if (equals == text.npos || equals == 0)
+    return diag::Refuse(why_not, fmt::format("--joint: '{}' is not of the form NAME=VALUE", text));
   expr::Error error;
   const auto value = expr::Expression::Compile(text.substr(equals + 1), expr::SymbolTable(), error);
   if (!value || !value->constant() || value->type() != expr::Type::kNumber ||
-      !std::isfinite(*value->constant())) {
-    why_not = fmt::format("--joint {}: {}", text, value ? "it is not a number" : error.message);
-    return std::nullopt;
-  }
+      !std::isfinite(*value->constant()))
+    return diag::Refuse(
+        why_not, fmt::format("--joint {}: {}", text, value ? "it is not a number" : error.message));
   return JointPosition{std::string(text.substr(0, equals)), *value->constant(), value->dimension()};
 }
 

@@ -104,11 +104,10 @@ std::optional<MeshFile> BuildObj(const tinyobj::ObjReader& reader, const Faces& 
       std::array<Eigen::Vector3d, 3> corners;
       for (std::size_t k = 0; k < 3; ++k) {
         const auto vertex = static_cast<std::size_t>(indices[i + k].vertex_index);
-        if (indices[i + k].vertex_index < 0 || vertex >= vertex_count) {
-          why_not = fmt::format("a face uses vertex {} of {}",
-                                std::ptrdiff_t{indices[i + k].vertex_index} + 1, vertex_count);
-          return std::nullopt;
-        }
+        if (indices[i + k].vertex_index < 0 || vertex >= vertex_count)
+          return diag::Refuse(
+              why_not, fmt::format("a face uses vertex {} of {}",
+                                   std::ptrdiff_t{indices[i + k].vertex_index} + 1, vertex_count));
         corners[k] = {numbers[3 * vertex], numbers[3 * vertex + 1], numbers[3 * vertex + 2]};
       }
       builder.Add(corners);
@@ -195,10 +194,7 @@ std::optional<MeshFile> CatchExceptions(Parse parse, std::string& why_not) {
 }  // namespace
 
 std::optional<MeshFile> ParseObj(std::string_view content, std::string& why_not) {
-  if (content.find('\0') != std::string_view::npos) {
-    why_not = "not a text file";
-    return std::nullopt;
-  }
+  if (content.find('\0') != std::string_view::npos) return diag::Refuse(why_not, "not a text file");
   why_not = mesh_data::CheckFile(mesh_data::Format::kObj, content).fault;
   if (!why_not.empty()) return std::nullopt;
   const auto parse = [&]() -> std::optional<MeshFile> {
@@ -208,8 +204,8 @@ std::optional<MeshFile> ParseObj(std::string_view content, std::string& why_not)
     config.vertex_color = false;
     if (reader.ParseFromString(std::string(content), std::string(), config))
       return BuildObj(reader, CountFaces(content), why_not);
-    why_not = reader.Error().empty() ? "not an OBJ file" : FirstLine(reader.Error());
-    return std::nullopt;
+    return diag::Refuse(why_not,
+                        reader.Error().empty() ? "not an OBJ file" : FirstLine(reader.Error()));
   };
   return CatchExceptions(parse, why_not);
 }
@@ -232,17 +228,12 @@ std::optional<MeshFile> ReadMeshFile(const std::filesystem::path& file, std::str
                                      bool& unreadable) {
   unreadable = false;
   const std::string ending = diag::LowerCase(file.extension().string());
-  if (ending != ".obj" && ending != ".stl") {
-    why_not = fmt::format("ending '{}' is neither .obj nor .stl", ending);
-    return std::nullopt;
-  }
+  if (ending != ".obj" && ending != ".stl")
+    return diag::Refuse(why_not, fmt::format("ending '{}' is neither .obj nor .stl", ending));
   const std::optional<std::string> content = bytes::Read(file, bytes::kMaxAsset, why_not);
   unreadable = !content;
   if (!content) return std::nullopt;
-  if (content->empty()) {
-    why_not = "empty file";
-    return std::nullopt;
-  }
+  if (content->empty()) return diag::Refuse(why_not, "empty file");
   return ending == ".obj" ? ParseObj(*content, why_not) : ParseStl(*content, why_not);
 }
 

@@ -157,10 +157,8 @@ std::optional<Request> ReadRequest(std::string_view json, std::string& why_not) 
   constexpr unsigned kFlags =
       rapidjson::kParseFullPrecisionFlag | rapidjson::kParseValidateEncodingFlag;
   if (diag::IsNestedTooDeep(json) || root.Parse<kFlags>(json.data(), json.size()).HasParseError() ||
-      !root.IsObject()) {
-    why_not = "the request is not a JSON object";
-    return std::nullopt;
-  }
+      !root.IsObject())
+    return diag::Refuse(why_not, "the request is not a JSON object");
   Request request;
   Reader reader(root, why_not);
   reader.Text("action", request.action);

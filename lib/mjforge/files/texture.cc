@@ -37,10 +37,7 @@ std::optional<TexturePixels> PixelsOf(const model::Texture& texture, engine::Eng
                                       std::string& why_not) {
   const engine::Loaded loaded =
       engine.LoadText("<mujoco><asset>" + mjcf::TextureElement(texture) + "</asset></mujoco>");
-  if (!loaded.model) {
-    why_not = engine::ParseRefusal(loaded.error).reason;
-    return std::nullopt;
-  }
+  if (!loaded.model) return diag::Refuse(why_not, engine::ParseRefusal(loaded.error).reason);
   TexturePixels picture = {.width = static_cast<int>(loaded.model->tex_width[0]),
                            .height = static_cast<int>(loaded.model->tex_height[0]),
                            .rgb = {}};

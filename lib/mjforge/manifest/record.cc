@@ -68,12 +68,11 @@ std::optional<Record> ReadRecord(std::string_view line, std::string& why_not) {
   rapidjson::MemoryPoolAllocator<> allocator(memory.data(), memory.size());
   std::string text(line);  // declared before the document, whose texts are parts of it
   rapidjson::Document document(&allocator);
-  if (!ParseExactly(text, document) || !document.IsObject()) {
-    why_not = diag::IsNestedTooDeep(line)
-                  ? fmt::format("values are nested more than {} deep", diag::kMaxJsonDepth)
-                  : "it is not a JSON object";
-    return std::nullopt;
-  }
+  if (!ParseExactly(text, document) || !document.IsObject())
+    return diag::Refuse(
+        why_not, diag::IsNestedTooDeep(line)
+                     ? fmt::format("values are nested more than {} deep", diag::kMaxJsonDepth)
+                     : "it is not a JSON object");
   const std::vector<const rapidjson::Value*> values = ValuesOf(document);
   Record record;
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -81,12 +80,10 @@ std::optional<Record> ReadRecord(std::string_view line, std::string& why_not) {
     if (values[i] != nullptr) {
       const std::string_view kind = field.read(*values[i], record);
       if (kind.empty()) continue;
-      why_not = fmt::format("'{}' is not {}", field.key, kind);
-      return std::nullopt;
+      return diag::Refuse(why_not, fmt::format("'{}' is not {}", field.key, kind));
     }
     if (field.is_absent != nullptr) continue;
-    why_not = fmt::format("it has no '{}'", field.key);
-    return std::nullopt;
+    return diag::Refuse(why_not, fmt::format("it has no '{}'", field.key));
   }
   return record;
 }

@@ -75,20 +75,16 @@ std::optional<Seal> ReadSeal(std::string_view text, std::string& why_not) {
   if (!diag::IsNestedTooDeep(text))
     document.Parse<rapidjson::kParseIterativeFlag>(text.data(), text.size());
   std::uint64_t version = 0;
-  if (document.HasParseError() || !GetMember(document, "mjforge_seal", version)) {
-    why_not = "it is not a seal";
-    return std::nullopt;
-  }
-  if (version != kVersion) {
-    why_not = fmt::format("it has version {}, and this mjforge knows {}", version, kVersion);
-    return std::nullopt;
-  }
+  if (document.HasParseError() || !GetMember(document, "mjforge_seal", version))
+    return diag::Refuse(why_not, "it is not a seal");
+  if (version != kVersion)
+    return diag::Refuse(
+        why_not, fmt::format("it has version {}, and this mjforge knows {}", version, kVersion));
   Seal seal;
   // Compares all bytes of the text, because JSON permits other whitespace around the checksum.
   if (GetSeal(document, seal) && text == WithChecksum(text.substr(0, text.rfind(kOwn))))
     return seal;
-  why_not = "it is damaged";
-  return std::nullopt;
+  return diag::Refuse(why_not, "it is damaged");
 }
 
 std::optional<Seal> ReadSealBeside(const std::filesystem::path& manifest, std::string& why_not) {

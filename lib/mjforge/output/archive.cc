@@ -178,14 +178,12 @@ std::optional<std::string> ArchiveReader::Next(std::string& why_not) {
 
 std::optional<std::string> ArchiveReader::Content(std::string& why_not) {
   const la_int64_t size = archive_entry_size(tar_->entry);
-  if (size < 0 || static_cast<std::uint64_t>(size) > bytes::kMaxMjcf) {
-    why_not = fmt::format("it has {} bytes, more than {}", size, bytes::kMaxMjcf);
-    return std::nullopt;
-  }
+  if (size < 0 || static_cast<std::uint64_t>(size) > bytes::kMaxMjcf)
+    return diag::Refuse(why_not,
+                        fmt::format("it has {} bytes, more than {}", size, bytes::kMaxMjcf));
   std::string bytes(static_cast<std::size_t>(size), '\0');
   if (archive_read_data(tar_->reader.get(), bytes.data(), bytes.size()) == size) return bytes;
-  why_not = tar_->Error();
-  return std::nullopt;
+  return diag::Refuse(why_not, tar_->Error());
 }
 
 std::string ArchiveReader::ReadStart(std::size_t count) {

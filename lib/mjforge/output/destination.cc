@@ -105,16 +105,14 @@ std::optional<Destination> ParseDestination(std::string_view text, std::uint64_t
     Destination destination{.kind = Kind::kFamily, .path = text};
     if (std::count(text.begin(), text.end(), '%') == (destination.IsSplit() ? 1 : 0))
       return destination;
-    why_not = "families have one %s in their file's name, for the structure, and no other %";
-    return std::nullopt;
+    return diag::Refuse(
+        why_not, "families have one %s in their file's name, for the structure, and no other %");
   }
   const bool zstd = text.ends_with(kTarZstd);
   if (!zstd && !text.ends_with(kTar)) {
     if (text.ends_with(".zst") || text.ends_with(".gz") || text.ends_with(".tgz") ||
-        text.ends_with(".zip")) {
-      why_not = "archives end with .tar or .tar.zst";
-      return std::nullopt;
-    }
+        text.ends_with(".zip"))
+      return diag::Refuse(why_not, "archives end with .tar or .tar.zst");
     return Destination{.kind = Kind::kFolder, .path = text};
   }
   Destination destination{.kind = Kind::kArchive,
@@ -123,10 +121,9 @@ std::optional<Destination> ParseDestination(std::string_view text, std::uint64_t
   const std::string name = destination.path.filename().string();
   const std::optional<NumberPlaceholder> number = FindNumberPlaceholder(name);
   const auto percents = std::count(text.begin(), text.end(), '%');
-  if (percents > (number ? 1 : 0)) {
-    why_not = "a series of archives has one %d or %05d in its file's name, and no other %";
-    return std::nullopt;
-  }
+  if (percents > (number ? 1 : 0))
+    return diag::Refuse(
+        why_not, "a series of archives has one %d or %05d in its file's name, and no other %");
   if (number) {
     destination.kind = Kind::kArchives;
     destination.per_archive = per_archive;
