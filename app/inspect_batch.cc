@@ -52,13 +52,11 @@ std::string ValuesText(const ParameterTally& parameter) {
   const auto values = ValuesOf(parameter);
   std::uint64_t total = 0;
   for (const auto& [value, count] : values) total += count;
-  std::string text;
   const std::size_t shown = std::min(values.size(), kShownValues);
-  for (std::size_t i = 0; i < shown; ++i) {
-    const auto& [value, count] = values[i];
-    text += fmt::format("{}{} {} ({:.1f} %)", i == 0 ? "" : ", ", value, count,
-                        100 * static_cast<double>(count) / static_cast<double>(total));
-  }
+  std::string text = diag::Joined(std::span(values).first(shown), ", ", [&](const auto& value) {
+    const double share = static_cast<double>(value.second) / static_cast<double>(total);
+    return fmt::format("{} {} ({:.1f} %)", value.first, value.second, 100 * share);
+  });
   if (values.size() > shown) text += fmt::format(", and {} more", values.size() - shown);
   return text;
 }

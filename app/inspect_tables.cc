@@ -16,12 +16,7 @@ std::string Number(double value) { return fmt::format("{:.6g}", value + 0.0); }
 
 template <typename Numbers>
 std::string NumbersText(const Numbers& numbers) {
-  std::string text;
-  for (const double number : numbers) {
-    if (!text.empty()) text += ' ';
-    text += Number(number);
-  }
-  return text;
+  return diag::Joined(numbers, " ", Number);
 }
 
 std::string ValueText(const sample::ParameterValue& value) {

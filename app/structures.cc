@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
+#include <span>
 
 #include "console.h"
 #include "mjforge/forge/forge.h"
@@ -113,13 +115,12 @@ class FieldComparison {
 
 std::string SeparatorsText(const std::vector<Separator>& separators) {
   if (separators.empty()) return "no single parameter separates them";
-  std::string text;
   const std::size_t shown = std::min(separators.size(), kShownSeparators);
-  for (std::size_t i = 0; i < shown; ++i) {
-    const bool by_range = separators[i].separation == report::Separation::kByRange;
-    text += fmt::format("{}{}{}", i == 0 ? "" : " or ", separators[i].parameter,
-                        by_range ? " (by its range)" : "");
-  }
+  std::string text =
+      diag::Joined(std::span(separators).first(shown), " or ", [](const Separator& one) {
+        const bool by_range = one.separation == report::Separation::kByRange;
+        return one.parameter + (by_range ? " (by its range)" : "");
+      });
   if (separators.size() > shown) text += fmt::format(" or {} more", separators.size() - shown);
   return text;
 }
@@ -156,7 +157,7 @@ BatchStructures CompareStructures(const report::ManifestSummary& batch,
     return result;
   }
   std::vector<int> groups(result.structures.size());
-  for (std::size_t i = 0; i < groups.size(); ++i) groups[i] = static_cast<int>(i);
+  std::iota(groups.begin(), groups.end(), 0);
   result.separators = SeparatorsOf(result.structures, groups);
   return result;
 }

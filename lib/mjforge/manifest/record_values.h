@@ -183,12 +183,9 @@ std::string SchemaOf(const JsonMember<Of> (&members)[n]) {
   constexpr std::array kTypes = {R"(["number", "null"])", R"("integer")", R"("boolean")",
                                  R"("string")",           R"("array")",   R"("array")",
                                  R"("integer")"};
-  std::string text;
-  for (const JsonMember<Of>& member : members) {
-    text += fmt::format(R"({}"{}": {{"type": {}}})", text.empty() ? "" : ", ", member.key,
-                        kTypes[member.at.index()]);
-  }
-  return text;
+  return diag::Joined(members, ", ", [&](const JsonMember<Of>& member) {
+    return fmt::format(R"("{}": {{"type": {}}})", member.key, kTypes[member.at.index()]);
+  });
 }
 
 }  // namespace mjforge::manifest

@@ -1,5 +1,7 @@
 // Rules for Make: targets, dependencies, and escaping of names.
 
+#include <fmt/format.h>
+
 #include "mjforge/output/output.h"
 
 namespace mjforge::output {
@@ -28,9 +30,7 @@ bool FitsMake(std::string_view name) {
 
 std::string MakeRule(std::span<const std::string> targets, const std::set<std::string>& files,
                      bool phony) {
-  std::string rule;
-  for (const std::string& target : targets) rule += (rule.empty() ? "" : " ") + target;
-  rule += ':';
+  std::string rule = fmt::format("{}:", fmt::join(targets, " "));
   for (const std::string& file : files) rule += " \\\n  " + EscapeForMake(file, false);
   rule += '\n';
   if (!phony) return rule;

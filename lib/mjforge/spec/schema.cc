@@ -46,14 +46,6 @@ std::string Joined(const JsonMembers& members) {
   return fmt::format("{}", fmt::join(members, ", "));
 }
 
-// Returns text(item) for each item of a list.
-template <typename List, typename Text>
-JsonMembers Each(const List& list, Text text) {
-  JsonMembers members;
-  for (const auto& item : list) members.push_back(text(item));
-  return members;
-}
-
 // Returns a JSON member whose value is an object with the given members.
 std::string Member(std::string_view key, std::string_view members) {
   return fmt::format(R"("{}": {{{}}})", key, members);
@@ -111,7 +103,7 @@ std::string Numbers(const FieldInfo& field) {
 }
 
 std::string Words(const FieldInfo& field) {
-  return fmt::format(R"({{"enum": [{}]}})", Joined(Each(expr::WordsOf(field.words), Quoted)));
+  return fmt::format(R"({{"enum": [{}]}})", diag::Joined(expr::WordsOf(field.words), ", ", Quoted));
 }
 
 std::string Word(const FieldInfo& field) {
@@ -130,7 +122,7 @@ std::string PlainText(const FieldInfo& field) {
 // Returns the schema for a key of `defaults:`: all fields of the element, none of them required.
 std::string DefaultFields(const FieldInfo& defaults) {
   const ElementInfo& element = *FindElement(defaults.key);
-  return Mapping(Each(element.fields, [&](const FieldInfo& field) {
+  return Mapping(diag::Mapped<std::string>(element.fields, [&](const FieldInfo& field) {
     return Member(field.key, Is(fmt::format("{}/properties/{}", element.name, field.key)));
   }));
 }
@@ -145,7 +137,7 @@ std::string Silence() {
 }
 
 std::string SectionProperties() {
-  return Mapping(Each(Sections(), [](const SectionInfo& section) {
+  return Mapping(diag::Mapped<std::string>(Sections(), [](const SectionInfo& section) {
     return Member(section.name, Is(section.name));
   }));
 }
@@ -254,7 +246,7 @@ std::string OneOf(std::span<const ElementInfo> elements, JsonMembers properties)
 
 std::string Fields(std::string_view element) {
   return fmt::format(R"("properties": {{{}}}, "additionalProperties": false)",
-                     Joined(Each(FindElement(element)->fields, Property)));
+                     diag::Joined(FindElement(element)->fields, ", ", Property));
 }
 
 std::string Doc(std::string_view element) {
@@ -269,9 +261,9 @@ std::string About(std::string_view /*none*/) {
 }
 
 std::string Draws(std::string_view /*none*/) {
-  return Joined(Each(Distributions(), [](const DistributionInfo& info) {
+  return diag::Joined(Distributions(), ", ", [](const DistributionInfo& info) {
     return Member(info.key, DrawForm(info, {}));
-  }));
+  });
 }
 
 std::string DrawsOf(std::string_view kind) {
@@ -283,9 +275,9 @@ std::string DrawsOf(std::string_view kind) {
 }
 
 std::string DrawsWithDoc(std::string_view none) {
-  return Joined(Each(Distributions(), [none](const DistributionInfo& info) {
+  return diag::Joined(Distributions(), ", ", [none](const DistributionInfo& info) {
     return fmt::format("{{{}}}", DrawForm(info, {About(none)}));
-  }));
+  });
 }
 
 // Returns definitions for lists of numbers without bounds: one for each pair of a minimum and a
@@ -308,10 +300,10 @@ std::string SectionDefinitions(std::string_view /*none*/) {
       Member("if", Is("condition")),
       Member("for", R"("type": "object", "additionalProperties": {"@is number"})"),
       Member("let", R"("@map value")")};
-  return Joined(Each(Sections(), [&](const SectionInfo& section) {
+  return diag::Joined(Sections(), ", ", [&](const SectionInfo& section) {
     return Member(section.name, section.is_element ? Attributes(section.elements.front(), true)
                                                    : ListOf(OneOf(section.elements, repeats)));
-  }));
+  });
 }
 
 struct Marker {
