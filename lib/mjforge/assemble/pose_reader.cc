@@ -18,13 +18,16 @@ bool HasLength(const Eigen::Ref<const Eigen::VectorXd>& vector) {
   return vector.stableNorm() > kShortest;
 }
 
+std::nullopt_t Refuse(FieldReader& reader, Code code, const spec::Field& field,
+                      std::string_view what) {
+  reader.Report(code, field, what);
+  return std::nullopt;
+}
+
 std::optional<Quaterniond> ReadQuat(FieldReader& reader, const spec::Field& field) {
   const auto q = reader.Vector<4>(field);
   if (!q) return std::nullopt;
-  if (!HasLength(*q)) {
-    reader.Report(Code::kModelBadRotation, field, "is zero");
-    return std::nullopt;
-  }
+  if (!HasLength(*q)) return Refuse(reader, Code::kModelBadRotation, field, "is zero");
   const Vector4d unit = q->stableNormalized();
   return Quaterniond(unit(0), unit(1), unit(2), unit(3));
 }
@@ -33,10 +36,8 @@ std::optional<Quaterniond> ReadAxisAngle(FieldReader& reader, const spec::Field&
   const auto numbers = reader.Vector<4>(field);
   if (!numbers) return std::nullopt;
   const Vector3d axis = numbers->head<3>();
-  if (!HasLength(axis)) {
-    reader.Report(Code::kModelBadRotation, field, "has an axis of zero length");
-    return std::nullopt;
-  }
+  if (!HasLength(axis))
+    return Refuse(reader, Code::kModelBadRotation, field, "has an axis of zero length");
   return model::FromAxisAngle(axis, (*numbers)[3]);
 }
 
@@ -45,14 +46,10 @@ std::optional<Quaterniond> ReadXyAxes(FieldReader& reader, const spec::Field& fi
   if (!numbers) return std::nullopt;
   const Vector3d x = numbers->head<3>();
   const Vector3d y = numbers->tail<3>();
-  if (!HasLength(x) || !HasLength(y)) {
-    reader.Report(Code::kModelBadRotation, field, "has an axis of zero length");
-    return std::nullopt;
-  }
-  if (!(x.stableNormalized().cross(y.stableNormalized()).norm() > 1e-10)) {
-    reader.Report(Code::kModelBadRotation, field, "has parallel axes");
-    return std::nullopt;
-  }
+  if (!HasLength(x) || !HasLength(y))
+    return Refuse(reader, Code::kModelBadRotation, field, "has an axis of zero length");
+  if (!(x.stableNormalized().cross(y.stableNormalized()).norm() > 1e-10))
+    return Refuse(reader, Code::kModelBadRotation, field, "has parallel axes");
   return model::FromXyAxes(x, y);
 }
 
@@ -78,10 +75,7 @@ std::optional<Quaterniond> ReadOrientation(FieldReader& reader, const spec::Entr
 std::optional<Vector3d> ReadDirection(FieldReader& reader, const spec::Field& field) {
   const auto direction = reader.Vector<3>(field);
   if (!direction) return std::nullopt;
-  if (!HasLength(*direction)) {
-    reader.Report(Code::kModelBadRotation, field, "is zero");
-    return std::nullopt;
-  }
+  if (!HasLength(*direction)) return Refuse(reader, Code::kModelBadRotation, field, "is zero");
   return direction->stableNormalized();
 }
 
@@ -103,10 +97,8 @@ std::optional<Segment> ReadFromTo(FieldReader& reader, const spec::Field& field,
   const Vector3d from = ends->head<3>();
   const Vector3d to = ends->tail<3>();
   const double half = (from - to).stableNorm() / 2;
-  if (!(half > kShortest)) {
-    reader.Report(Code::kModelBadValue, field, "has two equal end points");
-    return std::nullopt;
-  }
+  if (!(half > kShortest))
+    return Refuse(reader, Code::kModelBadValue, field, "has two equal end points");
   Segment segment = {.pose = {.p = (from + to) / 2}, .half_length = half};
   if (up_field == nullptr) {
     segment.pose.q = model::FromZAxis(from - to);
@@ -115,10 +107,8 @@ std::optional<Segment> ReadFromTo(FieldReader& reader, const spec::Field& field,
   const std::optional<Vector3d> up = ReadDirection(reader, *up_field);
   if (!up) return std::nullopt;
   const Vector3d z = (from - to).stableNormalized();
-  if (!(z.cross(*up).norm() > 1e-10)) {
-    reader.Report(Code::kModelBadRotation, *up_field, "is along `fromto`");
-    return std::nullopt;
-  }
+  if (!(z.cross(*up).norm() > 1e-10))
+    return Refuse(reader, Code::kModelBadRotation, *up_field, "is along `fromto`");
   const Vector3d x = up->cross(z);
   segment.pose.q = model::FromXyAxes(x, z.cross(x));
   return segment;

@@ -141,12 +141,9 @@ class PointReader {
 
   bool Add(const Numbers& numbers, diag::SourceMark mark) {
     if (count_ == 0) points_.per_point = numbers.size();
-    if (points_.per_point != numbers.size()) {
-      values_.Fail(diag::Code::kSampleBadArgument, mark,
-                   fmt::format("this point has {} numbers, those before it have {}", numbers.size(),
-                               points_.per_point));
-      return false;
-    }
+    if (points_.per_point != numbers.size())
+      return Refuse(mark, fmt::format("this point has {} numbers, those before it have {}",
+                                      numbers.size(), points_.per_point));
     points_.numbers.insert(points_.numbers.end(), numbers.begin(), numbers.end());
     return ++count_ <= kMost;
   }
@@ -191,17 +188,11 @@ class PointReader {
     values_.Vector(arc.measures[1], Child(path, std::size_t{1}), last);
     if (HasFailedNumber(first) || HasFailedNumber(second) || HasFailedNumber(last)) return false;
     if (!steps) return false;
-    if (first.size() != second.size() || first.size() != last.size()) {
-      values_.Fail(diag::Code::kSampleBadArgument, arc.center->mark,
-                   "the three points of the arc have different counts of numbers");
-      return false;
-    }
+    if (first.size() != second.size() || first.size() != last.size())
+      return Refuse(arc.center->mark,
+                    "the three points of the arc have different counts of numbers");
     const std::optional<CircleThrough> circle = CircleThrough::Of(first, second, last);
-    if (!circle) {
-      values_.Fail(diag::Code::kSampleBadArgument, arc.center->mark,
-                   "the three points of the arc are on a line");
-      return false;
-    }
+    if (!circle) return Refuse(arc.center->mark, "the three points of the arc are on a line");
     for (double i = 0; i <= *steps; ++i) {
       const bool is_end = i == 0 || i == *steps;
       Numbers point = i == 0 ? first : last;
@@ -215,12 +206,15 @@ class PointReader {
     return true;
   }
 
+  // Adds a finding, and returns false.
+  bool Refuse(diag::SourceMark mark, std::string why) {
+    values_.Fail(diag::Code::kSampleBadArgument, mark, std::move(why));
+    return false;
+  }
+
   bool AddToArc(const spec::Arc& arc, const Numbers& point) {
-    if (!std::ranges::all_of(point, [](double number) { return std::isfinite(number); })) {
-      values_.Fail(diag::Code::kSampleBadArgument, arc.center->mark,
-                   "the arc has a point that is not finite");
-      return false;
-    }
+    if (!std::ranges::all_of(point, [](double number) { return std::isfinite(number); }))
+      return Refuse(arc.center->mark, "the arc has a point that is not finite");
     return Add(point, arc.center->mark);
   }
 
