@@ -67,7 +67,7 @@ Loaded Load(const char* file, const mjVFS* vfs) {
   thread_warnings.clear();
   Loaded loaded;
   const CapturedStderr captured;
-  try {
+  const std::optional<std::string> failure = FailureOf([&] {
     loaded.model.reset(mj_loadXML(file, vfs, message.data(), static_cast<int>(message.size())));
     if (!loaded.model) {
       loaded.error = message[0] != 0 ? message.data() : "no reason given";
@@ -75,11 +75,8 @@ Loaded Load(const char* file, const mjVFS* vfs) {
       thread_warnings.emplace_back(message.data());
     }
     if (loaded.model) ReserveStack(*loaded.model);
-  } catch (const std::bad_alloc&) {
-    throw;  // not an error of the model
-  } catch (const std::exception& error) {
-    loaded.error = error.what();
-  }
+  });
+  if (failure) loaded.error = *failure;
   if (IsOutOfMemory(loaded.error)) throw std::bad_alloc();
   loaded.warnings.swap(thread_warnings);
   AddQhullMessages(captured.QhullMessages(), loaded);

@@ -1,6 +1,9 @@
 // Parses error messages of MuJoCo, and describes the XML element on a line.
 #pragma once
 
+#include <exception>
+#include <new>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -18,6 +21,20 @@ Refusal ParseRefusal(std::string_view message, std::string_view xml = {});
 /// Returns a text with each run of white space replaced by a blank, and without full stops at its
 /// end.
 std::string OneLine(std::string_view text);
+
+/// Calls `run`, and returns the message of the exception that it throws; nullopt if it throws none.
+/// Lets std::bad_alloc pass, because a lack of memory is no error of the model.
+template <typename Run>
+std::optional<std::string> FailureOf(const Run& run) {
+  try {
+    run();
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return std::nullopt;
+}
 
 /// Describes the element that starts on a line of an XML text: "geom 'head'", or "the geom on line
 /// 7" if it has no name, or "the model" if no element starts there.

@@ -248,14 +248,12 @@ bool PileSettler::Settle(model::Object& object, diag::Findings& findings) {
   const std::size_t before = findings.size();
   Separate(object);
   for (const model::Pile& pile : object.piles) {
-    try {
-      impl_->Settle(object, pile, findings);
-    } catch (const std::bad_alloc&) {
-      throw;  // this is no failure of MuJoCo
-    } catch (const std::exception& error) {
+    const std::optional<std::string> failure =
+        engine::FailureOf([&] { impl_->Settle(object, pile, findings); });
+    if (failure) {
       findings.Add(Code::kMujocoError, pile.mark,
                    fmt::format("MuJoCo cannot simulate the pile in '{}': {}", pile.at,
-                               engine::OneLine(error.what())));
+                               engine::OneLine(*failure)));
     }
   }
   return !findings.HasErrors(before);

@@ -23,15 +23,13 @@ std::unique_ptr<Subject> Make(engine::Loaded loaded, std::string& why_not) {
   // Allocates no buffers for contacts and constraints. A picture does not need these buffers, which
   // would take most of the memory of a large scene.
   engine::SetBufferSizes(*state->model, {.contacts = 0, .rows = 0, .numbers = kStackSize});
-  try {
+  std::unique_ptr<Subject> subject;
+  const std::optional<std::string> failure = engine::FailureOf([&] {
     state->data = compiled::MakeData(*state->model);
-    return std::make_unique<Subject>(std::move(state));
-  } catch (const std::bad_alloc&) {
-    throw;  // not an error of the model
-  } catch (const std::exception& error) {
-    why_not = error.what();
-    return nullptr;
-  }
+    subject = std::make_unique<Subject>(std::move(state));
+  });
+  if (failure) why_not = *failure;
+  return subject;
 }
 
 }  // namespace

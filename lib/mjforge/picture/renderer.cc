@@ -211,15 +211,14 @@ Renderer::Images Renderer::DrawFilm(Subject& subject,
 template <typename Positions>
 Renderer::Images Renderer::State::TryToDraw(Subject& subject, std::span<const Positions> poses,
                                             const Options& options, diag::Findings& findings) {
-  try {
-    return DrawPoses(subject, poses, options, findings);
-  } catch (const std::bad_alloc&) {
-    throw;  // not an error of the renderer
-  } catch (const std::exception& error) {
+  Images images;
+  const std::optional<std::string> failure =
+      engine::FailureOf([&] { images = DrawPoses(subject, poses, options, findings); });
+  if (failure) {
     findings.Add(Code::kPictureNoRenderer, {},
-                 fmt::format("{} cannot draw it: {}", gl->name(), engine::OneLine(error.what())));
-    return std::nullopt;
+                 fmt::format("{} cannot draw it: {}", gl->name(), engine::OneLine(*failure)));
   }
+  return images;
 }
 
 template <typename Positions>

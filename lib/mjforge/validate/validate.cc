@@ -98,15 +98,13 @@ bool AddWarnings(const Loaded& loaded, bool crowded, diag::SourceMark mark,
 /// Returns the result of `compute`; adds a finding and returns nullopt if MuJoCo fails.
 template <typename Compute>
 auto Computed(const Compute& compute, diag::SourceMark mark, diag::Findings& findings) {
-  try {
-    return std::optional(compute());
-  } catch (const std::bad_alloc&) {
-    throw;  // not a failure of MuJoCo
-  } catch (const std::exception& error) {
+  std::optional<decltype(compute())> result;
+  const std::optional<std::string> failure = engine::FailureOf([&] { result = compute(); });
+  if (failure) {
     findings.Add(Code::kMujocoError, mark,
-                 fmt::format("MuJoCo cannot place the bodies: {}", OneLine(error.what())));
-    return decltype(std::optional(compute()))();
+                 fmt::format("MuJoCo cannot place the bodies: {}", OneLine(*failure)));
   }
+  return result;
 }
 
 /// Adds findings about bodies that touch at the start or in the zero configuration. Returns true if
