@@ -54,6 +54,12 @@ std::optional<model::GeomType> GeomTypeOf(int mjtgeom);
 /// Returns true if a geom has any bit in contype or conaffinity.
 bool Collides(const mjModel& m, int geom);
 
+/// Computes from qpos the poses of bodies, geoms and sites, and the centres of mass of subtrees.
+inline void UpdatePoses(const mjModel& m, mjData& d) {
+  mj_kinematics(&m, &d);
+  mj_comPos(&m, &d);
+}
+
 /// Returns X_WG, the pose of a geom in the world, as computed by mj_kinematics.
 model::Pose GeomPose(const mjData& d, int geom);
 

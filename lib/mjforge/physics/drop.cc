@@ -140,8 +140,7 @@ class DropSimulation {
   // would otherwise compute the energy in every step. Updates the poses of bodies first, because
   // mj_step leaves the poses from before the step.
   double Energy() {
-    mj_kinematics(&m_, &d_);
-    mj_comPos(&m_, &d_);
+    compiled::UpdatePoses(m_, d_);
     const int flags = m_.opt.enableflags;
     m_.opt.enableflags |= mjENBL_ENERGY;
     mj_energyPos(&m_, &d_);

@@ -73,8 +73,7 @@ GraspSearch::GraspSearch(const mjModel& m, mjData& d, const Gripper& gripper,
     if (IsSolid(m, geom) && !gripper.Has(geom)) geoms_.push_back(geom);
   }
   gripper.Place(d, start, {}, 0);
-  mj_kinematics(&m, &d);
-  mj_comPos(&m, &d);
+  compiled::UpdatePoses(m, d);
 }
 
 std::vector<GraspCandidate> GraspSearch::AtSite(const model::Pose& X_WS, int body) const {

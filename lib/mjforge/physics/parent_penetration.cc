@@ -57,8 +57,7 @@ class UnfilteredModel {
   /// bodies that are welded to it.
   double Depth(int body, int parent) {
     for (;;) {
-      mj_kinematics(m_.get(), data_);
-      mj_comPos(m_.get(), data_);
+      compiled::UpdatePoses(*m_, *data_);
       broad_phase_.Collide(*m_, *data_);
       if (!IsCrowded(*data_)) break;
       const std::vector<mjtNum> qpos(data_->qpos, data_->qpos + m_->nq);

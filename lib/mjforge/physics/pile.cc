@@ -224,8 +224,7 @@ struct PileSettler::Impl {
     const bool rests = Simulate(m, workspace, [&](mjData& d) {
       end = &d;
       compiled::CopyStart(m, d);
-      mj_kinematics(&m, &d);
-      mj_comPos(&m, &d);
+      compiled::UpdatePoses(m, d);
       bodies = BodiesOf(m, d, pile, release, ids);
       X_WR = compiled::PoseAt(d.xpos, d.xquat, ids[static_cast<std::size_t>(pile.support)]) *
              pile.region.X_BR;

@@ -91,8 +91,7 @@ class PileSimulation {
       if (!IsReleased(m_.dof_bodyid[dof])) HoldDof(m_, dof);
     }
     released_ = 0;
-    mj_kinematics(&m_, &d_);
-    mj_comPos(&m_, &d_);
+    compiled::UpdatePoses(m_, d_);
   }
 
   // Moves all bodies of the pile to waiting positions above each other, higher than the pile can

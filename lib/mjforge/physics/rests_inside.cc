@@ -101,8 +101,7 @@ Penetrations Find(mjModel& m, const IgnoredPairs& ignored, std::span<const mjtNu
   BroadPhase broad_phase(m);
   return Simulate(m, workspace, [&](mjData& d) {
     std::ranges::copy(qpos, d.qpos);
-    mj_kinematics(&m, &d);
-    mj_comPos(&m, &d);
+    compiled::UpdatePoses(m, d);
     broad_phase.Collide(m, d);
     Penetrations found;
     for (const mjContact& contact : ContactsOf(d)) {

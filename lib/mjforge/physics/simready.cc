@@ -65,8 +65,7 @@ class Fall {
   Fall(mjModel& m, mjData& d, int floor, const model::Checks& checks)
       : m_(m), d_(d), roots_(FreeBodies(m)), checks_(checks), stepper_(m, d) {
     compiled::CopyStart(m, d);
-    mj_kinematics(&m, &d);
-    mj_comPos(&m, &d);
+    compiled::UpdatePoses(m, d);
     const mjtNum* mat = d.geom_xmat + 9 * floor;
     normal_ = Vector3d(mat[2], mat[5], mat[8]);
     on_floor_ = compiled::VectorAt(d.geom_xpos, floor);
@@ -137,8 +136,7 @@ class Fall {
   Problem Advance() {
     const int steps = std::max(1, static_cast<int>(std::lround(kInterval / m_.opt.timestep)));
     for (int i = 0; i < steps; ++i) stepper_.Step();
-    mj_kinematics(&m_, &d_);
-    mj_comPos(&m_, &d_);
+    compiled::UpdatePoses(m_, d_);
     if (HasDiverged(d_)) return "the simulation diverges";
     if (Explodes()) return "its parts fly apart";
     return std::nullopt;
@@ -168,8 +166,7 @@ class Fall {
   void Lift(double height) {
     const double up = (height - Lowest()) / normal_.z();
     for (const int root : roots_) d_.qpos[m_.jnt_qposadr[m_.body_jntadr[root]] + 2] += up;
-    mj_kinematics(&m_, &d_);
-    mj_comPos(&m_, &d_);
+    compiled::UpdatePoses(m_, d_);
   }
 
   std::vector<Vector3d> Centers() const {

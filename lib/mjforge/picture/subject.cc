@@ -39,8 +39,7 @@ std::vector<std::string_view> JointNames(const mjModel& m) {
 }  // namespace
 
 void Subject::State::Update() {
-  mj_kinematics(model.get(), data.get());
-  mj_comPos(model.get(), data.get());
+  compiled::UpdatePoses(*model, *data);
   mj_camlight(model.get(), data.get());
   mj_tendon(model.get(), data.get());
 }
