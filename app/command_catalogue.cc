@@ -48,8 +48,7 @@ Item LoadItem(const std::string& name, const spec::LoadOptions& load, Console& c
 // Returns the specs in the search path that contain these words, sorted by name. Adds findings for
 // specs that cannot be loaded. Such a spec is among the results if its name contains the words.
 std::vector<Item> ListItems(const std::vector<std::string>& words, Console& console) {
-  spec::LoadOptions load;
-  load.search_path = forge::SearchPath();
+  const spec::LoadOptions load = {.search_path = forge::SearchPath()};
   std::set<std::string> seen;  // the first folder of the search path has priority
   std::vector<Item> items;
   for (const std::filesystem::path& folder : load.search_path) {

@@ -30,8 +30,7 @@ ExitStatus WriteNew(const NewOptions& options, Console& console) {
                          "choose another name, or replace the file with --force");
     return console.Report();
   }
-  spec::LoadOptions load;
-  load.search_path = forge::SearchPath();
+  const spec::LoadOptions load = {.search_path = forge::SearchPath()};
   const auto text = options.like.empty() ? std::optional(spec::StarterText())
                                          : spec::CopiedText(options.like, file.parent_path(), load,
                                                             console.sources, console.findings);

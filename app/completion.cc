@@ -142,8 +142,7 @@ class Completions {
 constexpr std::clock_t kDescriptionTime = CLOCKS_PER_SEC / 2;
 
 std::unique_ptr<spec::ObjectSpec> LoadQuietly(const std::string& name) {
-  spec::LoadOptions load;
-  load.search_path = forge::SearchPath();
+  const spec::LoadOptions load = {.search_path = forge::SearchPath()};
   diag::Sources sources;
   diag::Findings findings;
   return spec::LoadSpec(name, load, sources, findings);

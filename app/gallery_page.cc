@@ -205,8 +205,7 @@ GalleryResult GalleryPages::Make(const std::string& name) {
   GalleryResult result;
   diag::Sources sources;
   diag::Findings findings;
-  spec::LoadOptions load;
-  load.search_path = forge::SearchPath();
+  const spec::LoadOptions load = {.search_path = forge::SearchPath()};
   auto recipe = forge::LoadRecipe(name, load, sources, findings);
   diag::Findings drawing;
   picture::Renderer* renderer = nullptr;

@@ -193,9 +193,8 @@ Reply Studio::State::LoadPreset(const Request& request) {
   const ShownVariant& shown = cache.LoadSpec(bare);
   if (!shown.recipe || !Presets::IsValidName(request.name))
     return Failure("there is no such preset");
-  spec::LoadOptions load;
-  load.search_path = start.load.search_path;
-  load.parameter_files = {PresetsOf(shown).FileOf(request.name)};
+  const spec::LoadOptions load = {.parameter_files = {PresetsOf(shown).FileOf(request.name)},
+                                  .search_path = start.load.search_path};
   diag::Sources sources;
   diag::Findings findings;
   const auto recipe = forge::LoadRecipe(start.reference, load, sources, findings);

@@ -12,8 +12,6 @@ std::optional<model::Checks> LoadChecks(const std::vector<spec::Setting>& settin
       "mjforge: 1\n"
       "name: checks\n"
       "parts: [{name: part, type: sphere, size: 1}]\n";
-  spec::LoadOptions options;
-  options.settings = settings;
   for (const spec::Setting& setting : settings) {
     if (setting.name.starts_with("checks.")) continue;
     findings.Add(diag::Code::kSpecUnknownParameter, {},
@@ -21,13 +19,13 @@ std::optional<model::Checks> LoadChecks(const std::vector<spec::Setting>& settin
                  "a file has no parameters to set, only thresholds: checks.NAME");
   }
   if (findings.HasErrors()) return std::nullopt;
-  const auto spec = spec::LoadSpecText("checks", kSpec, ".", options, sources, findings);
+  const auto spec =
+      spec::LoadSpecText("checks", kSpec, ".", {.settings = settings}, sources, findings);
   if (spec == nullptr) return std::nullopt;
   auto values = sample::Sample(*spec, {}, sample::kRootStream, {}, findings);
   if (!values) return std::nullopt;
   const auto object = assemble::Assembler().Assemble(*values, {}, findings);
-  if (!object) return std::nullopt;
-  return object->checks;
+  return object ? std::optional(object->checks) : std::nullopt;
 }
 
 }  // namespace mjforge::forge

@@ -32,8 +32,7 @@ std::optional<Recipe> LoadRecordedRecipe(const manifest::Record& record, const s
                  "pass its file with --spec");
     return std::nullopt;
   }
-  spec::LoadOptions options;
-  options.search_path = SearchPath();
+  spec::LoadOptions options = {.search_path = SearchPath()};
   for (const auto& [name, text] : record.settings) {
     options.settings.push_back({name, text, "the record's settings"});
   }

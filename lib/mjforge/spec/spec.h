@@ -146,13 +146,13 @@ struct Setting {
 };
 
 struct LoadOptions {
-  std::vector<Setting> settings;
+  std::vector<Setting> settings = {};
   /// Files with a YAML mapping of parameter names to values (`--params`); applied before
   /// `settings`.
-  std::vector<std::filesystem::path> parameter_files;
+  std::vector<std::filesystem::path> parameter_files = {};
   /// Folders in which specs are searched, in this order: MJFORGE_PATH, then the installed
   /// catalogue.
-  std::vector<std::filesystem::path> search_path;
+  std::vector<std::filesystem::path> search_path = {};
   /// Snapshot whose files and texts replace those on the disk; null if none is used. The load adds
   /// all other files that it reads. Two loads must not use one snapshot at the same time.
   Snapshot* snapshot = nullptr;
