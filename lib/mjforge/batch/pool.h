@@ -105,8 +105,6 @@ class Pool {
   Pool(std::uint64_t jobs, std::size_t tasks_per_worker, std::chrono::duration<double> time_limit,
        std::function<TaskHandler()> make_handler);
   ~Pool();
-  Pool(const Pool&) = delete;
-  Pool& operator=(const Pool&) = delete;
 
   /// Returns true if a worker has room for a task, no task waits for a worker, and results do not
   /// pile up.

@@ -135,8 +135,6 @@ class Checksum {
  public:
   Checksum();
   ~Checksum();
-  Checksum(const Checksum&) = delete;
-  Checksum& operator=(const Checksum&) = delete;
 
   void Add(std::string_view bytes);
   /// Adds the next `count` bytes of a file. Returns false if the file has fewer bytes, or if

@@ -53,8 +53,6 @@ class Studio {
  public:
   explicit Studio(Start start);
   ~Studio();
-  Studio(const Studio&) = delete;
-  Studio& operator=(const Studio&) = delete;
 
   /// Answers a request, which is one JSON object:
   /// - `action: open` returns the description of the spec, its controls and the first state;

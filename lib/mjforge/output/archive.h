@@ -24,8 +24,6 @@ class Segment {
  public:
   explicit Segment(ArchiveFormat format);
   ~Segment();
-  Segment(const Segment&) = delete;
-  Segment& operator=(const Segment&) = delete;
 
   /// Adds a regular file with mode 0644. If the name is too long for ustar (100 bytes, 255 with
   /// folders), returns false and adds a finding.
@@ -50,8 +48,6 @@ class ArchiveReader {
   /// Opens an archive. If opening fails, the first call of Next fails with the reason.
   explicit ArchiveReader(const std::filesystem::path& file);
   ~ArchiveReader();
-  ArchiveReader(const ArchiveReader&) = delete;
-  ArchiveReader& operator=(const ArchiveReader&) = delete;
 
   /// Returns the name of the next member. At the end of the archive, or if reading fails, returns
   /// nullopt; sets `why_not` only if reading fails.

@@ -30,8 +30,6 @@ class NpzWriter {
   /// Writes to `part`, which must be empty and outlive the writer.
   NpzWriter(PartFile& part, diag::Findings& findings);
   ~NpzWriter();
-  NpzWriter(const NpzWriter&) = delete;
-  NpzWriter& operator=(const NpzWriter&) = delete;
 
   /// Begins the array `name`, whose content Write adds in C order. `code_points` is the length of
   /// each text.

@@ -126,8 +126,6 @@ class Laboratory {
  public:
   Laboratory();
   ~Laboratory();
-  Laboratory(const Laboratory&) = delete;
-  Laboratory& operator=(const Laboratory&) = delete;
 
   /// Tests a valid document made from `object`. Adds a finding, at its place in the spec, for each
   /// violation of object.checks. If MuJoCo fails, adds a finding and returns nullopt.

@@ -14,8 +14,6 @@ class PileSettler {
  public:
   PileSettler();
   ~PileSettler();
-  PileSettler(const PileSettler&) = delete;
-  PileSettler& operator=(const PileSettler&) = delete;
 
   /// Simulates object.piles with the MuJoCo options of the object. The bodies of a pile are
   /// released one after the other from rest, each from a pose that touches nothing; all other

@@ -71,8 +71,6 @@ class Loader {
  public:
   Loader();
   ~Loader();
-  Loader(const Loader&) = delete;
-  Loader& operator=(const Loader&) = delete;
 
   /// Loads a document made from `object`, and compares counts, names, masses, inertias, sizes,
   /// poses and references with those of the object. If everything matches, finds bodies that touch
