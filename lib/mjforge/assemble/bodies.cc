@@ -60,8 +60,8 @@ void Assembly::AddBodies(Scope& scope) {
   const sample::StreamId bodies = sample::Child(scope.values.root(), "bodies");
   for (const spec::BodyEntry& entry : spec.bodies) ClearProperties(entry, scope.values);
   for (const spec::BodyEntry& entry : spec.bodies) {
-    if (!repetition_.Count(entry.head, scope.values, object_.bodies.size())) continue;
-    repetition_.ForEach(entry.head, scope.values, bodies, [&] { AddBody(scope, entry, bodies); });
+    repetition_.Expand(entry.head, scope.values, bodies, object_.bodies.size(),
+                       [&] { AddBody(scope, entry, bodies); });
   }
 }
 

@@ -80,8 +80,8 @@ void Assembly::AddRootJoints(Scope& scope) {
 void Assembly::AddJoints(Scope& scope, const std::vector<spec::Entry>& entries,
                          sample::StreamId joints) {
   for (const spec::Entry& entry : entries) {
-    if (!repetition_.Count(entry, scope.values, body().joints.size())) continue;
-    repetition_.ForEach(entry, scope.values, joints, [&] { AddJoint(scope, entry, joints); });
+    repetition_.Expand(entry, scope.values, joints, body().joints.size(),
+                       [&] { AddJoint(scope, entry, joints); });
   }
 }
 

@@ -67,9 +67,8 @@ void Sections::Add(Scope& scope, bool outermost) {
       continue;
     }
     for (const spec::Entry& entry : section.entries) {
-      if (!repetition_.Count(entry, scope.values, ElementsOf(*section.info).size())) continue;
-      repetition_.ForEach(entry, scope.values, path,
-                          [&] { AddElement(scope, *section.info, entry, path); });
+      repetition_.Expand(entry, scope.values, path, ElementsOf(*section.info).size(),
+                         [&] { AddElement(scope, *section.info, entry, path); });
     }
   }
 }

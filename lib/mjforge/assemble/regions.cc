@@ -160,9 +160,8 @@ void AddRegionTo(model::Body& body, model::Region region) {
 void Assembly::AddRegions(Scope& scope, const std::vector<spec::Entry>& entries,
                           std::string_view owner, sample::StreamId regions) {
   for (const spec::Entry& entry : entries) {
-    if (!repetition_.Count(entry, scope.values, body().regions.size())) continue;
-    repetition_.ForEach(entry, scope.values, regions,
-                        [&] { AddRegion(scope, entry, owner, regions); });
+    repetition_.Expand(entry, scope.values, regions, body().regions.size(),
+                       [&] { AddRegion(scope, entry, owner, regions); });
   }
 }
 

@@ -29,6 +29,14 @@ class Repetition {
     Walk(entry, 0, values, list, std::cref(visit));  // a reference allocates no memory
   }
 
+  /// Counts the instances, and calls `visit` for each instance that exists unless there would be
+  /// too many; see Count() and ForEach().
+  template <typename Visit>
+  void Expand(const spec::Entry& entry, sample::Evaluator& values, sample::StreamId list,
+              std::size_t existing, const Visit& visit) {
+    if (Count(entry, values, existing)) ForEach(entry, values, list, visit);
+  }
+
  private:
   /// Returns the number of instances of the loops from index `depth` on, including those that `if`
   /// leaves out. Stops counting above `limit`. Returns -1 after adding a finding.

@@ -13,8 +13,8 @@ using spec::Key;
 void Assembly::AddSites(Scope& scope, const std::vector<spec::Entry>& entries,
                         sample::StreamId sites) {
   for (const spec::Entry& entry : entries) {
-    if (!repetition_.Count(entry, scope.values, body().sites.size())) continue;
-    repetition_.ForEach(entry, scope.values, sites, [&] { AddSite(scope, entry, sites); });
+    repetition_.Expand(entry, scope.values, sites, body().sites.size(),
+                       [&] { AddSite(scope, entry, sites); });
   }
 }
 

@@ -24,8 +24,8 @@ constexpr Key kOrientations[] = {Key::kQuat, Key::kEuler, Key::kAxisAngle, Key::
 void Assembly::ReadStarts(Scope& scope) {
   const sample::StreamId pose = sample::Child(scope.values.root(), "pose");
   for (const spec::Entry& entry : scope.values.spec().pose) {
-    if (!repetition_.Count(entry, scope.values, starts_.size())) continue;
-    repetition_.ForEach(entry, scope.values, pose, [&] { ReadStart(scope, entry, pose); });
+    repetition_.Expand(entry, scope.values, pose, starts_.size(),
+                       [&] { ReadStart(scope, entry, pose); });
   }
 }
 

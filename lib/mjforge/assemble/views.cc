@@ -49,8 +49,8 @@ void Assembly::AddViews(Scope& scope, const std::vector<spec::Entry>& entries,
   for (const spec::Entry& entry : entries) {
     const bool is_camera = entry.element == &spec::kCameraElement;
     const sample::StreamId list = sample::Child(path, is_camera ? "cameras" : "lights");
-    if (!repetition_.Count(entry, scope.values, body().elements.size())) continue;
-    repetition_.ForEach(entry, scope.values, list, [&] { AddView(scope, entry, list); });
+    repetition_.Expand(entry, scope.values, list, body().elements.size(),
+                       [&] { AddView(scope, entry, list); });
   }
 }
 
