@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -49,6 +50,18 @@ std::optional<sample::Numbers> ReadScale(FieldReader& reader, const spec::Entry&
 /// field.
 const spec::Field* Required(FieldReader& reader, const spec::Entry& entry, spec::Key id,
                             std::string_view key, diag::SourceMark mark);
+
+/// Returns the first of the indices with this key in a multimap that meets a condition; nullopt if
+/// there is none.
+template <typename Map, typename Condition>
+std::optional<int> FindIndex(const Map& indices, const typename Map::key_type& key,
+                             const Condition& condition) {
+  const auto [begin, end] = indices.equal_range(key);
+  const auto found = std::find_if(begin, end, [&](const auto& pair) {
+    return condition(static_cast<std::size_t>(pair.second));
+  });
+  return found == end ? std::nullopt : std::optional(found->second);
+}
 
 /// Adds meshes and textures to one object. Equal meshes and equal textures are added only once.
 class Assets {

@@ -66,13 +66,11 @@ void Materials::Evaluate(Scope& scope, const spec::Material& material, MaterialS
 }
 
 int Materials::Share(const std::string& own_name, model::Material material) {
-  const auto [begin, end] = by_name_.equal_range(own_name);
-  for (auto it = begin; it != end; ++it) {
-    const model::Material& other = object_.materials[static_cast<std::size_t>(it->second)];
-    if (other.texture == material.texture && other.attributes == material.attributes) {
-      return it->second;
-    }
-  }
+  const auto known = FindIndex(by_name_, own_name, [&](std::size_t i) {
+    const model::Material& other = object_.materials[i];
+    return other.texture == material.texture && other.attributes == material.attributes;
+  });
+  if (known) return *known;
   const int index = static_cast<int>(object_.materials.size());
   object_.materials.push_back(std::move(material));
   by_name_.emplace(own_name, index);

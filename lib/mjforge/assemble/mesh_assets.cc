@@ -102,12 +102,10 @@ void Assets::SetMesh(int index, model::Part& part) {
 
 void Assets::AddInline(const model::TriangleMesh& mesh, model::Part& part) {
   const std::size_t hash = HashOf(mesh);
-  const auto [begin, end] = meshes_.equal_range(hash);
-  for (auto it = begin; it != end; ++it) {
-    const auto index = static_cast<std::size_t>(it->second);
-    const model::TriangleMesh& other = object_.meshes[index]->mesh;
-    if (sources_[index].file.empty() && AreSame(other, mesh)) return SetMesh(it->second, part);
-  }
+  const auto known = FindIndex(meshes_, hash, [&](std::size_t i) {
+    return sources_[i].file.empty() && AreSame(object_.meshes[i]->mesh, mesh);
+  });
+  if (known) return SetMesh(*known, part);
   auto asset = std::make_unique<model::MeshAsset>();
   asset->name = part.name;
   asset->mesh = mesh;
@@ -160,18 +158,18 @@ void Assets::AddFile(const std::filesystem::path& file, const Eigen::Vector3d& s
                      const Assembler::CachedMesh& content, model::Part& part) {
   const std::filesystem::path path = AbsolutePath(file);
   const std::size_t hash = HashOf(path, scale);
-  const auto [begin, end] = meshes_.equal_range(hash);
-  for (auto it = begin; it != end; ++it) {
-    const auto index = static_cast<std::size_t>(it->second);
-    const model::MeshAsset& other = *object_.meshes[index];
-    MeshSource& source = sources_[index];
+  const auto known = FindIndex(meshes_, hash, [&](std::size_t i) {
+    const model::MeshAsset& other = *object_.meshes[i];
     // From a file that is not fit for MuJoCo, MuJoCo may read another mesh than mjforge, such as
     // the first of several shapes. Meshes of attached MJCF files are always read by MuJoCo.
     const bool is_same_mesh = other.file.empty() != content.fit_for_mujoco;
-    if (source.file != path || source.scale != scale || !other.attributes.empty() || !is_same_mesh)
-      continue;
-    source.is_closed = !content.surface_defect;  // unknown so far for a mesh of an attached file
-    return SetMesh(it->second, part);
+    return sources_[i].file == path && sources_[i].scale == scale && other.attributes.empty() &&
+           is_same_mesh;
+  });
+  if (known) {
+    // Unknown so far for a mesh of an attached file.
+    sources_[static_cast<std::size_t>(*known)].is_closed = !content.surface_defect;
+    return SetMesh(*known, part);
   }
   auto asset = std::make_unique<model::MeshAsset>();
   asset->name = part.name;
@@ -188,17 +186,13 @@ void Assets::AddFile(const std::filesystem::path& file, const Eigen::Vector3d& s
 int Assets::ShareMesh(const model::MeshAsset& mesh, const std::string& name) {
   const std::filesystem::path path = AbsolutePath(mesh.file);
   const std::size_t hash = HashOf(path, mesh.scale) + mesh.attributes.size();
-  const auto [begin, end] = meshes_.equal_range(hash);
-  for (auto it = begin; it != end; ++it) {
-    const auto index = static_cast<std::size_t>(it->second);
-    const model::MeshAsset& other = *object_.meshes[index];
-    const bool is_same_file =
-        sources_[index].file == path && other.file.empty() == mesh.file.empty();
-    if (is_same_file && !other.is_hull && other.scale == mesh.scale &&
-        other.attributes == mesh.attributes) {
-      return it->second;
-    }
-  }
+  const auto known = FindIndex(meshes_, hash, [&](std::size_t i) {
+    const model::MeshAsset& other = *object_.meshes[i];
+    const bool is_same_file = sources_[i].file == path && other.file.empty() == mesh.file.empty();
+    return is_same_file && !other.is_hull && other.scale == mesh.scale &&
+           other.attributes == mesh.attributes;
+  });
+  if (known) return *known;
   auto asset = std::make_unique<model::MeshAsset>(mesh);
   asset->name = name;
   if (!path.empty()) asset->output_file = OutputName(path);

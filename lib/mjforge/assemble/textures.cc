@@ -96,11 +96,11 @@ void Assets::CheckPixels() {
 }
 
 int Assets::ShareTexture(const std::string& own_name, model::Texture texture) {
-  const auto [begin, end] = textures_.equal_range(own_name);
-  for (auto it = begin; it != end; ++it) {
-    const model::Texture& other = object_.textures[static_cast<std::size_t>(it->second)];
-    if (other.files == texture.files && other.attributes == texture.attributes) return it->second;
-  }
+  const auto known = FindIndex(textures_, own_name, [&](std::size_t i) {
+    const model::Texture& other = object_.textures[i];
+    return other.files == texture.files && other.attributes == texture.attributes;
+  });
+  if (known) return *known;
   const int index = static_cast<int>(object_.textures.size());
   object_.textures.push_back(std::move(texture));
   textures_.emplace(own_name, index);
