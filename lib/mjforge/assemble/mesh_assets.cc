@@ -124,21 +124,19 @@ bool Assets::ReadMesh(FieldReader& reader, const spec::Entry& entry,
   const Eigen::Vector3d scale(factors->data());
   const std::filesystem::path file = (folder / *name).lexically_normal();
   const Assembler::CachedMesh& content = assembler_.ReadMesh(file);
-  if (!content.exists) {
-    findings_
-        .Add(Code::kModelFileNotFound, field->value.mark,
-             fmt::format("{}: no file {}", reader.Owner(), Quoted(*name)),
-             "file names are relative to the folder of the spec")
-        .files = {file.string()};
+  const auto fail = [&](Code code, std::string message, std::string hint = {}) {
+    diag::Finding& finding =
+        findings_.Add(code, field->value.mark, std::move(message), std::move(hint));
+    finding.files = {file.string()};
     return false;
-  }
-  if (!content.mesh) {
-    findings_
-        .Add(content.unreadable ? Code::kYamlCannotRead : Code::kModelBadMesh, field->value.mark,
-             fmt::format("cannot read mesh {}: {}", Quoted(*name), content.why_not))
-        .files = {file.string()};
-    return false;
-  }
+  };
+  if (!content.exists)
+    return fail(Code::kModelFileNotFound,
+                fmt::format("{}: no file {}", reader.Owner(), Quoted(*name)),
+                "file names are relative to the folder of the spec");
+  if (!content.mesh)
+    return fail(content.unreadable ? Code::kYamlCannotRead : Code::kModelBadMesh,
+                fmt::format("cannot read mesh {}: {}", Quoted(*name), content.why_not));
   std::string inertia;
   if (!reader.ReadOptional(entry, Key::kInertia, &FieldReader::Word, inertia)) return false;
   part.is_shell = inertia == "shell";

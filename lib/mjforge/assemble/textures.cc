@@ -31,25 +31,19 @@ bool Assets::ReadPicture(FieldReader& reader, const spec::Field& field,
   if (!name) return false;
   const std::filesystem::path file = (folder / *name).lexically_normal();
   const Assembler::CachedTexture& content = assembler_.ReadTexture(file);
-  if (!content.exists) {
-    findings_
-        .Add(Code::kModelFileNotFound, field.value.mark,
-             fmt::format("{}: no file {}", reader.Owner(), Quoted(*name)),
-             "file names are relative to the folder of the file that uses them")
-        .files = {file.string()};
+  const auto fail = [&](Code code, const std::string& why_not, std::string hint = {}) {
+    const std::string message = fmt::format("{}: {}", reader.Owner(), why_not);
+    findings_.Add(code, field.value.mark, message, std::move(hint)).files = {file.string()};
     return false;
-  }
-  if (!content.pixels) {
-    findings_
-        .Add(content.why_not.empty() ? Code::kModelBadTexture : Code::kYamlCannotRead,
-             field.value.mark,
-             content.why_not.empty()
-                 ? fmt::format("{}: {} is not a PNG file", reader.Owner(), Quoted(*name))
-                 : fmt::format("{}: cannot read {}: {}", reader.Owner(), Quoted(*name),
-                               content.why_not))
-        .files = {file.string()};
-    return false;
-  }
+  };
+  if (!content.exists)
+    return fail(Code::kModelFileNotFound, fmt::format("no file {}", Quoted(*name)),
+                "file names are relative to the folder of the file that uses them");
+  if (!content.pixels && content.why_not.empty())
+    return fail(Code::kModelBadTexture, fmt::format("{} is not a PNG file", Quoted(*name)));
+  if (!content.pixels)
+    return fail(Code::kYamlCannotRead,
+                fmt::format("cannot read {}: {}", Quoted(*name), content.why_not));
   texture.files.push_back({.file = file, .output_file = OutputName(file)});
   return true;
 }
