@@ -3,6 +3,8 @@
 
 #include "mjforge/assemble/shape_reader.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "mjforge/assemble/names.h"
@@ -54,12 +56,10 @@ bool ReadSize(FieldReader& reader, const spec::Entry& entry, std::string_view ty
 }  // namespace
 
 model::GeomType TypeOf(std::string_view word) {
-  if (word == "box") return model::GeomType::kBox;
-  if (word == "sphere") return model::GeomType::kSphere;
-  if (word == "cylinder") return model::GeomType::kCylinder;
-  if (word == "capsule") return model::GeomType::kCapsule;
-  if (word == "ellipsoid") return model::GeomType::kEllipsoid;
-  return model::GeomType::kMesh;
+  const auto* name = std::ranges::find(model::kGeomTypeNames, word);
+  return name == model::kGeomTypeNames.end()
+             ? model::GeomType::kMesh
+             : static_cast<model::GeomType>(name - model::kGeomTypeNames.begin());
 }
 
 std::optional<ShapePlacement> ReadShape(FieldReader& reader, const spec::Entry& entry,

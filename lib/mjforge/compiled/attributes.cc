@@ -169,16 +169,11 @@ sample::Numbers NumbersOf(const mjModel& m, const ArrayField& field, int id) {
 
 Wrap WrapAt(const mjModel& m, int wrap) {
   const int object = m.wrap_objid[wrap];
-  switch (m.wrap_type[wrap]) {
-    case mjWRAP_JOINT:
-      return {"joint", mjOBJ_JOINT, object};
-    case mjWRAP_PULLEY:
-      return {"pulley"};
-    case mjWRAP_SITE:
-      return {"site", mjOBJ_SITE, object};
-    default:
-      return {"geom", mjOBJ_GEOM, object, static_cast<int>(m.wrap_prm[wrap])};
-  }
+  const int type = m.wrap_type[wrap];
+  if (type == mjWRAP_JOINT) return {"joint", mjOBJ_JOINT, object};
+  if (type == mjWRAP_PULLEY) return {"pulley"};
+  if (type == mjWRAP_SITE) return {"site", mjOBJ_SITE, object};
+  return {"geom", mjOBJ_GEOM, object, static_cast<int>(m.wrap_prm[wrap])};
 }
 
 }  // namespace mjforge::compiled

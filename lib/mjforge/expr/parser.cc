@@ -203,23 +203,13 @@ class Parser : ProgramBuilder {
 
   OptionalOperand Primary() {
     const Token& token = Now();
-    switch (token.kind) {
-      case Token::Kind::kNumber:
-        ++at_;
-        return Number(token);
-      case Token::Kind::kText:
-        ++at_;
-        return Quoted(token);
-      case Token::Kind::kName:
-        if (token.text == "and" || token.text == "or" || token.text == "not") break;
-        return Name();
-      case Token::Kind::kSign:
-        if (token.text == "(") return Group();
-        break;
-      case Token::Kind::kEnd:
-        break;
-    }
-    return Fail(MissingValue(tokens_, at_));
+    const bool is_operator = token.IsName("and") || token.IsName("or") || token.IsName("not");
+    if (token.IsSign("(")) return Group();
+    if (token.kind == Token::Kind::kName && !is_operator) return Name();
+    if (token.kind != Token::Kind::kNumber && token.kind != Token::Kind::kText)
+      return Fail(MissingValue(tokens_, at_));
+    ++at_;
+    return token.kind == Token::Kind::kNumber ? Number(token) : Quoted(token);
   }
 
   OptionalOperand Group() {

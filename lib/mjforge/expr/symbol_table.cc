@@ -41,15 +41,8 @@ std::vector<std::string_view> WordsOf(std::string_view text) {
 }
 
 std::string_view TypeName(Type type) {
-  switch (type) {
-    case Type::kNumber:
-      return "number";
-    case Type::kBoolean:
-      return "boolean";
-    case Type::kText:
-      return "text";
-  }
-  return {};
+  constexpr std::string_view kNames[] = {"number", "boolean", "text"};  // in the order of Type
+  return kNames[static_cast<std::size_t>(type)];
 }
 
 std::string TorqueVariable(std::string_view joint) { return fmt::format("torque({})", joint); }

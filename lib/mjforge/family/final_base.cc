@@ -53,16 +53,10 @@ constexpr unsigned Bit(int flag) { return 1U << static_cast<unsigned>(flag); }
 // of `variants` is set if the element has the flag v in any variant.
 bool IsRight(std::string_view array, unsigned base, unsigned variants) {
   if (array == kJointFlags) return base == 0 || variants == Bit(1);
-  switch (base) {
-    case kNone:
-      return true;
-    case kBodyRotation:
-      return (variants & ~(Bit(kBody) | Bit(kBodyRotation))) == 0;
-    case kInertiaRotation:
-      return (variants & ~(Bit(kInertia) | Bit(kInertiaRotation))) == 0;
-    default:
-      return variants == Bit(static_cast<int>(base));
-  }
+  if (base == kNone) return true;
+  if (base == kBodyRotation) return (variants & ~(Bit(kBody) | Bit(kBodyRotation))) == 0;
+  if (base == kInertiaRotation) return (variants & ~(Bit(kInertia) | Bit(kInertiaRotation))) == 0;
+  return variants == Bit(static_cast<int>(base));
 }
 
 // Returns true if an element has the orientation of its body in all variants, or the orientation of

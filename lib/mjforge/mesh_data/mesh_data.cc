@@ -22,17 +22,9 @@ std::optional<Format> FormatOf(std::string_view file_name) {
 }
 
 Check CheckFile(Format format, std::string_view content) {
-  switch (format) {
-    case Format::kObj:
-      return CheckObj(content);
-    case Format::kStl:
-      return CheckStl(content);
-    case Format::kMsh:
-      return CheckMsh(content);
-    case Format::kSkn:
-      return CheckSkn(content);
-  }
-  return {};
+  // In the order of Format.
+  constexpr Check (*kChecks[])(std::string_view) = {CheckObj, CheckStl, CheckMsh, CheckSkn};
+  return kChecks[static_cast<std::size_t>(format)](content);
 }
 
 bool IsFiniteFloat(double number) {

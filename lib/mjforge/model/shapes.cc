@@ -32,9 +32,7 @@ Box3 MeshBounds(const TriangleMesh& mesh, const Eigen::Vector3d& p, const Eigen:
 }  // namespace
 
 std::string_view GeomTypeName(GeomType type) {
-  constexpr std::array<std::string_view, 6> kNames = {"sphere",   "capsule", "ellipsoid",
-                                                      "cylinder", "box",     "mesh"};
-  return kNames[static_cast<std::size_t>(type)];
+  return kGeomTypeNames[static_cast<std::size_t>(type)];
 }
 
 int SizeCount(GeomType type) {

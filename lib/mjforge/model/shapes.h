@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <string>
@@ -19,6 +20,9 @@ namespace mjforge::model {
 using solid::TriangleMesh;
 
 enum class GeomType { kSphere, kCapsule, kEllipsoid, kCylinder, kBox, kMesh };
+/// Values of MJCF's attribute `type`, in the order of GeomType.
+inline constexpr std::array<std::string_view, 6> kGeomTypeNames = {
+    "sphere", "capsule", "ellipsoid", "cylinder", "box", "mesh"};
 /// Returns the value of MJCF's attribute `type` for a geom type.
 std::string_view GeomTypeName(GeomType type);
 /// Returns the number of values in MJCF's attribute `size` of a geom type; 0 for a mesh.

@@ -55,19 +55,14 @@ class Equalities {
     if (!IsActive(equality) || !compiled::HasOneNumber(m_, joint)) return false;
     const int first = m_.eq_obj1id[equality];
     const int second = m_.eq_obj2id[equality];
-    switch (m_.eq_type[equality]) {
-      case mjEQ_JOINT:
-        return second >= 0 && (joint == second || (joint == first && IsLinear(equality)));
-      case mjEQ_TENDON:
-        return IsLimited(joint) && (IsOnTendon(m_, joint, first) || IsOnTendon(m_, joint, second));
-      case mjEQ_CONNECT:
-      case mjEQ_WELD: {
-        const auto [body1, body2] = engine::BodiesOfEquality(m_, equality);
-        return IsLimited(joint) && (Moves(m_, joint, body1) || Moves(m_, joint, body2));
-      }
-      default:
-        return false;
-    }
+    const int type = m_.eq_type[equality];
+    if (type == mjEQ_JOINT)
+      return second >= 0 && (joint == second || (joint == first && IsLinear(equality)));
+    if (!IsLimited(joint)) return false;
+    if (type == mjEQ_TENDON) return IsOnTendon(m_, joint, first) || IsOnTendon(m_, joint, second);
+    if (type != mjEQ_CONNECT && type != mjEQ_WELD) return false;
+    const auto [body1, body2] = engine::BodiesOfEquality(m_, equality);
+    return Moves(m_, joint, body1) || Moves(m_, joint, body2);
   }
 
   /// Returns the distance that counts as an error of 100 %, m or rad: for an equality of two

@@ -37,20 +37,9 @@ std::array<double, 3> HsvToRgb(double h, double s, double v) {
   const double p = v * (1 - s);
   const double falling = v * (1 - s * f);
   const double rising = v * (1 - s * (1 - f));
-  switch (static_cast<int>(sector) % 6) {
-    case 0:
-      return {v, rising, p};
-    case 1:
-      return {falling, v, p};
-    case 2:
-      return {p, v, rising};
-    case 3:
-      return {p, falling, v};
-    case 4:
-      return {rising, p, v};
-    default:
-      return {v, p, falling};
-  }
+  const std::array<double, 3> colors[] = {{v, rising, p},  {falling, v, p}, {p, v, rising},
+                                          {p, falling, v}, {rising, p, v},  {v, p, falling}};
+  return colors[static_cast<std::size_t>(sector) % 6];
 }
 
 }  // namespace mjforge::sample

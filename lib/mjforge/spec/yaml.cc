@@ -316,17 +316,9 @@ bool IsBooleanWord(const YamlNode& node) {
 bool IsQuotedNumber(const YamlNode& node) { return node.quoted && expr::ParseNumber(node.text); }
 
 std::string_view KindName(const YamlNode& node) {
-  switch (node.kind) {
-    case YamlNode::Kind::kNull:
-      return "nothing";
-    case YamlNode::Kind::kScalar:
-      return "a single value";
-    case YamlNode::Kind::kList:
-      return "a list";
-    case YamlNode::Kind::kMap:
-      return "a mapping";
-  }
-  return "";
+  // In the order of YamlNode::Kind.
+  constexpr std::string_view kNames[] = {"nothing", "a single value", "a list", "a mapping"};
+  return kNames[static_cast<std::size_t>(node.kind)];
 }
 
 }  // namespace mjforge::spec
