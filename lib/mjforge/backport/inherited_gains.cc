@@ -135,8 +135,7 @@ void WarnOfForeignGains(xml::XmlElement& root, int version, diag::Findings& find
     if (kind.empty() || !warned.emplace(kind, actuator->element->tag).second) continue;
     findings.Warn(
         diag::Code::kMujocoOlder, actuator->element->mark,
-        fmt::format("{} has gains of the default <{}> up to MuJoCo 3.15, and not in later "
-                    "releases",
+        fmt::format("{} has gains of the default <{}> up to MuJoCo 3.15, and not in later releases",
                     actuator->element->Description(), kind),
         "write the gains at the actuator");
   }

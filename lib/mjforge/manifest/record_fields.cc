@@ -179,9 +179,8 @@ const std::array kFields = {
         "Parameters that were set in place of the spec's own values, as YAML."),
     OptionalField<&Record::assets_as, FieldScope::kBatch>(
         "assets_as", R"("enum": ["files"])",
-        "How meshes and textures that no file has are "
-        "written: as files beside the object; left out "
-        "if they are in its file."),
+        "How meshes and textures that no file has are written: as files beside the object; left "
+        "out if they are in its file."),
     OptionalField<&Record::sampler, FieldScope::kBatch>(
         "sampler", R"("enum": ["sobol", "latin", "grid"])",
         "How the draws are spread over the batch; left out if they are random."),
@@ -205,8 +204,7 @@ const std::array kFields = {
         R"("type": ["array", "null"], "items": {"type": "number"}, "minItems": 6, )"
         R"("maxItems": 6)",
         "Inertia about the centre of mass at the start state, along the axes of the object's "
-        "frame, "
-        "kg m^2: xx yy zz xy xz yz."),
+        "frame, kg m^2: xx yy zz xy xz yz."),
     ObjectField<&Record::bounds, &Bounds::aabb>(
         "aabb", kBox, "Bounds of the collision parts at the start state in the object's frame, m."),
     SweptBoundsField(),
@@ -248,8 +246,7 @@ const std::array kFields = {
     OptionalField<&Record::layout, FieldScope::kBatch>(
         "layout", R"("enum": ["one", "split"])",
         "The structures of the batch: `one`, a variant with another structure than the first one "
-        "is "
-        "invalid; `split`, a folder per structure; left out if variants may have any."),
+        "is invalid; `split`, a folder per structure; left out if variants may have any."),
     OptionalField<&Record::layout_first, FieldScope::kBatch>(
         "layout_first", kWhole,
         "With the layout `one`: the index of the first variant of the batch, which determines the "
@@ -279,8 +276,7 @@ const std::array kFields = {
     OptionalField<&Record::assets>(
         "assets", fmt::format(R"("type": "object", "additionalProperties": {{{}}})", kHash),
         "The files that the file refers to (meshes, pictures, objects), by their names in it, with "
-        "the SHA-256 "
-        "of their bytes; left out if there are none."),
+        "the SHA-256 of their bytes; left out if there are none."),
 };
 
 }  // namespace

@@ -171,8 +171,7 @@ class Behaviour {
     if (!(initial.depth > test_.checks().joint_penetration)) return;
     test_.reporter.Error(
         Code::kPhysicsJointCollides, initial.check != nullptr ? initial.check->mark : test_.mark,
-        fmt::format("bodies '{}' and '{}' are {} mm in each other before any joint "
-                    "is driven",
+        fmt::format("bodies '{}' and '{}' are {} mm in each other before any joint is driven",
                     test_.BodyName(initial.body1), test_.BodyName(initial.body2),
                     RoundedText(1000 * initial.depth)),
         initial.check != nullptr ? "the positions of `at` put them there" : kMakeRoom);
@@ -292,8 +291,7 @@ class Behaviour {
         Limit(driven, &model::JointCheck::penetration, checks.joint_penetration)) {
       ErrorOf(
           joint, Code::kPhysicsJointCollides,
-          fmt::format("driving joint '{}' pushes bodies '{}' and '{}' {} mm into each "
-                      "other, at {}",
+          fmt::format("driving joint '{}' pushes bodies '{}' and '{}' {} mm into each other, at {}",
                       joint.name, driven.body1, driven.body2, RoundedText(1000 * joint.penetration),
                       test_.Distance(driven.joint, driven.where)),
           InTheWayHint(driven, {driven.body1, driven.body2}));

@@ -258,8 +258,7 @@ bool CanOtherJointSeparate(const mjModel& m, int joint, const std::pair<int, int
 std::string LimitHint(const mjModel& m, int joint, double beyond, const std::string& usual) {
   if (beyond < (IsSlide(m, joint) ? kFarSlide : kFarHinge)) return usual;
   return usual +
-         "; the limit of a light part gives way far, so that the joint needs an `armature`, "
-         "too";
+         "; the limit of a light part gives way far, so that the joint needs an `armature`, too";
 }
 
 }  // namespace mjforge::physics

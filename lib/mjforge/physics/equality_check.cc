@@ -228,8 +228,7 @@ std::string RemedyOf(const ModelTest& test, const EqualityDrive& drive) {
   if (drive.outside_joint >= 0 && drive.outside_error >= drive.measured.error / 2) {
     return fmt::format(
         "joint '{}' would have to go {} beyond its range: look at the range, and at the ratio, "
-        "which "
-        "is m or rad for each m or rad of the other joint, not for each turn",
+        "which is m or rad for each m or rad of the other joint, not for each turn",
         test.JointName(drive.outside_joint), test.Distance(drive.outside_joint, drive.outside));
   }
   if (drive.is_reversed) {
