@@ -37,26 +37,19 @@ class Reader {
   Reader(const Json& root, std::string& why_not) : root_(root), why_not_(why_not) {}
 
   void Text(const char* key, std::string& out) {
-    const Json* value = Find(root_, key);
-    if (value == nullptr) return;
-    if (!value->IsString()) return Fail(key, "a text");
-    out = TextOf(*value);
+    if (const Json* value = Member(key, &Json::IsString, "a text")) out = TextOf(*value);
   }
 
   void Whole(const char* key, std::uint64_t& out) {
-    const Json* value = Find(root_, key);
+    const Json* value = Member(key, &Json::IsString, "a text of digits");
     if (value == nullptr) return;
-    if (!value->IsString()) return Fail(key, "a text of digits");
     const std::optional<std::uint64_t> number = output::ReadIndex(TextOf(*value));
     if (!number) return Fail(key, "a whole number up to 2^64 - 1");
     out = *number;
   }
 
   void Flag(const char* key, bool& out) {
-    const Json* value = Find(root_, key);
-    if (value == nullptr) return;
-    if (!value->IsBool()) return Fail(key, "true or false");
-    out = value->GetBool();
+    if (const Json* value = Member(key, &Json::IsBool, "true or false")) out = value->GetBool();
   }
 
   template <typename Number>
@@ -83,9 +76,9 @@ class Reader {
   }
 
   void Settings(std::vector<spec::Setting>& out, std::vector<std::size_t>& values) {
-    const Json* list = Find(root_, "settings");
+    const Json* list = Member("settings", &Json::IsArray, "a list");
     if (list == nullptr) return;
-    if (!list->IsArray() || list->Size() > kMostSettings) return Fail("settings", "a list");
+    if (list->Size() > kMostSettings) return Fail("settings", "a list");
     for (const Json& item : list->GetArray()) {
       const Json* name = item.IsObject() ? Find(item, "name") : nullptr;
       const Json* value = item.IsObject() ? Find(item, "value") : nullptr;
@@ -103,9 +96,8 @@ class Reader {
   }
 
   void Joints(std::vector<std::pair<std::string, double>>& out) {
-    const Json* joints = Find(root_, "joints");
+    const Json* joints = Member("joints", &Json::IsObject, "an object");
     if (joints == nullptr) return;
-    if (!joints->IsObject()) return Fail("joints", "an object");
     for (const auto& member : joints->GetObject()) {
       if (!member.value.IsNumber()) return Fail("joints", "an object of numbers");
       out.emplace_back(TextOf(member.name), member.value.GetDouble());
@@ -113,6 +105,15 @@ class Reader {
   }
 
  private:
+  // Returns a member of the request; null if the member is missing, or after a failure if its type
+  // is wrong.
+  const Json* Member(const char* key, bool (Json::*has_type)() const, std::string_view wanted) {
+    const Json* value = Find(root_, key);
+    if (value == nullptr || (value->*has_type)()) return value;
+    Fail(key, wanted);
+    return nullptr;
+  }
+
   void Fail(const char* key, std::string_view wanted) {
     if (why_not_.empty()) why_not_ = fmt::format("'{}' is not {}", key, wanted);
   }
