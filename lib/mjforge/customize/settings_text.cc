@@ -26,19 +26,12 @@ bool IsYamlWord(std::string_view text) {
   return std::ranges::find(kWords, diag::LowerCase(text)) != kWords.end();
 }
 
-// Encloses a text in single quotes, and doubles the single quotes within the text.
-std::string Enclose(std::string_view text) {
-  std::string out = "'";
-  for (const char c : text) out.append(c == '\'' ? 2 : 1, c);
-  return out + "'";
-}
-
 }  // namespace
 
 std::string QuoteForYaml(std::string_view text) {
   const bool is_word = ConsistsOf(text, fmt::format("{}{}", kLetters, kDigits)) &&
                        kLetters.find(text.front()) != kLetters.npos && !IsYamlWord(text);
-  return is_word ? std::string(text) : Enclose(text);
+  return is_word ? std::string(text) : spec::SingleQuoted(text);
 }
 
 std::string LiteralForYaml(std::string_view text) {
@@ -53,7 +46,7 @@ std::string LiteralForYaml(std::string_view text) {
       value += text.substr(i).starts_with(kOpen) ? "${'$'}" : std::string(1, text[i]);
   }
   const std::string harmless = fmt::format("{}{} +-*/._=()<>", kLetters, kDigits);
-  return text.find_first_not_of(harmless) == text.npos ? value : Enclose(value);
+  return text.find_first_not_of(harmless) == text.npos ? value : spec::SingleQuoted(value);
 }
 
 std::string OptionsText(const VariantKey& variant) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "mjforge/expr/expr.h"
+#include "mjforge/spec/spec.h"
 #include "mjforge/spec/yaml.h"
 
 namespace mjforge::spec {

@@ -145,6 +145,9 @@ struct Setting {
   std::string origin = "--set";  // name of the setting's source in findings
 };
 
+/// Returns the text in single quotes, as a YAML scalar.
+std::string SingleQuoted(std::string_view text);
+
 struct LoadOptions {
   std::vector<Setting> settings = {};
   /// Files with a YAML mapping of parameter names to values (`--params`); applied before

@@ -62,9 +62,6 @@ bool IsBooleanWord(const YamlNode& node);
 /// Returns true if the node is a number in quotes, which is text.
 bool IsQuotedNumber(const YamlNode& node);
 
-/// Returns the text in single quotes, as a YAML scalar.
-std::string SingleQuoted(std::string_view text);
-
 /// Returns the node as one line of YAML in flow style.
 std::string FlowText(const YamlNode& node);
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "mjforge/expr/expr.h"
+#include "mjforge/spec/spec.h"
 #include "mjforge/spec/value_reader.h"
 #include "mjforge/spec/yaml.h"
 
