@@ -16,13 +16,15 @@ namespace {
 using spec::Distribution;
 using spec::Value;
 
-// Returns true if a value consists of four numbers from 0 to 1, like a color: red, green, blue and
-// opacity.
+// Returns true if all bounds are from 0 to 1, like those of red, green, blue and opacity.
+bool AreShares(const std::vector<spec::Bounds>& bounds) {
+  return std::ranges::all_of(
+      bounds, [](const spec::Bounds& each) { return each.low >= 0 && each.high <= 1; });
+}
+
 bool IsRgba(const Value& value) {
   const std::vector<spec::Bounds> bounds = spec::BoundsOfComponents(value);
-  return bounds.size() == 4 && std::ranges::all_of(bounds, [](const spec::Bounds& each) {
-           return each.low >= 0 && each.high <= 1;
-         });
+  return bounds.size() == 4 && AreShares(bounds);
 }
 
 bool HasColorOptions(const Value& value) {
@@ -37,9 +39,7 @@ bool IsColor(const spec::Parameter& parameter, const Value& value,
   const bool is_named = std::ranges::any_of(std::array{"color", "colour", "rgb"}, [&](auto word) {
     return parameter.name.find(word) != std::string::npos;
   });
-  return is_named && std::ranges::all_of(bounds, [](const spec::Bounds& each) {
-           return each.low >= 0 && each.high <= 1;
-         });
+  return is_named && AreShares(bounds);
 }
 
 std::string_view KindOf(const spec::Parameter& parameter, const Value& value, bool has_choices,
