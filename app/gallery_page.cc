@@ -57,12 +57,9 @@ class PageMaker {
             std::function<picture::Renderer*()> open)
       : name_(std::move(name)),
         recipe_(std::move(recipe)),
+        view_(ViewOf(*recipe_.spec)),
         sources_(sources),
-        open_(std::move(open)) {
-    options_.seed = kSeed;
-    options_.validation = forge::Validation::kNone;
-    view_ = ViewOf(*recipe_.spec);
-  }
+        open_(std::move(open)) {}
 
   /// Makes and draws variants; returns false if MuJoCo loads no variant. Adds the findings of all
   /// variants to `findings`.
@@ -182,7 +179,7 @@ class PageMaker {
   forge::Recipe recipe_;
   picture::View view_;
   diag::Sources& sources_;
-  forge::Options options_;
+  forge::Options options_ = {.seed = kSeed, .validation = forge::Validation::kNone};
   picture::Loader loader_;
   std::function<picture::Renderer*()> open_;
   picture::Renderer* renderer_ = nullptr;
