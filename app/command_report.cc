@@ -31,7 +31,7 @@ std::vector<std::string> ManifestsNear(const Path& folder) {
     const Path file = is_folder ? entry.path() / "manifest.jsonl" : entry.path();
     if (IsManifest(file.filename().string()) && bytes::IsFile(file)) found.push_back(file.string());
   }
-  std::sort(found.begin(), found.end());
+  std::ranges::sort(found);
   return found;
 }
 

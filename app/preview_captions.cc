@@ -183,7 +183,7 @@ std::vector<std::tuple<int, double, std::size_t>> MostDifferent(std::span<const 
         DifferenceOf(records, i, UnitOf(spec.FindParameter(params[i].first)));
     if (spread > 0) found.emplace_back(rank, -spread, i);
   }
-  std::sort(found.begin(), found.end());
+  std::ranges::sort(found);
   found.resize(std::min(found.size(), kMaxParameters));
   return found;
 }

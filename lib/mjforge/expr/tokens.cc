@@ -179,7 +179,7 @@ std::vector<std::string> NamesUsedIn(std::string_view text) {
     const bool has_component = dot != std::string_view::npos && dot + 2 == token.text.size() &&
                                kComponents.find(token.text.back()) != std::string_view::npos;
     std::string name(has_component ? token.text.substr(0, dot) : token.text);
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   }
   return names;
 }

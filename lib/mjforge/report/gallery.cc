@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 
@@ -32,10 +33,8 @@ std::string TitleOfKind(std::string kind) {
 // kinds.
 int RankOf(const std::string& kind) {
   constexpr std::array<std::string_view, 3> kLast = {"robosuite", "shapes", "primitives"};
-  for (std::size_t i = 0; i < kLast.size(); ++i) {
-    if (kind == kLast[i]) return static_cast<int>(i) + 1;
-  }
-  return 0;
+  const auto* found = std::ranges::find(kLast, kind);
+  return found == kLast.end() ? 0 : static_cast<int>(found - kLast.begin()) + 1;
 }
 
 void AddCard(Dictionary& list, const GalleryCard& card) {

@@ -72,18 +72,14 @@ class ParameterPanels {
         expected_(batch.expected ? batch.expected->Find(drawn.name) : nullptr),
         declared_(ParameterOf(batch, drawn.name)),
         id_(fmt::format("parameter-{}", number)) {
-    const auto& settings = batch.summary.first->settings;
-    is_set_ = std::any_of(settings.begin(), settings.end(),
-                          [&](const auto& setting) { return setting.first == drawn.name; });
+    is_set_ = std::ranges::any_of(batch.summary.first->settings,
+                                  [&](const auto& setting) { return setting.first == drawn.name; });
   }
 
   /// Adds the panels. `colors` has some of the drawn values if the parameter is a colour.
   void operator()(const std::vector<std::string>& colors) {
     const auto values = drawn_.Values();
-    if (!values.empty()) {
-      AddValues(values);
-      return;
-    }
+    if (!values.empty()) return AddValues(values);
     const std::size_t count = drawn_.numbers.size();
     for (std::size_t i = 0; i < std::min(count, kMaxComponents); ++i) {
       Dictionary& panel = AddPanel(drawn_.NameOf(i), i == 0);
@@ -245,8 +241,7 @@ void AddMassAndSize(Dictionary& body, const ManifestSummary& summary) {
                          ? fmt::format("{} of {} are plotted, spread over the batch.",
                                        CountText(points.size()), CountText(all, "object"))
                          : fmt::format("{}.", CountText(all, "object"));
-  if (std::any_of(points.begin(), points.end(), [](const Point& point) { return point.is_bad; }))
-    text += "  Crosses mark variants that failed.";
+  if (std::ranges::any_of(points, &Point::is_bad)) text += "  Crosses mark variants that failed.";
   Set(section, "TEXT", text);
   AddScatter(section, points, all);
   AddMeasures(section, summary, false);
