@@ -12,8 +12,6 @@ RecordReader::RecordReader(bytes::LineReader lines, std::string name, diag::Sour
                            diag::Findings& findings)
     : lines_(std::move(lines)), name_(std::move(name)), sources_(&sources), findings_(&findings) {}
 
-namespace {}  // namespace
-
 std::optional<std::vector<std::uint64_t>> CutsOf(const std::filesystem::path& file,
                                                  diag::Findings& findings) {
   std::string why_not;

@@ -7,15 +7,12 @@
 #include "mjforge/compiled/compiled.h"
 
 namespace mjforge::physics {
-namespace {
 
 using compiled::Index;
 using compiled::MatrixAt;
 using compiled::VectorAt;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-}  // namespace
 
 BroadPhase::BroadPhase(const mjModel& m) : m_(m), works_(IsCovered(m)) {
   if (!works_) return;

@@ -9,12 +9,9 @@
 #include "mjforge/spec/value_reader.h"
 
 namespace mjforge::spec {
-namespace {
 
 using diag::Code;
 using expr::Type;
-
-}  // namespace
 
 std::string_view Trim(std::string_view text) {
   const auto begin = text.find_first_not_of(" \t\r\n");
