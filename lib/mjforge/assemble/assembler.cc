@@ -28,8 +28,7 @@ const Assembler::CachedMesh& Assembler::ReadMesh(const std::filesystem::path& fi
   const auto [found, is_new] = meshes_.try_emplace(file);
   CachedMesh& cached = found->second;
   if (!is_new) return cached;
-  std::error_code error;
-  cached.exists = std::filesystem::exists(file, error);
+  cached.exists = bytes::Exists(file);
   if (!cached.exists) return cached;
   std::optional<MeshFile> read = ReadMeshFile(file, cached.why_not, cached.unreadable);
   if (!read) return cached;
@@ -43,8 +42,7 @@ const Assembler::CachedTexture& Assembler::ReadTexture(const std::filesystem::pa
   const auto [found, is_new] = textures_.try_emplace(file);
   CachedTexture& cached = found->second;
   if (!is_new) return cached;
-  std::error_code error;
-  cached.exists = std::filesystem::exists(file, error);
+  cached.exists = bytes::Exists(file);
   cached.pixels = bytes::PngPixels(file, cached.why_not);
   return cached;
 }

@@ -138,7 +138,7 @@ class Tokenizer {
 
   bool FailCharacter() {
     const std::size_t begin = at_++;
-    Skip([](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; });
+    Skip(diag::IsContinuation);
     const std::string_view character = Since(begin);
     std::string hint;
     if (character == "$") hint = "inside an expression write only the name, without ${}";

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "mjforge/compiled/compiled.h"
 #include "mjforge/engine/engine.h"
 #include "mjforge/picture/layers.h"
 #include "mjforge/picture/subject.h"
@@ -57,8 +58,9 @@ bool IsGround(const mjvGeom& geom) {
   return geom.type == mjGEOM_PLANE || geom.type == mjGEOM_HFIELD;
 }
 
+// Returns true if the geom collides with any other geom, or is in a pair.
 bool Collides(const mjModel& m, int geom) {
-  if (m.geom_contype[geom] != 0 || m.geom_conaffinity[geom] != 0) return true;
+  if (compiled::Collides(m, geom)) return true;
   for (int i = 0; i < m.npair; ++i) {
     if (m.pair_geom1[i] == geom || m.pair_geom2[i] == geom) return true;
   }

@@ -252,7 +252,7 @@ void Comparison::Quaternion(const ComparedElement& subject, const mjtNum* compil
                             const Eigen::Quaterniond& meant) {
   // q and -q are the same rotation.
   const double sign = compiled::QuaternionAt(compiled, 0).dot(meant) < 0 ? -1 : 1;
-  const double wxyz[] = {meant.w(), meant.x(), meant.y(), meant.z()};
+  const Eigen::Vector4d wxyz = model::Wxyz(meant);
   for (int i = 0; i < 4; ++i) Number(subject, "quat", i, compiled[i], sign * wxyz[i], kRelative);
 }
 
