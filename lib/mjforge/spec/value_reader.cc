@@ -100,13 +100,10 @@ SourceMark ValueReader::At(SourceMark mark, std::size_t offset) const {
 }
 
 Value ValueReader::Wrong(const YamlNode& node, std::string_view expected) {
-  if (node.kind == YamlNode::Kind::kScalar) {
-    findings_.Add(Code::kSpecWrongType, node.mark,
-                  fmt::format("expected {}, got '{}'", expected, node.text));
-  } else {
-    findings_.Add(Code::kSpecWrongType, node.mark,
-                  fmt::format("expected {}, got {}", expected, KindName(node)));
-  }
+  const std::string given = node.kind == YamlNode::Kind::kScalar ? fmt::format("'{}'", node.text)
+                                                                 : std::string(KindName(node));
+  findings_.Add(Code::kSpecWrongType, node.mark,
+                fmt::format("expected {}, got {}", expected, given));
   return SubstituteFor(node);
 }
 
@@ -250,10 +247,11 @@ Value ValueReader::ReadNumber(const YamlNode& node) {
   if (node.kind == YamlNode::Kind::kMap) return ReadMapping({.kind = FieldKind::kNumber}, node, {});
   if (node.kind != YamlNode::Kind::kScalar) return Wrong(node, "a number");
   if (const auto number = expr::ParseNumber(node.text)) {
-    if (!node.quoted) return Value{.mark = node.mark, .form = *number};
-    findings_.Add(Code::kSpecWrongType, node.mark,
-                  fmt::format("expected a number, got the text '{}'", node.text),
-                  "a quoted number is text: drop the quotes");
+    if (node.quoted) {
+      findings_.Add(Code::kSpecWrongType, node.mark,
+                    fmt::format("expected a number, got the text '{}'", node.text),
+                    "a quoted number is text: drop the quotes");
+    }
     return Value{.mark = node.mark, .form = *number};
   }
   if (IsBooleanWord(node)) return Wrong(node, "a number");
