@@ -23,8 +23,7 @@ void ReadGains(const xml::XmlElement& element, Gains& gains) {
   if (!IsServo(element)) {
     if (element.tag == "motor") gains.kp = "1";
     const std::string* gain = element.tag == "general" ? element.Find("gainprm") : nullptr;
-    const std::vector<double> numbers =
-        gain == nullptr ? std::vector<double>() : xml::NumbersOf(*gain);
+    const std::vector<double> numbers = xml::NumbersOf(gain == nullptr ? "" : *gain);
     if (!numbers.empty()) gains.kp = xml::TextOf({numbers[0]});
     gains.mixed |= element.tag != "motor" && element.tag != "general";
     return;

@@ -36,8 +36,7 @@ std::string FromGeneral(const std::vector<const xml::XmlElement*>& defaults, std
     const bool may_reset = element->tag == "adhesion" || IsServo(*element);
     if (may_reset && element->Find(own) != nullptr) number.clear();
     const std::string* text = element->tag == "general" ? element->Find(list) : nullptr;
-    const std::vector<double> numbers =
-        text == nullptr ? std::vector<double>() : xml::NumbersOf(*text);
+    const std::vector<double> numbers = xml::NumbersOf(text == nullptr ? "" : *text);
     if (numbers.size() > index) number = xml::TextOf({numbers[index]});
   }
   return number;
