@@ -24,7 +24,7 @@ ExitStatus Replay(const forge::ReplayRequest& request, Console& console) {
 
 Action AddReplay(CLI::App& command) {
   auto request = std::make_shared<forge::ReplayRequest>();
-  AddArgument(command, "WHAT", request->what, "BATCH:INDEX (folder, archive, manifest) or FILE.xml",
+  AddArgument(command, "WHAT", request->what, "BATCH:INDEX (manifest, folder, archive), FILE.xml",
               ".jsonl .zst .xml");
   command.add_option("--spec", request->spec, "The spec, if it has moved")
       ->option_text("SPEC")

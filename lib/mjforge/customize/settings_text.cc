@@ -55,6 +55,12 @@ std::string OptionsText(const VariantKey& variant) {
   return text;
 }
 
+std::string FactsText(std::string_view spec, const VariantKey& variant) {
+  std::string text = fmt::format("spec={} seed={} index={}", spec, variant.seed, variant.index);
+  if (variant.place_seed) text += fmt::format(" place-seed={}", *variant.place_seed);
+  return text;
+}
+
 std::string CommandText(std::string_view spec, std::span<const spec::Setting> settings,
                         const VariantKey& variant, std::uint64_t count, std::string_view name) {
   std::string command = "mjforge generate " + output::ShellWord(spec);

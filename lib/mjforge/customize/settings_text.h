@@ -27,6 +27,8 @@ struct VariantKey {
 
 /// Returns the options of `mjforge inspect` that name a variant: "--seed 7 --index 0".
 std::string OptionsText(const VariantKey& variant);
+/// Returns the facts in a picture of the variant: "spec=hammer seed=7 index=0".
+std::string FactsText(std::string_view spec, const VariantKey& variant);
 /// Returns the command that makes `count` variants with these settings, from `variant` on. Several
 /// variants are written to the folder `name`.
 std::string CommandText(std::string_view spec, std::span<const spec::Setting> settings,

@@ -334,11 +334,8 @@ Reply Studio::State::Export(const Request& request) {
   } else if (request.name == "png") {
     const std::optional<picture::Image> image = DrawPicture(request, shown, findings);
     if (!image) return Failure("it cannot be drawn");
-    const std::string facts =
-        fmt::format("spec={} seed={} index={}{}", start.reference, request.seed, request.index,
-                    start.place_seed ? fmt::format(" place-seed={}", *start.place_seed) : "");
-    picture = picture::EncodePng(
-        *image, {{"Software", fmt::format("mjforge {}", forge::Version())}, {"mjforge", facts}});
+    picture = picture::EncodePng(*image, {{"Software", fmt::format("mjforge {}", forge::Version())},
+                                          {"mjforge", FactsText(start.reference, variant)}});
   } else {
     return Failure("there is no export '" + request.name + "'");
   }

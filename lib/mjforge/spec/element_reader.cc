@@ -48,8 +48,8 @@ std::string HintFor(std::string_view key, const ElementInfo& element) {
   if (&element == &kPlaceElement && key == "on") return "write `at`; YAML 1.1 reads `on` as true";
   if (&element == &kPlaceElement && kBesideElement.Find(key) != nullptr)
     return fmt::format("'{}' is a key of `beside:`", key);
-  for (const ElementInfo* owner : {&kBodyElement, &kPartElement, &kObjectElement, &kJointElement,
-                                   &kSiteElement, &kMaterialElement, &kPlaceElement}) {
+  for (const ElementInfo* owner :
+       {&kBodyElement, &kPartElement, &kObjectElement, &kJointElement, &kPlaceElement}) {
     if (owner->Find(key) != nullptr)
       return fmt::format("'{}' is a key of {}{}", key, Article(owner->name), owner->name);
   }
