@@ -231,7 +231,7 @@ class Preview {
     findings_.Append(all.Findings());
     if (tiles.empty()) return std::nullopt;
     if (recipe_) {
-      const auto captions = MakeCaptions(records, *recipe_->spec);
+      const auto captions = MakeCaptions(records, *recipe_->spec, tile.width);
       for (std::size_t i = 0; i < tiles.size(); ++i) tiles[i].caption = captions[i];
     } else {
       for (std::size_t i = 0; i < tiles.size(); ++i) tiles[i].caption = {records[i].name};

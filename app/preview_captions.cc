@@ -21,7 +21,8 @@ using manifest::Record;
 using sample::ParameterValue;
 
 constexpr std::size_t kMaxParameters = 4;
-constexpr std::size_t kMaxLetters = 36;  // letters of a line that fits below a tile of 320 pixels
+constexpr int kMaxLetters = 36;       // letters of a line; longer ones are hard to read
+constexpr double kLetterWidth = 6.5;  // pixels of a letter, on average and rounded up
 
 // Last words of parameter names that captions leave out, because the value implies them: a caption
 // has "steel" for a parameter `material` with this value.
@@ -189,9 +190,9 @@ std::vector<std::tuple<int, double, std::size_t>> MostDifferent(std::span<const 
 }
 
 // Adds an item to the last line, or begins another line: after the first line (the variant's
-// index), and if the last line is full.
-void AddItem(const std::string& item, std::vector<std::string>& lines) {
-  if (lines.size() > 1 && lines.back().size() + 2 + item.size() <= kMaxLetters) {
+// index), and if the last line would have more than `most` letters.
+void AddItem(const std::string& item, std::size_t most, std::vector<std::string>& lines) {
+  if (lines.size() > 1 && lines.back().size() + 2 + item.size() <= most) {
     lines.back() += ", " + item;
   } else {
     lines.push_back(item);
@@ -201,16 +202,18 @@ void AddItem(const std::string& item, std::vector<std::string>& lines) {
 }  // namespace
 
 std::vector<std::vector<std::string>> MakeCaptions(std::span<const Record> records,
-                                                   const spec::ObjectSpec& spec) {
+                                                   const spec::ObjectSpec& spec, int width) {
   std::vector<std::vector<std::string>> captions;
   if (records.empty()) return captions;
+  const auto most =
+      static_cast<std::size_t>(std::min(kMaxLetters, static_cast<int>(width / kLetterWidth)));
   const auto parameters = MostDifferent(records, spec);
   for (const Record& record : records) {
     std::vector<std::string>& lines = captions.emplace_back();
     lines.push_back(fmt::format("#{}", record.index));
     for (const auto& [rank, spread, parameter] : parameters) {
       const auto& [name, value] = record.params[parameter];
-      AddItem(TextOf(name, value, UnitOf(spec.FindParameter(name)), rank == kCount), lines);
+      AddItem(TextOf(name, value, UnitOf(spec.FindParameter(name)), rank == kCount), most, lines);
     }
   }
   return captions;

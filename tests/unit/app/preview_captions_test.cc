@@ -22,9 +22,9 @@ struct Family {
     records[0].params.emplace_back(name, std::move(first));
     records[1].params.emplace_back(name, std::move(second));
   }
-  std::vector<Lines> Captions() {
+  std::vector<Lines> Captions(int width = 320) {
     records[1].index = 1;
-    return app::MakeCaptions(records, spec);
+    return app::MakeCaptions(records, spec, width);
   }
 
   spec::ObjectSpec spec;
@@ -40,6 +40,9 @@ TEST_CASE("captions name what is seen to differ: words, then sizes, with units")
   family.Add("style", "{choice: [round, square]}", "", std::string("round"), std::string("square"));
   CHECK(family.Captions() == std::vector<Lines>{{"#0", "round, height 28 cm, radius 8.1 mm"},
                                                 {"#1", "square, height 1.2 m, radius 8.9 mm"}});
+  CHECK(family.Captions(200) ==
+        std::vector<Lines>{{"#0", "round, height 28 cm", "radius 8.1 mm"},
+                           {"#1", "square, height 1.2 m", "radius 8.9 mm"}});
 }
 
 TEST_CASE("a caption reads as a sentence would: choices and counts before their nouns") {
