@@ -64,11 +64,12 @@ void Replacements::ReplaceDamping(ClassedElement& servo) {
   ReadGains(*servo.element, gains);
   if (gains.kv.empty() || gains.mixed || !IsNumber(gains.kp) || !IsNumber(gains.kv)) return;
   xml::XmlElement& element = *servo.element;
-  for (const char* other : {"dampratio", "timeconst"}) {
+  constexpr std::array kOthers = {"dampratio", "timeconst"};
+  for (const char* other : kOthers) {
     const std::string* said = FindMissing(servo, other);
     if (said != nullptr && xml::NumbersOf(*said) != std::vector<double>{0}) return;
-    element.Remove(other);
   }
+  for (const char* other : kOthers) element.Remove(other);
   const bool integrates = element.tag == "intvelocity";
   element.tag = "general";
   element.Remove("kp");

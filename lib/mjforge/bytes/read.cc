@@ -95,8 +95,11 @@ std::optional<File> File::Open(const std::filesystem::path& file, std::string& w
   File opened(descriptor);
   // Checks the opened file, too, because another file may have replaced it since the first check.
   struct stat status;
-  if (::fstat(descriptor, &status) != 0 || !IsRegular(status, why_not)) return std::nullopt;
-  return opened;
+  if (::fstat(descriptor, &status) != 0) {
+    why_not = Words(errno);
+    return std::nullopt;
+  }
+  return IsRegular(status, why_not) ? std::optional(std::move(opened)) : std::nullopt;
 }
 
 File::File(File&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}

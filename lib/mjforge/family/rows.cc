@@ -184,9 +184,11 @@ void RowsFile::AddChunk(std::uint64_t at, std::uint64_t size, std::size_t number
   Family& family = families_[number];
   const auto count = Decoder(ReadAt(at, std::min<std::uint64_t>(size, sizeof(std::uint64_t))))
                          .Read<std::uint64_t>();
-  const std::uint64_t numbers = sizeof(double) * family.row * count;
-  if (family.row == 0 || count > size || numbers > size - sizeof(count))
+  // Divides, because a product of numbers in a damaged file may overflow.
+  if (size < sizeof(count) || family.row == 0 ||
+      count > (size - sizeof(count)) / sizeof(double) / family.row)
     throw std::runtime_error("it is damaged");
+  const std::uint64_t numbers = sizeof(double) * family.row * count;
   family.chunks.push_back({at + sizeof(count), count, size - sizeof(count) - numbers});
   family.count += count;
 }
