@@ -704,7 +704,8 @@ constexpr FieldInfo kBesideFields[] = {
     Required(Row({"body", Key::kBody}, FieldKind::kText, "An earlier body.")),
     Required(Word({"side", Key::kSide}, "left right front back", "",
                   "Its side, as it is for somebody who looks where its front does.")),
-    Number({"gap", Key::kGap}, "m", AtLeast(0), "0", "Distance between the two."),
+    Number({"gap", Key::kGap}, "m", AtLeast(0), "0",
+           "Distance between the two along that side, of the boxes around them."),
 };
 
 constexpr FieldInfo kContactFields[] = {
