@@ -42,6 +42,17 @@ std::string UnexpectedWord(const CLI::App& app, const CLI::App& command) {
   return fmt::format("'{}' is one word too many", words.front());
 }
 
+// Returns the message of an error, with other words for "--seed: At Most 1 required but received
+// 2".
+std::string WordsOf(const CLI::ParseError& error) {
+  constexpr std::string_view kRepeated = ": At Most 1 required but received ";
+  const std::string said = error.what();
+  const std::size_t at = said.find(kRepeated);
+  if (at == said.npos) return said;
+  return fmt::format("{} is given {} times", said.substr(0, at),
+                     said.substr(at + kRepeated.size()));
+}
+
 }  // namespace
 
 ExitStatus WrongUsage(std::string_view message, std::string_view command) {
@@ -70,7 +81,7 @@ ExitStatus ExplainParseError(const CLI::App& app, const CLI::ParseError& error,
   if (std::ranges::any_of(app.remaining(true), [](const auto& word) { return word != "--"; }))
     return WrongUsage(UnexpectedWord(app, command), name);
   if (parsed.empty()) return WrongUsage("a command is missing", {});
-  return WrongUsage(error.what(), name);
+  return WrongUsage(WordsOf(error), name);
 }
 
 ExitStatus ExplainNoMemory() {

@@ -65,6 +65,20 @@ TEST_CASE_METHOD(UsageTest, "values that an option cannot take are wrong usage")
         "did you mean 'scene'?");
 }
 
+TEST_CASE_METHOD(UsageTest, "an option that is repeated is said to be") {
+  CHECK(WrongUsage({"generate", "crate.yaml", "-n", "1", "-n", "2"}) ==
+        "mjforge: error: --count is given 2 times");
+}
+
+TEST_CASE_METHOD(UsageTest, "a folder is no file to write, and a missing folder is one finding") {
+  std::filesystem::create_directory(folder() / "z.xml");
+  CHECK(Run({"generate", "crate.yaml", "-o", "z.xml", "--force"})
+            .err.starts_with("mjforge: error: 'z.xml' is a folder, not a file (seed 0, index 0) "
+                             "[output/cannot-write]\n  hint: choose another name\n"));
+  CHECK(Run({"verify", "nothere/"}).err ==
+        "mjforge: error: cannot read 'nothere': No such file or directory [yaml/cannot-read]\n");
+}
+
 TEST_CASE_METHOD(UsageTest, "a number with a leading zero is decimal") {
   CHECK(Run({"generate", "crate.yaml", "--seed", "010", "-o", "-"}).out ==
         Run({"generate", "crate.yaml", "--seed", "10", "-o", "-"}).out);

@@ -272,6 +272,7 @@ class Verification {
         return;
       }
     }
+    if (findings_.HasErrors()) return;
     if (!bytes::Exists(archive)) {
       findings_.AddCannotRead(archive.string(), "there is no such file");
       return;

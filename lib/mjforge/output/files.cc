@@ -39,6 +39,11 @@ bool MayReplace(const std::filesystem::path& file, bool force, std::size_t bytes
                  "use '-o -' to write to standard output");
     return false;
   }
+  if (std::filesystem::is_directory(file, ignored)) {
+    findings.Add(diag::Code::kOutputCannotWrite, {},
+                 fmt::format("'{}' is a folder, not a file", file.string()), "choose another name");
+    return false;
+  }
   if (force) return true;
   if (std::filesystem::is_symlink(file, ignored)) {
     findings.Add(diag::Code::kOutputCannotWrite, {},
