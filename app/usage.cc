@@ -46,7 +46,7 @@ std::string UnexpectedWord(const CLI::App& app, const CLI::App& command) {
 // 2".
 std::string WordsOf(const CLI::ParseError& error) {
   constexpr std::string_view kRepeated = ": At Most 1 required but received ";
-  const std::string said = error.what();
+  std::string said = error.what();
   const std::size_t at = said.find(kRepeated);
   if (at == said.npos) return said;
   return fmt::format("{} is given {} times", said.substr(0, at),

@@ -75,7 +75,7 @@ std::vector<Field> ReadFields(const ElementInfo& element, const YamlNode& map, C
 
 /// Reads the fields of an element, as ReadFields() does. Also reports unknown keys, and required
 /// fields that the mapping does not have.
-std::vector<Field> ReadElementFields(const ElementInfo& element, const YamlNode& map,
+std::vector<Field> ReadElementFields(const ElementInfo& element, const YamlNode& text,
                                      Context& context);
 
 /// Reads the mapping under the key `element.name` of `map` into a child of `entry`, and returns the

@@ -33,7 +33,7 @@ class EntryReader {
                   const ElementInfo& element, std::string_view what);
 
  private:
-  Entry ReadEntry(const ElementInfo& element, const YamlNode& map);
+  Entry ReadEntry(const ElementInfo& element, const YamlNode& text);
   /// Reads the entry's name, or reports that a required name is missing.
   void ReadName(const YamlNode& map, std::string_view key, bool required, Entry& entry);
   void ReadLocals(const YamlNode& locals, bool has_name, Entry& entry);

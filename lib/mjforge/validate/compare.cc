@@ -227,7 +227,7 @@ void Comparison::CompareInertia(int id, const model::Body& body, const ComparedE
   }
   if (exact_axes) return;
   Eigen::Vector3d sorted = compiled::VectorAt(m_.body_inertia, id);
-  std::ranges::sort(sorted);
+  std::sort(sorted.begin(), sorted.end());
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(meant.I_Cm_F, Eigen::EigenvaluesOnly);
   for (int i = 0; i < 3; ++i) {
     Number(subject, "principal moment", i, sorted[i], solver.eigenvalues()[i],
