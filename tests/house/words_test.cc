@@ -23,6 +23,14 @@ std::vector<std::string> PlacesOf(const std::vector<ProjectFile>& files, std::st
   return places;
 }
 
+// Files without a zero byte. Four letters can occur by chance in a picture.
+std::vector<ProjectFile> TextFiles() {
+  std::vector<ProjectFile> files = ProjectFiles();
+  std::erase_if(files,
+                [](const ProjectFile& file) { return file.text.find('\0') != file.text.npos; });
+  return files;
+}
+
 }  // namespace
 
 TEST_CASE("no file names a folder of one machine") {
@@ -35,7 +43,7 @@ TEST_CASE("no file names a folder of one machine") {
 TEST_CASE("no file is left unfinished") {
   for (const std::string second_half : {"DO", "ME"}) {
     const std::string word = (second_half == "DO" ? "TO" : "FIX") + second_half;
-    CHECK(PlacesOf(ProjectFiles(), word) == std::vector<std::string>{});
+    CHECK(PlacesOf(TextFiles(), word) == std::vector<std::string>{});
   }
 }
 
