@@ -167,7 +167,8 @@ class RestFinder {
   // near it. The hull has polygons in place of circles, so that an edge and a point of a rim, from
   // which the body would roll along the rim, look like a face.
   bool Settle(Rest& rest) const {
-    const Vector3d face = std::exchange(rest.down, LowestNear(shapes_, center_, rest.down));
+    const Vector3d face =
+        std::exchange(rest.down, LowestNear(shapes_, center_, rest.down, kFaceError));
     return face.dot(rest.down) >= std::cos(kFaceError) &&
            !SinksWhenTilted(shapes_, center_, rest.down, std::min(rest.margin / 2, kMostTilt));
   }

@@ -5,8 +5,10 @@
 #include <array>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 namespace mjforge::placing {
 
@@ -34,29 +36,62 @@ class Tilts {
   Vector3d v_;
 };
 
-}  // namespace
-
-double CenterHeight(const PlacedShapes& shapes, const Vector3d& center, const Vector3d& down) {
+template <typename Shapes>
+double HeightOf(const Shapes& shapes, const Vector3d& center, const Vector3d& down) {
   double lowest = -std::numeric_limits<double>::infinity();
   for (const distance::PlacedShape& placed : shapes)
     lowest = std::max(lowest, down.dot(distance::FarthestPoint(placed, down)));
   return lowest - down.dot(center);
 }
 
-Vector3d LowestNear(const PlacedShapes& shapes, const Vector3d& center, const Vector3d& down) {
+using ShapeReferences = std::vector<std::reference_wrapper<const distance::PlacedShape>>;
+
+// Returns the shapes that can touch the ground after a tilt of at most `angle`. A tilt moves a
+// point up or down by at most the angle times its distance from the centre of mass.
+ShapeReferences LowShapes(const PlacedShapes& shapes, const Vector3d& center, const Vector3d& down,
+                          double angle) {
+  std::vector<double> depths;
+  std::vector<double> moves;
+  double least = -std::numeric_limits<double>::infinity();
+  for (const distance::PlacedShape& placed : shapes) {
+    const Eigen::AlignedBox3d& box = placed.box_W;
+    const double reach =
+        (box.min() - center).cwiseAbs().cwiseMax((box.max() - center).cwiseAbs()).norm();
+    depths.push_back(down.dot(distance::FarthestPoint(placed, down) - center));
+    moves.push_back(angle * reach + kRounding);
+    least = std::max(least, depths.back() - moves.back());
+  }
+  ShapeReferences low;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (depths[i] + moves[i] >= least) low.emplace_back(shapes[i]);
+  }
+  return low;
+}
+
+}  // namespace
+
+double CenterHeight(const PlacedShapes& shapes, const Vector3d& center, const Vector3d& down) {
+  return HeightOf(shapes, center, down);
+}
+
+Vector3d LowestNear(const PlacedShapes& shapes, const Vector3d& center, const Vector3d& down,
+                    double most) {
   constexpr double kFirstStep = 0.002;  // rad
   constexpr double kLastStep = 1e-8;
   constexpr int kDirections = 16;
   constexpr int kMostSteps = 100;
+  const ShapeReferences low = LowShapes(shapes, center, down, most + kFirstStep);
   Vector3d best = down;
-  double height = CenterHeight(shapes, center, best);
+  double height = HeightOf(low, center, best);
   double step = kFirstStep;
+  const double least_cosine = std::cos(most);
   for (int count = 0; step > kLastStep && count < kMostSteps; ++count) {
+    if (down.dot(best) < least_cosine) break;
     const Tilts tilts(best);
     bool is_lower = false;
     for (int i = 0; i < kDirections; ++i) {
       const Vector3d tilted = tilts.At(step, 2 * std::numbers::pi * i / kDirections);
-      const double tried = CenterHeight(shapes, center, tilted);
+      const double tried = HeightOf(low, center, tilted);
       if (tried >= height - kRounding) continue;
       best = tilted;
       height = tried;
@@ -73,10 +108,11 @@ bool SinksWhenTilted(const PlacedShapes& shapes, const Vector3d& center, const V
   constexpr double kStep = 2 * std::numbers::pi / kDirections;
   constexpr int kBits = 24;  // accuracy of a direction
   const Tilts tilts(down);
+  const ShapeReferences low = LowShapes(shapes, center, down, angle);
   const auto height_at = [&](double around) {
-    return CenterHeight(shapes, center, tilts.At(angle, around));
+    return HeightOf(low, center, tilts.At(angle, around));
   };
-  const double least = CenterHeight(shapes, center, down) - kRounding;
+  const double least = HeightOf(low, center, down) - kRounding;
   std::array<double, kDirections> heights;
   for (std::size_t i = 0; i < kDirections; ++i)
     heights[i] = height_at(static_cast<double>(i) * kStep);
