@@ -168,7 +168,7 @@ Value ValueReader::ReadMapping(const FieldInfo& expected, const YamlNode& node,
     const auto closest = diag::ClosestWord(pair.key, known);
     if (!closest || node.Find(*closest) != nullptr) return SubstituteFor(node);
     YamlNode meant = node;
-    meant.pairs[static_cast<std::size_t>(&pair - node.pairs.data())].key = *closest;
+    std::ranges::find(meant.pairs, pair.key, &YamlNode::Pair::key)->key = *closest;
     return ReadMapping(expected, meant, extra_keys);
   }
   if (main == nullptr)

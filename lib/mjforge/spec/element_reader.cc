@@ -41,11 +41,8 @@ std::string_view Article(std::string_view name) {
   return std::string_view("aeiou").find(name[0]) != std::string_view::npos ? "an " : "a ";
 }
 
-// Returns the hint for a key that another element of a spec has, or that is written otherwise:
-// "'joints' is a key of a body". Returns an empty text for any other key.
-std::string HintFor(std::string_view key, const ElementInfo& element) {
-  if (key == "<<") return "YAML 1.2 has no merge keys; use `defaults:`";
-  if (&element == &kPlaceElement && key == "on") return "write `at`; YAML 1.1 reads `on` as true";
+// Returns "'joints' is a key of a body" for a key of another element; otherwise an empty text.
+std::string OwnerOf(std::string_view key, const ElementInfo& element) {
   if (&element == &kPlaceElement && kBesideElement.Find(key) != nullptr)
     return fmt::format("'{}' is a key of `beside:`", key);
   for (const ElementInfo* owner :
@@ -54,6 +51,26 @@ std::string HintFor(std::string_view key, const ElementInfo& element) {
       return fmt::format("'{}' is a key of {}{}", key, Article(owner->name), owner->name);
   }
   return {};
+}
+
+// Meaning of a key that an element does not have.
+struct Meaning {
+  std::string_view key;  // key that was probably meant, and is missing; empty: unknown
+  std::string hint;
+};
+
+Meaning MeaningOf(std::string_view key, const ElementInfo& element, const YamlNode& map) {
+  if (key == "<<") return {{}, "YAML 1.2 has no merge keys; use `defaults:`"};
+  if (&element == &kPlaceElement && key == "on")
+    return {map.Find("at") == nullptr ? "at" : "", "write `at`; YAML 1.1 reads `on` as true"};
+  if (std::string owner = OwnerOf(key, element); !owner.empty()) return {{}, std::move(owner)};
+  std::vector<std::string_view> missing;
+  for (const FieldInfo& field : element.fields) {
+    if (map.Find(field.key) == nullptr) missing.push_back(field.key);
+  }
+  if (const auto closest = diag::ClosestWord(key, missing))
+    return {*closest, fmt::format("did you mean '{}'?", *closest)};
+  return {{}, diag::DidYouMean(key, element.fields, &FieldInfo::key)};
 }
 
 void CheckOneOf(const ExclusiveKeys& group, const std::vector<Field>& fields, Context& context) {
@@ -122,18 +139,8 @@ std::optional<YamlNode> CheckKeys(const ElementInfo& element, const YamlNode& ma
     const YamlNode::Pair& pair = map.pairs[i];
     if (element.Find(pair.key) != nullptr) continue;
     if (!meant) meant = map;
-    std::string hint = HintFor(pair.key, element);
-    if (pair.key == "on" && &element == &kPlaceElement && meant->Find("at") == nullptr)
-      meant->pairs[i].key = "at";
-    if (hint.empty()) {
-      std::vector<std::string_view> missing;
-      for (const FieldInfo& field : element.fields) {
-        if (meant->Find(field.key) == nullptr) missing.push_back(field.key);
-      }
-      hint = diag::DidYouMean(pair.key, missing);
-      if (hint.empty()) hint = diag::DidYouMean(pair.key, element.fields, &FieldInfo::key);
-      if (const auto closest = diag::ClosestWord(pair.key, missing)) meant->pairs[i].key = *closest;
-    }
+    auto [key, hint] = MeaningOf(pair.key, element, *meant);
+    if (!key.empty()) meant->pairs[i].key = key;
     context.findings.Add(
         Code::kSpecUnknownKey, pair.mark,
         fmt::format("unknown key '{}' in {}{}", pair.key, Article(element.name), element.name),

@@ -139,7 +139,10 @@ FieldInfo Parse(std::string_view word) {
     field.max_count = kMostNumbers;
     field.any_unit = true;
     field.default_text = word.substr(end + 1);
-    if (field.key == "timestep") field.lower = 0, field.above = true;
+    if (field.key == "timestep") {
+      field.lower = 0;
+      field.above = true;
+    }
   } else if (word[end] == '?') {
     field.kind = FieldKind::kBoolean;
   } else {
