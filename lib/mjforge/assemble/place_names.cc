@@ -3,8 +3,6 @@
 #include "mjforge/assemble/place_names.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -220,9 +218,8 @@ void PlaceNames::ExplainAbsence(const spec::Entry& entry, int body, std::string_
   if (!IsSearched(entry))
     finding.hint = kLeftOutHint;
   else if (tilt > kLevelAngle)
-    finding.hint = fmt::format("no level face was found: {} is tilted by {} degrees at the start",
-                               Quoted(NameOf(body)),
-                               expr::NumberText(std::round(tilt * 1800 / std::numbers::pi) / 10));
+    finding.hint =
+        fmt::format("no level face was found: {} is {}", Quoted(NameOf(body)), TiltText(tilt));
   else
     finding.hint =
         "no level face was found: `area`, `height` or `margin` is too large, or nothing collides";

@@ -295,9 +295,8 @@ bool Placements::CheckRegionIsLevel(const Request& request, const Trial& trial,
   if (tilt <= kLevelAngle) return true;
   context_.findings
       .Add(Code::kModelNotLevel, mark,
-           fmt::format("body {} cannot stand at {}, which is tilted by {} degrees at the start",
-                       Quoted(request.name), Quoted(trial.at),
-                       expr::NumberText(std::round(tilt * 1800 / std::numbers::pi) / 10)))
+           fmt::format("body {} cannot stand at {}, which is {}", Quoted(request.name),
+                       Quoted(trial.at), TiltText(tilt)))
       .notes.push_back({trial.target.mark(), "the place is described here"});
   return false;
 }

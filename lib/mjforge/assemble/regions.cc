@@ -10,6 +10,7 @@
 
 #include "mjforge/assemble/assembly.h"
 #include "mjforge/assemble/pose_reader.h"
+#include "mjforge/assemble/regions.h"
 
 namespace mjforge::assemble {
 namespace {
@@ -118,6 +119,11 @@ bool ReadExtent(FieldReader& reader, const spec::Entry& entry, std::string_view 
 }
 
 }  // namespace
+
+std::string TiltText(double tilt) {
+  return fmt::format("tilted by {} degrees at the start",
+                     expr::NumberText(std::round(tilt * 1800 / std::numbers::pi) / 10));
+}
 
 void CenterOrigin(model::Region& region) {
   if (region.type != model::RegionType::kPolygon) return;

@@ -13,6 +13,8 @@ namespace mjforge::assemble {
 /// A region is level if its angle to the horizontal plane, in rad, is at most this value. At this
 /// angle, the ends of an object 30 cm long differ in height by less than 0.1 mm.
 inline constexpr double kLevelAngle = 3e-4;
+/// Returns a tilt, rad, in words: "tilted by 3.5 degrees at the start".
+std::string TiltText(double tilt);
 
 /// A request to find regions on a body: an entry of `regions:` with `type: auto`.
 struct FaceSearch {
