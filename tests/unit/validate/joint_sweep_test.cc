@@ -46,6 +46,14 @@ std::string Ball(const std::string& name, const std::string& pos) {
   return "<geom name=\"" + name + "\" size=\"0.1\" pos=\"" + pos + "\"/>";
 }
 
+/// A ball on a slide.
+std::string OnSlide(const std::string& name, const std::string& pos, const std::string& joint,
+                    const std::string& axis, const std::string& range) {
+  return Body(name, pos,
+              Joint(joint, "type=\"slide\" axis=\"" + axis + "\"" + Range(range)) +
+                  Ball(name + "_ball", "0 0 0"));
+}
+
 const std::string kBase = "<freejoint name=\"free\"/><geom name=\"core\" size=\"0.01\"/>";
 const std::string kStop = Body("stop", "1 0 0", "<joint/>" + Ball("stop_ball", "0 0 0"));
 
@@ -155,9 +163,7 @@ TEST_CASE("only what a joint changes is told of it") {
 
 TEST_CASE("a contact that takes two joints is told without a joint, and one that takes none") {
   const auto cart = [](const std::string& name, const std::string& x, const std::string& axis) {
-    return Body(name, x + " 0 1",
-                Joint(name + "_rail", "type=\"slide\" axis=\"" + axis + " 0 0\"" + Range("0 0.5")) +
-                    Ball(name + "_ball", "0 0 0"));
+    return OnSlide(name, x + " 0 1", name + "_rail", axis + " 0 0", "0 0.5");
   };
   const Sweep two =
       SweepOf(Body("base", "0 0 0", kBase + cart("a", "-0.5", "1") + cart("b", "0.5", "-1")));
@@ -168,15 +174,9 @@ TEST_CASE("a contact that takes two joints is told without a joint, and one that
 }
 
 TEST_CASE("the other joints are at their start") {
-  const std::string bodies =
-      Body("base", "0 0 0",
-           kBase +
-               Body("cart", "0 0 0",
-                    Joint("rail", "type=\"slide\" axis=\"1 0 0\"" + Range("0 0.5")) +
-                        Ball("cart_ball", "0 0 0")) +
-               Body("gate", "0.6 0 0",
-                    Joint("lift", "type=\"slide\" axis=\"0 0 1\"" + Range("0 1")) +
-                        Ball("gate_ball", "0 0 0")));
+  const std::string bodies = Body("base", "0 0 0",
+                                  kBase + OnSlide("cart", "0 0 0", "rail", "1 0 0", "0 0.5") +
+                                      OnSlide("gate", "0.6 0 0", "lift", "0 0 1", "0 1"));
   const std::string raised =
       "<keyframe><key name=\"m_start\" qpos=\"0 0 0 1 0 0 0 0 0.5\"/></keyframe>";
   CHECK(ContactTexts(SweepOf(bodies)) ==
