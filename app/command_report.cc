@@ -29,7 +29,8 @@ std::vector<std::string> ManifestsNear(const Path& folder) {
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
     const bool is_folder = entry.is_directory(ignored);
     const Path file = is_folder ? entry.path() / "manifest.jsonl" : entry.path();
-    if (IsManifest(file.filename().string()) && bytes::IsFile(file)) found.push_back(file.string());
+    if (output::IsManifest(file.filename().string()) && bytes::IsFile(file))
+      found.push_back(file.string());
   }
   std::ranges::sort(found);
   return found;
@@ -49,7 +50,7 @@ std::string Suggestion(const std::vector<std::string>& manifests) {
 // Returns the path of the manifest of a batch. `what` names the manifest, the folder or an archive.
 // Returns nullopt, after adding a finding, if a folder has no manifest or `what` is something else.
 std::optional<Path> FindBatch(const std::string& what, diag::Findings& findings) {
-  std::optional<Path> manifest = ManifestOf(what);
+  std::optional<Path> manifest = output::ManifestOf(what);
   const bool is_folder = bytes::IsFolder(what);
   if (manifest && (!is_folder || bytes::IsFile(*manifest))) return manifest;
   if (is_folder) {

@@ -174,8 +174,9 @@ std::string AsJson(const ManifestSummary& batch, const BatchStructures& structur
 std::optional<std::filesystem::path> FindManifest(const std::string& what) {
   const bool is_folder = bytes::IsFolder(what);
   if (is_folder && !what.ends_with('/') && IsSpecName(what)) return std::nullopt;
-  const std::optional<std::filesystem::path> manifest = ManifestOf(what);
-  const bool is_batch = manifest && (is_folder || IsManifest(what) || bytes::Exists(*manifest));
+  const std::optional<std::filesystem::path> manifest = output::ManifestOf(what);
+  const bool is_batch =
+      manifest && (is_folder || output::IsManifest(what) || bytes::Exists(*manifest));
   return is_batch ? manifest : std::nullopt;
 }
 

@@ -133,15 +133,6 @@ bool IsMjcf(const std::string& what) {
   return first != std::string::npos && (*text)[first] == '<';
 }
 
-std::optional<std::filesystem::path> ManifestOf(const std::string& what) {
-  if (bytes::IsFolder(what)) return std::filesystem::path(what) / "manifest.jsonl";
-  if (IsManifest(what)) return what;
-  std::string why_not;
-  const auto destination = output::ParseDestination(what, 1, why_not);
-  if (destination && destination->PacksVariants()) return destination->Manifest({});
-  return std::nullopt;
-}
-
 void AddObjectOptions(CLI::App& command, ObjectOptions& options, const std::string& doc) {
   AddArgument(command, "WHAT", options.what, doc, kSpecs + " .xml"s);
   AddWholeNumber(command, "--index", options.index, "The variant to show");

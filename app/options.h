@@ -42,17 +42,6 @@ std::optional<forge::Recipe> LoadRecipe(const std::string& what, const SpecOptio
 /// standard input ("-") by the first character; standard input can still be read afterwards.
 bool IsMjcf(const std::string& what);
 
-/// Returns true for the file name of a manifest, complete or partial (".part").
-inline bool IsManifest(std::string_view name) {
-  constexpr std::string_view kPart = ".part";
-  if (name.ends_with(kPart)) name.remove_suffix(kPart.size());
-  return output::IsManifestName(name);
-}
-
-/// Returns the manifest of the batch that `what` names by its folder, its manifest, or an archive
-/// or family; nullopt if `what` cannot be the name of a batch.
-std::optional<std::filesystem::path> ManifestOf(const std::string& what);
-
 /// Options of commands for one object: a variant of a spec, or an MJCF file.
 struct ObjectOptions {
   std::string what;

@@ -28,28 +28,15 @@ std::optional<std::pair<std::string, std::uint64_t>> SplitIndex(const std::strin
   return std::pair(what.substr(0, colon), *index);
 }
 
-// Returns the manifest of a batch, given the manifest itself, a folder that contains it, or the
-// batch's archive or series. Returns nullopt, after adding a finding, for any other archive, which
-// may belong to a series.
-std::optional<std::filesystem::path> ManifestOf(const std::filesystem::path& batch,
-                                                diag::Findings& findings) {
-  if (bytes::IsFolder(batch)) return batch / "manifest.jsonl";
-  std::string why_not;
-  const auto destination = output::ParseDestination(batch.string(), 1, why_not);
-  if (!destination || !destination->PacksVariants()) return batch;
-  std::filesystem::path manifest = destination->Manifest({});
-  std::error_code error;
-  if (std::filesystem::exists(manifest, error)) return manifest;
-  findings.AddCannotRead(batch.string(), "it has no manifest of its own; name that of its series");
-  return std::nullopt;
-}
-
-// Returns the original of a record. `batch`: see ManifestOf().
-std::optional<Original> FromManifest(const std::filesystem::path& batch, std::uint64_t index,
+// Returns the original of a record. `batch`: see output::ManifestOf(); another archive may belong
+// to a series.
+std::optional<Original> FromManifest(const std::string& batch, std::uint64_t index,
                                      diag::Sources& sources, diag::Findings& findings) {
-  const std::optional<std::filesystem::path> manifest = ManifestOf(batch, findings);
-  if (!manifest) return std::nullopt;
-  const std::filesystem::path& file = *manifest;
+  const std::filesystem::path file = output::ManifestOf(batch).value_or(batch);
+  if (file != batch && !bytes::IsFolder(batch) && !bytes::Exists(file)) {
+    findings.AddCannotRead(batch, "it has no manifest of its own; name that of its series");
+    return std::nullopt;
+  }
   std::optional<manifest::Record> record = manifest::FindRecord(file, index, sources, findings);
   if (!record) return std::nullopt;
   Original original;

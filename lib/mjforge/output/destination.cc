@@ -131,6 +131,21 @@ std::optional<Destination> ParseDestination(std::string_view text, std::uint64_t
   return destination;
 }
 
+bool IsManifest(std::string_view name) {
+  constexpr std::string_view kPart = ".part";
+  if (name.ends_with(kPart)) name.remove_suffix(kPart.size());
+  return IsManifestName(name);
+}
+
+std::optional<std::filesystem::path> ManifestOf(const std::string& what) {
+  if (bytes::IsFolder(what)) return std::filesystem::path(what) / "manifest.jsonl";
+  if (IsManifest(what)) return what;
+  std::string why_not;
+  const auto destination = ParseDestination(what, 1, why_not);
+  if (destination && destination->PacksVariants()) return destination->Manifest({});
+  return std::nullopt;
+}
+
 std::string VariantStem(std::string_view name, std::uint64_t index) {
   return fmt::format(FMT_COMPILE("{}_{:06}"), name, index);
 }

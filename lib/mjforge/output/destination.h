@@ -65,6 +65,11 @@ struct Destination {
 
 /// Returns true for the name of a manifest, compressed or not.
 bool IsManifestName(std::string_view name);
+/// Returns true for the file name of a manifest, complete or partial (".part").
+bool IsManifest(std::string_view name);
+/// Returns the manifest of the batch that `what` names by its folder, its manifest, or an archive,
+/// series or family; nullopt if `what` cannot be the name of a batch.
+std::optional<std::filesystem::path> ManifestOf(const std::string& what);
 
 /// Parses the argument of -o: "-", FILE.xml, FILE.npz, FILE.tar or FILE.tar.zst (a series if the
 /// name has one %d or %05d; a family per structure if it has one %s); any other text is a folder.
